@@ -1,0 +1,18 @@
+#include <cmath>
+#include <graze/bvh/error.h>
+#include <graze/bvh/obb.h>
+#include <string>
+
+namespace graze {
+
+void check_box(const Obb& box, const char* what) {
+  check_rigid(box.pose, what);
+  for (int i = 0; i < 3; ++i) {
+    const double half = box.half_extents.data()[i];
+    if (!(half >= 0) || !std::isfinite(half)) {
+      throw InputError(std::string(what) + ": half extent " + "xyz"[i] + " is negative or not finite");
+    }
+  }
+}
+
+}  // namespace graze

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <graze/bvh/pose.h>
+
+namespace graze {
+
+/// A closed oriented box: the points whose coordinates in the frame `pose` lie in
+/// [-half_extents, half_extents], metres. Half extents are finite and not negative.
+struct Obb {
+  Pose pose;
+  Eigen::Vector3d half_extents;
+};
+
+/// Throws InputError or PoseError, which begins with `what`, unless the box is valid.
+void check_box(const Obb& box, const char* what);
+
+}  // namespace graze

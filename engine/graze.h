@@ -1,0 +1,18 @@
+#pragma once
+
+// Everything that a user of graze meets.
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/error.h>
+#include <graze/bvh/obb.h>
+#include <graze/bvh/pose.h>
+#include <graze/engine/mesh/box_query.h>
+#include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/self.h>
+#include <graze/engine/work.h>
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_triangle.h>

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/obb.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+
+namespace graze {
+
+/// Indices of triangles in ascending order.
+struct TriangleList {
+  std::vector<std::uint32_t> triangles;
+  Completeness completeness = Completeness::Complete;
+
+  std::size_t size() const { return triangles.size(); }
+  bool empty() const { return triangles.empty(); }
+  auto begin() const { return triangles.begin(); }
+  auto end() const { return triangles.end(); }
+};
+
+struct BoxSettings {
+  /// Stop after this many triangles. Which ones these are is reproducible.
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+};
+
+/// True if and only if some placed triangle of the mesh shares a point with the box (laws 1 and 3).
+/// Surface only: a box wholly inside a closed mesh does not touch it.
+bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
+bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
+
+/// All such triangles, sorted.
+TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box, const BoxSettings& settings = {},
+                            Work* work = nullptr);
+TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box, const BoxSettings& settings = {},
+                            Work* work = nullptr);
+
+}  // namespace graze

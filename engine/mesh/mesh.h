@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include <Eigen/Core>
+#include <graze/bvh/aabb.h>
+#include <graze/engine/mesh/mesh_error.h>
+#include <graze/narrowphase/triangle.h>
+
+namespace graze {
+
+namespace bvh {
+class Tree;
+}
+
+/// Three indices into the vertices of a mesh.
+using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// What the triangles of a mesh form once bit-equal positions are welded into one vertex.
+struct Topology {
+  std::uint32_t welded_vertices = 0;       ///< distinct positions that triangles use
+  std::uint32_t components = 0;            ///< sets of triangles connected through welded vertices
+  std::uint32_t degenerate_triangles = 0;  ///< triangles of exactly zero area
+  std::uint32_t duplicate_triangles = 0;   ///< triangles with the same welded vertices as an earlier one
+  std::uint64_t boundary_edges = 0;        ///< welded edges with an odd number of triangles
+  bool is_closed = false;                  ///< every welded edge has an even number of triangles
+};
+
+/// An immutable triangle mesh in metres. A copy is a handle to the same data: cheap, and sharing
+/// the tree, which is built when a query first walks it. Safe to use from many threads at once.
+class Mesh {
+ public:
+  /// Copies both arrays. Throws MeshError, naming the element, for a coordinate that is not finite,
+  /// an index out of range, no triangles, or more than 2^31 - 1 of either. Degenerate and duplicate
+  /// triangles are accepted, and counted by topology(). Linear time.
+  Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles);
+  Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles);
+
+  std::span<const Eigen::Vector3d> vertices() const;
+  std::span<const TriangleIndices> triangles() const;
+
+  /// The corners of triangle `index`, which must be below triangles().size().
+  Triangle triangle(std::size_t index) const;
+
+  /// The smallest box around the vertices that triangles use, exactly.
+  const Aabb& bounds() const;
+
+  /// Counted when first asked for, then kept.
+  const Topology& topology() const;
+
+  /// For each vertex the lowest index of a vertex in the same position. Computed when first asked for.
+  std::span<const std::uint32_t> welded() const;
+
+  /// The hierarchy over the triangles, built when first asked for; `is_first`, if given, says
+  /// whether this call built it.
+  const bvh::Tree& tree(bool* is_first = nullptr) const;
+
+  /// True if both are handles to the same mesh.
+  friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) { return mesh_a.data_ == mesh_b.data_; }
+
+ private:
+  struct Data;
+  template <typename Indices>
+  static std::shared_ptr<const Data> make(std::span<const Eigen::Vector3d> vertices,
+                                          std::span<const Indices> triangles);
+
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace graze

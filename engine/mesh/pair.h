@@ -1,0 +1,50 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+
+namespace graze {
+
+/// Triangle `a` of the first mesh and triangle `b` of the second.
+struct TrianglePair {
+  std::uint32_t a;
+  std::uint32_t b;
+  auto operator<=>(const TrianglePair&) const = default;
+};
+
+/// Whether a list holds all there is.
+enum class Completeness { Complete, LimitReached };
+
+/// Pairs in ascending order, without duplicates.
+struct TrianglePairs {
+  std::vector<TrianglePair> pairs;
+  Completeness completeness = Completeness::Complete;
+
+  std::size_t size() const { return pairs.size(); }
+  bool empty() const { return pairs.empty(); }
+  auto begin() const { return pairs.begin(); }
+  auto end() const { return pairs.end(); }
+  const TrianglePair& operator[](std::size_t index) const { return pairs[index]; }
+};
+
+struct PairSettings {
+  /// Stop after this many pairs. Which pairs these are is reproducible.
+  std::size_t limit = std::numeric_limits<std::size_t>::max();
+};
+
+/// True if and only if some placed triangle of A shares a point with some placed triangle of B
+/// (laws 1 and 2). Surfaces only: a mesh wholly inside another does not touch it. Stops at the
+/// first pair. Throws PoseError for a pose that is refused by law 10 or by law 1.
+bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work = nullptr);
+
+/// All such pairs, sorted.
+TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                  const PairSettings& settings = {}, Work* work = nullptr);
+
+}  // namespace graze

@@ -1,0 +1,14 @@
+#include <graze/engine/work.h>
+
+namespace graze {
+
+Work& Work::operator+=(const Work& other) {
+  volume_tests += other.volume_tests;
+  volume_rejections += other.volume_rejections;
+  triangle_tests += other.triangle_tests;
+  exact_tests += other.exact_tests;
+  trees_built += other.trees_built;
+  return *this;
+}
+
+}  // namespace graze

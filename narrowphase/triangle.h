@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace graze {
+
+/// The closed convex hull of three points, metres: a triangle, or the segment or point that it
+/// degenerates to.
+struct Triangle {
+  Eigen::Vector3d a;
+  Eigen::Vector3d b;
+  Eigen::Vector3d c;
+};
+
+}  // namespace graze

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/obb.h>
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/verdict.h>
+
+namespace graze {
+
+/// True if and only if the closed triangle and the closed box share a point, in real arithmetic
+/// (law 3). Touching counts; flat boxes and degenerate triangles are what they are.
+/// Throws InputError for values that are not finite or a box with min > max.
+/// Akenine-Möller, "Fast 3D triangle-box overlap testing", Journal of Graphics Tools 6(1), 2001.
+bool intersects(const Triangle& triangle, const Aabb& box);
+
+/// As above for an oriented box: each vertex v goes into the box's frame as law 3 says,
+/// q = v - t and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation rounded to double, and the
+/// triangle of the results meets [-half_extents, half_extents] exactly.
+/// Throws InputError or PoseError for an invalid box.
+bool intersects(const Triangle& triangle, const Obb& box);
+
+namespace narrowphase {
+
+/// Law 3's way into the frame of an oriented box, without checking the box.
+Triangle into_frame(const Triangle& triangle, const Pose& frame);
+
+/// The floating-point stage alone. Not finite input is Unsure.
+Verdict triage(const Triangle& triangle, const Aabb& box);
+
+/// The exact stage alone. Throws as intersects() does.
+bool intersects_exactly(const Triangle& triangle, const Aabb& box);
+
+}  // namespace narrowphase
+}  // namespace graze

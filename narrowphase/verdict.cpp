@@ -1,0 +1,1 @@
+#include <graze/narrowphase/verdict.h>
