@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// From `from` along `axis`; the third vertex off the long edge by a tiny part of its length, near an
-// end (a needle) or anywhere along it (a cap).
+// From `from` along `axis`; the third vertex off the long edge by a tiny part of its length, near
+// an end (a needle) or anywhere along it (a cap).
 Triangle thin(Sampler& s, const Vector3d& from, const Vector3d& axis) {
   const double width = s.magnitude(-50, -4);
   const double along = s.one_in(2) ? 1 : s.unit();
@@ -64,7 +64,8 @@ TrianglePair flattest_caps(Sampler& s) {
   const Vector3d crossing = s.nudged(point_at(t, s.unit(), 0), 1);
   const Vector3d axis = s.point();
   const Vector3d third = crossing + s.point();
-  return {s.shuffled(a), s.shuffled({s.one_in(2) ? crossing : crossing - axis, crossing + axis, third})};
+  return {s.shuffled(a),
+          s.shuffled({s.one_in(2) ? crossing : crossing - axis, crossing + axis, third})};
 }
 
 }  // namespace
