@@ -50,10 +50,17 @@ TrianglePair bundled_needles(Sampler& s) {
   return {a, thin(s, q + beside, axis + tilt)};
 }
 
+// The second begins at the first, or a hair beside it.
 TrianglePair needles_in_axis_plane(Sampler& s) {
   const double height = s.symmetric();
   const auto flat = [&](const Vector3d& p) { return Vector3d(p.x(), p.y(), height); };
-  const TrianglePair pair = crossing_needles(s);
+  const Vector3d axis = 2 * s.point();
+  const Vector3d p = s.point();
+  const Triangle a = thin(s, p, axis);
+  const Vector3d start = p + s.unit() * axis;
+  const double beside = s.magnitude(-54, -4);
+  const Vector3d from = start + beside * s.point();
+  const TrianglePair pair{a, thin(s, from, s.point())};
   return turned(s, TrianglePair{for_each_vertex(pair.a, flat), for_each_vertex(pair.b, flat)});
 }
 

@@ -41,7 +41,7 @@ TriangleAndBox vertex_on_face(Sampler& s) {
   const Cornered c = whole_cornered(s);
   const double step = s.integer(-1, 1);
   const auto beyond = [&](double distance) {
-    const Vector3d p = c.corner + s.whole_point(60);
+    const Vector3d p = c.corner - 20 * c.outward + s.whole_point(30);
     return Vector3d(c.corner.x() + c.outward.x() * distance, p.y(), p.z());
   };
   const Triangle t{beyond(step), beyond(s.integer(1, 9)), beyond(s.integer(1, 9))};
@@ -51,7 +51,7 @@ TriangleAndBox vertex_on_face(Sampler& s) {
 TriangleAndBox vertex_on_face_by_ulps(Sampler& s) {
   const Cornered c = any_cornered(s);
   const auto beyond = [&](double x) {
-    const Vector3d p = c.corner - 0.5 * c.outward + 0.7 * s.point();
+    const Vector3d p = c.corner - 0.4 * c.outward + 0.5 * s.point();
     return Vector3d(x, p.y(), p.z());
   };
   const double far_x = c.corner.x() + c.outward.x();

@@ -81,12 +81,16 @@ TrianglePair vertex_on_face_by_ulps(Sampler& s) {
   return {a, s.shuffled({s.nudged(contact, 2), beyond(), beyond()})};
 }
 
+// B stands upright on A's plane, its tip at an edge of A: how far the tip reaches decides.
 TrianglePair vertex_on_edge_by_ulps(Sampler& s) {
   const Triangle a = s.triangle();
-  const Vector3d out = (a.b - a.a).cross(normal_of(a));
+  const Vector3d normal = normal_of(a);
+  const Vector3d out = (a.b - a.a).cross(normal);
   const Vector3d contact = point_at(a, s.unit(), 0);
-  const auto beyond = [&] { return Vector3d(contact + out + 0.1 * out.cross(s.point())); };
-  return {s.shuffled(a), s.shuffled({s.nudged(contact, 2), beyond(), beyond()})};
+  const auto beyond = [&](double height) {
+    return Vector3d(contact + out + height * normal + 0.1 * out.cross(s.point()));
+  };
+  return {s.shuffled(a), s.shuffled({s.nudged(contact, 2), beyond(-1), beyond(1)})};
 }
 
 TrianglePair edge_across_edge_by_ulps(Sampler& s) {
