@@ -40,9 +40,9 @@ class Random {
   std::uint64_t state_ = 1;
 };
 
-/// `number` moved by so many units in its last place, away from zero if positive.
+/// `number` moved by a few units in its last place, away from zero if positive; next to zero it stays.
 inline double moved_by_ulps(double number, int ulps) {
-  if (std::bit_cast<std::uint64_t>(number) << 1 == 0) return number;
+  if (std::bit_cast<std::uint64_t>(number) << 1 < 64) return number;
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) +
                                static_cast<std::uint64_t>(ulps));
 }
