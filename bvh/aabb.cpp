@@ -1,6 +1,6 @@
-#include <cmath>
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
+#include <cmath>
 #include <string>
 
 namespace graze {

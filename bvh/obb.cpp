@@ -1,6 +1,6 @@
-#include <cmath>
 #include <graze/bvh/error.h>
 #include <graze/bvh/obb.h>
+#include <cmath>
 #include <string>
 
 namespace graze {
@@ -10,7 +10,8 @@ void check_box(const Obb& box, const char* what) {
   for (int i = 0; i < 3; ++i) {
     const double half = box.half_extents.data()[i];
     if (!(half >= 0) || !std::isfinite(half)) {
-      throw InputError(std::string(what) + ": half extent " + "xyz"[i] + " is negative or not finite");
+      throw InputError(std::string(what) + ": half extent " + "xyz"[i] +
+                       " is negative or not finite");
     }
   }
 }

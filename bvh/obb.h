@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <graze/bvh/pose.h>
+#include <Eigen/Core>
 
 namespace graze {
 

@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <cmath>
 #include <graze/bvh/error.h>
 #include <graze/bvh/pose.h>
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -41,7 +41,8 @@ double check_rigid(const Pose& pose, const char* what) {
   }
   // Within the deviation the determinant is close to +1 or -1: its sign needs no care.
   const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) +
-                             m[4] * (m[9] * m[2] - m[1] * m[10]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+                             m[4] * (m[9] * m[2] - m[1] * m[10]) +
+                             m[8] * (m[1] * m[6] - m[2] * m[5]);
   if (!(determinant > 0)) {
     throw PoseError(std::string(what) + ": the determinant is negative, this is a reflection");
   }

@@ -35,9 +35,9 @@ bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
 
 /// All such triangles, sorted.
-TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box, const BoxSettings& settings = {},
-                            Work* work = nullptr);
-TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box, const BoxSettings& settings = {},
-                            Work* work = nullptr);
+TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box,
+                            const BoxSettings& settings = {}, Work* work = nullptr);
+TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box,
+                            const BoxSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

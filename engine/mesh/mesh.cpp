@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <cmath>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_data.h>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -32,7 +32,8 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
       const auto index = triangles[i][k];
       if (std::cmp_less(index, 0) || std::cmp_greater_equal(index, vertex_count)) {
         throw MeshError("triangle " + std::to_string(i) + ": index " + std::to_string(index) +
-                        " is out of range, there are " + std::to_string(vertex_count) + " vertices");
+                        " is out of range, there are " + std::to_string(vertex_count) +
+                        " vertices");
       }
       checked[i][k] = static_cast<std::uint32_t>(index);
     }
@@ -40,7 +41,8 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
   return checked;
 }
 
-Aabb bounds_of(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles) {
+Aabb bounds_of(std::span<const Eigen::Vector3d> vertices,
+               std::span<const TriangleIndices> triangles) {
   Aabb box{vertices[triangles[0][0]], vertices[triangles[0][0]]};
   for (const TriangleIndices& triangle : triangles) {
     for (std::uint32_t index : triangle) {
@@ -73,15 +75,21 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIn
 Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles)
     : data_(make(vertices, triangles)) {}
 
-std::span<const Eigen::Vector3d> Mesh::vertices() const { return data_->vertices; }
+std::span<const Eigen::Vector3d> Mesh::vertices() const {
+  return data_->vertices;
+}
 
-std::span<const TriangleIndices> Mesh::triangles() const { return data_->triangles; }
+std::span<const TriangleIndices> Mesh::triangles() const {
+  return data_->triangles;
+}
 
 Triangle Mesh::triangle(std::size_t index) const {
   const TriangleIndices& t = data_->triangles[index];
   return {data_->vertices[t[0]], data_->vertices[t[1]], data_->vertices[t[2]]};
 }
 
-const Aabb& Mesh::bounds() const { return data_->bounds; }
+const Aabb& Mesh::bounds() const {
+  return data_->bounds;
+}
 
 }  // namespace graze

@@ -6,10 +6,10 @@
 #include <span>
 #include <string>
 
-#include <Eigen/Core>
 #include <graze/bvh/aabb.h>
 #include <graze/engine/mesh/mesh_error.h>
 #include <graze/narrowphase/triangle.h>
+#include <Eigen/Core>
 
 namespace graze {
 
@@ -25,9 +25,10 @@ struct Topology {
   std::uint32_t welded_vertices = 0;       ///< distinct positions that triangles use
   std::uint32_t components = 0;            ///< sets of triangles connected through welded vertices
   std::uint32_t degenerate_triangles = 0;  ///< triangles of exactly zero area
-  std::uint32_t duplicate_triangles = 0;   ///< triangles with the same welded vertices as an earlier one
-  std::uint64_t boundary_edges = 0;        ///< welded edges with an odd number of triangles
-  bool is_closed = false;                  ///< every welded edge has an even number of triangles
+  std::uint32_t duplicate_triangles =
+      0;                             ///< triangles with the same welded vertices as an earlier one
+  std::uint64_t boundary_edges = 0;  ///< welded edges with an odd number of triangles
+  bool is_closed = false;            ///< every welded edge has an even number of triangles
 };
 
 /// An immutable triangle mesh in metres. A copy is a handle to the same data: cheap, and sharing
@@ -52,7 +53,8 @@ class Mesh {
   /// Counted when first asked for, then kept.
   const Topology& topology() const;
 
-  /// For each vertex the lowest index of a vertex in the same position. Computed when first asked for.
+  /// For each vertex the lowest index of a vertex in the same position. Computed when first asked
+  /// for.
   std::span<const std::uint32_t> welded() const;
 
   /// The hierarchy over the triangles, built when first asked for; `is_first`, if given, says
@@ -60,7 +62,9 @@ class Mesh {
   const bvh::Tree& tree(bool* is_first = nullptr) const;
 
   /// True if both are handles to the same mesh.
-  friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) { return mesh_a.data_ == mesh_b.data_; }
+  friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) {
+    return mesh_a.data_ == mesh_b.data_;
+  }
 
  private:
   struct Data;

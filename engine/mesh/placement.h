@@ -5,8 +5,8 @@
 
 namespace graze {
 
-/// Law 1: ((R_i0 x + R_i1 y) + R_i2 z) + t_i in each coordinate, each operation rounded to double, no
-/// fused operations. What a query decides, it decides for the result of this function.
+/// Law 1: ((R_i0 x + R_i1 y) + R_i2 z) + t_i in each coordinate, each operation rounded to double,
+/// no fused operations. What a query decides, it decides for the result of this function.
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
 Triangle place(const Pose& pose, const Triangle& triangle);
 

@@ -26,6 +26,7 @@ struct SelfSettings {
 bool self_intersects(const Mesh& mesh, Work* work = nullptr);
 
 /// All pairs a < b of the kind, sorted.
-TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings = {}, Work* work = nullptr);
+TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings = {},
+                              Work* work = nullptr);
 
 }  // namespace graze

@@ -1,0 +1,45 @@
+#include <graze/narrowphase/finite.h>
+#include <graze/narrowphase/triangle_box.h>
+
+namespace graze {
+namespace narrowphase {
+namespace {
+
+Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
+  const double x = point.data()[0] - m[12];
+  const double y = point.data()[1] - m[13];
+  const double z = point.data()[2] - m[14];
+  Eigen::Vector3d local;
+  for (int i = 0; i < 3; ++i)
+    local.data()[i] = (m[4 * i] * x + m[4 * i + 1] * y) + m[4 * i + 2] * z;
+  return local;
+}
+
+}  // namespace
+
+Triangle into_frame(const Triangle& triangle, const Pose& frame) {
+  const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
+  return {into_frame(triangle.a, m), into_frame(triangle.b, m), into_frame(triangle.c, m)};
+}
+
+}  // namespace narrowphase
+
+bool intersects(const Triangle& triangle, const Aabb& box) {
+  using narrowphase::Verdict;
+  const Verdict verdict = narrowphase::triage(triangle, box);
+  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
+  return narrowphase::intersects_exactly(triangle, box);
+}
+
+bool intersects(const Triangle& triangle, const Obb& box) {
+  check_box(box, "box");
+  narrowphase::check_finite(triangle, "triangle");
+  Aabb local;
+  for (int i = 0; i < 3; ++i) {
+    local.min.data()[i] = -box.half_extents.data()[i];
+    local.max.data()[i] = box.half_extents.data()[i];
+  }
+  return intersects(narrowphase::into_frame(triangle, box.pose), local);
+}
+
+}  // namespace graze

@@ -1,1 +1,0 @@
-#include <graze/narrowphase/verdict.h>
