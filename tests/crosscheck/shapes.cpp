@@ -11,12 +11,15 @@ namespace {
 using Vertices = std::vector<Eigen::Vector3d>;
 using Triangles = std::vector<TriangleIndices>;
 
-void add_quad(Triangles& triangles, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+void add_quad(Triangles& triangles, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+              std::uint32_t d) {
   triangles.push_back({a, b, c});
   triangles.push_back({a, c, d});
 }
 
-double turn(int part, int parts) { return 2 * std::numbers::pi * part / parts; }
+double turn(int part, int parts) {
+  return 2 * std::numbers::pi * part / parts;
+}
 
 }  // namespace
 
@@ -52,7 +55,8 @@ Mesh make_sphere(double radius, int rings, int sectors) {
   };
   const auto south = static_cast<std::uint32_t>(vertices.size() - 1);
   Triangles triangles;
-  for (int k = 0; k < sectors; ++k) triangles.push_back({0, at(0, k), at(0, k + 1)});
+  for (int k = 0; k < sectors; ++k)
+    triangles.push_back({0, at(0, k), at(0, k + 1)});
   for (int i = 0; i + 1 < rings; ++i) {
     for (int k = 0; k < sectors; ++k) {
       add_quad(triangles, at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1));
@@ -74,7 +78,8 @@ Mesh make_torus(double radius, double tube_radius, int sectors, int tube_sectors
     }
   }
   const auto at = [&](int sector, int tube_sector) {
-    return static_cast<std::uint32_t>((sector % sectors) * tube_sectors + tube_sector % tube_sectors);
+    return static_cast<std::uint32_t>((sector % sectors) * tube_sectors +
+                                      tube_sector % tube_sectors);
   };
   Triangles triangles;
   for (int i = 0; i < sectors; ++i) {

@@ -2,8 +2,8 @@
 
 // Meshes made by formula, for tests that must not depend on files.
 
-#include <Eigen/Core>
 #include <graze/engine/mesh/mesh.h>
+#include <Eigen/Core>
 
 namespace graze::tests {
 

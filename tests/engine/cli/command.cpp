@@ -1,13 +1,13 @@
 #include "tests/engine/cli/command.h"
 
-#include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
 #include <spawn.h>
-#include <sstream>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
 
 namespace graze::tests {
 namespace {
@@ -22,7 +22,8 @@ std::string read_all(const std::filesystem::path& path) {
 CommandResult run(const std::filesystem::path& folder, const std::string& program,
                   const std::vector<std::string>& arguments) {
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  for (const std::string& argument : arguments)
+    argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
 
   const std::filesystem::path out = folder / ".stdout";
@@ -59,7 +60,8 @@ CommandResult run_shell(const std::filesystem::path& folder, const std::string& 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
   return lines;
 }
 

@@ -15,7 +15,8 @@ struct CommandResult {
 };
 
 /// Runs the command in `folder`, so that messages name files as they are given here.
-CommandResult run_graze(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+CommandResult run_graze(const std::filesystem::path& folder,
+                        const std::vector<std::string>& arguments);
 
 /// Runs a line of shell in `folder`, in which $GRAZE is the command.
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line);

@@ -13,7 +13,9 @@ CommandTest::CommandTest() {
   folder_ = name;
 }
 
-CommandTest::~CommandTest() { std::filesystem::remove_all(folder_); }
+CommandTest::~CommandTest() {
+  std::filesystem::remove_all(folder_);
+}
 
 void CommandTest::write(const std::string& name, std::string_view text) const {
   std::ofstream(folder_ / name, std::ios::binary) << text;

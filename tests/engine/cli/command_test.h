@@ -1,8 +1,8 @@
 #pragma once
 
-#include <filesystem>
 #include <graze/engine/mesh/mesh.h>
 #include <gtest/gtest.h>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -46,8 +46,9 @@ TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
 }
 
 TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {
-  write("odd.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n1 0 0\n"
-                   "3 0 1 2\n3 2 0 4\n3 0 1 3\n3 0 1 1\n");
+  write("odd.off",
+        "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n1 0 0\n"
+        "3 0 1 2\n3 2 0 4\n3 0 1 3\n3 0 1 1\n");
   const Json odd = Json::parse(graze({"info", "--json", "odd.off"}).out);
   EXPECT_EQ(odd["vertices"], 5);
   EXPECT_EQ(odd["welded_vertices"], 4);
@@ -57,7 +58,8 @@ TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {
 
 TEST_F(CliInfo, SelfCountsCrossingPairs) {
   EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["crossing_pairs"], 0);
-  write("cross.off", "OFF\n6 2 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 -1\n0 0 1\n0 -3 0\n3 0 1 2\n3 3 4 5\n");
+  write("cross.off",
+        "OFF\n6 2 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 -1\n0 0 1\n0 -3 0\n3 0 1 2\n3 3 4 5\n");
   EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["crossing_pairs"], 1);
 }
 

@@ -29,14 +29,16 @@ class CliPair : public CommandTest {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     std::vector<Json> objects;
-    for (const std::string& line : lines_of(result.out)) objects.push_back(Json::parse(line));
+    for (const std::string& line : lines_of(result.out))
+      objects.push_back(Json::parse(line));
     return objects;
   }
 };
 
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
-  for (const auto& item : object.items()) keys.push_back(item.key());
+  for (const auto& item : object.items())
+    keys.push_back(item.key());
   return keys;
 }
 
@@ -87,11 +89,12 @@ TEST_F(CliPair, PosesAreTakenInEveryWriting) {
 }
 
 TEST_F(CliPair, NegativeNumbersAreNoOptionsAndMeshesMayFollow) {
-  const CommandResult result = graze({"pair", "--pose-b", "-1", "0", "0", "-.5", "0", "-1", "0", "-3e1",
-                                      "0", "0", "1", "-7", "a.off", "b.off", "--json"});
+  const CommandResult result = graze({"pair", "--pose-b", "-1", "0", "0", "-.5", "0", "-1", "0",
+                                      "-3e1", "0", "0", "1", "-7", "a.off", "b.off", "--json"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(Json::parse(result.out)["intersects"], false);
-  const CommandResult quoted = graze({"pair", "--pose-b", "-1 0 0 0 0 -1 0 0 0 0 1 0", "a.off", "b.off"});
+  const CommandResult quoted =
+      graze({"pair", "--pose-b", "-1 0 0 0 0 -1 0 0 0 0 1 0", "a.off", "b.off"});
   EXPECT_EQ(quoted.exit_code, 0) << quoted.err;
 }
 
@@ -123,8 +126,9 @@ TEST_F(CliPair, TheTableHasARowPerPoseAndASummary) {
   EXPECT_EQ(result.err, "");
   const std::vector<std::string> lines = lines_of(result.out);
   ASSERT_EQ(lines.size(), 4u);
-  EXPECT_EQ(lines[0],
-            "  pose  intersects      pairs  volume tests  triangle tests  exact tests    time (us)");
+  EXPECT_EQ(
+      lines[0],
+      "  pose  intersects      pairs  volume tests  triangle tests  exact tests    time (us)");
   EXPECT_EQ(lines[1].substr(0, 29), "     0          no          0");
   EXPECT_EQ(lines[2].substr(0, 18), "     1         yes");
   EXPECT_EQ(lines[1].size(), lines[0].size());
@@ -150,10 +154,12 @@ TEST_F(CliPair, OneFileTwiceIsOneMesh) {
 
 TEST_F(CliPair, AClosedPipeEndsItQuietly) {
   std::string poses;
-  for (int i = 0; i < 20000; ++i) poses += kApart + "\n";
+  for (int i = 0; i < 20000; ++i)
+    poses += kApart + "\n";
   write("poses.txt", poses);
   const CommandResult result = run_shell(
-      folder_, "{ \"$GRAZE\" pair a.off b.off --poses poses.txt --json; echo $? >&2; } | head -n 2");
+      folder_,
+      "{ \"$GRAZE\" pair a.off b.off --poses poses.txt --json; echo $? >&2; } | head -n 2");
   EXPECT_EQ(lines_of(result.out).size(), 2u);
   EXPECT_EQ(result.err, "0\n");
 }

@@ -19,8 +19,10 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 TEST_F(CliUsage, HelpOfEachCommandSuffices) {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--help"}, {"info", "--help"}, {"pair", "--help"}, {"pair", "-h"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"info", "--help"},
+                                                    {"pair", "--help"},
+                                                    {"pair", "-h"}}) {
     const CommandResult result = graze(arguments);
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.err, "");
@@ -32,7 +34,8 @@ TEST_F(CliUsage, HelpOfEachCommandSuffices) {
 
 TEST_F(CliUsage, HelpNamesEveryOption) {
   const std::string program = graze({"--help"}).out;
-  for (const char* part : {"info", "pair", "--version"}) EXPECT_TRUE(contains(program, part)) << part;
+  for (const char* part : {"info", "pair", "--version"})
+    EXPECT_TRUE(contains(program, part)) << part;
   const std::string info = graze({"info", "--help"}).out;
   for (const char* part : {"MESH", "--json", "--self", "--progress"}) {
     EXPECT_TRUE(contains(info, part)) << part;
@@ -98,8 +101,7 @@ TEST_F(CliUsage, BadPosesOnTheCommandLineAreRefused) {
   refuse("1 0 0 0x1 0 1 0 0 0 0 1 0", "number 4: '0x1' is not a number");
   refuse("1 0 0,,0 0 1 0 0 0 0 1 0", "a comma without a number before it");
   refuse("1 0 0 0 0 1 0 0 0 0 1 0,", "a comma without a number after it");
-  refuse("2 0 0 0 0 2 0 0 0 0 2 0",
-         "not a rotation, max |R^T R - I| is 3, above 1e-06");
+  refuse("2 0 0 0 0 2 0 0 0 0 2 0", "not a rotation, max |R^T R - I| is 3, above 1e-06");
   refuse("1 0 0 0 0 1 0 0 0 0 -1 0", "the determinant is negative, this is a reflection");
   expect_refusal({"pair", "a.off", "b.off", "--pose-a", "1 2"},
                  "graze: --pose-a: 2 numbers, a pose has 12");
@@ -122,7 +124,8 @@ TEST_F(CliUsage, APoseOptionWithoutAPoseIsRefused) {
 TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
   const auto refuse = [&](const std::string& text, const std::string& message) {
     write("poses.txt", text);
-    expect_refusal({"pair", "a.off", "b.off", "--poses", "poses.txt"}, "graze: poses.txt" + message);
+    expect_refusal({"pair", "a.off", "b.off", "--poses", "poses.txt"},
+                   "graze: poses.txt" + message);
   };
   const std::string good = std::string(kIdentity) + "\n";
   refuse(good + "\n1 0 0 0 0 1.1 0 0 0 0 1 0\n",
@@ -143,7 +146,8 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
 
 TEST_F(CliUsage, ManyPosesBeforeABadOneLeaveStdoutEmpty) {
   std::string poses;
-  for (int i = 0; i < 1000; ++i) poses += std::string(kIdentity) + "\n";
+  for (int i = 0; i < 1000; ++i)
+    poses += std::string(kIdentity) + "\n";
   write("poses.txt", poses + "1 2 3\n");
   expect_refusal({"pair", "a.off", "b.off", "--poses", "poses.txt", "--json"},
                  "graze: poses.txt:1001: 3 numbers, a pose has 12");
