@@ -15,7 +15,9 @@ Vertices are counted as the file gives them, and once more with equal positions 
 mesh is closed if each welded edge has an even number of triangles; the others are its boundary
 edges. Degenerate triangles have no area; duplicate ones have the same welded vertices as an
 earlier one. Crossing pairs (--self) share more than the vertex or edge that they have in common.
-Lengths are in the unit of the file, taken as metres.
+Lengths are in the unit of the file, taken as metres. The tree is what queries walk: a random line
+through the mesh's box is expected to visit so many of its nodes and triangles (the surface area
+heuristic).
 
 Examples:
   graze info bolt.obj

@@ -3,6 +3,7 @@
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
 #include <graze/engine/cli/quote.h>
+#include <graze/engine/cli/usage_error.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -41,8 +42,17 @@ std::string usage_hint(const CLI::App& program) {
                         : " (see graze " + chosen[0]->get_name() + " --help)";
 }
 
+/// CLI11 would say that a subcommand is required, which hides that one was given.
+void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].starts_with('-')) return;
+  if (program.get_subcommand_no_throw(arguments[0]) == nullptr) {
+    throw UsageError("there is no subcommand " + quoted(arguments[0]) + " (see graze --help)");
+  }
+}
+
 ExitCode parse_and_run(CLI::App& program, std::vector<std::string> arguments, const Action& action,
                        Output& output) {
+  check_subcommand(program, arguments);
   std::reverse(arguments.begin(), arguments.end());  // the order in which CLI11 takes them
   try {
     program.parse(arguments);

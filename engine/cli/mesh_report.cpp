@@ -23,6 +23,29 @@ void append(std::string& text, std::string_view name, const std::string& value) 
   fmt::format_to(std::back_inserter(text), "  {:<22}  {}\n", name, value);
 }
 
+nlohmann::ordered_json to_object(const bvh::TreeStatistics& tree) {
+  return {{"nodes", tree.node_count},
+          {"leaves", tree.leaf_count},
+          {"depth", tree.depth},
+          {"largest_leaf", tree.largest_leaf},
+          {"mean_leaf", tree.mean_leaf_size},
+          {"expected_node_visits", tree.expected_node_visits},
+          {"expected_triangle_tests", tree.expected_primitive_tests},
+          {"bytes", tree.bytes}};
+}
+
+void append(std::string& text, const bvh::TreeStatistics& tree) {
+  append(text, "tree nodes", std::to_string(tree.node_count));
+  append(text, "tree leaves", std::to_string(tree.leaf_count));
+  append(text, "tree depth", std::to_string(tree.depth));
+  append(text, "triangles per leaf",
+         fmt::format("{:.2f} on average, at most {}", tree.mean_leaf_size, tree.largest_leaf));
+  append(text, "line through the tree",
+         fmt::format("{:.2f} nodes, {:.2f} triangles expected", tree.expected_node_visits,
+                     tree.expected_primitive_tests));
+  append(text, "tree bytes", std::to_string(tree.bytes));
+}
+
 }  // namespace
 
 MeshReport report_mesh(const std::string& file, const MeshReportSettings& settings) {
@@ -32,6 +55,7 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .vertices = mesh.vertices().size(),
                     .bounds = mesh.bounds(),
                     .topology = mesh.topology(),
+                    .tree = bvh::statistics_of(mesh.tree()),
                     .crossing_pairs = std::nullopt};
   if (settings.has_crossing_pairs) report.crossing_pairs = find_self_pairs(mesh).size();
   return report;
@@ -52,6 +76,7 @@ std::string to_json(const MeshReport& report) {
   json["boundary_edges"] = topology.boundary_edges;
   json["degenerate_triangles"] = topology.degenerate_triangles;
   json["duplicate_triangles"] = topology.duplicate_triangles;
+  json["tree"] = to_object(report.tree);
   if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
   // File names need not be UTF-8, JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -71,6 +96,7 @@ std::string to_text(const MeshReport& report) {
   append(text, "boundary edges", std::to_string(topology.boundary_edges));
   append(text, "degenerate triangles", std::to_string(topology.degenerate_triangles));
   append(text, "duplicate triangles", std::to_string(topology.duplicate_triangles));
+  append(text, report.tree);
   if (report.crossing_pairs) {
     append(text, "crossing pairs", std::to_string(*report.crossing_pairs));
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <graze/bvh/statistics.h>
 #include <graze/engine/mesh/mesh.h>
 
 namespace graze::cli {
@@ -15,6 +16,7 @@ struct MeshReport {
   std::size_t vertices;  ///< as the file gives them
   Aabb bounds;
   Topology topology;
+  bvh::TreeStatistics tree;
   std::optional<std::size_t> crossing_pairs;  ///< if asked for
 };
 

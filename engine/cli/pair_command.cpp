@@ -46,7 +46,7 @@ void add_pair_command(CLI::App& program, Action& action) {
       ->type_name("FILE");
   command
       ->add_option("--query", options->query,
-                   "any: do they intersect; pairs: all pairs of triangles that do (default)")
+                   "any: do they intersect; pairs (default): which triangles do")
       ->type_name("any|pairs")
       ->check(CLI::IsMember({"any", "pairs"}).description(""));
   command->add_flag("--list", options->is_listing, "print the pairs of triangles, in order");

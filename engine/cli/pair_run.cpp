@@ -5,6 +5,7 @@
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/placement.h>
 
 #include <chrono>
 #include <memory>
@@ -44,6 +45,16 @@ struct PairJob {
   std::unique_ptr<FclCheck> fcl;
 };
 
+/// Refuses poses that move a mesh out of the range of double, before the first query would.
+void check_placements(const PairOptions& options, const PairJob& job) {
+  check_placement(job.pose_a, job.mesh_a.bounds(), "--pose-a");
+  for (const PoseLine& pose : job.poses_b) {
+    const std::string place =
+        pose.line == 0 ? "--pose-b" : options.poses + ":" + std::to_string(pose.line);
+    check_placement(pose.pose, job.mesh_b.bounds(), place.c_str());
+  }
+}
+
 PairJob read_job(const PairOptions& options) {
   check_combinations(options);
   const Pose pose_a =
@@ -52,12 +63,15 @@ PairJob read_job(const PairOptions& options) {
   const Mesh mesh_a = load_mesh(options.mesh_a);
   // One file, one mesh: the tree is then shared too.
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
-  return {mesh_a,
-          mesh_b,
-          pose_a,
-          std::move(poses_b),
-          options.query == "any" ? PairQuery::Any : PairQuery::Pairs,
-          options.check.empty() ? nullptr : make_fcl_check(mesh_a, mesh_b)};
+  PairJob job = {mesh_a,
+                 mesh_b,
+                 pose_a,
+                 std::move(poses_b),
+                 options.query == "any" ? PairQuery::Any : PairQuery::Pairs,
+                 nullptr};
+  check_placements(options, job);
+  if (!options.check.empty()) job.fcl = make_fcl_check(mesh_a, mesh_b);
+  return job;
 }
 
 PairAnswer ask(const PairJob& job, std::size_t index) {

@@ -16,9 +16,10 @@ class CliCheck : public CommandTest {
     write_mesh("box.off", make_box({1, 1, 1}));
     write_mesh("sphere.off", make_sphere(1, 8, 12));
     write("poses.txt",
-          "1 0 0 10 0 1 0 0 0 0 1 0\n"          // apart
-          "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125\n"  // crossing
-          "1 0 0 2 0 1 0 0 0 0 1 0\n");         // touching in a point or a face
+          "1 0 0 10 0 1 0 0 0 0 1 0\n"                    // apart
+          "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125\n"            // crossing
+          "1 0 0 2 0 1 0 0 0 0 1 0\n"                     // touching in a point or a face
+          "1 0 0 2.0000000000000004 0 1 0 0 0 0 1 0\n");  // apart by the smallest gap
   }
 
   Json check(const std::vector<std::string>& arguments) const {
@@ -35,7 +36,7 @@ class CliCheck : public CommandTest {
 
 TEST_F(CliCheck, FclAgreesAwayFromTouching) {
   const Json answers = check({"box.off", "sphere.off", "--poses", "poses.txt"});
-  ASSERT_EQ(answers.size(), 3u);
+  ASSERT_EQ(answers.size(), 4u);
   for (int i : {0, 1}) {
     const Json& fcl = answers[i]["fcl"];
     EXPECT_EQ(fcl["intersects"], answers[i]["intersects"]);

@@ -1,5 +1,6 @@
 // What `graze info` says, and which files it refuses.
 
+#include <graze/bvh/statistics.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <nlohmann/json.hpp>
 
@@ -43,6 +44,27 @@ TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
   EXPECT_EQ(row["closed"], false);
   EXPECT_EQ(row["components"], 3);
   EXPECT_EQ(row["boundary_edges"], 9);
+}
+
+TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
+  write_mesh("row.off", make_row(100));
+  const Json tree = Json::parse(graze({"info", "--json", "row.off"}).out)["tree"];
+  const bvh::TreeStatistics expected = bvh::statistics_of(load_mesh(folder_ / "row.off").tree());
+  EXPECT_GT(expected.leaf_count, 1u);
+  EXPECT_EQ(tree["nodes"], expected.node_count);
+  EXPECT_EQ(tree["leaves"], expected.leaf_count);
+  EXPECT_EQ(tree["depth"], expected.depth);
+  EXPECT_EQ(tree["largest_leaf"], expected.largest_leaf);
+  EXPECT_EQ(tree["mean_leaf"], expected.mean_leaf_size);
+  EXPECT_EQ(tree["expected_node_visits"], expected.expected_node_visits);
+  EXPECT_EQ(tree["expected_triangle_tests"], expected.expected_primitive_tests);
+  EXPECT_EQ(tree["bytes"], expected.bytes);
+}
+
+TEST_F(CliInfo, AMeshMayBeNamedLikeASubcommand) {
+  const CommandResult result = graze({"info", "pair"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err.find("graze: pair: "), 0u) << result.err;
 }
 
 TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {

@@ -1,5 +1,7 @@
 // Help, version and everything that is wrong before a mesh is read.
 
+#include <array>
+
 #include "tests/crosscheck/shapes.h"
 #include "tests/engine/cli/command_test.h"
 
@@ -64,8 +66,7 @@ TEST_F(CliUsage, VersionIsOneLine) {
 TEST_F(CliUsage, WrongArgumentsAreRefusedInOneLine) {
   expect_refusal({}, "graze: A subcommand is required (see graze --help)");
   expect_refusal({"collide", "a.off", "b.off"},
-                 "graze: The following arguments were not expected: b.off a.off collide "
-                 "(see graze --help)");
+                 "graze: there is no subcommand 'collide' (see graze --help)");
   expect_refusal({"info"}, "graze: MESH is required (see graze info --help)");
   expect_refusal({"pair"}, "graze: A is required (see graze pair --help)");
   expect_refusal({"pair", "a.off"}, "graze: B is required (see graze pair --help)");
@@ -142,6 +143,21 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
   expect_refusal({"pair", "a.off", "b.off", "--poses", "missing.txt"},
                  "graze: missing.txt: No such file or directory");
   expect_refusal({"pair", "a.off", "b.off", "--poses", "."}, "graze: .: is a directory");
+}
+
+TEST_F(CliUsage, PosesThatOverflowAreRefusedBeforeTheFirstQuery) {
+  const std::string far = "1 0 0 1.7976931348623157e308 0 1 0 0 0 0 1 0";
+  write("poses.txt", std::string(kIdentity) + "\n" + far + "\n");
+  for (const auto& [option, value, place] :
+       {std::array<std::string, 3>{"--pose-a", far, "--pose-a"},
+        {"--pose-b", far, "--pose-b"},
+        {"--poses", "poses.txt", "poses.txt:2"}}) {
+    const CommandResult result = graze({"pair", "a.off", "b.off", option, value});
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_EQ(result.out, "") << option;
+    EXPECT_EQ(result.err.find("graze: " + place + ": "), 0u) << result.err;
+    EXPECT_EQ(lines_of(result.err).size(), 1u) << result.err;
+  }
 }
 
 TEST_F(CliUsage, ManyPosesBeforeABadOneLeaveStdoutEmpty) {
