@@ -46,7 +46,7 @@ std::string usage_hint(const CLI::App& program) {
 void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments[0].starts_with('-')) return;
   if (program.get_subcommand_no_throw(arguments[0]) == nullptr) {
-    throw UsageError("there is no subcommand " + quoted(arguments[0]) + " (see graze --help)");
+    throw UsageError("there is no subcommand " + in_quotes(arguments[0]) + " (see graze --help)");
   }
 }
 

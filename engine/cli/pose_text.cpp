@@ -56,10 +56,11 @@ double parse_number(std::string_view field, std::size_t number, const std::strin
   const auto result = fast_float::from_chars(begin, end, value);
   if (result.ec == std::errc::invalid_argument || result.ptr != end) {
     throw UsageError(
-        fmt::format("{}: number {}: {} is not a number", place, number, quoted(field)));
+        fmt::format("{}: number {}: {} is not a number", place, number, in_quotes(field)));
   }
   if (!std::isfinite(value)) {
-    throw UsageError(fmt::format("{}: number {}: {} is not finite", place, number, quoted(field)));
+    throw UsageError(
+        fmt::format("{}: number {}: {} is not finite", place, number, in_quotes(field)));
   }
   return value;
 }

@@ -9,6 +9,6 @@ namespace graze::cli {
 std::string one_line(std::string_view text);
 
 /// `text` in single quotes, on one line and cut short after 40 characters, for messages.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace graze::cli

@@ -1,48 +1,21 @@
 // graze and FCL on the same meshes and poses. Each difference is settled by the referee: graze may
 // be wrong in none.
 
-#include <graze/engine/compare/compare.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
-#include <string>
 #include <vector>
 
+#include "tests/crosscheck/cross_check.h"
 #include "tests/crosscheck/shapes.h"
 
-namespace graze::compare {
+namespace graze {
 namespace {
 
 using tests::make_box;
 using tests::make_sphere;
 using tests::make_torus;
-
-struct Counts {
-  std::size_t intersecting = 0;
-  std::size_t apart = 0;
-  std::size_t differences = 0;
-};
-
-/// Both queries on both engines, for every pose of B.
-Counts cross_check(const Mesh& mesh_a, const Mesh& mesh_b, const std::vector<Pose>& poses) {
-  const FclMesh fcl_a(mesh_a);
-  const FclMesh fcl_b(mesh_b);
-  Counts counts;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    SCOPED_TRACE("pose " + std::to_string(i));
-    const Side side_a = {{mesh_a}, fcl_a};
-    const Side side_b = {{mesh_b, poses[i]}, fcl_b};
-    const Comparison pairs = compare_pairs(side_a, side_b);
-    const Comparison any = compare_any(side_a, side_b);
-    EXPECT_EQ(pairs.graze_wrong, 0u);
-    EXPECT_EQ(any.graze_wrong, 0u);
-    EXPECT_EQ(any.graze_intersects, pairs.graze_intersects);
-    ++(any.graze_intersects ? counts.intersecting : counts.apart);
-    counts.differences += pairs.differences.size();
-  }
-  return counts;
-}
 
 Pose random_rotation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -83,40 +56,41 @@ std::vector<Pose> shifts(const std::vector<Eigen::Vector3d>& translations) {
 
 TEST(FclCrossCheck, Spheres) {
   const Mesh sphere = make_sphere(1, 12, 20);
-  const Counts counts = cross_check(sphere, sphere, grazing_poses(1.97, 100));
+  const tests::CrossCheckCounts counts =
+      tests::cross_check(sphere, sphere, grazing_poses(1.97, 100));
   EXPECT_GT(counts.intersecting, 10u);
   EXPECT_GT(counts.apart, 10u);
 }
 
 TEST(FclCrossCheck, TorusAndBox) {
-  const Counts counts =
-      cross_check(make_torus(1, 0.25, 24, 10), make_box({0.5, 0.3, 0.2}), grazing_poses(1.4, 150));
+  const tests::CrossCheckCounts counts = tests::cross_check(
+      make_torus(1, 0.25, 24, 10), make_box({0.5, 0.3, 0.2}), grazing_poses(1.4, 150));
   EXPECT_GT(counts.intersecting, 10u);
   EXPECT_GT(counts.apart, 10u);
 }
 
 TEST(FclCrossCheck, LinkedTori) {
   const Mesh torus = make_torus(1, 0.25, 24, 10);
-  EXPECT_GT(cross_check(torus, torus, grazing_poses(1, 100)).intersecting, 10u);
+  EXPECT_GT(tests::cross_check(torus, torus, grazing_poses(1, 100)).intersecting, 10u);
 }
 
 TEST(FclCrossCheck, BoxesFaceOnFaceEdgeOnEdgeAndCornerOnCorner) {
   const Mesh box = make_box({1, 1, 1});
   const double inside = 2 - 0x1p-52;
   const double outside = 2 + 0x1p-51;
-  const Counts counts = cross_check(box, box,
-                                    shifts({{2, 0, 0},
-                                            {2, 2, 0},
-                                            {2, 2, 2},
-                                            {0, 0, 0},
-                                            {1, 0, 0},
-                                            {inside, 0, 0},
-                                            {outside, 0, 0},
-                                            {outside, 2, 0},
-                                            {inside, inside, 2},
-                                            {0, 0.5, 2},
-                                            {2, 2, outside},
-                                            {0, outside, 0}}));
+  const tests::CrossCheckCounts counts = tests::cross_check(box, box,
+                                                            shifts({{2, 0, 0},
+                                                                    {2, 2, 0},
+                                                                    {2, 2, 2},
+                                                                    {0, 0, 0},
+                                                                    {1, 0, 0},
+                                                                    {inside, 0, 0},
+                                                                    {outside, 0, 0},
+                                                                    {outside, 2, 0},
+                                                                    {inside, inside, 2},
+                                                                    {0, 0.5, 2},
+                                                                    {2, 2, outside},
+                                                                    {0, outside, 0}}));
   EXPECT_EQ(counts.intersecting, 8u);
   EXPECT_EQ(counts.apart, 4u);
   EXPECT_GT(counts.differences, 0u) << "a check that never differs has not looked at hard cases";
@@ -124,9 +98,9 @@ TEST(FclCrossCheck, BoxesFaceOnFaceEdgeOnEdgeAndCornerOnCorner) {
 
 TEST(FclCrossCheck, AMeshOnItself) {
   const Mesh torus = make_torus(1, 0.25, 24, 10);
-  const Counts counts = cross_check(torus, torus, shifts({{0, 0, 0}}));
+  const tests::CrossCheckCounts counts = tests::cross_check(torus, torus, shifts({{0, 0, 0}}));
   EXPECT_EQ(counts.intersecting, 1u);
 }
 
 }  // namespace
-}  // namespace graze::compare
+}  // namespace graze
