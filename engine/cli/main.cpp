@@ -45,7 +45,8 @@ std::string usage_hint(const CLI::App& program) {
 /// CLI11 would say that a subcommand is required, which hides that one was given.
 void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments[0].starts_with('-')) return;
-  if (program.get_subcommand_no_throw(arguments[0]) == nullptr) {
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(arguments[0]); };
+  if (program.get_subcommands(is_named).empty()) {
     throw UsageError("there is no subcommand " + in_quotes(arguments[0]) + " (see graze --help)");
   }
 }
