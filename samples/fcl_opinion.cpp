@@ -5,7 +5,7 @@
 #include "samples/median_time.h"
 #include "samples/second_opinion.h"
 
-namespace graze::data {
+namespace graze::samples {
 
 struct SecondOpinion::Models {
   compare::FclMesh a;
@@ -28,4 +28,4 @@ std::optional<Opinion> SecondOpinion::on(const Pose& pose_b) const {
   return opinion;
 }
 
-}  // namespace graze::data
+}  // namespace graze::samples

@@ -2,7 +2,7 @@
 
 #include "samples/second_opinion.h"
 
-namespace graze::data {
+namespace graze::samples {
 
 struct SecondOpinion::Models {};
 
@@ -14,4 +14,4 @@ std::optional<Opinion> SecondOpinion::on(const Pose&) const {
   return std::nullopt;
 }
 
-}  // namespace graze::data
+}  // namespace graze::samples

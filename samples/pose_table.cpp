@@ -7,7 +7,7 @@
 #include "samples/median_time.h"
 #include "samples/second_opinion.h"
 
-namespace graze::data {
+namespace graze::samples {
 namespace {
 
 const char* word(bool is_hit) {
@@ -63,4 +63,4 @@ std::size_t first_hit(const std::vector<bool>& is_hit) {
   return static_cast<std::size_t>(std::ranges::find(is_hit, true) - is_hit.begin());
 }
 
-}  // namespace graze::data
+}  // namespace graze::samples
