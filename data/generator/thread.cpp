@@ -5,8 +5,8 @@
 namespace graze::generator {
 namespace {
 
-// No line of the bundled parts comes nearer to this limit than a micrometre, so that the rounding
-// of the C library decides nothing; the tests hold the numbers of triangles fixed.
+// No line of the bundled parts comes nearer to this limit than 0.4 micrometres, so that the
+// rounding of the C library decides nothing; the tests hold the numbers of triangles fixed.
 constexpr double kEndMargin = 0.02;
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <tests/compare/fourier_motzkin.h>
+#include <algorithm>
 #include <utility>
 
 namespace graze::oracle {
@@ -11,7 +11,8 @@ using Row = std::vector<mpq_class>;
 void cancel(Row& row, const Row& other, int unknown) {
   if (row[unknown] == 0) return;
   const mpq_class factor = row[unknown] / other[unknown];
-  for (std::size_t k = 0; k < row.size(); ++k) row[k] -= factor * other[k];
+  for (std::size_t k = 0; k < row.size(); ++k)
+    row[k] -= factor * other[k];
 }
 
 // w_i >= 0 and w_i + w_j <= 1 for the weights of two vertices, of four unknowns at most.
@@ -32,7 +33,8 @@ void add_weights(LinearSystem& system, int unknowns, int first) {
 
 bool LinearSystem::is_feasible() {
   if (!substitute_equations()) return false;
-  for (int unknown = 0; unknown < unknowns_; ++unknown) eliminate(unknown);
+  for (int unknown = 0; unknown < unknowns_; ++unknown)
+    eliminate(unknown);
   return std::all_of(inequalities_.begin(), inequalities_.end(),
                      [](const Row& row) { return row.back() >= 0; });
 }
@@ -48,8 +50,10 @@ bool LinearSystem::substitute_equations() {
       if (equation.back() != 0) return false;
       continue;
     }
-    for (Row& row : equations_) cancel(row, equation, unknown);
-    for (Row& row : inequalities_) cancel(row, equation, unknown);
+    for (Row& row : equations_)
+      cancel(row, equation, unknown);
+    for (Row& row : inequalities_)
+      cancel(row, equation, unknown);
   }
   return true;
 }
@@ -81,9 +85,10 @@ bool intersects_by_elimination(const Triangle& triangle_a, const Triangle& trian
   for (int axis = 0; axis < 3; ++axis) {
     const mpq_class p(triangle_a.a.data()[axis]);
     const mpq_class q(triangle_b.a.data()[axis]);
-    system.add_equal({mpq_class(triangle_a.b.data()[axis]) - p, mpq_class(triangle_a.c.data()[axis]) - p,
-                      q - mpq_class(triangle_b.b.data()[axis]), q - mpq_class(triangle_b.c.data()[axis]),
-                      q - p});
+    system.add_equal({mpq_class(triangle_a.b.data()[axis]) - p,
+                      mpq_class(triangle_a.c.data()[axis]) - p,
+                      q - mpq_class(triangle_b.b.data()[axis]),
+                      q - mpq_class(triangle_b.c.data()[axis]), q - p});
   }
   return system.is_feasible();
 }

@@ -1,7 +1,7 @@
 #include <gmpxx.h>
 
-#include <array>
 #include <tests/compare/rational_clip.h>
+#include <array>
 #include <vector>
 
 namespace graze::oracle {
@@ -19,17 +19,25 @@ Point exactly(const Eigen::Vector3d& p) {
   return {mpq_class(p.data()[0]), mpq_class(p.data()[1]), mpq_class(p.data()[2])};
 }
 
-Polygon exactly(const Triangle& t) { return {exactly(t.a), exactly(t.b), exactly(t.c)}; }
+Polygon exactly(const Triangle& t) {
+  return {exactly(t.a), exactly(t.b), exactly(t.c)};
+}
 
-Point minus(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+Point minus(const Point& p, const Point& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
 
 Point cross(const Point& p, const Point& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-mpq_class dot(const Point& p, const Point& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+mpq_class dot(const Point& p, const Point& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
 
-HalfSpace below(const Point& normal, const Point& through) { return {normal, dot(normal, through)}; }
+HalfSpace below(const Point& normal, const Point& through) {
+  return {normal, dot(normal, through)};
+}
 
 HalfSpace opposite(const HalfSpace& space) {
   const Point& n = space.normal;

@@ -4,9 +4,9 @@
 
 namespace graze::oracle {
 
-/// Given that the referee's answer for make(0) and make(1) differs, halves the interval until its ends
-/// are neighbours, or nearly, and returns a parameter at the flip or a few steps beside it. If the
-/// answers agree, returns any parameter.
+/// Given that the referee's answer for make(0) and make(1) differs, halves the interval until its
+/// ends are neighbours, or nearly, and returns a parameter at the flip or a few steps beside it. If
+/// the answers agree, returns any parameter.
 template <typename Make, typename Intersects>
 double near_flip(Sampler& sampler, Make make, Intersects intersects) {
   double low = 0;

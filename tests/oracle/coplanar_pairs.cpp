@@ -25,7 +25,8 @@ struct LatticePlane {
 
   Triangle triangle(Sampler& s, int reach) const {
     Vector3d p[3];
-    for (Vector3d& vertex : p) vertex = at({s.integer(-reach, reach), s.integer(-reach, reach)});
+    for (Vector3d& vertex : p)
+      vertex = at({s.integer(-reach, reach), s.integer(-reach, reach)});
     return {p[0], p[1], p[2]};
   }
 };
@@ -73,8 +74,10 @@ TrianglePair edge_along_edge(Sampler& s) {
   const int length = s.integer(1, 20);
   const int from = s.integer(-5, length + 5);
   const int to = from + s.integer(1, 20);
-  const Triangle a{plane.at({0, 0}), plane.at({length, 0}), plane.at({s.integer(-9, 9), s.integer(1, 9)})};
-  const Triangle b{plane.at({from, 0}), plane.at({to, 0}), plane.at({s.integer(-9, 9), -s.integer(1, 9)})};
+  const Triangle a{plane.at({0, 0}), plane.at({length, 0}),
+                   plane.at({s.integer(-9, 9), s.integer(1, 9)})};
+  const Triangle b{plane.at({from, 0}), plane.at({to, 0}),
+                   plane.at({s.integer(-9, 9), -s.integer(1, 9)})};
   return {s.shuffled(a), s.shuffled(b)};
 }
 
@@ -100,7 +103,8 @@ TrianglePair nested(Sampler& s) {
   const Triangle a{plane.at({0, 0}), plane.at({40, 0}), plane.at({0, 40})};
   const int i = s.integer(-3, 25);
   const int j = s.integer(-3, 25);
-  const Triangle b{plane.at({i, j}), plane.at({i + s.integer(1, 3), j}), plane.at({i, j + s.integer(1, 3)})};
+  const Triangle b{plane.at({i, j}), plane.at({i + s.integer(1, 3), j}),
+                   plane.at({i, j + s.integer(1, 3)})};
   return s.one_in(2) ? TrianglePair{s.shuffled(a), s.shuffled(b)}
                      : TrianglePair{s.shuffled(b), s.shuffled(a)};
 }

@@ -20,7 +20,9 @@ Triangle segment_through(Sampler& s, const Vector3d& p, const Vector3d& step) {
   return segment(s, from, p + s.integer(1, 3) * step);
 }
 
-Triangle point(const Vector3d& p) { return {p, p, p}; }
+Triangle point(const Vector3d& p) {
+  return {p, p, p};
+}
 
 // A lattice point of A's inside or border, or one beside it.
 Vector3d target_on(Sampler& s, const Triangle& a) {
@@ -30,7 +32,9 @@ Vector3d target_on(Sampler& s, const Triangle& a) {
   return s.one_in(2) ? exact : Vector3d(exact + s.whole_point(1));
 }
 
-Triangle quarters(Sampler& s) { return scaled(s.whole_triangle(5), 4); }
+Triangle quarters(Sampler& s) {
+  return scaled(s.whole_triangle(5), 4);
+}
 
 TrianglePair segment_triangle(Sampler& s) {
   const Triangle a = quarters(s);
@@ -107,7 +111,8 @@ TrianglePair anything(Sampler& s) {
     const Vector3d p = s.whole_point(2);
     const int kind = s.integer(0, 2);
     if (kind == 0) return point(p);
-    return kind == 1 ? segment(s, p, s.whole_point(2)) : Triangle{p, s.whole_point(2), s.whole_point(2)};
+    return kind == 1 ? segment(s, p, s.whole_point(2))
+                     : Triangle{p, s.whole_point(2), s.whole_point(2)};
   };
   const Triangle a = shape();
   return {a, shape()};

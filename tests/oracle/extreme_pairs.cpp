@@ -1,10 +1,10 @@
-#include <cmath>
-#include <limits>
 #include <tests/oracle/base_elements.h>
 #include <tests/oracle/category.h>
+#include <cmath>
+#include <limits>
 
-// The ends of the range of double: products overflow, underflow and lose bits. The ends of the range
-// of float need no category of their own: in double arithmetic they are ordinary numbers.
+// The ends of the range of double: products overflow, underflow and lose bits. The ends of the
+// range of float need no category of their own: in double arithmetic they are ordinary numbers.
 
 namespace graze::oracle {
 namespace {
@@ -19,9 +19,15 @@ TrianglePair scaled_by(Sampler& s, int low, int high) {
   return scaled(pair, std::ldexp(1.0, s.integer(low, high)));
 }
 
-TrianglePair large(Sampler& s) { return scaled_by(s, 200, 500); }
-TrianglePair small(Sampler& s) { return scaled_by(s, -530, -200); }
-TrianglePair tiny(Sampler& s) { return scaled_by(s, -1060, -900); }
+TrianglePair large(Sampler& s) {
+  return scaled_by(s, 200, 500);
+}
+TrianglePair small(Sampler& s) {
+  return scaled_by(s, -530, -200);
+}
+TrianglePair tiny(Sampler& s) {
+  return scaled_by(s, -1060, -900);
+}
 
 // Coordinates up to the largest double, and differences beyond it.
 TrianglePair nearly_infinite(Sampler& s) {
@@ -112,7 +118,8 @@ void add_extreme_pairs(std::vector<PairCategory>& categories) {
   categories.push_back({"extreme_stretched", stretched, Answers::Mixed, Range::Double});
   categories.push_back({"denormal_lattice", denormal_lattice, Answers::Mixed, Range::Double});
   categories.push_back({"denormal", denormal, Answers::Mixed, Range::Double});
-  categories.push_back({"denormal_beside_normal", denormal_beside_normal, Answers::Mixed, Range::Double});
+  categories.push_back(
+      {"denormal_beside_normal", denormal_beside_normal, Answers::Mixed, Range::Double});
   categories.push_back({"signed_zeros", signed_zeros});
 }
 

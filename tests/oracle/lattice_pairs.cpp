@@ -10,9 +10,15 @@ TrianglePair within(Sampler& s, int reach) {
   return {a, s.whole_triangle(reach)};
 }
 
-TrianglePair tiny(Sampler& s) { return within(s, 1); }
-TrianglePair small(Sampler& s) { return within(s, 3); }
-TrianglePair large(Sampler& s) { return within(s, 1 << 20); }
+TrianglePair tiny(Sampler& s) {
+  return within(s, 1);
+}
+TrianglePair small(Sampler& s) {
+  return within(s, 3);
+}
+TrianglePair large(Sampler& s) {
+  return within(s, 1 << 20);
+}
 
 // One vertex of A is the origin: cancellation in some differences and none in others.
 TrianglePair at_origin(Sampler& s) {

@@ -41,9 +41,7 @@ TrianglePair by_ulps(Sampler& s) {
 
 TrianglePair axis_plane_by_ulps(Sampler& s) {
   const double height = s.symmetric();
-  const auto flat = [&](const Vector3d& p) {
-    return Vector3d(p.x(), p.y(), s.nudged(height, 2));
-  };
+  const auto flat = [&](const Vector3d& p) { return Vector3d(p.x(), p.y(), s.nudged(height, 2)); };
   const Triangle a = for_each_vertex(s.triangle(), flat);
   const Triangle b = for_each_vertex(s.triangle(), flat);
   return turned(s, TrianglePair{a, b});

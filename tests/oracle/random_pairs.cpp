@@ -7,7 +7,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-TrianglePair anywhere(Sampler& s) { return {s.triangle(), s.triangle()}; }
+TrianglePair anywhere(Sampler& s) {
+  return {s.triangle(), s.triangle()};
+}
 
 // B around a point of A.
 TrianglePair close(Sampler& s) {

@@ -1,7 +1,7 @@
+#include <tests/oracle/sampler.h>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <tests/oracle/sampler.h>
 #include <utility>
 
 namespace graze::oracle {
@@ -14,7 +14,9 @@ namespace {
   return rounded;
 }
 
-bool fits_float(double value) { return std::abs(value) <= std::numeric_limits<float>::max(); }
+bool fits_float(double value) {
+  return std::abs(value) <= std::numeric_limits<float>::max();
+}
 
 double neighbour(double x, double towards, Grid grid) {
   if (grid == Grid::Double || !fits_float(x)) {
@@ -32,7 +34,8 @@ double on_grid(double value, Grid grid) {
   return narrowed(value);
 }
 
-Sampler::Sampler(std::string_view name, std::uint64_t index, Grid grid) : state_(index), grid_(grid) {
+Sampler::Sampler(std::string_view name, std::uint64_t index, Grid grid)
+    : state_(index), grid_(grid) {
   std::uint64_t hash = grid == Grid::Float ? 1 : 0;
   for (const char letter : name) {  // FNV-1a's step, then SplitMix64's own mixing in bits()
     hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
@@ -55,11 +58,17 @@ int Sampler::integer(int low, int high) {
   return static_cast<int>(low + static_cast<std::int64_t>((bits() >> 11) % count));
 }
 
-bool Sampler::one_in(int n) { return integer(1, n) == 1; }
+bool Sampler::one_in(int n) {
+  return integer(1, n) == 1;
+}
 
-double Sampler::sign() { return one_in(2) ? -1 : 1; }
+double Sampler::sign() {
+  return one_in(2) ? -1 : 1;
+}
 
-double Sampler::unit() { return std::ldexp(static_cast<double>(bits() >> 11), -53); }
+double Sampler::unit() {
+  return std::ldexp(static_cast<double>(bits() >> 11), -53);
+}
 
 double Sampler::symmetric() {
   return std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits()) >> 11), -52);
@@ -131,7 +140,8 @@ Triangle Sampler::shuffled(const Triangle& t) {
   Triangle result = t;
   if (one_in(2)) std::swap(result.a, result.b);
   const int turns = integer(0, 2);
-  for (int i = 0; i < turns; ++i) result = {result.b, result.c, result.a};
+  for (int i = 0; i < turns; ++i)
+    result = {result.b, result.c, result.a};
   return result;
 }
 

@@ -32,12 +32,12 @@ class Sampler {
 
   Grid grid() const { return grid_; }
   std::uint64_t bits();
-  int integer(int low, int high);        ///< low to high, both included
-  bool one_in(int n);                    ///< true once in n times
-  double sign();                         ///< -1 or 1
-  double unit();                         ///< [0, 1), a multiple of 2^-53
-  double symmetric();                    ///< [-1, 1)
-  double magnitude(int low, int high);   ///< 2^e * [1, 2) with e from low to high
+  int integer(int low, int high);          ///< low to high, both included
+  bool one_in(int n);                      ///< true once in n times
+  double sign();                           ///< -1 or 1
+  double unit();                           ///< [0, 1), a multiple of 2^-53
+  double symmetric();                      ///< [-1, 1)
+  double magnitude(int low, int high);     ///< 2^e * [1, 2) with e from low to high
   double nudged(double x, int max_steps);  ///< x, up to max_steps neighbours on the grid away
 
   Eigen::Vector3d point();                 ///< symmetric() coordinates

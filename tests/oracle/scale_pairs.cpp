@@ -1,6 +1,6 @@
-#include <cmath>
 #include <tests/oracle/base_elements.h>
 #include <tests/oracle/category.h>
+#include <cmath>
 
 // Far from the origin, and of very different sizes.
 
@@ -23,16 +23,14 @@ TrianglePair far_away(Sampler& s) {
 
 TrianglePair far_away_adversarial(Sampler& s) {
   const Vector3d offset = far_offset(s);
-  const TrianglePair pair = base_pair(s);
-  return {moved(pair.a, offset), moved(pair.b, offset)};
+  return moved(base_pair(s), offset);
 }
 
 // In one axis only.
 TrianglePair far_along_axis(Sampler& s) {
   const double distance = s.magnitude(20, 49);
   const Vector3d offset = turned(s, Vector3d(distance, 0, 0));
-  const TrianglePair pair = base_pair(s);
-  return {moved(pair.a, offset), moved(pair.b, offset)};
+  return moved(base_pair(s), offset);
 }
 
 // Each vertex of each triangle 1e-6 to 1e6 from the origin.

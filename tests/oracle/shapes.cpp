@@ -8,6 +8,14 @@ Triangle moved(const Triangle& t, const Vector3d& by) {
   return for_each_vertex(t, [&](const Vector3d& p) { return Vector3d(p + by); });
 }
 
+TrianglePair moved(const TrianglePair& pair, const Vector3d& by) {
+  return {moved(pair.a, by), moved(pair.b, by)};
+}
+
+TriangleAndBox moved(const TriangleAndBox& pair, const Vector3d& by) {
+  return {moved(pair.triangle, by), {pair.box.min + by, pair.box.max + by}};
+}
+
 Triangle scaled(const Triangle& t, double factor) {
   return for_each_vertex(t, [&](const Vector3d& p) { return Vector3d(p * factor); });
 }
@@ -22,7 +30,8 @@ TriangleAndBox scaled(const TriangleAndBox& pair, double factor) {
 
 Vector3d turned(const Vector3d& p, int turns) {
   Vector3d result;
-  for (int i = 0; i < 3; ++i) result[(i + turns) % 3] = p[i];
+  for (int i = 0; i < 3; ++i)
+    result[(i + turns) % 3] = p[i];
   return result;
 }
 
@@ -42,7 +51,9 @@ Vector3d point_at(const Triangle& t, double weight_b, double weight_c) {
   return t.a + weight_b * (t.b - t.a) + weight_c * (t.c - t.a);
 }
 
-Aabb box_between(const Vector3d& p, const Vector3d& q) { return {p.cwiseMin(q), p.cwiseMax(q)}; }
+Aabb box_between(const Vector3d& p, const Vector3d& q) {
+  return {p.cwiseMin(q), p.cwiseMax(q)};
+}
 
 std::array<Vector3d, 8> corners(const Aabb& box) {
   std::array<Vector3d, 8> result;

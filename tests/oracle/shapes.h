@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 #include <graze/bvh/aabb.h>
@@ -33,6 +33,8 @@ Triangle for_each_vertex(const Triangle& t, Function function) {
 }
 
 Triangle moved(const Triangle& t, const Eigen::Vector3d& by);
+TrianglePair moved(const TrianglePair& pair, const Eigen::Vector3d& by);
+TriangleAndBox moved(const TriangleAndBox& pair, const Eigen::Vector3d& by);
 Triangle scaled(const Triangle& t, double factor);
 TrianglePair scaled(const TrianglePair& pair, double factor);
 TriangleAndBox scaled(const TriangleAndBox& pair, double factor);

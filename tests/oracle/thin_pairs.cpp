@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// From `from` along `axis`; the third vertex off the long edge by a tiny part of its length, near an
-// end (a needle) or anywhere along it (a cap).
+// From `from` along `axis`; the third vertex off the long edge by a tiny part of its length, near
+// an end (a needle) or anywhere along it (a cap).
 Triangle thin(Sampler& s, const Vector3d& from, const Vector3d& axis) {
   const double width = s.magnitude(-50, -4);
   const double along = s.one_in(2) ? 1 : s.unit();
@@ -50,10 +50,17 @@ TrianglePair bundled_needles(Sampler& s) {
   return {a, thin(s, q + beside, axis + tilt)};
 }
 
+// The second begins at the first, or a hair beside it.
 TrianglePair needles_in_axis_plane(Sampler& s) {
   const double height = s.symmetric();
   const auto flat = [&](const Vector3d& p) { return Vector3d(p.x(), p.y(), height); };
-  const TrianglePair pair = crossing_needles(s);
+  const Vector3d axis = 2 * s.point();
+  const Vector3d p = s.point();
+  const Triangle a = thin(s, p, axis);
+  const Vector3d start = p + s.unit() * axis;
+  const double beside = s.magnitude(-54, -4);
+  const Vector3d from = start + beside * s.point();
+  const TrianglePair pair{a, thin(s, from, s.point())};
   return turned(s, TrianglePair{for_each_vertex(pair.a, flat), for_each_vertex(pair.b, flat)});
 }
 
@@ -64,7 +71,8 @@ TrianglePair flattest_caps(Sampler& s) {
   const Vector3d crossing = s.nudged(point_at(t, s.unit(), 0), 1);
   const Vector3d axis = s.point();
   const Vector3d third = crossing + s.point();
-  return {s.shuffled(a), s.shuffled({s.one_in(2) ? crossing : crossing - axis, crossing + axis, third})};
+  return {s.shuffled(a),
+          s.shuffled({s.one_in(2) ? crossing : crossing - axis, crossing + axis, third})};
 }
 
 }  // namespace

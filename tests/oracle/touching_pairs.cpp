@@ -1,7 +1,7 @@
 #include <tests/oracle/category.h>
 
-// Pairs that touch in one point, and pairs that would but for one step of the lattice or a few ulps.
-// A lies behind the point of contact, B before it, so that this step decides.
+// Pairs that touch in one point, and pairs that would but for one step of the lattice or a few
+// ulps. A lies behind the point of contact, B before it, so that this step decides.
 
 namespace graze::oracle {
 namespace {
@@ -9,7 +9,9 @@ namespace {
 using Eigen::Vector3d;
 
 // Multiples of 8, so that points with weights in eighths are integers.
-Triangle eighths(Sampler& s) { return scaled(s.whole_triangle(100), 8); }
+Triangle eighths(Sampler& s) {
+  return scaled(s.whole_triangle(100), 8);
+}
 
 // The point of A with positive weights i/8, j/8 and the rest.
 Vector3d inner_point(Sampler& s, const Triangle& a) {
@@ -18,7 +20,9 @@ Vector3d inner_point(Sampler& s, const Triangle& a) {
   return point_at(a, i / 8.0, j / 8.0);
 }
 
-Vector3d normal_of(const Triangle& t) { return (t.b - t.a).cross(t.c - t.a); }
+Vector3d normal_of(const Triangle& t) {
+  return (t.b - t.a).cross(t.c - t.a);
+}
 
 // A shift by one step along the main axis of `out`, or none, or one back.
 Vector3d whole_shift(Sampler& s, const Vector3d& out) {
@@ -77,12 +81,16 @@ TrianglePair vertex_on_face_by_ulps(Sampler& s) {
   return {a, s.shuffled({s.nudged(contact, 2), beyond(), beyond()})};
 }
 
+// B stands upright on A's plane, its tip at an edge of A: how far the tip reaches decides.
 TrianglePair vertex_on_edge_by_ulps(Sampler& s) {
   const Triangle a = s.triangle();
-  const Vector3d out = (a.b - a.a).cross(normal_of(a));
+  const Vector3d normal = normal_of(a);
+  const Vector3d out = (a.b - a.a).cross(normal);
   const Vector3d contact = point_at(a, s.unit(), 0);
-  const auto beyond = [&] { return Vector3d(contact + out + 0.1 * out.cross(s.point())); };
-  return {s.shuffled(a), s.shuffled({s.nudged(contact, 2), beyond(), beyond()})};
+  const auto beyond = [&](double height) {
+    return Vector3d(contact + out + height * normal + 0.1 * out.cross(s.point()));
+  };
+  return {s.shuffled(a), s.shuffled({s.nudged(contact, 2), beyond(-1), beyond(1)})};
 }
 
 TrianglePair edge_across_edge_by_ulps(Sampler& s) {
@@ -99,7 +107,8 @@ TrianglePair edge_across_edge_by_ulps(Sampler& s) {
 TrianglePair stacked(Sampler& s) {
   const double floor = s.symmetric();
   const auto corner = [&](double x, double y, bool is_up) {
-    return Vector3d(x, y, s.one_in(4) ? s.nudged(floor, 1) : floor) + Vector3d(0, 0, is_up ? 1 : 0);
+    const double z = s.one_in(4) ? s.nudged(floor, 1) : floor;
+    return Vector3d(x, y, is_up ? z + 1 : z);
   };
   const double x = s.integer(-4, 4) / 4.0;
   const double y = s.integer(-4, 4) / 4.0;
