@@ -26,7 +26,7 @@ std::string one_line(std::string_view text) {
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMaxLength = 40;
   const bool is_short = text.size() <= kMaxLength;
-  return "'" + one_line(text.substr(0, kMaxLength)) + (is_short ? "'" : "...'");
+  return fmt::format("'{}{}'", one_line(text.substr(0, kMaxLength)), is_short ? "" : "...");
 }
 
 }  // namespace graze::cli

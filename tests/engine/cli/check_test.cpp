@@ -19,7 +19,7 @@ class CliCheck : public CommandTest {
           "1 0 0 10 0 1 0 0 0 0 1 0\n"                    // apart
           "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125\n"            // crossing
           "1 0 0 2 0 1 0 0 0 0 1 0\n"                     // touching in a point or a face
-          "1 0 0 2.0000000000000004 0 1 0 0 0 0 1 0\n");  // apart by the smallest gap
+          "1 0 0 1.9999999999999998 0 1 0 0 0 0 1 0\n");  // into each other by one unit of rounding
   }
 
   Json check(const std::vector<std::string>& arguments) const {

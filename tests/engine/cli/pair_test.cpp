@@ -164,6 +164,26 @@ TEST_F(CliPair, AClosedPipeEndsItQuietly) {
   EXPECT_EQ(result.err, "0\n");
 }
 
+TEST_F(CliPair, ProgressIsReportedOnRequestOnly) {
+  // The reader keeps the command waiting until its work counts as long.
+  std::string poses;
+  for (int i = 0; i < 5000; ++i)
+    poses += kApart + "\n";
+  write("poses.txt", poses);
+  const CommandResult result =
+      run_shell(folder_,
+                "ask() { \"$GRAZE\" pair a.off b.off --poses poses.txt --json $1 2> $2 |"
+                " { sleep 2.5; cat > $3; }; };"
+                "ask '' silent lines1 & ask --progress reports lines2; wait;"
+                "cat silent; echo; head -n 1 reports; cmp lines1 lines2 && wc -l < lines1");
+  EXPECT_EQ(result.err, "");
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 3u) << result.out;
+  EXPECT_EQ(lines[0], "");
+  EXPECT_TRUE(lines[1].starts_with("poses: ") && lines[1].ends_with(" of 5000 done")) << lines[1];
+  EXPECT_EQ(std::stoi(lines[2]), 5000);
+}
+
 TEST_F(CliPair, AFullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const CommandResult result = run_shell(folder_, "\"$GRAZE\" pair a.off b.off > /dev/full");

@@ -146,13 +146,14 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
 }
 
 TEST_F(CliUsage, PosesThatOverflowAreRefusedBeforeTheFirstQuery) {
-  const std::string far = "1 0 0 1.7976931348623157e308 0 1 0 0 0 0 1 0";
+  const std::string far = "1 0 0 1e308 0 1 0 0 0 0 1 0";
+  write_mesh("huge.off", make_box({1e308, 1, 1}));
   write("poses.txt", std::string(kIdentity) + "\n" + far + "\n");
   for (const auto& [option, value, place] :
        {std::array<std::string, 3>{"--pose-a", far, "--pose-a"},
         {"--pose-b", far, "--pose-b"},
         {"--poses", "poses.txt", "poses.txt:2"}}) {
-    const CommandResult result = graze({"pair", "a.off", "b.off", option, value});
+    const CommandResult result = graze({"pair", "huge.off", "huge.off", option, value});
     EXPECT_EQ(result.exit_code, 2) << option;
     EXPECT_EQ(result.out, "") << option;
     EXPECT_EQ(result.err.find("graze: " + place + ": "), 0u) << result.err;
