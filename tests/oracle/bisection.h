@@ -18,7 +18,8 @@ double near_flip(Sampler& sampler, Make make, Intersects intersects) {
     if (middle == low || middle == high) break;
     (intersects(make(middle)) == at_low ? low : high) = middle;
   }
-  return sampler.nudged(sampler.one_in(2) ? low : high, sampler.one_in(2) ? 0 : 3);
+  const double flip = sampler.one_in(2) ? low : high;
+  return sampler.one_in(2) ? flip : sampler.nudged(flip, 3);
 }
 
 }  // namespace graze::oracle
