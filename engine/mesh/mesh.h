@@ -14,8 +14,9 @@
 namespace graze {
 
 namespace bvh {
-class Tree;
+struct Tree;
 }
+struct Work;
 
 /// Three indices into the vertices of a mesh.
 using TriangleIndices = std::array<std::uint32_t, 3>;
@@ -57,9 +58,9 @@ class Mesh {
   /// for.
   std::span<const std::uint32_t> welded() const;
 
-  /// The hierarchy over the triangles, built when first asked for; `is_first`, if given, says
-  /// whether this call built it.
-  const bvh::Tree& tree(bool* is_first = nullptr) const;
+  /// The hierarchy over the triangles, built when first asked for. The call that builds it counts
+  /// that in `work`.
+  const bvh::Tree& tree(Work* work = nullptr) const;
 
   /// True if both are handles to the same mesh.
   friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) {

@@ -2,16 +2,26 @@
 
 // What the handles of one mesh share. Private to engine/mesh.
 
+#include <graze/bvh/tree.h>
 #include <graze/engine/mesh/mesh.h>
+
 #include <mutex>
 #include <vector>
 
 namespace graze {
 
+/// Made by the constructor, but for what is computed when first asked for, each behind its flag.
 struct Mesh::Data {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<TriangleIndices> triangles;
   Aabb bounds;
+
+  mutable std::once_flag tree_flag;
+  mutable bvh::Tree tree;
+  mutable std::once_flag welded_flag;
+  mutable std::vector<std::uint32_t> welded;
+  mutable std::once_flag topology_flag;
+  mutable Topology topology;
 };
 
 }  // namespace graze

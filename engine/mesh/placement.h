@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
 #include <graze/narrowphase/triangle.h>
 
@@ -9,5 +10,9 @@ namespace graze {
 /// no fused operations. What a query decides, it decides for the result of this function.
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
 Triangle place(const Pose& pose, const Triangle& triangle);
+
+/// The door (laws 1 and 10): throws PoseError, which begins with `what`, for a pose that is not
+/// rigid or under which a point of the box could overflow. Returns the deviation from a rotation.
+double check_placement(const Pose& pose, const Aabb& bounds, const char* what);
 
 }  // namespace graze

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/tree.h>
+#include <cstdint>
+#include <span>
+
+namespace graze::bvh {
+
+struct BuildSettings {
+  /// Leaves hold at most this many primitives. More makes smaller trees and more primitive tests.
+  std::uint32_t max_leaf_size = 4;
+  /// What testing a primitive costs, in tests of a node. Dearer primitives make smaller leaves.
+  float primitive_cost = 1.5f;
+};
+
+/// Builds a tree over the boxes of at least one and at most 2^31 - 1 primitives, by the surface
+/// area heuristic on 16 bins of centroids (Wald, "On fast construction of SAH-based bounding volume
+/// hierarchies", 2007). O(n log n); depth is at most 64 + log2 n even where centroids coincide or
+/// crowd exponentially. Parallel by oneTBB; the tree is the same for any number of threads.
+/// Throws InputError for no boxes or one that is not valid.
+Tree build(std::span<const Aabb> boxes, const BuildSettings& settings = {});
+
+}  // namespace graze::bvh

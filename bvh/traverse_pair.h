@@ -1,0 +1,39 @@
+#pragma once
+
+#include <graze/bvh/traversal.h>
+#include <graze/bvh/tree.h>
+#include <cstdint>
+
+namespace graze::bvh {
+
+/// Calls `leaf_fn(const Node& a, const Node& b)` for the pairs of leaves that `are_apart(a, b)`
+/// does not prune, nor any pair above them, until it returns Walk::Stop. Returns whether it did. Of
+/// two inner nodes the one is opened for which `is_first_larger(a, b)` speaks.
+template <typename Apart, typename IsFirstLarger, typename LeafFn>
+Walk traverse_pair(const Tree& tree_a, const Tree& tree_b, Apart&& are_apart,
+                   IsFirstLarger&& is_first_larger, LeafFn&& leaf_fn) {
+  struct Entry {
+    std::uint32_t a;
+    std::uint32_t b;
+  };
+  TraversalStack<Entry, 256> open;
+  open.push({0, 0});
+  while (!open.empty()) {
+    const Entry entry = open.pop();
+    const Node& a = tree_a.nodes[entry.a];
+    const Node& b = tree_b.nodes[entry.b];
+    if (are_apart(a, b)) continue;
+    if (a.is_leaf() && b.is_leaf()) {
+      if (leaf_fn(a, b) == Walk::Stop) return Walk::Stop;
+    } else if (b.is_leaf() || (!a.is_leaf() && is_first_larger(a, b))) {
+      open.push({a.first + 1, entry.b});
+      open.push({a.first, entry.b});
+    } else {
+      open.push({entry.a, b.first + 1});
+      open.push({entry.a, b.first});
+    }
+  }
+  return Walk::Continue;
+}
+
+}  // namespace graze::bvh

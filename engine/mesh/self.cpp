@@ -1,0 +1,142 @@
+#include <graze/bvh/traverse_self.h>
+#include <graze/engine/mesh/self.h>
+#include <graze/narrowphase/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_triangle.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace graze {
+namespace {
+
+/// The corners of two triangles, reordered so that the welded vertices they share come first, in
+/// the same order.
+struct Adjacency {
+  std::uint32_t corners_a[3];
+  std::uint32_t corners_b[3];
+  int shared = 0;
+};
+
+Adjacency adjacency_of(const TriangleIndices& a, const TriangleIndices& b,
+                       std::span<const std::uint32_t> welded) {
+  Adjacency result{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = result.shared; j < 3; ++j) {
+      if (welded[result.corners_a[i]] != welded[result.corners_b[j]]) continue;
+      // A vertex that a triangle repeats is shared once.
+      bool is_repeated = false;
+      for (int k = 0; k < result.shared; ++k) {
+        is_repeated |= welded[result.corners_a[k]] == welded[result.corners_a[i]];
+      }
+      if (is_repeated) break;
+      std::swap(result.corners_a[result.shared], result.corners_a[i]);
+      std::swap(result.corners_b[result.shared], result.corners_b[j]);
+      ++result.shared;
+      break;
+    }
+  }
+  return result;
+}
+
+class SelfQuery {
+ public:
+  SelfQuery(const Mesh& mesh, Work& work)
+      : vertices_(mesh.vertices()),
+        triangles_(mesh.triangles()),
+        welded_(mesh.welded()),
+        work_(work) {}
+
+  /// How the triangles meet; nothing if they are apart.
+  std::optional<SelfPairKind> meet(std::uint32_t a, std::uint32_t b) {
+    ++work_.triangle_tests;
+    const Adjacency adjacency = adjacency_of(triangles_[a], triangles_[b], welded_);
+    const Triangle triangle_a = triangle(adjacency.corners_a);
+    const Triangle triangle_b = triangle(adjacency.corners_b);
+    if (adjacency.shared == 0) {
+      if (!do_strangers_meet(triangle_a, triangle_b)) return std::nullopt;
+      return SelfPairKind::Crossing;
+    }
+    ++work_.exact_tests;
+    const bool is_crossing =
+        adjacency.shared == 3 ||
+        (adjacency.shared == 2 ? narrowphase::intersect_beyond_edge(triangle_a, triangle_b)
+                               : narrowphase::intersect_beyond_vertex(triangle_a, triangle_b));
+    return is_crossing ? SelfPairKind::Crossing : SelfPairKind::Neighbour;
+  }
+
+ private:
+  Triangle triangle(const std::uint32_t (&corners)[3]) const {
+    return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
+  }
+
+  bool do_strangers_meet(const Triangle& triangle_a, const Triangle& triangle_b) {
+    using narrowphase::Verdict;
+    const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
+    if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
+    ++work_.exact_tests;
+    return narrowphase::intersects_exactly(triangle_a, triangle_b);
+  }
+
+  std::span<const Eigen::Vector3d> vertices_;
+  std::span<const TriangleIndices> triangles_;
+  std::span<const std::uint32_t> welded_;
+  Work& work_;
+};
+
+/// Calls `on_pair(a, b)`, a < b, for each pair of that kind, until it answers Stop. No pose moves
+/// the mesh, so that the boxes need no slack.
+template <typename OnPair>
+void for_each_self_pair(const Mesh& mesh, SelfPairKind kind, Work& work, OnPair&& on_pair) {
+  const bvh::Tree& tree = mesh.tree(&work);
+  SelfQuery query(mesh, work);
+  const auto are_apart = [&](const bvh::Node& a, const bvh::Node& b) {
+    ++work.volume_tests;
+    const bool is_pruned = !bvh::overlap(a.box, b.box);
+    work.volume_rejections += is_pruned;
+    return is_pruned;
+  };
+  const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+    const bool is_same = &leaf_a == &leaf_b;
+    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+      const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
+      for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
+        const auto [a, b] = std::minmax(tree.primitives[i], tree.primitives[j]);
+        if (query.meet(a, b) != kind) continue;
+        if (on_pair(a, b) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      }
+    }
+    return bvh::Walk::Continue;
+  };
+  bvh::traverse_self(tree, are_apart, test_leaves);
+}
+
+}  // namespace
+
+bool self_intersects(const Mesh& mesh, Work* work) {
+  Work counted;
+  bool has_pair = false;
+  for_each_self_pair(mesh, SelfPairKind::Crossing, counted, [&](std::uint32_t, std::uint32_t) {
+    has_pair = true;
+    return bvh::Walk::Stop;
+  });
+  if (work != nullptr) *work += counted;
+  return has_pair;
+}
+
+TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Work* work) {
+  Work counted;
+  TrianglePairs found;
+  for_each_self_pair(mesh, settings.kind, counted, [&](std::uint32_t a, std::uint32_t b) {
+    if (found.pairs.size() == settings.limit) {
+      found.completeness = Completeness::LimitReached;
+      return bvh::Walk::Stop;
+    }
+    found.pairs.push_back({a, b});
+    return bvh::Walk::Continue;
+  });
+  std::sort(found.pairs.begin(), found.pairs.end());
+  if (work != nullptr) *work += counted;
+  return found;
+}
+
+}  // namespace graze

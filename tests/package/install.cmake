@@ -1,0 +1,31 @@
+# Installs BUILD into a fresh prefix, moves the prefix to PREFIX, and looks at what is in it.
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${PREFIX} ${PREFIX}_first)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}_first
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${PREFIX}_first ${PREFIX})
+
+foreach(needed include/graze/graze.h include/graze/bvh/aabb.h include/graze/engine/mesh/mesh.h)
+  if(NOT EXISTS ${PREFIX}/${needed})
+    message(SEND_ERROR "not installed: ${needed}")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE installed RELATIVE ${PREFIX} ${PREFIX}/*)
+foreach(file IN LISTS installed)
+  if(file MATCHES "mesh_data\\.h|_kernels\\.h|engine/(cli|compare|package)/|mesh/io/|\\.cpp$|README")
+    message(SEND_ERROR "private, but installed: ${file}")
+  endif()
+  if(file MATCHES "\\.cmake$")
+    file(STRINGS ${PREFIX}/${file} places REGEX "${PREFIX}_first|${SOURCES}|${BUILD}")
+    if(places)
+      message(SEND_ERROR "${file} names a place on this machine: ${places}")
+    endif()
+  endif()
+endforeach()
+
+# The command, where it was built, runs from where it is now.
+if(EXISTS ${PREFIX}/bin/graze)
+  execute_process(COMMAND ${PREFIX}/bin/graze --help OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endif()
