@@ -101,6 +101,16 @@ TEST(MeshReaders, MutationsAreMeshesOrErrors) {
   mutate_all(3000);
 }
 
+TEST(MeshReaders, TheSeedsOfTheFuzzerAreMeshes) {
+  int seeds = 0;
+  const auto folder = std::filesystem::path(GRAZE_DATA_DIR) / "../tests/fuzz/corpus/mesh_file";
+  for (const auto& seed : std::filesystem::directory_iterator(folder)) {
+    EXPECT_NO_THROW(load_mesh(seed.path())) << seed.path();
+    ++seeds;
+  }
+  EXPECT_GE(seeds, 7);
+}
+
 TEST(MeshReadersSlow, MutationsAreMeshesOrErrors) {
   mutate_all(300000);
 }

@@ -78,13 +78,15 @@ TEST(StlBinary, FloatsAreWidenedExactly) {
 
 TEST(StlBinary, BadFilesNameTheByte) {
   const std::string cube = cube_stl_binary();
-  EXPECT_EQ(error(cube + "x"), "a.stl: byte 80: 12 triangles need 600 bytes, but 601 follow");
+  EXPECT_EQ(error(cube + "x"),
+            "a.stl: byte 80: as binary STL, 12 triangles need 600 bytes, but 601 follow");
   EXPECT_EQ(error(cube.substr(0, 683)),
-            "a.stl: byte 80: 12 triangles need 600 bytes, but 599 follow");
+            "a.stl: byte 80: as binary STL, 12 triangles need 600 bytes, but 599 follow");
   std::string claim = cube;
   claim.replace(80, 4, "\xff\xff\xff\xff");
   EXPECT_EQ(error(claim),
-            "a.stl: byte 80: 4294967295 triangles need 214748364750 bytes, but 600 follow");
+            "a.stl: byte 80: as binary STL, 4294967295 triangles need 214748364750 bytes, but 600 "
+            "follow");
   std::string infinite = cube;
   infinite.replace(84 + 50 + 12 + 8, 4, std::string_view("\0\0\x80\x7f", 4));
   EXPECT_EQ(error(infinite), "a.stl: byte 154: a coordinate is not finite");
@@ -92,7 +94,7 @@ TEST(StlBinary, BadFilesNameTheByte) {
       error("binary"),
       "a.stl: neither text that begins with \"solid\" nor the 84 bytes of a binary STL's header");
   EXPECT_EQ(error("solidity" + std::string(76, ' ')),
-            "a.stl: byte 80: 538976288 triangles need "
+            "a.stl: byte 80: as binary STL, 538976288 triangles need "
             "26948814400 bytes, but 0 follow");
 }
 
