@@ -17,11 +17,11 @@ constexpr std::array kSkipped = {
     "l"sv,        "p"sv,        "mtllib"sv, "mg"sv,     "usemap"sv,     "maplib"sv,    "bevel"sv,
     "c_interp"sv, "d_interp"sv, "lod"sv,    "ctech"sv,  "shadow_obj"sv, "trace_obj"sv, "stech"sv};
 
-/// Free-form curves and surfaces with what belongs to them, old patches, and calls of other files.
-constexpr std::array kUnsupported = {"cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "curv"sv, "curv2"sv,
-                                     "surf"sv,   "parm"sv, "trim"sv, "hole"sv, "scrv"sv, "sp"sv,
-                                     "end"sv,    "con"sv,  "bsp"sv,  "bzp"sv,  "cdc"sv,  "cdp"sv,
-                                     "res"sv,    "call"sv, "csh"sv};
+/// Free-form curves and surfaces with what belongs to them, and the patches of older files.
+constexpr std::array kUnsupported = {"cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "curv"sv,
+                                     "curv2"sv,  "surf"sv, "parm"sv, "trim"sv, "hole"sv,
+                                     "scrv"sv,   "sp"sv,   "end"sv,  "con"sv,  "bsp"sv,
+                                     "bzp"sv,    "cdc"sv,  "cdp"sv,  "res"sv};
 
 class ObjReader {
  public:
@@ -47,6 +47,9 @@ class ObjReader {
       cursor_.skip_line();
     } else if (std::ranges::find(kUnsupported, keyword) != kUnsupported.end()) {
       cursor_.fail("free-form statement " + quoted(keyword) + " is not supported");
+    } else if (keyword == "call" || keyword == "csh") {
+      cursor_.fail("statement " + quoted(keyword) +
+                   " goes outside the file, which is not supported");
     } else {
       cursor_.fail("unknown statement " + quoted(keyword));
     }
@@ -75,7 +78,8 @@ class ObjReader {
     const Place place = cursor_.place();
     const std::string_view token = cursor_.token();
     const char* end = token.data() + token.size();
-    const char* begin = token.data() + (token.starts_with('+') ? 1 : 0);
+    const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
+    const char* begin = token.data() + (has_plus ? 1 : 0);
     std::int64_t index = 0;
     const auto result = std::from_chars(begin, end, index);
     if (result.ec != std::errc() || !is_corner_rest({result.ptr, end})) {

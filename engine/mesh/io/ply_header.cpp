@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <unordered_set>
 
 namespace graze::mesh_io {
 namespace {
@@ -175,10 +176,12 @@ void check_element(const Source& source, const PlyElement& element) {
 }
 
 void check_elements(const Source& source, const PlyHeader& header) {
-  for (auto element = header.elements.begin(); element != header.elements.end(); ++element) {
-    const auto first = std::ranges::find(header.elements, element->name, &PlyElement::name);
-    if (first != element) fail(source, element->place, "a second element " + quoted(element->name));
-    check_element(source, *element);
+  std::unordered_set<std::string_view> names;
+  for (const PlyElement& element : header.elements) {
+    if (!names.insert(element.name).second) {
+      fail(source, element.place, "a second element " + quoted(element.name));
+    }
+    check_element(source, element);
   }
 }
 

@@ -28,7 +28,7 @@ MeshArrays read_stl_binary(const Source& source) {
   const Place count_place = cursor.place();
   const std::uint64_t count = cursor.read<std::uint32_t>("the triangle count");
   if (cursor.remaining() != count * kStlTriangleBytes) {
-    cursor.fail_at(count_place, std::to_string(count) + " triangles need " +
+    cursor.fail_at(count_place, "as binary STL, " + std::to_string(count) + " triangles need " +
                                     std::to_string(count * kStlTriangleBytes) + " bytes, but " +
                                     std::to_string(cursor.remaining()) + " follow");
   }

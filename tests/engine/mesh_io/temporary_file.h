@@ -2,6 +2,7 @@
 
 #include <graze/engine/mesh/load_mesh.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
