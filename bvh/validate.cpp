@@ -1,24 +1,19 @@
 #include <graze/bvh/validate.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace graze::bvh {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Whether the local box certainly holds the box. A difference of doubles is off by less than one
-/// step, so that the inner comparison errs only towards false; scaling by a power of two is exact
-/// where ldexp does not underflow, and where it does the step towards the box absorbs it.
+/// Whether the local box holds the box, in exact arithmetic. A rounded difference is within half a step
+/// of the exact one, and a float that is smaller than it is smaller by at least one step of doubles:
+/// strictly beyond the rounded difference is beyond the exact one.
 bool holds(const FloatBox& local, const LocalFrame& frame, const Aabb& box) {
   for (int k = 0; k < 3; ++k) {
-    const double low = std::ldexp(std::nextafter(box.min.data()[k] - frame.centre[k], -kInfinity),
-                                  -frame.exponent);
-    const double high =
-        std::ldexp(std::nextafter(box.max.data()[k] - frame.centre[k], kInfinity), -frame.exponent);
-    if (!(local.min[k] <= low && high <= local.max[k])) return false;
+    const double low = std::ldexp(box.min.data()[k] - frame.centre[k], -frame.exponent);
+    const double high = std::ldexp(box.max.data()[k] - frame.centre[k], -frame.exponent);
+    if (!(local.min[k] < low && high < local.max[k])) return false;
   }
   return true;
 }

@@ -1,7 +1,7 @@
-#include <cmath>
 #include <graze/bvh/error.h>
 #include <graze/bvh/pose.h>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 
 namespace graze {

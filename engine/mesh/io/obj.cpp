@@ -1,0 +1,115 @@
+#include <graze/engine/mesh/io/obj.h>
+#include <graze/engine/mesh/io/text_cursor.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace graze::mesh_io {
+namespace {
+
+using namespace std::string_view_literals;
+
+/// Attributes, grouping, display, points and lines: nothing that has a surface. Frequent ones
+/// first.
+constexpr std::array kSkipped = {
+    "vn"sv,       "vt"sv,       "vp"sv,     "usemtl"sv, "g"sv,          "o"sv,         "s"sv,
+    "l"sv,        "p"sv,        "mtllib"sv, "mg"sv,     "usemap"sv,     "maplib"sv,    "bevel"sv,
+    "c_interp"sv, "d_interp"sv, "lod"sv,    "ctech"sv,  "shadow_obj"sv, "trace_obj"sv, "stech"sv};
+
+/// Free-form curves and surfaces with what belongs to them, old patches, and calls of other files.
+constexpr std::array kUnsupported = {"cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "curv"sv, "curv2"sv,
+                                     "surf"sv,   "parm"sv, "trim"sv, "hole"sv, "scrv"sv, "sp"sv,
+                                     "end"sv,    "con"sv,  "bsp"sv,  "bzp"sv,  "cdc"sv,  "cdp"sv,
+                                     "res"sv,    "call"sv, "csh"sv};
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source)
+      : cursor_(source, {.comment = '#', .has_continued_lines = true}),
+        builder_(source, {.first = 1}) {}
+
+  MeshArrays read() {
+    while (cursor_.find_token())
+      read_statement();
+    return builder_.finish();
+  }
+
+ private:
+  void read_statement() {
+    const Place place = cursor_.place();
+    const std::string_view keyword = cursor_.token();
+    if (keyword == "v") {
+      read_vertex();
+    } else if (keyword == "f" || keyword == "fo") {  // fo is the first version's word for a face
+      read_face(place);
+    } else if (std::ranges::find(kSkipped, keyword) != kSkipped.end()) {
+      cursor_.skip_line();
+    } else if (std::ranges::find(kUnsupported, keyword) != kUnsupported.end()) {
+      cursor_.fail("free-form statement " + quoted(keyword) + " is not supported");
+    } else {
+      cursor_.fail("unknown statement " + quoted(keyword));
+    }
+  }
+
+  void read_vertex() {
+    const double x = cursor_.number();
+    const double y = cursor_.number();
+    const double z = cursor_.number();
+    // A weight, which only free-form geometry uses, or a colour. A lost line break must not pass.
+    while (cursor_.has_token())
+      cursor_.number();
+    cursor_.end_line();
+    builder_.add_vertex(x, y, z);
+  }
+
+  void read_face(Place place) {
+    builder_.begin_polygon();
+    while (cursor_.has_token())
+      read_corner();
+    builder_.end_polygon(place);
+    cursor_.end_line();
+  }
+
+  void read_corner() {
+    const Place place = cursor_.place();
+    const std::string_view token = cursor_.token();
+    const char* end = token.data() + token.size();
+    const char* begin = token.data() + (token.starts_with('+') ? 1 : 0);
+    std::int64_t index = 0;
+    const auto result = std::from_chars(begin, end, index);
+    if (result.ec != std::errc() || !is_corner_rest({result.ptr, end})) {
+      cursor_.fail(quoted(token) + " is not a corner of a face");
+    }
+    builder_.add_corner(index < 0 ? from_end(index) : index, place);
+  }
+
+  /// Index -1 is the vertex read last.
+  std::int64_t from_end(std::int64_t index) const {
+    const auto count = static_cast<std::int64_t>(builder_.vertex_count());
+    if (index < -count) {
+      cursor_.fail("index " + std::to_string(index) + " is out of range, there are " +
+                   std::to_string(count) + " vertices so far");
+    }
+    return count + 1 + index;
+  }
+
+  /// The indices of texture coordinate and normal, which are skipped: nothing, /t, //n or /t/n.
+  static bool is_corner_rest(std::string_view rest) {
+    constexpr int kSlashes = 2;
+    if (!rest.empty() && rest.front() != '/') return false;
+    const auto is_known = [](char c) { return (c >= '0' && c <= '9') || c == '-' || c == '/'; };
+    return std::ranges::all_of(rest, is_known) && std::ranges::count(rest, '/') <= kSlashes;
+  }
+
+  TextCursor cursor_;
+  MeshBuilder builder_;
+};
+
+}  // namespace
+
+MeshArrays read_obj(const Source& source) {
+  return ObjReader(source).read();
+}
+
+}  // namespace graze::mesh_io

@@ -1,0 +1,74 @@
+#include "tests/bvh/random_boxes.h"
+
+#include <cmath>
+#include <random>
+
+namespace graze::bvh {
+namespace {
+
+class Source {
+ public:
+  explicit Source(std::uint64_t seed) : random_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
+  }
+  Eigen::Vector3d vector(double low, double high) {
+    return {uniform(low, high), uniform(low, high), uniform(low, high)};
+  }
+  std::uint64_t integer(std::uint64_t count) { return random_() % count; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+Aabb around(const Eigen::Vector3d& low, const Eigen::Vector3d& size) {
+  return {low, low + size};
+}
+
+Aabb one_box(Distribution distribution, std::size_t i, Source& source) {
+  switch (distribution) {
+    case Distribution::Uniform:
+      return around(source.vector(-1, 1), source.vector(0, 0.1));
+    case Distribution::OnePoint:
+      return around({0.3, -0.7, 1e6}, {0, 0, 0});
+    case Distribution::Collinear:
+      return around({source.uniform(0, 1), 2, 2}, {0, 0, 0});
+    case Distribution::GiantAmongDust:
+      return i == 0 ? around({-1e6, -1e6, -1e6}, {2e6, 2e6, 2e6})
+                    : around(source.vector(0, 1e-3), source.vector(0, 1e-6));
+    case Distribution::Exponential: {
+      const double scale = std::ldexp(1.0, -static_cast<int>(i % 900));
+      return around(Eigen::Vector3d::Constant(scale), Eigen::Vector3d::Constant(scale * 0.01));
+    }
+    case Distribution::Flat:
+      return around({source.uniform(0, 1), source.uniform(0, 1), 5}, {0.01, 0.01, 0});
+    case Distribution::Grid:
+      return around({static_cast<double>(source.integer(8)), static_cast<double>(source.integer(8)),
+                     static_cast<double>(source.integer(8))},
+                    {1, 1, 1});
+    case Distribution::Huge:
+      return around(source.vector(-1, 1) * 1.7e308, source.vector(0, 1) * 1e306);
+    case Distribution::Tiny:
+      return around(source.vector(-1, 1) * 1e-318, source.vector(0, 1) * 1e-320);
+  }
+  return {};
+}
+
+}  // namespace
+
+void PrintTo(Distribution distribution, std::ostream* out) {
+  constexpr const char* kNames[] = {"Uniform",        "OnePoint",    "Collinear",
+                                    "GiantAmongDust", "Exponential", "Flat",
+                                    "Grid",           "Huge",        "Tiny"};
+  *out << kNames[static_cast<int>(distribution)];
+}
+
+std::vector<Aabb> random_boxes(Distribution distribution, std::size_t count, std::uint64_t seed) {
+  Source source(seed);
+  std::vector<Aabb> boxes;
+  for (std::size_t i = 0; i < count; ++i)
+    boxes.push_back(one_box(distribution, i, source));
+  return boxes;
+}
+
+}  // namespace graze::bvh
