@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh.h>
 #include <span>
 #include <string>

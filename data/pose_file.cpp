@@ -1,11 +1,11 @@
-#include "samples/pose_file.h"
+#include "data/pose_file.h"
 
 #include <graze/bvh/error.h>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-namespace graze::samples {
+namespace graze::data {
 namespace {
 
 Pose parse_pose(const std::string& line, const std::string& place) {
@@ -36,4 +36,4 @@ std::vector<Pose> read_poses(const std::filesystem::path& path) {
   return poses;
 }
 
-}  // namespace graze::samples
+}  // namespace graze::data

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <vector>
 
-namespace graze::samples {
+namespace graze::data {
 
 /// Reads poses, one per line: the twelve numbers of the rows of [R | t], metres. Throws
 /// graze::Error with file and line for anything else, and for a file without poses.
 std::vector<Pose> read_poses(const std::filesystem::path& path);
 
-}  // namespace graze::samples
+}  // namespace graze::data

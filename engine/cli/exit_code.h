@@ -1,0 +1,12 @@
+#pragma once
+
+namespace graze::cli {
+
+/// What the command tells its caller. The help text and the README promise these numbers.
+enum class ExitCode {
+  Answered = 0,    ///< an answer was given, whatever it is
+  GrazeWrong = 1,  ///< a check was asked for, and the referee overruled graze
+  BadInput = 2,  ///< no answer: usage, meshes, poses, memory or output; one line on stderr says why
+};
+
+}  // namespace graze::cli

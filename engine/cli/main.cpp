@@ -1,0 +1,98 @@
+#include <graze/engine/cli/info_command.h>
+#include <graze/engine/cli/output.h>
+#include <graze/engine/cli/pair_command.h>
+#include <graze/engine/cli/pose_arguments.h>
+#include <graze/engine/cli/quote.h>
+#include <graze/engine/cli/usage_error.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Each subcommand has its own --help.
+
+Examples:
+  graze info bolt.obj nut.stl
+  graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
+
+Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengths are in metres.
+
+Exit codes:
+  0  an answer was given, whatever it is
+  1  with --check: exact arithmetic found an answer of graze to be wrong
+  2  bad input, with one line on stderr)";
+
+ExitCode refuse(const std::string& message) {
+  std::fprintf(stderr, "graze: %s\n", one_line(message).c_str());
+  return ExitCode::BadInput;
+}
+
+std::string usage_hint(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? " (see graze --help)"
+                        : " (see graze " + chosen[0]->get_name() + " --help)";
+}
+
+/// CLI11 would say that a subcommand is required, which hides that one was given.
+void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].starts_with('-')) return;
+  const auto is_named = [&](const CLI::App* command) { return command->check_name(arguments[0]); };
+  if (program.get_subcommands(is_named).empty()) {
+    throw UsageError("there is no subcommand " + in_quotes(arguments[0]) + " (see graze --help)");
+  }
+}
+
+ExitCode parse_and_run(CLI::App& program, std::vector<std::string> arguments, const Action& action,
+                       Output& output) {
+  check_subcommand(program, arguments);
+  std::reverse(arguments.begin(), arguments.end());  // the order in which CLI11 takes them
+  try {
+    program.parse(arguments);
+  } catch (const CLI::CallForHelp&) {
+    output.write(program.help());
+    return ExitCode::Answered;
+  } catch (const CLI::CallForVersion&) {
+    output.write(program.version() + "\n");
+    return ExitCode::Answered;
+  } catch (const CLI::ParseError& error) {
+    return refuse(error.what() + usage_hint(program));
+  }
+  return action(output);
+}
+
+ExitCode run(const std::vector<std::string>& arguments) {
+  CLI::App program("Exact collision queries between triangle meshes", "graze");
+  program.set_version_flag("--version", "graze " GRAZE_VERSION);
+  program.require_subcommand(1);
+  program.footer(kFooter);
+  Action action;
+  add_info_command(program, action);
+  add_pair_command(program, action);
+  Output output(stdout);
+  try {
+    return parse_and_run(program, join_pose_arguments(arguments), action, output);
+  } catch (const OutputClosed&) {
+    return ExitCode::Answered;  // the reader has all that it wanted
+  } catch (const std::bad_alloc&) {
+    return refuse("out of memory");
+  } catch (const std::exception& error) {
+    return refuse(error.what());
+  }
+}
+
+}  // namespace
+}  // namespace graze::cli
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), not a death
+  return static_cast<int>(graze::cli::run({argv + 1, argv + argc}));
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdio>
+#include <string_view>
+
+#include <graze/bvh/error.h>
+
+namespace graze::cli {
+
+/// Standard output could not be written: a full disk, for example.
+class OutputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Whoever read the output has closed it, as `head` does: no failure, but no use going on.
+class OutputClosed {};
+
+/// A stream on which each piece of text is seen at once by whoever reads it.
+class Output {
+ public:
+  /// `stream` must outlive this.
+  explicit Output(std::FILE* stream) : stream_(stream) {}
+
+  /// Writes and flushes. Throws OutputClosed or OutputError.
+  void write(std::string_view text);
+
+ private:
+  std::FILE* stream_;
+};
+
+}  // namespace graze::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+namespace graze::cli {
+
+/// The arguments of `graze pair` as they are given.
+struct PairOptions {
+  std::string mesh_a;
+  std::string mesh_b;
+  std::string pose_a;
+  std::string pose_b;
+  std::string poses;
+  std::string query = "pairs";
+  std::string check;
+  bool is_listing = false;
+  bool is_json = false;
+  bool has_progress = false;
+};
+
+}  // namespace graze::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace graze::cli {
+
+struct ProgressSettings {
+  /// Report even if stderr is no terminal.
+  bool is_forced = false;
+};
+
+/// Says on stderr how far long work has come, once it takes more than two seconds: one line that is
+/// rewritten if stderr is a terminal, a line every few seconds if it is not and reports are forced,
+/// and otherwise nothing. On a terminal that shows the rows of results too, these are the progress.
+class Progress {
+ public:
+  Progress(std::string what, std::size_t total, const ProgressSettings& settings);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// To be called whenever another part is done.
+  void update(std::size_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Style { Silent, Rewritten, Lines };
+
+  void erase();
+
+  std::string what_;
+  std::size_t total_;
+  Style style_;
+  Clock::time_point next_report_;
+  bool is_shown_ = false;
+};
+
+}  // namespace graze::cli

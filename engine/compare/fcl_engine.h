@@ -1,0 +1,43 @@
+#pragma once
+
+// The same queries answered by FCL, the Flexible Collision Library, as a second opinion. No type of
+// FCL appears here, so that users need neither its headers nor its compile flags.
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/pair.h>
+
+#include <memory>
+#include <vector>
+
+namespace graze::compare {
+
+/// A mesh as FCL sees it: its own copy of the triangles under a tree of OBBs and RSSs. Safe to
+/// query from many threads at once.
+class FclMesh {
+ public:
+  /// Builds FCL's tree: O(n log n). Throws MeshError if FCL refuses the mesh.
+  explicit FclMesh(const Mesh& mesh);
+  ~FclMesh();
+  FclMesh(FclMesh&&) noexcept;
+  FclMesh& operator=(FclMesh&&) noexcept;
+
+ private:
+  struct Model;
+  friend bool intersects(const FclMesh&, const Pose&, const FclMesh&, const Pose&);
+  friend std::vector<TrianglePair> find_triangle_pairs(const FclMesh&, const Pose&, const FclMesh&,
+                                                       const Pose&);
+
+  std::unique_ptr<const Model> model_;
+};
+
+/// FCL's answer: plain floating point, so that it may be wrong near touching. Stops at the first
+/// pair that FCL finds.
+bool intersects(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b,
+                const Pose& pose_b);
+
+/// All pairs that FCL finds, in ascending order, each once.
+std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose& pose_a,
+                                              const FclMesh& mesh_b, const Pose& pose_b);
+
+}  // namespace graze::compare

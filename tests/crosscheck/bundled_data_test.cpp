@@ -1,0 +1,84 @@
+// graze and FCL on every bundled pose of the bundled meshes.
+
+#include <graze/engine/mesh/load_mesh.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/crosscheck/cross_check.h"
+
+namespace graze {
+namespace {
+
+const std::filesystem::path kData = GRAZE_DATA_DIR;
+
+const std::map<std::string, std::string> kMeshFiles = {
+    {"bolt", "bolt.obj"}, {"nut", "nut.stl"}, {"gear", "gear.ply"}, {"pinion", "pinion.off"}};
+
+Mesh load_bundled(const std::string& name) {
+  return load_mesh(kData / "meshes" / kMeshFiles.at(name));
+}
+
+std::vector<Pose> read_poses(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::vector<double> numbers;
+  for (double number = 0; file >> number;)
+    numbers.push_back(number);
+  if (!file.eof() || numbers.empty() || numbers.size() % 12 != 0) {
+    throw std::runtime_error(path.string() + " is not a list of poses");
+  }
+  std::vector<Pose> poses(numbers.size() / 12, Pose::Identity());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const int entry = static_cast<int>(i % 12);
+    poses[i / 12].matrix()(entry / 4, entry % 4) = numbers[i];
+  }
+  return poses;
+}
+
+/// All files `a-b.*.txt` of poses.
+tests::CrossCheckCounts check_bundled(const std::string& name_a, const std::string& name_b) {
+  const Mesh mesh_a = load_bundled(name_a);
+  const Mesh mesh_b = load_bundled(name_b);
+  tests::CrossCheckCounts all;
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "poses")) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(name_a + "-" + name_b + ".")) continue;
+    SCOPED_TRACE(file);
+    const tests::CrossCheckCounts counts =
+        tests::cross_check(mesh_a, mesh_b, read_poses(entry.path()));
+    all.intersecting += counts.intersecting;
+    all.apart += counts.apart;
+    all.pairs += counts.pairs;
+    all.differences += counts.differences;
+  }
+  return all;
+}
+
+TEST(FclBundledData, BoltAndNut) {
+  const tests::CrossCheckCounts counts = check_bundled("bolt", "nut");
+  EXPECT_GT(counts.intersecting, 5u);
+  EXPECT_GT(counts.apart, 5u);
+  EXPECT_GT(counts.pairs, 100u);
+}
+
+TEST(FclBundledData, GearAndPinion) {
+  const tests::CrossCheckCounts counts = check_bundled("gear", "pinion");
+  EXPECT_GT(counts.intersecting, 5u);
+  EXPECT_GT(counts.apart, 5u);
+  EXPECT_GT(counts.pairs, 100u);
+}
+
+TEST(FclBundledData, NoFileOfPosesIsLeftOut) {
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "poses")) {
+    const std::string pair = entry.path().stem().stem().string();
+    EXPECT_TRUE(pair == "bolt-nut" || pair == "gear-pinion") << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace graze

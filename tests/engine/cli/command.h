@@ -1,0 +1,27 @@
+#pragma once
+
+// Runs the graze command as its users do.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace graze::tests {
+
+struct CommandResult {
+  int exit_code = -1;  ///< -1 if a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs the command in `folder`, so that messages name files as they are given here.
+CommandResult run_graze(const std::filesystem::path& folder,
+                        const std::vector<std::string>& arguments);
+
+/// Runs a line of shell in `folder`, in which $GRAZE is the command.
+CommandResult run_shell(const std::filesystem::path& folder, const std::string& line);
+
+/// The lines of `text` without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+
+}  // namespace graze::tests

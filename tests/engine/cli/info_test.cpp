@@ -1,0 +1,137 @@
+// What `graze info` says, and which files it refuses.
+
+#include <graze/bvh/statistics.h>
+#include <graze/engine/mesh/load_mesh.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/crosscheck/shapes.h"
+#include "tests/engine/cli/command_test.h"
+
+namespace graze::tests {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class CliInfo : public CommandTest {
+ protected:
+  CliInfo() {
+    write_mesh("box.off", make_box({1, 2, 0.5}));
+    write_mesh("row.off", make_row(3));
+  }
+};
+
+TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
+  const CommandResult result = graze({"info", "--json", "box.off", "row.off"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 2u);
+  const Json box = Json::parse(lines[0]);
+  EXPECT_EQ(box["file"], "box.off");
+  EXPECT_EQ(box["triangles"], 12);
+  EXPECT_EQ(box["vertices"], 8);
+  EXPECT_EQ(box["welded_vertices"], 8);
+  EXPECT_EQ(box["bounds"]["min"], Json::array({-1.0, -2.0, -0.5}));
+  EXPECT_EQ(box["bounds"]["max"], Json::array({1.0, 2.0, 0.5}));
+  EXPECT_EQ(box["size"], Json::array({2.0, 4.0, 1.0}));
+  EXPECT_EQ(box["closed"], true);
+  EXPECT_EQ(box["components"], 1);
+  EXPECT_EQ(box["boundary_edges"], 0);
+  EXPECT_EQ(box["degenerate_triangles"], 0);
+  EXPECT_EQ(box["duplicate_triangles"], 0);
+  EXPECT_FALSE(box.contains("crossing_pairs"));
+  const Json row = Json::parse(lines[1]);
+  EXPECT_EQ(row["closed"], false);
+  EXPECT_EQ(row["components"], 3);
+  EXPECT_EQ(row["boundary_edges"], 9);
+}
+
+TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
+  write_mesh("row.off", make_row(100));
+  const Json tree = Json::parse(graze({"info", "--json", "row.off"}).out)["tree"];
+  const bvh::TreeStatistics expected = bvh::statistics_of(load_mesh(folder_ / "row.off").tree());
+  EXPECT_GT(expected.leaf_count, 1u);
+  EXPECT_EQ(tree["nodes"], expected.node_count);
+  EXPECT_EQ(tree["leaves"], expected.leaf_count);
+  EXPECT_EQ(tree["depth"], expected.depth);
+  EXPECT_EQ(tree["largest_leaf"], expected.largest_leaf);
+  EXPECT_EQ(tree["mean_leaf"], expected.mean_leaf_size);
+  EXPECT_EQ(tree["expected_node_visits"], expected.expected_node_visits);
+  EXPECT_EQ(tree["expected_triangle_tests"], expected.expected_primitive_tests);
+  EXPECT_EQ(tree["bytes"], expected.bytes);
+}
+
+TEST_F(CliInfo, AMeshMayBeNamedLikeASubcommand) {
+  const CommandResult result = graze({"info", "pair"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err.find("graze: pair: "), 0u) << result.err;
+}
+
+TEST_F(CliInfo, CountsWhatIsDegenerateAndDuplicate) {
+  write("odd.off",
+        "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n1 0 0\n"
+        "3 0 1 2\n3 2 0 4\n3 0 1 3\n3 0 1 1\n");
+  const Json odd = Json::parse(graze({"info", "--json", "odd.off"}).out);
+  EXPECT_EQ(odd["vertices"], 5);
+  EXPECT_EQ(odd["welded_vertices"], 4);
+  EXPECT_EQ(odd["duplicate_triangles"], 1);
+  EXPECT_EQ(odd["degenerate_triangles"], 2);
+}
+
+TEST_F(CliInfo, SelfCountsCrossingPairs) {
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "box.off"}).out)["crossing_pairs"], 0);
+  write("cross.off",
+        "OFF\n6 2 0\n-1 -1 0\n1 -1 0\n0 1 0\n0 0 -1\n0 0 1\n0 -3 0\n3 0 1 2\n3 3 4 5\n");
+  EXPECT_EQ(Json::parse(graze({"info", "--json", "--self", "cross.off"}).out)["crossing_pairs"], 1);
+}
+
+TEST_F(CliInfo, TheTableIsAligned) {
+  const CommandResult result = graze({"info", "box.off", "row.off"});
+  EXPECT_EQ(result.exit_code, 0);
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_GT(lines.size(), 20u);
+  EXPECT_EQ(lines[0], "box.off");
+  EXPECT_EQ(lines[1], "  triangles               12");
+  EXPECT_EQ(lines[6], "  size (m)                2 4 1");
+  EXPECT_EQ(lines[7], "  surface                 closed");
+  for (const std::string& line : lines) {
+    if (line.starts_with("  ")) {
+      EXPECT_NE(line[26], ' ') << line;
+    }
+  }
+}
+
+TEST_F(CliInfo, BadMeshesAreRefusedAndLeaveStdoutEmpty) {
+  write("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+  write("mesh.xyz", "1 2 3\n");
+  const auto refuse = [&](const std::string& file) {
+    const CommandResult result = graze({"info", "box.off", file, "--json"});
+    EXPECT_EQ(result.exit_code, 2) << file;
+    EXPECT_EQ(result.out, "") << file;
+    EXPECT_EQ(lines_of(result.err).size(), 1u) << result.err;
+    EXPECT_EQ(result.err.find("graze: " + file + ":"), 0u) << result.err;
+    const CommandResult pair = graze({"pair", "box.off", file, "--json"});
+    EXPECT_EQ(pair.exit_code, 2) << file;
+    EXPECT_EQ(pair.out, "");
+    EXPECT_EQ(pair.err, result.err);
+  };
+  refuse("missing.off");
+  refuse("short.off");
+  refuse("mesh.xyz");
+  std::filesystem::create_directory(folder_ / "folder.off");
+  refuse("folder.off");
+}
+
+TEST_F(CliInfo, StrangeFileNamesStayOnOneLine) {
+  const CommandResult refused = graze({"info", "a\nb.off"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(lines_of(refused.err).size(), 1u);
+  EXPECT_EQ(refused.err.find("graze: a\\nb.off: "), 0u) << refused.err;
+  write_mesh("caf\xe9.off", make_box({1, 1, 1}));
+  const CommandResult result = graze({"info", "--json", "caf\xe9.off"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["file"], "caf\xef\xbf\xbd.off");
+}
+
+}  // namespace
+}  // namespace graze::tests

@@ -1,0 +1,175 @@
+// What `graze pair` answers, and that it is what the library says.
+
+#include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/pair.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/crosscheck/shapes.h"
+#include "tests/engine/cli/command_test.h"
+
+namespace graze::tests {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string kApart = "1 0 0 10 0 1 0 0 0 0 1 0";
+const std::string kCrossing = "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125";
+
+class CliPair : public CommandTest {
+ protected:
+  CliPair() {
+    write_mesh("a.off", make_box({1, 1, 1}));
+    write_mesh("b.off", make_sphere(1, 8, 12));
+  }
+
+  std::vector<Json> json_lines(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"pair", "a.off", "b.off", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    std::vector<Json> objects;
+    for (const std::string& line : lines_of(result.out))
+      objects.push_back(Json::parse(line));
+    return objects;
+  }
+};
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& item : object.items())
+    keys.push_back(item.key());
+  return keys;
+}
+
+using Keys = std::vector<std::string>;
+
+TEST_F(CliPair, JsonHasThePromisedKeysInOrder) {
+  const Json plain = json_lines({"--pose-b", kCrossing}).at(0);
+  EXPECT_EQ(keys_of(plain), (Keys{"pose", "intersects", "pairs", "work"}));
+  EXPECT_EQ(keys_of(plain["work"]), (Keys{"volume_tests", "volume_rejections", "triangle_tests",
+                                          "exact_tests", "trees_built"}));
+  EXPECT_EQ(keys_of(json_lines({"--query", "any"}).at(0)), (Keys{"pose", "intersects", "work"}));
+  EXPECT_EQ(keys_of(json_lines({"--list"}).at(0)),
+            (Keys{"pose", "intersects", "pairs", "list", "work"}));
+}
+
+TEST_F(CliPair, AnswersAreTheLibrarys) {
+  const Mesh mesh_a = load_mesh(folder_ / "a.off");
+  const Mesh mesh_b = load_mesh(folder_ / "b.off");
+  Pose pose = Pose::Identity();
+  pose.translation() << 1.5, 0.25, 0.125;
+  const TrianglePairs pairs = find_triangle_pairs({mesh_a}, {mesh_b, pose});
+  ASSERT_GT(pairs.size(), 1u);
+
+  const Json answer = json_lines({"--pose-b", kCrossing, "--list"}).at(0);
+  EXPECT_EQ(answer["pose"], 0);
+  EXPECT_EQ(answer["intersects"], true);
+  EXPECT_EQ(answer["pairs"], pairs.size());
+  ASSERT_EQ(answer["list"].size(), pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_EQ(answer["list"][i], Json::array({pairs[i].a, pairs[i].b}));
+  }
+  EXPECT_EQ(json_lines({"--pose-b", kCrossing, "--query", "any"}).at(0)["intersects"], true);
+  EXPECT_EQ(json_lines({"--pose-b", kApart, "--query", "any"}).at(0)["intersects"], false);
+}
+
+TEST_F(CliPair, PosesAreTakenInEveryWriting) {
+  const Json expected = json_lines({"--pose-b", kCrossing, "--list"}).at(0)["list"];
+  const std::vector<std::vector<std::string>> writings = {
+      {"--pose-b", "1,0,0,1.5,0,1,0,0.25,0,0,1,0.125"},
+      {"--pose-b", " 1, 0, 0, 1.5 ,\n 0, 1, 0, .25,\t0 0 1 +1.25e-1 "},
+      {"--pose-b=" + kCrossing},
+      {"--pose-b", "1", "0", "0", "1.5", "0", "1", "0", "0.25", "0", "0", "1", "0.125"},
+      {"--pose-b", "1", "-0", "-.0", "1.5", "-0e5", "1", "0", "0.25", "0", "0", "1", "0.125"}};
+  for (std::vector<std::string> writing : writings) {
+    writing.push_back("--list");
+    EXPECT_EQ(json_lines(writing).at(0)["list"], expected) << writing[1];
+  }
+}
+
+TEST_F(CliPair, NegativeNumbersAreNoOptionsAndMeshesMayFollow) {
+  const CommandResult result = graze({"pair", "--pose-b", "-1", "0", "0", "-.5", "0", "-1", "0",
+                                      "-3e1", "0", "0", "1", "-7", "a.off", "b.off", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["intersects"], false);
+  const CommandResult quoted =
+      graze({"pair", "--pose-b", "-1 0 0 0 0 -1 0 0 0 0 1 0", "a.off", "b.off"});
+  EXPECT_EQ(quoted.exit_code, 0) << quoted.err;
+}
+
+TEST_F(CliPair, MovingBothByOneShiftChangesNothing) {
+  const Json both = json_lines({"--pose-a", kApart, "--pose-b", kApart, "--list"}).at(0);
+  EXPECT_EQ(both["intersects"], true);
+  const Json apart = json_lines({"--pose-a", kApart}).at(0);
+  EXPECT_EQ(apart["intersects"], false);
+  EXPECT_EQ(apart["pairs"], 0);
+}
+
+TEST_F(CliPair, EachPoseOfAFileIsALine) {
+  write("poses.txt", kApart + "\r\n\n" + kCrossing + "\n  \n" + kApart);
+  const std::vector<Json> answers = json_lines({"--poses", "poses.txt"});
+  ASSERT_EQ(answers.size(), 3u);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i]["pose"], i);
+    EXPECT_EQ(answers[i]["intersects"], i == 1);
+  }
+  EXPECT_EQ(answers[0]["pairs"], 0);
+  EXPECT_GT(answers[1]["work"]["triangle_tests"], 0);
+  EXPECT_EQ(answers[2]["work"]["trees_built"], 0);
+}
+
+TEST_F(CliPair, TheTableHasARowPerPoseAndASummary) {
+  write("poses.txt", kApart + "\n" + kCrossing + "\n");
+  const CommandResult result = graze({"pair", "a.off", "b.off", "--poses", "poses.txt"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(
+      lines[0],
+      "  pose  intersects      pairs  volume tests  triangle tests  exact tests    time (us)");
+  EXPECT_EQ(lines[1].substr(0, 29), "     0          no          0");
+  EXPECT_EQ(lines[2].substr(0, 18), "     1         yes");
+  EXPECT_EQ(lines[1].size(), lines[0].size());
+  EXPECT_EQ(lines[2].size(), lines[0].size());
+  EXPECT_EQ(lines[3].substr(0, 22), "2 poses, 1 intersects,");
+}
+
+TEST_F(CliPair, TheTableListsPairsUnderTheirRow) {
+  const std::size_t pairs = json_lines({"--pose-b", kCrossing}).at(0)["pairs"];
+  const CommandResult result = graze({"pair", "a.off", "b.off", "--pose-b", kCrossing, "--list"});
+  EXPECT_EQ(lines_of(result.out).size(), pairs + 3);
+  const CommandResult any = graze({"pair", "a.off", "b.off", "--query", "any"});
+  EXPECT_EQ(lines_of(any.out)[0],
+            "  pose  intersects  volume tests  triangle tests  exact tests    time (us)");
+}
+
+TEST_F(CliPair, OneFileTwiceIsOneMesh) {
+  const CommandResult result = graze({"pair", "b.off", "b.off", "--json"});
+  const Json answer = Json::parse(result.out);
+  EXPECT_EQ(answer["work"]["trees_built"], 1);
+  EXPECT_GE(answer["pairs"], load_mesh(folder_ / "b.off").triangles().size());
+}
+
+TEST_F(CliPair, AClosedPipeEndsItQuietly) {
+  std::string poses;
+  for (int i = 0; i < 20000; ++i)
+    poses += kApart + "\n";
+  write("poses.txt", poses);
+  const CommandResult result = run_shell(
+      folder_,
+      "{ \"$GRAZE\" pair a.off b.off --poses poses.txt --json; echo $? >&2; } | head -n 2");
+  EXPECT_EQ(lines_of(result.out).size(), 2u);
+  EXPECT_EQ(result.err, "0\n");
+}
+
+TEST_F(CliPair, AFullDiskIsAnError) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
+  const CommandResult result = run_shell(folder_, "\"$GRAZE\" pair a.off b.off > /dev/full");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "graze: cannot write to standard output: No space left on device\n");
+}
+
+}  // namespace
+}  // namespace graze::tests
