@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/placement.h>
 #include <graze/graze.h>
 
 #include <vector>
@@ -60,13 +61,27 @@ graze::Mesh make_cube() {
   return graze::Mesh(surface.vertices, surface.triangles);
 }
 
-/// The cube standing on the terrain's lattice, turned, and moved by ulps.
-graze::Pose nth_pose(Random& random, int n) {
-  graze::Pose pose = n % 3 == 0 ? graze::Pose::Identity() : rotation(random.next());
-  const Eigen::Vector3d place = random.point(16, -3);
-  pose.translation() << place.x(), place.y(), std::ldexp(128 + random.integer(24), -7);
-  pose.translation().z() = moved_by_ulps(pose.translation().z(), random.integer(2));
-  return pose;
+struct Scene {
+  graze::Pose ground = graze::Pose::Identity();
+  graze::Pose cube = graze::Pose::Identity();
+};
+
+/// The cube stands on the terrain's lattice, give or take ulps: as it is, or turned together with
+/// the terrain, so that rounding decides what touches, or turned alone.
+Scene nth_scene(Random& random, int n) {
+  Scene scene;
+  const Eigen::Vector3d spot = random.point(16, -3);
+  const double height = std::ldexp(128 + random.integer(24), -7);
+  scene.cube.translation() << spot.x(), spot.y(), moved_by_ulps(height, random.integer(2));
+  if (n % 3 == 1) {
+    scene.ground = rotation(random.next());
+    const Eigen::Vector3d place = graze::place(scene.ground, scene.cube.translation());
+    scene.cube = scene.ground;
+    scene.cube.translation() = place;
+  } else if (n % 3 == 2) {
+    scene.cube.linear() = rotation(random.next()).linear();
+  }
+  return scene;
 }
 
 void add_pairs(Digest& digest, const graze::TrianglePairs& pairs) {
@@ -89,8 +104,7 @@ Answers query_meshes() {
   const graze::Mesh terrain = make_terrain();
   const graze::Mesh cube = make_cube();
   for (int n = 0; n < 60; ++n) {
-    const graze::Pose ground = n % 4 == 0 ? rotation(random.next()) : graze::Pose::Identity();
-    const graze::Pose pose = nth_pose(random, n);
+    const auto& [ground, pose] = nth_scene(random, n);
     const graze::TrianglePairs pairs = graze::find_triangle_pairs({terrain, ground}, {cube, pose});
     const bool is_hit = graze::intersects({terrain, ground}, {cube, pose});
     digest.add(std::uint64_t{is_hit});

@@ -40,7 +40,8 @@ class Random {
   std::uint64_t state_ = 1;
 };
 
-/// `number` moved by a few units in its last place, away from zero if positive; next to zero it stays.
+/// `number` moved by a few units in its last place, away from zero if positive; next to zero it
+/// stays.
 inline double moved_by_ulps(double number, int ulps) {
   if (std::bit_cast<std::uint64_t>(number) << 1 < 64) return number;
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) +
