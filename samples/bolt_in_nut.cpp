@@ -60,7 +60,7 @@ int run(const std::filesystem::path& data, const char* scene) {
   const auto cross = graze::data::read_poses(data / "poses/bolt-nut.cross.txt");
 
   const auto is_turning_hit = graze::samples::answer_poses(
-      bolt, nut, turning, {"The nut screwed on by two turns", "turned, deg", 0, -10, 6});
+      bolt, nut, turning, {"The nut screwed on by two turns", "turned, deg", 0, -10, 9});
   const auto is_cross_hit = graze::samples::answer_poses(
       bolt, nut, cross, {"The nut tilted on the thread", "tilted, deg", 0, kDegreesPerPose, 1});
   if (scene != nullptr) write_picture(bolt, nut, cross.at(kPicturedPose), scene);

@@ -13,7 +13,7 @@ struct SecondOpinion::Models {
 };
 
 SecondOpinion::SecondOpinion(const Mesh& mesh_a, const Mesh& mesh_b)
-    : models_(std::make_unique<Models>(compare::FclMesh(mesh_a), compare::FclMesh(mesh_b))) {}
+    : models_(new Models{compare::FclMesh(mesh_a), compare::FclMesh(mesh_b)}) {}
 
 SecondOpinion::~SecondOpinion() = default;
 

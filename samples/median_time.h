@@ -6,11 +6,11 @@
 
 namespace graze::samples {
 
-/// The median of five runs, after one that warms caches and builds what is built lazily.
+/// The median of three runs, after one that warms caches and builds what is built lazily.
 template <typename Function>
 double median_microseconds(const Function& function) {
   function();
-  std::array<double, 5> times;
+  std::array<double, 3> times;
   for (double& time : times) {
     const auto start = std::chrono::steady_clock::now();
     function();

@@ -8,19 +8,22 @@
 namespace graze::data {
 namespace {
 
-const std::filesystem::path kPath =
-    std::filesystem::path(testing::TempDir()) / "graze_pose_file_test.txt";
+// Each test has a file of its own: tests may run at the same time.
+std::filesystem::path test_file() {
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  return std::filesystem::path(testing::TempDir()) / ("graze_pose_file_" + test + ".txt");
+}
 
 std::vector<Pose> read(const std::string& text) {
-  std::ofstream(kPath) << text;
-  return read_poses(kPath);
+  std::ofstream(test_file()) << text;
+  return read_poses(test_file());
 }
 
 std::string message_of(const std::string& text) {
   try {
     read(text);
   } catch (const Error& error) {
-    return std::string(error.what()).substr(kPath.string().size());
+    return std::string(error.what()).substr(test_file().string().size());
   }
   return "no error";
 }

@@ -56,8 +56,8 @@ TEST_P(BundledMesh, FacesOutwards) {
 INSTANTIATE_TEST_SUITE_P(All, BundledMesh,
                          testing::Values(Solid{"bolt.obj", 15928, 2}, Solid{"nut.stl", 9228, 0},
                                          Solid{"gear.ply", 7192, 0}, Solid{"pinion.off", 5510, 0}),
-                         [](const auto& info) {
-                           const std::string file = info.param.file;
+                         [](const auto& test) {
+                           const std::string file = test.param.file;
                            return file.substr(0, file.find('.'));
                          });
 
@@ -91,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(All, BundledPoses,
                                          PoseFile{"gear-pinion.tight.txt", 26, 11},
                                          PoseFile{"gear-pinion.deep.txt", 4, 0},
                                          PoseFile{"gear-pinion.apart.txt", 4, 4}),
-                         [](const auto& info) {
-                           std::string name = info.param.file;
+                         [](const auto& test) {
+                           std::string name = test.param.file;
                            name.resize(name.size() - 4);
                            std::ranges::replace_if(
                                name, [](char c) { return c == '-' || c == '.'; }, '_');
