@@ -49,7 +49,7 @@ TEST(Law9Box, SoupsAndBoxesOfEitherKind) {
     oriented += expect_brute_force({mesh, pose}, turned);
   }
   EXPECT_GT(aligned, 2000u);
-  EXPECT_GT(oriented, 2000u);
+  EXPECT_GT(oriented, 1000u);
 }
 
 TEST(Law9Box, LatticesTouchingEverywhere) {
