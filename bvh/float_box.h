@@ -1,6 +1,7 @@
 #pragma once
 
-#include <graze/bvh/aabb.h>
+#include <algorithm>
+#include <limits>
 
 namespace graze::bvh {
 
@@ -11,16 +12,40 @@ struct FloatBox {
   float max[3];
 };
 
+// These are static so that each source compiles its own: an inline function is shared by the
+// linker, and the copy that it keeps could be one compiled with a user's -ffast-math.
+
 /// The box that every merge leaves unchanged: it holds nothing.
-FloatBox empty_box();
+static inline FloatBox empty_box() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+}
 
 /// The smallest box that holds both, exactly.
-FloatBox merged(const FloatBox& a, const FloatBox& b);
+static inline FloatBox merged(const FloatBox& a, const FloatBox& b) {
+  FloatBox box;
+  for (int k = 0; k < 3; ++k) {
+    box.min[k] = std::min(a.min[k], b.min[k]);
+    box.max[k] = std::max(a.max[k], b.max[k]);
+  }
+  return box;
+}
 
 /// True unless the closed boxes, in one frame, share no point.
-bool overlap(const FloatBox& a, const FloatBox& b);
+static inline bool overlap(const FloatBox& a, const FloatBox& b) {
+  bool is_overlapping = true;
+  for (int k = 0; k < 3; ++k) {
+    is_overlapping &= a.min[k] <= b.max[k] && b.min[k] <= a.max[k];
+  }
+  return is_overlapping;
+}
 
 /// Half the surface of the box, in square local units: the measure of the surface area heuristic.
-float half_surface(const FloatBox& box);
+static inline float half_surface(const FloatBox& box) {
+  const float x = box.max[0] - box.min[0];
+  const float y = box.max[1] - box.min[1];
+  const float z = box.max[2] - box.min[2];
+  return x * y + y * z + z * x;
+}
 
 }  // namespace graze::bvh

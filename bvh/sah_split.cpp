@@ -8,6 +8,12 @@ namespace {
 
 constexpr int kBins = 16;
 
+/// Few references need few bins: most nodes are near the leaves, where sweeping would cost the
+/// most.
+int bin_count(std::size_t references) {
+  return references <= 4 ? 4 : references <= 16 ? 8 : kBins;
+}
+
 /// Centroids closer together than this, in local units, are one: dividing by less could overflow.
 constexpr float kSmallestSpread = 1e-30f;
 
@@ -15,8 +21,8 @@ constexpr float kSmallestSpread = 1e-30f;
 constexpr float kSmallestSurface = 1e-30f;
 
 struct Bin {
-  FloatBox box = empty_box();
-  std::uint32_t count = 0;
+  FloatBox box;
+  std::uint32_t count;
 };
 
 struct Spread {
@@ -26,8 +32,9 @@ struct Spread {
 
 Spread spread_of_centroids(std::span<const Reference> references) {
   Spread spread;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 3; ++k) {
     spread.low[k] = spread.high[k] = references[0].centroid(k);
+  }
   for (const Reference& reference : references) {
     for (int k = 0; k < 3; ++k) {
       const float centroid = reference.centroid(k);
@@ -38,8 +45,8 @@ Spread spread_of_centroids(std::span<const Reference> references) {
   return spread;
 }
 
-int bin_of(float centroid, float low, float bins_per_unit) {
-  return std::min(kBins - 1, static_cast<int>((centroid - low) * bins_per_unit));
+int bin_of(float centroid, float low, float bins_per_unit, int bins) {
+  return std::min(bins - 1, static_cast<int>((centroid - low) * bins_per_unit));
 }
 
 /// Primitives on one line have no surface that could tell splits apart: their length does.
@@ -51,12 +58,13 @@ float measured(const FloatBox& box, Measure measure) {
 }
 
 /// Lowers `best` to the cheapest plane between these bins of one axis that has bins on both sides.
-void sweep(const std::array<Bin, kBins>& bins, Split candidate, Measure measure, Split& best) {
+void sweep(std::span<const Bin> bins, Split candidate, Measure measure, Split& best) {
   std::array<float, kBins> cost_behind;
   std::array<std::uint32_t, kBins> count_behind;
   FloatBox box = empty_box();
   std::uint32_t count = 0;
-  for (int i = kBins - 1; i > 0; --i) {
+  const int last = static_cast<int>(bins.size()) - 1;
+  for (int i = last; i > 0; --i) {
     box = merged(box, bins[i].box);
     count += bins[i].count;
     cost_behind[i] = count == 0 ? 0 : measured(box, measure) * static_cast<float>(count);
@@ -64,7 +72,7 @@ void sweep(const std::array<Bin, kBins>& bins, Split candidate, Measure measure,
   }
   box = empty_box();
   count = 0;
-  for (int i = 1; i < kBins; ++i) {
+  for (int i = 1; i <= last; ++i) {
     box = merged(box, bins[i - 1].box);
     count += bins[i - 1].count;
     if (count == 0 || count_behind[i] == 0) continue;
@@ -86,15 +94,18 @@ FloatBox bounds_of(std::span<const Reference> references) {
 Split find_sah_split(std::span<const Reference> references, const FloatBox& box) {
   const Measure measure = half_surface(box) > kSmallestSurface ? Measure::Surface : Measure::Length;
   const Spread spread = spread_of_centroids(references);
-  std::array<Bin, kBins> bins[3];
+  const int count = bin_count(references.size());
+  Bin bins[3][kBins];
+  for (auto& axis : bins)
+    std::fill_n(axis, count, Bin{empty_box(), 0});
   float bins_per_unit[3];
   for (int k = 0; k < 3; ++k) {
     const float width = spread.high[k] - spread.low[k];
-    bins_per_unit[k] = width > kSmallestSpread ? kBins / width : 0;
+    bins_per_unit[k] = width > kSmallestSpread ? static_cast<float>(count) / width : 0;
   }
   for (const Reference& reference : references) {
     for (int k = 0; k < 3; ++k) {
-      Bin& bin = bins[k][bin_of(reference.centroid(k), spread.low[k], bins_per_unit[k])];
+      Bin& bin = bins[k][bin_of(reference.centroid(k), spread.low[k], bins_per_unit[k], count)];
       bin.box = merged(bin.box, reference.box);
       ++bin.count;
     }
@@ -102,15 +113,17 @@ Split find_sah_split(std::span<const Reference> references, const FloatBox& box)
   Split best;
   for (int k = 0; k < 3; ++k) {
     if (bins_per_unit[k] > 0)
-      sweep(bins[k], {k, 0, spread.low[k], bins_per_unit[k], 0}, measure, best);
+      sweep({bins[k], static_cast<std::size_t>(count)}, {k, 0, spread.low[k], bins_per_unit[k], 0},
+            measure, best);
   }
   best.cost /= measured(box, measure);
   return best;
 }
 
 std::size_t partition_at(std::span<Reference> references, const Split& split) {
+  const int count = bin_count(references.size());
   const auto middle = std::partition(references.begin(), references.end(), [&](const Reference& r) {
-    return bin_of(r.centroid(split.axis), split.low, split.bins_per_unit) < split.bin;
+    return bin_of(r.centroid(split.axis), split.low, split.bins_per_unit, count) < split.bin;
   });
   return static_cast<std::size_t>(middle - references.begin());
 }

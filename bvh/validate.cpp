@@ -6,9 +6,9 @@
 namespace graze::bvh {
 namespace {
 
-/// Whether the local box holds the box, in exact arithmetic. A rounded difference is within half a step
-/// of the exact one, and a float that is smaller than it is smaller by at least one step of doubles:
-/// strictly beyond the rounded difference is beyond the exact one.
+/// Whether the local box holds the box, in exact arithmetic. A rounded difference is within half a
+/// step of the exact one, and a float that is smaller than it is smaller by at least one step of
+/// doubles: strictly beyond the rounded difference is beyond the exact one.
 bool holds(const FloatBox& local, const LocalFrame& frame, const Aabb& box) {
   for (int k = 0; k < 3; ++k) {
     const double low = std::ldexp(box.min.data()[k] - frame.centre[k], -frame.exponent);

@@ -4,26 +4,13 @@
 
 #include <graze/narrowphase/lone_vertex.h>
 #include <graze/narrowphase/orientation_stages.h>
+#include <graze/narrowphase/plane_bound.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <algorithm>
 #include <cmath>
 
 namespace graze::narrowphase {
 namespace {
-
-constexpr double kUnitRoundoff = 0x1p-53;
-
-// A determinant is the sum of six monomials e_i f_j d_k: two edges of the plane's triangle and the
-// way from it to a vertex of the other. Each carries eight roundings, as in orientation_filter.cpp:
-// at most 8.0001 u. With E and D the largest components of edges and ways, S = E_y E_z D_x + E_z
-// E_x D_y
-// + E_x E_y D_z bounds half of the monomials: the error is at most 16.0002 u S. S itself is
-// computed within (1 + u)^7, so 16.1 u S; the rest pays for underflow: the products lose at most n
-// (D_x + D_y + D_z) + 1.5 n, and S as computed lacks at most as much again. With D <= 2^150 that is
-// below 2^-921, and for S >= 2^-850 the spare 0.9 u S is above 2^-904.
-constexpr double kPlaneBound = 17 * kUnitRoundoff;
-constexpr double kSmallestSize = 0x1p-850;
-constexpr double kLargestDifference = 0x1p+150;
 
 struct Vector {
   double x, y, z;
@@ -72,7 +59,7 @@ Sides sides_of_plane(const Triangle& plane, const Triangle& other) {
   const double largest =
       std::max(std::max(std::max(e.x, e.y), e.z), std::max(std::max(d.x, d.y), d.z));
   Sides sides{};
-  if (!(size >= kSmallestSize && largest <= kLargestDifference)) return sides;
+  if (!(size >= kSmallestPlaneSize && largest <= kLargestDifference)) return sides;
   const double bound = kPlaneBound * size;
   for (int i = 0; i < 3; ++i) {
     const double determinant = dot(normal, way[i]);

@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/narrowphase/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>
@@ -10,14 +11,45 @@
 namespace graze {
 namespace {
 
-bool meet(const Triangle& triangle_a, const Triangle& triangle_b, Work& work) {
-  using narrowphase::Verdict;
-  ++work.triangle_tests;
-  const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
-  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-  ++work.exact_tests;
-  return narrowphase::intersects_exactly(triangle_a, triangle_b);
-}
+/// Candidates on their way from the trees to the triangle tests.
+class Candidates {
+ public:
+  explicit Candidates(Work& work) : work_(work) {}
+
+  bool is_full() const { return batch_.is_full(); }
+
+  void add(TrianglePair pair, const Triangle& triangle_a, const Triangle& triangle_b) {
+    pairs_[batch_.size()] = pair;
+    batch_.add(triangle_a, triangle_b);
+  }
+
+  /// Empties the batch: calls `on_pair(pair)` for each pair that meets, until it answers Stop.
+  template <typename OnPair>
+  bvh::Walk decide(OnPair&& on_pair) {
+    const std::size_t size = batch_.size();
+    const std::uint32_t apart = narrowphase::find_apart(batch_);
+    batch_.clear();
+    work_.triangle_tests += size;
+    for (std::size_t i = 0; i < size; ++i) {
+      if ((apart >> i & 1) != 0 || !meet(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
+      if (on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    }
+    return bvh::Walk::Continue;
+  }
+
+ private:
+  bool meet(const Triangle& triangle_a, const Triangle& triangle_b) {
+    using narrowphase::Verdict;
+    const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
+    if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
+    ++work_.exact_tests;
+    return narrowphase::intersects_exactly(triangle_a, triangle_b);
+  }
+
+  Work& work_;
+  narrowphase::TrianglePairBatch batch_;
+  TrianglePair pairs_[narrowphase::TrianglePairBatch::kCapacity];
+};
 
 /// Calls `on_pair(a, b)` with the indices of each pair of triangles that meet, until it answers
 /// Stop.
@@ -39,19 +71,22 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&
   const auto is_first_larger = [&](const bvh::Node& node_a, const bvh::Node& node_b) {
     return box_test.is_first_larger(node_a.box, node_b.box);
   };
-  const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+  Candidates candidates(work);
+  const auto collect = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t index_a = tree_a.primitives[i];
       const Triangle triangle_a = place(a.pose, a.mesh.triangle(index_a));
       for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
         const std::uint32_t index_b = tree_b.primitives[j];
-        if (!meet(triangle_a, place(b.pose, b.mesh.triangle(index_b)), work)) continue;
-        if (on_pair(index_a, index_b) == bvh::Walk::Stop) return bvh::Walk::Stop;
+        candidates.add({index_a, index_b}, triangle_a, place(b.pose, b.mesh.triangle(index_b)));
+        if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
+          return bvh::Walk::Stop;
       }
     }
     return bvh::Walk::Continue;
   };
-  bvh::traverse_pair(tree_a, tree_b, are_apart, is_first_larger, test_leaves);
+  const bvh::Walk walk = bvh::traverse_pair(tree_a, tree_b, are_apart, is_first_larger, collect);
+  if (walk == bvh::Walk::Continue) candidates.decide(on_pair);
 }
 
 }  // namespace
@@ -59,7 +94,7 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
   Work counted;
   bool has_pair = false;
-  for_each_pair(mesh_a, mesh_b, counted, [&](std::uint32_t, std::uint32_t) {
+  for_each_pair(mesh_a, mesh_b, counted, [&](TrianglePair) {
     has_pair = true;
     return bvh::Walk::Stop;
   });
@@ -71,12 +106,12 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
                                   const PairSettings& settings, Work* work) {
   Work counted;
   TrianglePairs found;
-  for_each_pair(mesh_a, mesh_b, counted, [&](std::uint32_t a, std::uint32_t b) {
+  for_each_pair(mesh_a, mesh_b, counted, [&](TrianglePair pair) {
     if (found.pairs.size() == settings.limit) {
       found.completeness = Completeness::LimitReached;
       return bvh::Walk::Stop;
     }
-    found.pairs.push_back({a, b});
+    found.pairs.push_back(pair);
     return bvh::Walk::Continue;
   });
   std::sort(found.pairs.begin(), found.pairs.end());

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <graze/narrowphase/triangle.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// Pairs of triangles, coordinate by coordinate, for find_apart().
+class TrianglePairBatch {
+ public:
+  static constexpr std::size_t kCapacity = 8;
+
+  std::size_t size() const { return size_; }
+  bool is_full() const { return size_ == kCapacity; }
+  void clear() { size_ = 0; }
+
+  /// The batch must not be full.
+  void add(const Triangle& triangle_a, const Triangle& triangle_b);
+
+  Triangle triangle_a(std::size_t index) const;
+  Triangle triangle_b(std::size_t index) const;
+
+  /// Coordinate `row` (x, y, z of a, b, c) of all triangles A or B.
+  const double* row_a(std::size_t row) const { return a_[row]; }
+  const double* row_b(std::size_t row) const { return b_[row]; }
+
+ private:
+  // Zero, so that kernels may compute with lanes that hold no pair.
+  alignas(64) double a_[9][kCapacity] = {};
+  alignas(64) double b_[9][kCapacity] = {};
+  std::size_t size_ = 0;
+};
+
+/// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
+/// other's plane: the first half of triage(), for the whole batch at once, with the same bound. The
+/// same on every SIMD target.
+std::uint32_t find_apart(const TrianglePairBatch& batch);
+
+}  // namespace graze::narrowphase
