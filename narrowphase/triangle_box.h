@@ -21,7 +21,8 @@ bool intersects(const Triangle& triangle, const Obb& box);
 
 namespace narrowphase {
 
-/// Law 3's way into the frame of an oriented box, without checking the box.
+/// Law 3's way into the frame of an oriented box, without checking the box. Throws InputError if a
+/// coordinate overflows there.
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 
 /// The floating-point stage alone. Not finite input is Unsure.

@@ -109,6 +109,18 @@ TEST(Law6TriangleBox, GenericPairsAreDecidedWithoutExactArithmetic) {
   EXPECT_EQ(unsure, 0);
 }
 
+TEST(Law10TriangleBox, ATriangleThatOverflowsInTheFrameOfTheBoxIsRefused) {
+  Obb box{Pose::Identity(), {1, 1, 1}};
+  box.pose.translation().y() = -1.5e308;
+  try {
+    intersects({{0, 0, 0}, {0, 1.5e308, 0}, {1, 1, 1}}, box);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "triangle in the frame of the box: coordinate y of vertex b is not finite");
+  }
+}
+
 TEST(Law10TriangleBox, BadValuesAreRefused) {
   const Triangle good{{2, 2, 2}, {3, 3, 3}, {2, 3, 2}};
   for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
