@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/pose_text.h>
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +11,6 @@
 #include "data/generator/generate.h"
 #include "data/generator/thread_profile.h"
 #include "data/generator/tolerances.h"
-#include "data/pose_file.h"
 #include "tests/files/temporary_directory.h"
 
 namespace graze {
@@ -37,8 +37,8 @@ void expect_same_mesh(const std::filesystem::path& path_a, const std::filesystem
 }
 
 void expect_same_poses(const std::filesystem::path& path_a, const std::filesystem::path& path_b) {
-  const auto a = data::read_poses(path_a);
-  const auto b = data::read_poses(path_b);
+  const auto a = load_poses(path_a);
+  const auto b = load_poses(path_b);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_TRUE(a[i].isApprox(b[i], 1e-12)) << path_a << " pose " << i;

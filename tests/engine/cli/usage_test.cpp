@@ -66,7 +66,7 @@ TEST_F(CliUsage, VersionIsOneLine) {
 TEST_F(CliUsage, WrongArgumentsAreRefusedInOneLine) {
   expect_refusal({}, "graze: A subcommand is required (see graze --help)");
   expect_refusal({"collide", "a.off", "b.off"},
-                 "graze: there is no subcommand 'collide' (see graze --help)");
+                 "graze: there is no subcommand \"collide\" (see graze --help)");
   expect_refusal({"info"}, "graze: MESH is required (see graze info --help)");
   expect_refusal({"pair"}, "graze: A is required (see graze pair --help)");
   expect_refusal({"pair", "a.off"}, "graze: B is required (see graze pair --help)");
@@ -93,13 +93,13 @@ TEST_F(CliUsage, BadPosesOnTheCommandLineAreRefused) {
   refuse("1 0 0 0 0 1 0 0 0 0 1", "11 numbers, a pose has 12");
   refuse("1 0 0 0 0 1 0 0 0 0 1 0 0", "13 numbers, a pose has 12");
   refuse("1", "1 number, a pose has 12");
-  refuse("1 0 0 0 0 one 0 0 0 0 1 0", "number 6: 'one' is not a number");
-  refuse("1 0 0 0 0 1x 0 0 0 0 1 0", "number 6: '1x' is not a number");
-  refuse("1 0 0 nan 0 1 0 0 0 0 1 0", "number 4: 'nan' is not finite");
-  refuse("1 0 0 -inf 0 1 0 0 0 0 1 0", "number 4: '-inf' is not finite");
-  refuse("1 0 0 1e999 0 1 0 0 0 0 1 0", "number 4: '1e999' is not finite");
-  refuse("1 0 0 +-1 0 1 0 0 0 0 1 0", "number 4: '+-1' is not a number");
-  refuse("1 0 0 0x1 0 1 0 0 0 0 1 0", "number 4: '0x1' is not a number");
+  refuse("1 0 0 0 0 one 0 0 0 0 1 0", "number 6: \"one\" is not a number");
+  refuse("1 0 0 0 0 1x 0 0 0 0 1 0", "number 6: \"1x\" is not a number");
+  refuse("1 0 0 nan 0 1 0 0 0 0 1 0", "number 4: \"nan\" is not finite");
+  refuse("1 0 0 -inf 0 1 0 0 0 0 1 0", "number 4: \"-inf\" is not finite");
+  refuse("1 0 0 1e999 0 1 0 0 0 0 1 0", "number 4: \"1e999\" is not finite");
+  refuse("1 0 0 +-1 0 1 0 0 0 0 1 0", "number 4: \"+-1\" is not a number");
+  refuse("1 0 0 0x1 0 1 0 0 0 0 1 0", "number 4: \"0x1\" is not a number");
   refuse("1 0 0,,0 0 1 0 0 0 0 1 0", "a comma without a number before it");
   refuse("1 0 0 0 0 1 0 0 0 0 1 0,", "a comma without a number after it");
   refuse("2 0 0 0 0 2 0 0 0 0 2 0", "not a rotation, max |R^T R - I| is 3, above 1e-06");
@@ -132,12 +132,12 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
   refuse(good + "\n1 0 0 0 0 1.1 0 0 0 0 1 0\n",
          ":3: not a rotation, max |R^T R - I| is 0.21, above 1e-06");
   refuse(good + good + "1 0 0 0 0 1 0 0 0 0 1\n", ":3: 11 numbers, a pose has 12");
-  refuse(good + "1 0 0 0 0 1 0 0 0 0 1 z", ":2: number 12: 'z' is not a number");
-  refuse(good + "# a comment\n", ":2: number 1: '#' is not a number");
-  refuse("1 0 0 nan 0 1 0 0 0 0 1 0\n", ":1: number 4: 'nan' is not finite");
+  refuse(good + "1 0 0 0 0 1 0 0 0 0 1 z", ":2: number 12: \"z\" is not a number");
+  refuse(good + "# a comment\n", ":2: number 1: \"#\" is not a number");
+  refuse("1 0 0 nan 0 1 0 0 0 0 1 0\n", ":1: number 4: \"nan\" is not finite");
   refuse(good + std::string(70000, ' ') + "\n", ":2: longer than 65535 bytes");
   refuse(good + std::string("1 0 0 0 0 1 0 0 0 0 1 0\0", 24) + "\n",
-         ":2: number 12: '0\\x00' is not a number");
+         ":2: number 12: \"0\\x00\" is not a number");
   refuse("", ": no poses");
   refuse("\n  \n\t\r\n", ": no poses");
   expect_refusal({"pair", "a.off", "b.off", "--poses", "missing.txt"},
