@@ -64,18 +64,28 @@ TEST_F(CliUsage, VersionIsOneLine) {
 }
 
 TEST_F(CliUsage, WrongArgumentsAreRefusedInOneLine) {
-  expect_refusal({}, "graze: A subcommand is required (see graze --help)");
+  // CLI11 words these, differently from version to version: what matters is what they name.
+  const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& culprit) {
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(lines_of(result.err).size(), 1u) << result.err;
+    EXPECT_TRUE(result.err.starts_with("graze: ")) << result.err;
+    EXPECT_TRUE(contains(result.err, culprit)) << result.err;
+    const bool is_of_subcommand = !arguments.empty();
+    EXPECT_TRUE(result.err.ends_with(is_of_subcommand ? " " + arguments[0] + " --help)\n"
+                                                      : "(see graze --help)\n"))
+        << result.err;
+  };
+  refuse({}, "subcommand");
+  refuse({"info"}, "MESH");
+  refuse({"pair"}, "A ");
+  refuse({"pair", "a.off"}, "B ");
+  refuse({"pair", "a.off", "b.off", "--fast"}, "--fast");
+  refuse({"pair", "a.off", "b.off", "--query", "most"}, "--query");
+  refuse({"pair", "a.off", "b.off", "--check", "bullet"}, "--check");
   expect_refusal({"collide", "a.off", "b.off"},
                  "graze: there is no subcommand \"collide\" (see graze --help)");
-  expect_refusal({"info"}, "graze: MESH is required (see graze info --help)");
-  expect_refusal({"pair"}, "graze: A is required (see graze pair --help)");
-  expect_refusal({"pair", "a.off"}, "graze: B is required (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--fast"},
-                 "graze: The following argument was not expected: --fast (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--query", "most"},
-                 "graze: --query: most not in {any,pairs} (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--check", "bullet"},
-                 "graze: --check: bullet not in {fcl} (see graze pair --help)");
 }
 
 TEST_F(CliUsage, OptionsThatExcludeEachOtherAreRefused) {
