@@ -16,6 +16,7 @@ struct TreeStatistics {
   std::size_t bytes = 0;  ///< of nodes and primitive indices
 };
 
+/// Linear time.
 TreeStatistics statistics_of(const Tree& tree);
 
 }  // namespace graze::bvh

@@ -7,13 +7,13 @@ namespace graze {
 /// What queries did and skipped. A query adds to the counters that it is given, so that one Work
 /// can sum over many queries. Exempt from law 8: counts may differ between versions and settings.
 struct Work {
-  std::uint64_t volume_tests = 0;  ///< pairs of bounding volumes tested
-  std::uint64_t volume_rejections =
-      0;                             ///< of these, pairs found apart: what lies below was skipped
-  std::uint64_t triangle_tests = 0;  ///< triangle/triangle or triangle/box pairs tested
-  std::uint64_t exact_tests = 0;     ///< of these, pairs that the floating-point stage left unsure
-  std::uint64_t trees_built = 0;     ///< trees built because this query was the first to walk them
+  std::uint64_t volume_tests = 0;       ///< pairs of bounding volumes tested
+  std::uint64_t volume_rejections = 0;  ///< of these, found apart: what lies below was skipped
+  std::uint64_t triangle_tests = 0;     ///< triangle/triangle or triangle/box pairs tested
+  std::uint64_t exact_tests = 0;  ///< of these, pairs that the floating-point stage left unsure
+  std::uint64_t trees_built = 0;  ///< trees built because this query was the first to walk them
 
+  /// Adds counter by counter.
   Work& operator+=(const Work& other);
 };
 

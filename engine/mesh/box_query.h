@@ -30,11 +30,13 @@ struct BoxSettings {
 };
 
 /// True if and only if some placed triangle of the mesh shares a point with the box (laws 1 and 3).
-/// Surface only: a box wholly inside a closed mesh does not touch it.
+/// Surface only: a box wholly inside a closed mesh does not touch it. Stops at the first triangle.
+/// Throws InputError or PoseError for an invalid box, PoseError for a pose that is refused by law
+/// 10 or by law 1.
 bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
 
-/// All such triangles, sorted.
+/// All such triangles, sorted. Throws as intersects() does.
 TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box,
                             const BoxSettings& settings = {}, Work* work = nullptr);
 TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box,

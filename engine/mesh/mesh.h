@@ -26,10 +26,9 @@ struct Topology {
   std::uint32_t welded_vertices = 0;       ///< distinct positions that triangles use
   std::uint32_t components = 0;            ///< sets of triangles connected through welded vertices
   std::uint32_t degenerate_triangles = 0;  ///< triangles of exactly zero area
-  std::uint32_t duplicate_triangles =
-      0;                             ///< triangles with the same welded vertices as an earlier one
-  std::uint64_t boundary_edges = 0;  ///< welded edges with an odd number of triangles
-  bool is_closed = false;            ///< every welded edge has an even number of triangles
+  std::uint32_t duplicate_triangles = 0;   ///< with the same welded vertices as an earlier one
+  std::uint64_t boundary_edges = 0;        ///< welded edges with an odd number of triangles
+  bool is_closed = false;                  ///< every welded edge has an even number of triangles
 };
 
 /// An immutable triangle mesh in metres. A copy is a handle to the same data: cheap, and sharing
@@ -51,15 +50,15 @@ class Mesh {
   /// The smallest box around the vertices that triangles use, exactly.
   const Aabb& bounds() const;
 
-  /// Counted when first asked for, then kept.
+  /// Counted when first asked for, then kept. O(n log n).
   const Topology& topology() const;
 
   /// For each vertex the lowest index of a vertex in the same position. Computed when first asked
-  /// for.
+  /// for, O(n log n).
   std::span<const std::uint32_t> welded() const;
 
-  /// The hierarchy over the triangles, built when first asked for. The call that builds it counts
-  /// that in `work`.
+  /// The hierarchy over the triangles, built when first asked for, O(n log n). The call that builds
+  /// it counts that in `work`.
   const bvh::Tree& tree(Work* work = nullptr) const;
 
   /// True if both are handles to the same mesh.

@@ -43,7 +43,7 @@ struct PairSettings {
 /// first pair. Throws PoseError for a pose that is refused by law 10 or by law 1.
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work = nullptr);
 
-/// All such pairs, sorted.
+/// All such pairs, sorted. Throws as intersects() does.
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const PairSettings& settings = {}, Work* work = nullptr);
 
