@@ -25,13 +25,16 @@ Triangle into_frame(const Triangle& triangle, const Pose& frame) {
   return local;
 }
 
+Decision decide(const Triangle& triangle, const Aabb& box) {
+  const Verdict verdict = triage(triangle, box);
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  return {intersects_exactly(triangle, box), Stage::Exact};
+}
+
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Aabb& box) {
-  using narrowphase::Verdict;
-  const Verdict verdict = narrowphase::triage(triangle, box);
-  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-  return narrowphase::intersects_exactly(triangle, box);
+  return narrowphase::decide(triangle, box).is_hit;
 }
 
 bool intersects(const Triangle& triangle, const Obb& box) {
