@@ -16,7 +16,8 @@ class InputError : public Error {
   using Error::Error;
 };
 
-/// A pose that is not rigid, not finite, or moves a mesh out of the range of double.
+/// A pose that is not rigid, not finite, moves a mesh out of the range of double, or cannot be
+/// read.
 class PoseError : public Error {
  public:
   using Error::Error;

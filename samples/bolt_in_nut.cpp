@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "data/pose_file.h"
 #include "samples/pose_table.h"
 #include "samples/render/picture.h"
 
@@ -56,8 +55,8 @@ void write_picture(const graze::Mesh& bolt, const graze::Mesh& nut, const graze:
 int run(const std::filesystem::path& data, const char* scene) {
   const graze::Mesh bolt = graze::load_mesh(data / "meshes/bolt.obj");
   const graze::Mesh nut = graze::load_mesh(data / "meshes/nut.stl");
-  const auto turning = graze::data::read_poses(data / "poses/bolt-nut.turning.txt");
-  const auto cross = graze::data::read_poses(data / "poses/bolt-nut.cross.txt");
+  const auto turning = graze::load_poses(data / "poses/bolt-nut.turning.txt");
+  const auto cross = graze::load_poses(data / "poses/bolt-nut.cross.txt");
 
   const auto is_turning_hit = graze::samples::answer_poses(
       bolt, nut, turning, {"The nut screwed on by two turns", "turned, deg", 0, -10, 9});

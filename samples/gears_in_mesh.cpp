@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "data/pose_file.h"
 #include "samples/pose_table.h"
 
 namespace {
@@ -18,8 +17,8 @@ constexpr double kRollStep = 360.0 / 31 / 60;
 int run(const std::filesystem::path& data) {
   const graze::Mesh gear = graze::load_mesh(data / "meshes/gear.ply");
   const graze::Mesh pinion = graze::load_mesh(data / "meshes/pinion.off");
-  const auto rolling = graze::data::read_poses(data / "poses/gear-pinion.mesh.txt");
-  const auto tight = graze::data::read_poses(data / "poses/gear-pinion.tight.txt");
+  const auto rolling = graze::load_poses(data / "poses/gear-pinion.mesh.txt");
+  const auto tight = graze::load_poses(data / "poses/gear-pinion.tight.txt");
 
   const auto is_rolling_hit = graze::samples::answer_poses(
       gear, pinion, rolling,

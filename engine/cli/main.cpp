@@ -2,8 +2,8 @@
 #include <graze/engine/cli/output.h>
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
-#include <graze/engine/cli/quote.h>
 #include <graze/engine/cli/usage_error.h>
+#include <graze/engine/mesh/io/source.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -32,7 +32,7 @@ Exit codes:
   2  bad input, with one line on stderr)";
 
 ExitCode refuse(const std::string& message) {
-  std::fprintf(stderr, "graze: %s\n", one_line(message).c_str());
+  std::fprintf(stderr, "graze: %s\n", mesh_io::printable(message).c_str());
   return ExitCode::BadInput;
 }
 
@@ -47,7 +47,8 @@ void check_subcommand(const CLI::App& program, const std::vector<std::string>& a
   if (arguments.empty() || arguments[0].starts_with('-')) return;
   const auto is_named = [&](const CLI::App* command) { return command->check_name(arguments[0]); };
   if (program.get_subcommands(is_named).empty()) {
-    throw UsageError("there is no subcommand " + in_quotes(arguments[0]) + " (see graze --help)");
+    throw UsageError("there is no subcommand " + mesh_io::quoted(arguments[0]) +
+                     " (see graze --help)");
   }
 }
 

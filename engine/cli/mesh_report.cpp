@@ -1,5 +1,5 @@
 #include <graze/engine/cli/mesh_report.h>
-#include <graze/engine/cli/quote.h>
+#include <graze/engine/mesh/io/source.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/self.h>
 
@@ -84,7 +84,7 @@ std::string to_json(const MeshReport& report) {
 
 std::string to_text(const MeshReport& report) {
   const Topology& topology = report.topology;
-  std::string text = one_line(report.file) + "\n";
+  std::string text = mesh_io::printable(report.file) + "\n";
   append(text, "triangles", std::to_string(report.triangles));
   append(text, "vertices", std::to_string(report.vertices));
   append(text, "welded vertices", std::to_string(topology.welded_vertices));

@@ -1,11 +1,11 @@
 #include <graze/engine/cli/fcl_check.h>
 #include <graze/engine/cli/pair_report.h>
 #include <graze/engine/cli/pair_run.h>
-#include <graze/engine/cli/pose_text.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/pose_text.h>
 
 #include <chrono>
 #include <memory>
@@ -30,7 +30,7 @@ void check_combinations(const PairOptions& options) {
 
 /// The poses of B, with line 0 for one that comes from the command line.
 std::vector<PoseLine> read_poses_b(const PairOptions& options) {
-  if (!options.poses.empty()) return load_poses(options.poses);
+  if (!options.poses.empty()) return load_pose_lines(options.poses);
   if (!options.pose_b.empty()) return {{parse_pose(options.pose_b, "--pose-b"), 0}};
   return {{Pose::Identity(), 0}};
 }

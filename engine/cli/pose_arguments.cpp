@@ -1,5 +1,5 @@
 #include <graze/engine/cli/pose_arguments.h>
-#include <graze/engine/cli/pose_text.h>
+#include <graze/engine/pose_text.h>
 
 #include <cctype>
 #include <cstddef>

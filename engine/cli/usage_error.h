@@ -4,7 +4,7 @@
 
 namespace graze::cli {
 
-/// Arguments or pose files that cannot be used; what() names the option or the file and line.
+/// Arguments that cannot be used; what() names the option.
 class UsageError : public Error {
  public:
   using Error::Error;

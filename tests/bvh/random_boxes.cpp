@@ -1,31 +1,17 @@
 #include "tests/bvh/random_boxes.h"
 
 #include <cmath>
-#include <random>
+
+#include "tests/shapes/random_source.h"
 
 namespace graze::bvh {
 namespace {
-
-class Source {
- public:
-  explicit Source(std::uint64_t seed) : random_(seed) {}
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-  Eigen::Vector3d vector(double low, double high) {
-    return {uniform(low, high), uniform(low, high), uniform(low, high)};
-  }
-  std::uint64_t integer(std::uint64_t count) { return random_() % count; }
-
- private:
-  std::mt19937_64 random_;
-};
 
 Aabb around(const Eigen::Vector3d& low, const Eigen::Vector3d& size) {
   return {low, low + size};
 }
 
-Aabb one_box(Distribution distribution, std::size_t i, Source& source) {
+Aabb one_box(Distribution distribution, std::size_t i, RandomSource& source) {
   switch (distribution) {
     case Distribution::Uniform:
       return around(source.vector(-1, 1), source.vector(0, 0.1));
@@ -43,9 +29,7 @@ Aabb one_box(Distribution distribution, std::size_t i, Source& source) {
     case Distribution::Flat:
       return around({source.uniform(0, 1), source.uniform(0, 1), 5}, {0.01, 0.01, 0});
     case Distribution::Grid:
-      return around({static_cast<double>(source.integer(8)), static_cast<double>(source.integer(8)),
-                     static_cast<double>(source.integer(8))},
-                    {1, 1, 1});
+      return around({source.integer(0, 7), source.integer(0, 7), source.integer(0, 7)}, {1, 1, 1});
     case Distribution::Huge:
       return around(source.vector(-1, 1) * 1.7e308, source.vector(0, 1) * 1e306);
     case Distribution::Tiny:
@@ -64,7 +48,7 @@ void PrintTo(Distribution distribution, std::ostream* out) {
 }
 
 std::vector<Aabb> random_boxes(Distribution distribution, std::size_t count, std::uint64_t seed) {
-  Source source(seed);
+  RandomSource source(seed);
   std::vector<Aabb> boxes;
   for (std::size_t i = 0; i < count; ++i)
     boxes.push_back(one_box(distribution, i, source));

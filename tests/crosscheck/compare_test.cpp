@@ -3,7 +3,7 @@
 #include <graze/engine/compare/compare.h>
 #include <gtest/gtest.h>
 
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
 namespace {

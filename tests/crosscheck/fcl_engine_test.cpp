@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
 namespace {

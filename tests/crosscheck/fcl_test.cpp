@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/crosscheck/cross_check.h"
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze {
 namespace {

@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/pose_text.h>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "data/generator/gear.h"
 #include "data/generator/generate.h"
 #include "data/generator/thread_profile.h"
 #include "data/generator/tolerances.h"
-#include "data/pose_file.h"
+#include "tests/files/temporary_directory.h"
 
 namespace graze {
 namespace {
@@ -38,8 +37,8 @@ void expect_same_mesh(const std::filesystem::path& path_a, const std::filesystem
 }
 
 void expect_same_poses(const std::filesystem::path& path_a, const std::filesystem::path& path_b) {
-  const auto a = data::read_poses(path_a);
-  const auto b = data::read_poses(path_b);
+  const auto a = load_poses(path_a);
+  const auto b = load_poses(path_b);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_TRUE(a[i].isApprox(b[i], 1e-12)) << path_a << " pose " << i;
@@ -47,8 +46,8 @@ void expect_same_poses(const std::filesystem::path& path_a, const std::filesyste
 }
 
 TEST(DataGenerator, WritesTheBundledFiles) {
-  const std::filesystem::path directory =
-      std::filesystem::path(testing::TempDir()) / "graze_data_generator_test";
+  const tests::TemporaryDirectory scratch;
+  const std::filesystem::path directory = scratch.path("data");
   generate(directory);
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
@@ -63,7 +62,6 @@ TEST(DataGenerator, WritesTheBundledFiles) {
     }
   }
   EXPECT_EQ(files, 12u);
-  std::filesystem::remove_all(directory);
 }
 
 // ISO 965-1, tables for M8 with pitch 1.25: es of g, Td and Td2 of grade 6, TD2 and TD1 of grade 6.

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/crosscheck/shapes.h"
-#include "tests/engine/random_meshes.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {

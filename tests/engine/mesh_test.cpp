@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze {
 namespace {

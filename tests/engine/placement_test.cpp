@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/engine/random_meshes.h"
+#include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {

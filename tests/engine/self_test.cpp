@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/crosscheck/shapes.h"
-#include "tests/engine/random_meshes.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {

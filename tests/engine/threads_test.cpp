@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze {
 namespace {

@@ -2,7 +2,7 @@
 #include <graze/narrowphase/adjacent_triangles.h>
 #include <gtest/gtest.h>
 
-#include "tests/narrowphase/random_source.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze::narrowphase {
 namespace {

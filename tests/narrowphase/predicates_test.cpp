@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/narrowphase/random_source.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze::narrowphase {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/narrowphase/random_source.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/narrowphase/random_source.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze::narrowphase {
 namespace {

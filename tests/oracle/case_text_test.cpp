@@ -1,15 +1,13 @@
 #include <gtest/gtest.h>
+#include <tests/files/temporary_directory.h>
 #include <tests/oracle/case_text.h>
-
-#include <fstream>
 
 namespace graze::oracle {
 namespace {
 
 std::vector<KnownCase> read_text(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "graze_case.txt";
-  std::ofstream(path) << text;
-  return read_cases(path);
+  const tests::TemporaryDirectory directory;
+  return read_cases(directory.write("case.txt", text));
 }
 
 std::string message_of(const std::string& text) {
@@ -17,7 +15,7 @@ std::string message_of(const std::string& text) {
     read_text(text);
   } catch (const CaseError& error) {
     const std::string what = error.what();
-    return what.substr(what.rfind("graze_case.txt") + 14);
+    return what.substr(what.rfind("case.txt") + 8);
   }
   return "nothing thrown";
 }

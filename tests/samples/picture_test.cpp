@@ -6,14 +6,15 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/files/temporary_directory.h"
+
 namespace graze::render {
 namespace {
 
 Mesh tetrahedron() {
   const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::vector<TriangleIndices> triangles{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  return Mesh(std::span<const Eigen::Vector3d>(vertices),
-              std::span<const TriangleIndices>(triangles));
+  return Mesh(vertices, triangles);
 }
 
 Picture picture_of(const Mesh& mesh) {
@@ -22,16 +23,12 @@ Picture picture_of(const Mesh& mesh) {
           {{"view", {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 2, Cut{{0, 0, 0}, {1, 0, 0}, {0}}}}};
 }
 
-std::filesystem::path scene_path() {
-  return std::filesystem::path(testing::TempDir()) / "graze_picture_test.pov";
-}
-
 TEST(Picture, TheSceneHoldsWhatWasGiven) {
   const Mesh mesh = tetrahedron();
-  write_scene(scene_path(), picture_of(mesh));
+  const tests::TemporaryDirectory directory;
+  write_scene(directory.path("scene.pov"), picture_of(mesh));
   std::ostringstream text;
-  text << std::ifstream(scene_path()).rdbuf();
-  std::filesystem::remove(scene_path());
+  text << std::ifstream(directory.path("scene.pov")).rdbuf();
   for (const char* part : {"Say \\\"title\\\"", "<1000, 0, 0>", "<0, 3, 2>, 1", "<1, 2, 3>, 0",
                            "clipped_by { plane { <1, 0, 0>, 0 } }"}) {
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
@@ -40,13 +37,15 @@ TEST(Picture, TheSceneHoldsWhatWasGiven) {
 
 TEST(Picture, WhatDoesNotExistIsRefused) {
   const Mesh mesh = tetrahedron();
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path("scene.pov");
   Picture bad_mark = picture_of(mesh);
   bad_mark.parts[0].marked = {4};
-  EXPECT_THROW(write_scene(scene_path(), bad_mark), InputError);
+  EXPECT_THROW(write_scene(path, bad_mark), InputError);
   Picture bad_cut = picture_of(mesh);
   bad_cut.panels[0].cut->parts = {1};
-  EXPECT_THROW(write_scene(scene_path(), bad_cut), InputError);
-  EXPECT_THROW(write_scene("no/such/folder/scene.pov", picture_of(mesh)), Error);
+  EXPECT_THROW(write_scene(path, bad_cut), InputError);
+  EXPECT_THROW(write_scene(directory.path("no/such/folder.pov"), picture_of(mesh)), Error);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/crosscheck/shapes.h"
 #include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
 namespace {

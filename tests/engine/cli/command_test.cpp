@@ -1,25 +1,9 @@
 #include "tests/engine/cli/command_test.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <stdexcept>
 
 namespace graze::tests {
-
-CommandTest::CommandTest() {
-  std::string name = (std::filesystem::temp_directory_path() / "graze-cli-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  folder_ = name;
-}
-
-CommandTest::~CommandTest() {
-  std::filesystem::remove_all(folder_);
-}
-
-void CommandTest::write(const std::string& name, std::string_view text) const {
-  std::ofstream(folder_ / name, std::ios::binary) << text;
-}
 
 void CommandTest::write_mesh(const std::string& name, const Mesh& mesh) const {
   std::ofstream file(folder_ / name);

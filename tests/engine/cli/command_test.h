@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/engine/cli/command.h"
+#include "tests/files/temporary_directory.h"
 
 namespace graze::tests {
 
@@ -15,11 +16,11 @@ inline constexpr const char* kIdentity = "1 0 0 0 0 1 0 0 0 0 1 0";
 
 /// A folder of its own for each test, with meshes and poses to ask about.
 class CommandTest : public testing::Test {
- protected:
-  CommandTest();
-  ~CommandTest() override;
+ private:
+  TemporaryDirectory directory_;
 
-  void write(const std::string& name, std::string_view text) const;
+ protected:
+  void write(const std::string& name, std::string_view text) const { directory_.write(name, text); }
 
   /// As OFF, with all digits.
   void write_mesh(const std::string& name, const Mesh& mesh) const;
@@ -31,7 +32,7 @@ class CommandTest : public testing::Test {
   /// The command refuses: exit code 2, nothing on stdout, and exactly this line on stderr.
   void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) const;
 
-  std::filesystem::path folder_;
+  const std::filesystem::path& folder_ = directory_.path();
 };
 
 }  // namespace graze::tests

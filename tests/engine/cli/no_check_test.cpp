@@ -1,7 +1,7 @@
 // `graze pair --check fcl` in a build without FCL.
 
-#include "tests/crosscheck/shapes.h"
 #include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
 namespace {

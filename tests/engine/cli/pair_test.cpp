@@ -4,8 +4,8 @@
 #include <graze/engine/mesh/pair.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/crosscheck/shapes.h"
 #include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "tests/crosscheck/shapes.h"
 #include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
 namespace {
@@ -64,18 +64,28 @@ TEST_F(CliUsage, VersionIsOneLine) {
 }
 
 TEST_F(CliUsage, WrongArgumentsAreRefusedInOneLine) {
-  expect_refusal({}, "graze: A subcommand is required (see graze --help)");
+  // CLI11 words these, differently from version to version: what matters is what they name.
+  const auto refuse = [&](const std::vector<std::string>& arguments, const std::string& culprit) {
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(lines_of(result.err).size(), 1u) << result.err;
+    EXPECT_TRUE(result.err.starts_with("graze: ")) << result.err;
+    EXPECT_TRUE(contains(result.err, culprit)) << result.err;
+    const bool is_of_subcommand = !arguments.empty();
+    EXPECT_TRUE(result.err.ends_with(is_of_subcommand ? " " + arguments[0] + " --help)\n"
+                                                      : "(see graze --help)\n"))
+        << result.err;
+  };
+  refuse({}, "subcommand");
+  refuse({"info"}, "MESH");
+  refuse({"pair"}, "A ");
+  refuse({"pair", "a.off"}, "B ");
+  refuse({"pair", "a.off", "b.off", "--fast"}, "--fast");
+  refuse({"pair", "a.off", "b.off", "--query", "most"}, "--query");
+  refuse({"pair", "a.off", "b.off", "--check", "bullet"}, "--check");
   expect_refusal({"collide", "a.off", "b.off"},
-                 "graze: there is no subcommand 'collide' (see graze --help)");
-  expect_refusal({"info"}, "graze: MESH is required (see graze info --help)");
-  expect_refusal({"pair"}, "graze: A is required (see graze pair --help)");
-  expect_refusal({"pair", "a.off"}, "graze: B is required (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--fast"},
-                 "graze: The following argument was not expected: --fast (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--query", "most"},
-                 "graze: --query: most not in {any,pairs} (see graze pair --help)");
-  expect_refusal({"pair", "a.off", "b.off", "--check", "bullet"},
-                 "graze: --check: bullet not in {fcl} (see graze pair --help)");
+                 "graze: there is no subcommand \"collide\" (see graze --help)");
 }
 
 TEST_F(CliUsage, OptionsThatExcludeEachOtherAreRefused) {
@@ -93,13 +103,13 @@ TEST_F(CliUsage, BadPosesOnTheCommandLineAreRefused) {
   refuse("1 0 0 0 0 1 0 0 0 0 1", "11 numbers, a pose has 12");
   refuse("1 0 0 0 0 1 0 0 0 0 1 0 0", "13 numbers, a pose has 12");
   refuse("1", "1 number, a pose has 12");
-  refuse("1 0 0 0 0 one 0 0 0 0 1 0", "number 6: 'one' is not a number");
-  refuse("1 0 0 0 0 1x 0 0 0 0 1 0", "number 6: '1x' is not a number");
-  refuse("1 0 0 nan 0 1 0 0 0 0 1 0", "number 4: 'nan' is not finite");
-  refuse("1 0 0 -inf 0 1 0 0 0 0 1 0", "number 4: '-inf' is not finite");
-  refuse("1 0 0 1e999 0 1 0 0 0 0 1 0", "number 4: '1e999' is not finite");
-  refuse("1 0 0 +-1 0 1 0 0 0 0 1 0", "number 4: '+-1' is not a number");
-  refuse("1 0 0 0x1 0 1 0 0 0 0 1 0", "number 4: '0x1' is not a number");
+  refuse("1 0 0 0 0 one 0 0 0 0 1 0", "number 6: \"one\" is not a number");
+  refuse("1 0 0 0 0 1x 0 0 0 0 1 0", "number 6: \"1x\" is not a number");
+  refuse("1 0 0 nan 0 1 0 0 0 0 1 0", "number 4: \"nan\" is not finite");
+  refuse("1 0 0 -inf 0 1 0 0 0 0 1 0", "number 4: \"-inf\" is not finite");
+  refuse("1 0 0 1e999 0 1 0 0 0 0 1 0", "number 4: \"1e999\" is not finite");
+  refuse("1 0 0 +-1 0 1 0 0 0 0 1 0", "number 4: \"+-1\" is not a number");
+  refuse("1 0 0 0x1 0 1 0 0 0 0 1 0", "number 4: \"0x1\" is not a number");
   refuse("1 0 0,,0 0 1 0 0 0 0 1 0", "a comma without a number before it");
   refuse("1 0 0 0 0 1 0 0 0 0 1 0,", "a comma without a number after it");
   refuse("2 0 0 0 0 2 0 0 0 0 2 0", "not a rotation, max |R^T R - I| is 3, above 1e-06");
@@ -132,12 +142,12 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
   refuse(good + "\n1 0 0 0 0 1.1 0 0 0 0 1 0\n",
          ":3: not a rotation, max |R^T R - I| is 0.21, above 1e-06");
   refuse(good + good + "1 0 0 0 0 1 0 0 0 0 1\n", ":3: 11 numbers, a pose has 12");
-  refuse(good + "1 0 0 0 0 1 0 0 0 0 1 z", ":2: number 12: 'z' is not a number");
-  refuse(good + "# a comment\n", ":2: number 1: '#' is not a number");
-  refuse("1 0 0 nan 0 1 0 0 0 0 1 0\n", ":1: number 4: 'nan' is not finite");
+  refuse(good + "1 0 0 0 0 1 0 0 0 0 1 z", ":2: number 12: \"z\" is not a number");
+  refuse(good + "# a comment\n", ":2: number 1: \"#\" is not a number");
+  refuse("1 0 0 nan 0 1 0 0 0 0 1 0\n", ":1: number 4: \"nan\" is not finite");
   refuse(good + std::string(70000, ' ') + "\n", ":2: longer than 65535 bytes");
   refuse(good + std::string("1 0 0 0 0 1 0 0 0 0 1 0\0", 24) + "\n",
-         ":2: number 12: '0\\x00' is not a number");
+         ":2: number 12: \"0\\x00\" is not a number");
   refuse("", ": no poses");
   refuse("\n  \n\t\r\n", ": no poses");
   expect_refusal({"pair", "a.off", "b.off", "--poses", "missing.txt"},

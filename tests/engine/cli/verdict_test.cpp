@@ -5,12 +5,11 @@
 #include <graze/engine/cli/pair_run.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
+
+#include "tests/files/temporary_directory.h"
 
 namespace graze::cli {
 namespace {
@@ -51,14 +50,11 @@ namespace {
 class CliVerdict : public testing::Test {
  protected:
   CliVerdict() {
-    std::ofstream(mesh_) << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    options_.mesh_a = options_.mesh_b = mesh_.string();
+    options_.mesh_a = options_.mesh_b =
+        directory_.write("mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     options_.check = "fcl";
   }
-  ~CliVerdict() override {
-    std::fclose(stream_);
-    std::filesystem::remove(mesh_);
-  }
+  ~CliVerdict() override { std::fclose(stream_); }
 
   std::string written() {
     std::string text(static_cast<std::size_t>(std::ftell(stream_)), ' ');
@@ -67,9 +63,7 @@ class CliVerdict : public testing::Test {
     return text;
   }
 
-  std::filesystem::path mesh_ =
-      std::filesystem::temp_directory_path() /
-      ("graze-verdict-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".off");
+  tests::TemporaryDirectory directory_;
   std::FILE* stream_ = std::tmpfile();
   Output output_ = Output(stream_);
   PairOptions options_;

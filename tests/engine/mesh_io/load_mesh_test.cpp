@@ -1,6 +1,7 @@
+#include <tests/engine/mesh_io/loading.h>
 #include <tests/engine/mesh_io/samples.h>
-#include <tests/engine/mesh_io/temporary_file.h>
 
+#include <sys/stat.h>
 #include <algorithm>
 
 // What all formats have in common, and what load_mesh() says of files that it need not look into.

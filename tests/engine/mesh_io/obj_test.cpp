@@ -1,4 +1,4 @@
-#include <tests/engine/mesh_io/temporary_file.h>
+#include <tests/engine/mesh_io/loading.h>
 
 namespace graze::mesh_io {
 namespace {

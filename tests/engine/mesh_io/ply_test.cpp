@@ -1,5 +1,5 @@
+#include <tests/engine/mesh_io/loading.h>
 #include <tests/engine/mesh_io/samples.h>
-#include <tests/engine/mesh_io/temporary_file.h>
 
 namespace graze::mesh_io {
 namespace {

@@ -1,7 +1,7 @@
 #include <graze/engine/mesh/io/format.h>
 #include <tests/engine/mesh_io/allocated_bytes.h>
+#include <tests/engine/mesh_io/loading.h>
 #include <tests/engine/mesh_io/samples.h>
-#include <tests/engine/mesh_io/temporary_file.h>
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/io/position_index.h>
+#include <tests/engine/mesh_io/loading.h>
 #include <tests/engine/mesh_io/samples.h>
-#include <tests/engine/mesh_io/temporary_file.h>
 
 namespace graze::mesh_io {
 namespace {

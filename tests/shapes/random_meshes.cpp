@@ -1,4 +1,4 @@
-#include "tests/engine/random_meshes.h"
+#include "tests/shapes/random_meshes.h"
 
 #include <Eigen/Geometry>
 #include <vector>

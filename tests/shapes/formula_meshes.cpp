@@ -1,4 +1,4 @@
-#include "tests/crosscheck/shapes.h"
+#include "tests/shapes/formula_meshes.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,14 +1,12 @@
 // graze and FCL on every bundled pose of the bundled meshes.
 
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/pose_text.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "tests/crosscheck/cross_check.h"
 
@@ -24,22 +22,6 @@ Mesh load_bundled(const std::string& name) {
   return load_mesh(kData / "meshes" / kMeshFiles.at(name));
 }
 
-std::vector<Pose> read_poses(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::vector<double> numbers;
-  for (double number = 0; file >> number;)
-    numbers.push_back(number);
-  if (!file.eof() || numbers.empty() || numbers.size() % 12 != 0) {
-    throw std::runtime_error(path.string() + " is not a list of poses");
-  }
-  std::vector<Pose> poses(numbers.size() / 12, Pose::Identity());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const int entry = static_cast<int>(i % 12);
-    poses[i / 12].matrix()(entry / 4, entry % 4) = numbers[i];
-  }
-  return poses;
-}
-
 /// All files `a-b.*.txt` of poses.
 tests::CrossCheckCounts check_bundled(const std::string& name_a, const std::string& name_b) {
   const Mesh mesh_a = load_bundled(name_a);
@@ -50,7 +32,7 @@ tests::CrossCheckCounts check_bundled(const std::string& name_a, const std::stri
     if (!file.starts_with(name_a + "-" + name_b + ".")) continue;
     SCOPED_TRACE(file);
     const tests::CrossCheckCounts counts =
-        tests::cross_check(mesh_a, mesh_b, read_poses(entry.path()));
+        tests::cross_check(mesh_a, mesh_b, load_poses(entry.path()));
     all.intersecting += counts.intersecting;
     all.apart += counts.apart;
     all.pairs += counts.pairs;

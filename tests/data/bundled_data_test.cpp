@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <string>
 
-#include "data/pose_file.h"
-
 namespace graze {
 namespace {
 
@@ -75,7 +73,7 @@ TEST_P(BundledPoses, AreClearThenHit) {
   const bool is_thread = file.starts_with("bolt-nut.");
   const Mesh mesh_a = bundled_mesh(is_thread ? "bolt.obj" : "gear.ply");
   const Mesh mesh_b = bundled_mesh(is_thread ? "nut.stl" : "pinion.off");
-  const std::vector<Pose> poses = data::read_poses(kData / "poses" / file);
+  const std::vector<Pose> poses = load_poses(kData / "poses" / file);
   ASSERT_EQ(poses.size(), GetParam().poses);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(intersects({mesh_a}, {mesh_b, poses[i]}), i >= GetParam().first_hit) << "pose " << i;
@@ -104,7 +102,7 @@ TEST(BundledPosesOfTheCrossedNut, BindMoreAndMore) {
   const Mesh bolt = bundled_mesh("bolt.obj");
   const Mesh nut = bundled_mesh("nut.stl");
   std::size_t last = 0;
-  for (const Pose& pose : data::read_poses(kData / "poses/bolt-nut.cross.txt")) {
+  for (const Pose& pose : load_poses(kData / "poses/bolt-nut.cross.txt")) {
     const std::size_t pairs = find_triangle_pairs({bolt}, {nut, pose}).size();
     EXPECT_GE(pairs, last);
     last = pairs;

@@ -1,27 +1,27 @@
-#include <graze/engine/cli/pose_text.h>
-#include <graze/engine/cli/quote.h>
-#include <graze/engine/cli/usage_error.h>
+#include <graze/bvh/error.h>
+#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/pose_text.h>
 
 #include <fast_float/fast_float.h>
-#include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 
-namespace graze::cli {
+namespace graze {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r\v\f";
+constexpr std::string_view kSeparators = " \t\n\r\v\f,";
 
 /// Room for 12 numbers with every digit that a double can have. A longer line is no pose, and is
 /// not worth the memory.
 constexpr std::size_t kMaxLineLength = 1 << 16;
 
-bool is_blank(std::string_view text) {
-  return text.find_first_not_of(kBlanks) == text.npos;
+[[noreturn]] void fail(const std::string& place, const std::string& why) {
+  throw PoseError(place + ": " + why);
 }
 
 /// The fields of a line: runs of what is neither blank nor comma. A comma stands between two
@@ -31,19 +31,17 @@ std::vector<std::string_view> split(std::string_view text, const std::string& pl
   bool is_comma_open = true;  // a comma here would have no field before it
   while (!(text = text.substr(std::min(text.find_first_not_of(kBlanks), text.size()))).empty()) {
     if (text.front() == ',') {
-      if (is_comma_open) throw UsageError(place + ": a comma without a number before it");
+      if (is_comma_open) fail(place, "a comma without a number before it");
       is_comma_open = true;
       text.remove_prefix(1);
       continue;
     }
-    const std::size_t length = std::min(text.find_first_of(" \t\n\r\v\f,"), text.size());
+    const std::size_t length = std::min(text.find_first_of(kSeparators), text.size());
     fields.push_back(text.substr(0, length));
     text.remove_prefix(length);
     is_comma_open = false;
   }
-  if (is_comma_open && !fields.empty()) {
-    throw UsageError(place + ": a comma without a number after it");
-  }
+  if (is_comma_open && !fields.empty()) fail(place, "a comma without a number after it");
   return fields;
 }
 
@@ -54,14 +52,11 @@ double parse_number(std::string_view field, std::size_t number, const std::strin
   const char* const end = field.data() + field.size();
   double value = 0;
   const auto result = fast_float::from_chars(begin, end, value);
-  if (result.ec == std::errc::invalid_argument || result.ptr != end) {
-    throw UsageError(
-        fmt::format("{}: number {}: {} is not a number", place, number, in_quotes(field)));
-  }
-  if (!std::isfinite(value)) {
-    throw UsageError(
-        fmt::format("{}: number {}: {} is not finite", place, number, in_quotes(field)));
-  }
+  const auto refuse = [&](const char* why) {
+    fail(place, "number " + std::to_string(number) + ": " + mesh_io::quoted(field) + why);
+  };
+  if (result.ec == std::errc::invalid_argument || result.ptr != end) refuse(" is not a number");
+  if (!std::isfinite(value)) refuse(" is not finite");
   return value;
 }
 
@@ -69,46 +64,50 @@ double parse_number(std::string_view field, std::size_t number, const std::strin
 
 Pose parse_pose(std::string_view text, const std::string& place) {
   const std::vector<std::string_view> fields = split(text, place);
-  std::array<double, kPoseNumbers> numbers{};
+  Pose pose = Pose::Identity();
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const double value = parse_number(fields[i], i + 1, place);
-    if (i < kPoseNumbers) numbers[i] = value;
+    if (i >= kPoseNumbers) continue;
+    pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
   }
   if (fields.size() != kPoseNumbers) {
-    throw UsageError(fmt::format("{}: {} number{}, a pose has {}", place, fields.size(),
-                                 fields.size() == 1 ? "" : "s", kPoseNumbers));
-  }
-  Pose pose = Pose::Identity();
-  for (std::size_t i = 0; i < kPoseNumbers; ++i) {
-    pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = numbers[i];
+    fail(place, std::to_string(fields.size()) + (fields.size() == 1 ? " number" : " numbers") +
+                    ", a pose has " + std::to_string(kPoseNumbers));
   }
   check_rigid(pose, place.c_str());
   return pose;
 }
 
-std::vector<PoseLine> load_poses(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  if (std::filesystem::is_directory(path)) throw UsageError(name + ": is a directory");
+std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
+  const std::string name = mesh_io::printable(path.string());
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
   std::ifstream file(path);
-  if (!file) throw UsageError(name + ": " + std::strerror(errno));
+  if (!file) fail(name, std::strerror(errno));
 
   std::vector<PoseLine> poses;
   std::vector<char> buffer(kMaxLineLength);
   for (std::size_t line = 1; file.peek() != std::ifstream::traits_type::eof(); ++line) {
-    const std::string place = fmt::format("{}:{}", name, line);
+    const std::string place = name + ":" + std::to_string(line);
     file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     if (file.bad()) break;
-    if (file.fail()) {
-      throw UsageError(fmt::format("{}: longer than {} bytes", place, kMaxLineLength - 1));
-    }
+    if (file.fail()) fail(place, "longer than " + std::to_string(kMaxLineLength - 1) + " bytes");
     // gcount() includes the end of the line, unless the file ends first.
     const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
     const std::string_view text(buffer.data(), length);
-    if (!is_blank(text)) poses.push_back({parse_pose(text, place), line});
+    if (text.find_first_not_of(kBlanks) == text.npos) continue;
+    poses.push_back({parse_pose(text, place), line});
   }
-  if (file.bad()) throw UsageError(name + ": cannot be read to its end");
-  if (poses.empty()) throw UsageError(name + ": no poses");
+  if (file.bad()) fail(name, "cannot be read to its end");
+  if (poses.empty()) fail(name, "no poses");
   return poses;
 }
 
-}  // namespace graze::cli
+std::vector<Pose> load_poses(const std::filesystem::path& path) {
+  std::vector<Pose> poses;
+  for (const PoseLine& line : load_pose_lines(path))
+    poses.push_back(line.pose);
+  return poses;
+}
+
+}  // namespace graze

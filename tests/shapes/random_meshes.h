@@ -3,7 +3,7 @@
 #include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh.h>
 
-#include "tests/narrowphase/random_source.h"
+#include "tests/shapes/random_source.h"
 
 namespace graze::tests {
 

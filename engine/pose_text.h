@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <graze/bvh/pose.h>
+
+namespace graze {
+
+/// How many numbers a pose has as text: the rows of [R | t], one after the other, t in metres.
+inline constexpr std::size_t kPoseNumbers = 12;
+
+/// A pose and the line of the file that it stands on, counted from 1.
+struct PoseLine {
+  Pose pose;
+  std::size_t line;
+};
+
+/// Reads 12 numbers separated by blanks or commas, each rounded once to double. Throws PoseError,
+/// which begins with `place`, for another count, for what is not a finite number and for a pose
+/// that is not rigid.
+Pose parse_pose(std::string_view text, const std::string& place);
+
+/// Reads one pose per line; blank lines are skipped. Throws PoseError as parse_pose() does, naming
+/// `file:line`, and for a file that cannot be read or holds no poses. Linear time.
+std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path);
+
+/// The same poses without their lines.
+std::vector<Pose> load_poses(const std::filesystem::path& path);
+
+}  // namespace graze
