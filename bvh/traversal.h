@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace graze::bvh {
@@ -38,5 +39,24 @@ class TraversalStack {
   std::vector<Entry> spilled_;
   std::size_t size_ = 0;
 };
+
+/// Two nodes that wait to be compared.
+struct NodePair {
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+using PairStack = TraversalStack<NodePair, 256>;
+
+/// Opens one node of a pair: its children, with the other node, are compared next.
+inline void open_first(PairStack& stack, NodePair pair, std::uint32_t children) {
+  stack.push({children + 1, pair.b});
+  stack.push({children, pair.b});
+}
+
+inline void open_second(PairStack& stack, NodePair pair, std::uint32_t children) {
+  stack.push({pair.a, children + 1});
+  stack.push({pair.a, children});
+}
 
 }  // namespace graze::bvh

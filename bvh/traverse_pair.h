@@ -2,7 +2,6 @@
 
 #include <graze/bvh/traversal.h>
 #include <graze/bvh/tree.h>
-#include <cstdint>
 
 namespace graze::bvh {
 
@@ -12,25 +11,19 @@ namespace graze::bvh {
 template <typename Apart, typename IsFirstLarger, typename LeafFn>
 Walk traverse_pair(const Tree& tree_a, const Tree& tree_b, Apart&& are_apart,
                    IsFirstLarger&& is_first_larger, LeafFn&& leaf_fn) {
-  struct Entry {
-    std::uint32_t a;
-    std::uint32_t b;
-  };
-  TraversalStack<Entry, 256> open;
+  PairStack open;
   open.push({0, 0});
   while (!open.empty()) {
-    const Entry entry = open.pop();
-    const Node& a = tree_a.nodes[entry.a];
-    const Node& b = tree_b.nodes[entry.b];
+    const NodePair pair = open.pop();
+    const Node& a = tree_a.nodes[pair.a];
+    const Node& b = tree_b.nodes[pair.b];
     if (are_apart(a, b)) continue;
     if (a.is_leaf() && b.is_leaf()) {
       if (leaf_fn(a, b) == Walk::Stop) return Walk::Stop;
     } else if (b.is_leaf() || (!a.is_leaf() && is_first_larger(a, b))) {
-      open.push({a.first + 1, entry.b});
-      open.push({a.first, entry.b});
+      open_first(open, pair, a.first);
     } else {
-      open.push({entry.a, b.first + 1});
-      open.push({entry.a, b.first});
+      open_second(open, pair, b.first);
     }
   }
   return Walk::Continue;

@@ -2,7 +2,6 @@
 
 #include <graze/bvh/traversal.h>
 #include <graze/bvh/tree.h>
-#include <cstdint>
 
 namespace graze::bvh {
 
@@ -11,17 +10,13 @@ namespace graze::bvh {
 /// same node for each leaf, until it returns Walk::Stop. Returns whether it did.
 template <typename Apart, typename LeafFn>
 Walk traverse_self(const Tree& tree, Apart&& are_apart, LeafFn&& leaf_fn) {
-  struct Entry {
-    std::uint32_t a;
-    std::uint32_t b;
-  };
-  TraversalStack<Entry, 256> open;
+  PairStack open;
   open.push({0, 0});
   while (!open.empty()) {
-    const Entry entry = open.pop();
-    const Node& a = tree.nodes[entry.a];
-    const Node& b = tree.nodes[entry.b];
-    const bool is_same = entry.a == entry.b;
+    const NodePair pair = open.pop();
+    const Node& a = tree.nodes[pair.a];
+    const Node& b = tree.nodes[pair.b];
+    const bool is_same = pair.a == pair.b;
     if (!is_same && are_apart(a, b)) continue;
     if (a.is_leaf() && b.is_leaf()) {
       if (leaf_fn(a, b) == Walk::Stop) return Walk::Stop;
@@ -30,11 +25,9 @@ Walk traverse_self(const Tree& tree, Apart&& are_apart, LeafFn&& leaf_fn) {
       open.push({a.first + 1, a.first + 1});
       open.push({a.first, a.first});
     } else if (b.is_leaf() || (!a.is_leaf() && half_surface(a.box) >= half_surface(b.box))) {
-      open.push({a.first + 1, entry.b});
-      open.push({a.first, entry.b});
+      open_first(open, pair, a.first);
     } else {
-      open.push({entry.a, b.first + 1});
-      open.push({entry.a, b.first});
+      open_second(open, pair, b.first);
     }
   }
   return Walk::Continue;

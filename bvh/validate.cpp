@@ -40,7 +40,7 @@ class Validator {
       return "another number of primitives than of boxes";
     times_reached_[0] = 1;
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-      const auto broken = tree_.nodes[i].is_leaf() ? check_leaf(i) : check_inner(i);
+      auto broken = tree_.nodes[i].is_leaf() ? check_leaf(i) : check_inner(i);
       if (broken) return broken;
     }
     for (std::size_t i = 0; i < times_reached_.size(); ++i) {

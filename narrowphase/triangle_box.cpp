@@ -19,19 +19,22 @@ Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
 
 Triangle into_frame(const Triangle& triangle, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
-  const Triangle local{into_frame(triangle.a, m), into_frame(triangle.b, m),
+  Triangle local{into_frame(triangle.a, m), into_frame(triangle.b, m),
                        into_frame(triangle.c, m)};
   check_finite(local, "triangle in the frame of the box");
   return local;
 }
 
+Decision decide(const Triangle& triangle, const Aabb& box) {
+  const Verdict verdict = triage(triangle, box);
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  return {intersects_exactly(triangle, box), Stage::Exact};
+}
+
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Aabb& box) {
-  using narrowphase::Verdict;
-  const Verdict verdict = narrowphase::triage(triangle, box);
-  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-  return narrowphase::intersects_exactly(triangle, box);
+  return narrowphase::decide(triangle, box).is_hit;
 }
 
 bool intersects(const Triangle& triangle, const Obb& box) {

@@ -25,6 +25,9 @@ namespace narrowphase {
 /// coordinate overflows there.
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 
+/// What intersects() answers, with the stage that decided.
+Decision decide(const Triangle& triangle, const Aabb& box);
+
 /// The floating-point stage alone. Not finite input is Unsure.
 Verdict triage(const Triangle& triangle, const Aabb& box);
 

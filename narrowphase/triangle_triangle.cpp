@@ -3,10 +3,16 @@
 namespace graze {
 
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b) {
-  using narrowphase::Verdict;
-  const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
-  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-  return narrowphase::intersects_exactly(triangle_a, triangle_b);
+  return narrowphase::decide(triangle_a, triangle_b).is_hit;
 }
 
+namespace narrowphase {
+
+Decision decide(const Triangle& triangle_a, const Triangle& triangle_b) {
+  const Verdict verdict = triage(triangle_a, triangle_b);
+  if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
+  return {intersects_exactly(triangle_a, triangle_b), Stage::Exact};
+}
+
+}  // namespace narrowphase
 }  // namespace graze

@@ -14,6 +14,9 @@ bool intersects(const Triangle& triangle_a, const Triangle& triangle_b);
 
 namespace narrowphase {
 
+/// What intersects() answers, with the stage that decided.
+Decision decide(const Triangle& triangle_a, const Triangle& triangle_b);
+
 /// The floating-point stage alone: sure, or unsure (law 6). Not finite input is Unsure.
 Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b);
 

@@ -2,6 +2,7 @@
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
 #include <graze/narrowphase/triangle_box.h>
 
@@ -34,14 +35,12 @@ FramedBox framed(const Obb& box) {
 }
 
 bool meet(const Triangle& placed, const FramedBox& box, Work& work) {
-  using narrowphase::Verdict;
   ++work.triangle_tests;
   const Triangle triangle =
       box.kind == FramedBox::Kind::Oriented ? narrowphase::into_frame(placed, box.frame) : placed;
-  const Verdict verdict = narrowphase::triage(triangle, box.box);
-  if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-  ++work.exact_tests;
-  return narrowphase::intersects_exactly(triangle, box.box);
+  const narrowphase::Decision decision = narrowphase::decide(triangle, box.box);
+  work.exact_tests += decision.stage == narrowphase::Stage::Exact;
+  return decision.is_hit;
 }
 
 /// Calls `on_triangle(index)` for each placed triangle that meets the box, until it answers Stop.
@@ -73,30 +72,18 @@ void for_each_triangle(const PlacedMesh& placed, const FramedBox& box, Work& wor
 }
 
 bool meets_any(const PlacedMesh& mesh, const FramedBox& box, Work* work) {
-  Work counted;
-  bool has_triangle = false;
-  for_each_triangle(mesh, box, counted, [&](std::uint32_t) {
-    has_triangle = true;
-    return bvh::Walk::Stop;
-  });
-  if (work != nullptr) *work += counted;
-  return has_triangle;
+  CountedWork counted(work);
+  return has_any(
+      [&](auto&& on_triangle) { for_each_triangle(mesh, box, counted.work(), on_triangle); });
 }
 
 TriangleList find_all(const PlacedMesh& mesh, const FramedBox& box, const BoxSettings& settings,
                       Work* work) {
-  Work counted;
+  CountedWork counted(work);
   TriangleList found;
-  for_each_triangle(mesh, box, counted, [&](std::uint32_t index) {
-    if (found.triangles.size() == settings.limit) {
-      found.completeness = Completeness::LimitReached;
-      return bvh::Walk::Stop;
-    }
-    found.triangles.push_back(index);
-    return bvh::Walk::Continue;
+  found.completeness = collect(found.triangles, settings.limit, [&](auto&& on_triangle) {
+    for_each_triangle(mesh, box, counted.work(), on_triangle);
   });
-  std::sort(found.triangles.begin(), found.triangles.end());
-  if (work != nullptr) *work += counted;
   return found;
 }
 

@@ -2,11 +2,10 @@
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
-
-#include <algorithm>
 
 namespace graze {
 namespace {
@@ -39,11 +38,9 @@ class Candidates {
 
  private:
   bool meet(const Triangle& triangle_a, const Triangle& triangle_b) {
-    using narrowphase::Verdict;
-    const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
-    if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-    ++work_.exact_tests;
-    return narrowphase::intersects_exactly(triangle_a, triangle_b);
+    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
   }
 
   Work& work_;
@@ -92,30 +89,17 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&
 }  // namespace
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
-  Work counted;
-  bool has_pair = false;
-  for_each_pair(mesh_a, mesh_b, counted, [&](TrianglePair) {
-    has_pair = true;
-    return bvh::Walk::Stop;
-  });
-  if (work != nullptr) *work += counted;
-  return has_pair;
+  CountedWork counted(work);
+  return has_any([&](auto&& on_pair) { for_each_pair(mesh_a, mesh_b, counted.work(), on_pair); });
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const PairSettings& settings, Work* work) {
-  Work counted;
+  CountedWork counted(work);
   TrianglePairs found;
-  for_each_pair(mesh_a, mesh_b, counted, [&](TrianglePair pair) {
-    if (found.pairs.size() == settings.limit) {
-      found.completeness = Completeness::LimitReached;
-      return bvh::Walk::Stop;
-    }
-    found.pairs.push_back(pair);
-    return bvh::Walk::Continue;
+  found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
+    for_each_pair(mesh_a, mesh_b, counted.work(), on_pair);
   });
-  std::sort(found.pairs.begin(), found.pairs.end());
-  if (work != nullptr) *work += counted;
   return found;
 }
 

@@ -1,4 +1,5 @@
 #include <graze/bvh/traverse_self.h>
+#include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/narrowphase/adjacent_triangles.h>
 #include <graze/narrowphase/triangle_triangle.h>
@@ -70,11 +71,9 @@ class SelfQuery {
   }
 
   bool do_strangers_meet(const Triangle& triangle_a, const Triangle& triangle_b) {
-    using narrowphase::Verdict;
-    const Verdict verdict = narrowphase::triage(triangle_a, triangle_b);
-    if (verdict != Verdict::Unsure) return verdict == Verdict::Touching;
-    ++work_.exact_tests;
-    return narrowphase::intersects_exactly(triangle_a, triangle_b);
+    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
   }
 
   std::span<const Eigen::Vector3d> vertices_;
@@ -83,7 +82,7 @@ class SelfQuery {
   Work& work_;
 };
 
-/// Calls `on_pair(a, b)`, a < b, for each pair of that kind, until it answers Stop. No pose moves
+/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop. No pose moves
 /// the mesh, so that the boxes need no slack.
 template <typename OnPair>
 void for_each_self_pair(const Mesh& mesh, SelfPairKind kind, Work& work, OnPair&& on_pair) {
@@ -102,7 +101,7 @@ void for_each_self_pair(const Mesh& mesh, SelfPairKind kind, Work& work, OnPair&
       for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
         const auto [a, b] = std::minmax(tree.primitives[i], tree.primitives[j]);
         if (query.meet(a, b) != kind) continue;
-        if (on_pair(a, b) == bvh::Walk::Stop) return bvh::Walk::Stop;
+        if (on_pair(TrianglePair{a, b}) == bvh::Walk::Stop) return bvh::Walk::Stop;
       }
     }
     return bvh::Walk::Continue;
@@ -113,29 +112,18 @@ void for_each_self_pair(const Mesh& mesh, SelfPairKind kind, Work& work, OnPair&
 }  // namespace
 
 bool self_intersects(const Mesh& mesh, Work* work) {
-  Work counted;
-  bool has_pair = false;
-  for_each_self_pair(mesh, SelfPairKind::Crossing, counted, [&](std::uint32_t, std::uint32_t) {
-    has_pair = true;
-    return bvh::Walk::Stop;
+  CountedWork counted(work);
+  return has_any([&](auto&& on_pair) {
+    for_each_self_pair(mesh, SelfPairKind::Crossing, counted.work(), on_pair);
   });
-  if (work != nullptr) *work += counted;
-  return has_pair;
 }
 
 TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Work* work) {
-  Work counted;
+  CountedWork counted(work);
   TrianglePairs found;
-  for_each_self_pair(mesh, settings.kind, counted, [&](std::uint32_t a, std::uint32_t b) {
-    if (found.pairs.size() == settings.limit) {
-      found.completeness = Completeness::LimitReached;
-      return bvh::Walk::Stop;
-    }
-    found.pairs.push_back({a, b});
-    return bvh::Walk::Continue;
+  found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
+    for_each_self_pair(mesh, settings.kind, counted.work(), on_pair);
   });
-  std::sort(found.pairs.begin(), found.pairs.end());
-  if (work != nullptr) *work += counted;
   return found;
 }
 
