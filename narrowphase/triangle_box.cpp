@@ -19,8 +19,7 @@ Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
 
 Triangle into_frame(const Triangle& triangle, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
-  Triangle local{into_frame(triangle.a, m), into_frame(triangle.b, m),
-                       into_frame(triangle.c, m)};
+  Triangle local{into_frame(triangle.a, m), into_frame(triangle.b, m), into_frame(triangle.c, m)};
   check_finite(local, "triangle in the frame of the box");
   return local;
 }

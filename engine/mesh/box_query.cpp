@@ -1,4 +1,4 @@
-#include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/box_separation.h>
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/placement.h>
@@ -51,7 +51,7 @@ void for_each_triangle(const PlacedMesh& placed, const FramedBox& box, Work& wor
   const bvh::Tree& tree = placed.mesh.tree(&work);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(box.box);
   const bvh::FloatBox local = frame.to_local(box.box);
-  const bvh::BoxPairTest box_test(
+  const bvh::BoxSeparation box_test(
       relative_frame({placed.pose, deviation, tree.frame, placed.mesh.bounds()},
                      {box.frame, box.deviation, frame, box.box}));
   const auto is_apart = [&](const bvh::Node& node) {

@@ -1,4 +1,4 @@
-#include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/box_separation.h>
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
@@ -56,7 +56,7 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&
   const double deviation_b = check_placement(b.pose, b.mesh.bounds(), "pose of mesh B");
   const bvh::Tree& tree_a = a.mesh.tree(&work);
   const bvh::Tree& tree_b = b.mesh.tree(&work);
-  const bvh::BoxPairTest box_test(
+  const bvh::BoxSeparation box_test(
       relative_frame({a.pose, deviation_a, tree_a.frame, a.mesh.bounds()},
                      {b.pose, deviation_b, tree_b.frame, b.mesh.bounds()}));
   const auto are_apart = [&](const bvh::Node& node_a, const bvh::Node& node_b) {

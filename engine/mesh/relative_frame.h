@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/box_separation.h>
 #include <graze/bvh/local_frame.h>
 #include <graze/bvh/pose.h>
 

@@ -73,7 +73,7 @@ std::string fault_of(const TriangleAndObb& pair) {
   return "law 3: wrong for the oriented box; in its frame the truth is:\n" + to_text(framed, truth);
 }
 
-class OrientedBoxes : public testing::TestWithParam<oracle::Corpus<TriangleAndBox>> {
+class Law3OrientedBoxes : public testing::TestWithParam<oracle::Corpus<TriangleAndBox>> {
  protected:
   void run(int count) {
     Sampler sampler("oriented_" + GetParam().name(), 0, oracle::Grid::Double);
@@ -81,12 +81,12 @@ class OrientedBoxes : public testing::TestWithParam<oracle::Corpus<TriangleAndBo
                [&](const TriangleAndBox& pair) { return fault_of(oriented(pair, sampler)); });
   }
 };
-class OrientedBoxesSlow : public OrientedBoxes {};
+class Law3OrientedBoxesSlow : public Law3OrientedBoxes {};
 
-TEST_P(OrientedBoxes, AgreeWithReferee) {
+TEST_P(Law3OrientedBoxes, AgreeWithReferee) {
   run(kElements);
 }
-TEST_P(OrientedBoxesSlow, AgreeWithReferee) {
+TEST_P(Law3OrientedBoxesSlow, AgreeWithReferee) {
   run(kElementsSlow);
 }
 
@@ -99,9 +99,9 @@ std::vector<oracle::Corpus<TriangleAndBox>> ordinary_corpora() {
   return corpora;
 }
 
-INSTANTIATE_TEST_SUITE_P(Crosscheck, OrientedBoxes, testing::ValuesIn(ordinary_corpora()),
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law3OrientedBoxes, testing::ValuesIn(ordinary_corpora()),
                          CorpusName());
-INSTANTIATE_TEST_SUITE_P(Crosscheck, OrientedBoxesSlow, testing::ValuesIn(ordinary_corpora()),
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law3OrientedBoxesSlow, testing::ValuesIn(ordinary_corpora()),
                          CorpusName());
 
 }  // namespace

@@ -41,20 +41,20 @@ std::string fault_of(const TriangleAndBox& pair) {
   return fault == nullptr ? "" : std::string(fault) + "; the truth is:\n" + to_text(pair, truth);
 }
 
-class TriangleBoxes : public testing::TestWithParam<oracle::Corpus<TriangleAndBox>> {};
-class TriangleBoxesSlow : public TriangleBoxes {};
+class Law3TriangleBoxes : public testing::TestWithParam<oracle::Corpus<TriangleAndBox>> {};
+class Law3TriangleBoxesSlow : public Law3TriangleBoxes {};
 
-TEST_P(TriangleBoxes, AgreeWithReferee) {
+TEST_P(Law3TriangleBoxes, AgreeWithReferee) {
   run_corpus(GetParam(), kElements, fault_of);
 }
-TEST_P(TriangleBoxesSlow, AgreeWithReferee) {
+TEST_P(Law3TriangleBoxesSlow, AgreeWithReferee) {
   run_corpus(GetParam(), kElementsSlow, fault_of);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crosscheck, TriangleBoxes, testing::ValuesIn(oracle::box_corpora()),
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law3TriangleBoxes, testing::ValuesIn(oracle::box_corpora()),
                          CorpusName());
-INSTANTIATE_TEST_SUITE_P(Crosscheck, TriangleBoxesSlow, testing::ValuesIn(oracle::box_corpora()),
-                         CorpusName());
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law3TriangleBoxesSlow,
+                         testing::ValuesIn(oracle::box_corpora()), CorpusName());
 
 }  // namespace
 }  // namespace graze::crosscheck

@@ -36,20 +36,20 @@ std::string fault_of(const TrianglePair& pair) {
   return fault == nullptr ? "" : std::string(fault) + "; the truth is:\n" + to_text(pair, truth);
 }
 
-class TrianglePairs : public testing::TestWithParam<oracle::Corpus<TrianglePair>> {};
-class TrianglePairsSlow : public TrianglePairs {};
+class Law2TrianglePairs : public testing::TestWithParam<oracle::Corpus<TrianglePair>> {};
+class Law2TrianglePairsSlow : public Law2TrianglePairs {};
 
-TEST_P(TrianglePairs, AgreeWithReferee) {
+TEST_P(Law2TrianglePairs, AgreeWithReferee) {
   run_corpus(GetParam(), kElements, fault_of);
 }
-TEST_P(TrianglePairsSlow, AgreeWithReferee) {
+TEST_P(Law2TrianglePairsSlow, AgreeWithReferee) {
   run_corpus(GetParam(), kElementsSlow, fault_of);
 }
 
-INSTANTIATE_TEST_SUITE_P(Crosscheck, TrianglePairs, testing::ValuesIn(oracle::pair_corpora()),
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law2TrianglePairs, testing::ValuesIn(oracle::pair_corpora()),
                          CorpusName());
-INSTANTIATE_TEST_SUITE_P(Crosscheck, TrianglePairsSlow, testing::ValuesIn(oracle::pair_corpora()),
-                         CorpusName());
+INSTANTIATE_TEST_SUITE_P(Crosscheck, Law2TrianglePairsSlow,
+                         testing::ValuesIn(oracle::pair_corpora()), CorpusName());
 
 }  // namespace
 }  // namespace graze::crosscheck

@@ -97,6 +97,18 @@ INSTANTIATE_TEST_SUITE_P(All, BundledPoses,
                            return name;
                          });
 
+// What the README says: in the thread's clearance, the rounded stage decides all candidates.
+TEST(BundledParts, TheTurningNutNeedsNoExactArithmetic) {
+  const Mesh bolt = bundled_mesh("bolt.obj");
+  const Mesh nut = bundled_mesh("nut.stl");
+  for (const Pose& pose : load_poses(kData / "poses/bolt-nut.turning.txt")) {
+    Work work;
+    intersects({bolt}, {nut, pose}, &work);
+    EXPECT_GT(work.triangle_tests, 40000u);
+    EXPECT_EQ(work.exact_tests, 0u);
+  }
+}
+
 // Tilting the nut further presses more of the thread together.
 TEST(BundledPosesOfTheCrossedNut, BindMoreAndMore) {
   const Mesh bolt = bundled_mesh("bolt.obj");

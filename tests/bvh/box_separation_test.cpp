@@ -1,4 +1,4 @@
-#include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/box_separation.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,15 +29,15 @@ RelativeFrame frame(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& tran
   return result;
 }
 
-TEST(BoxPairTest, FacesApartByMoreThanTheSlack) {
+TEST(BoxSeparation, FacesApartByMoreThanTheSlack) {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
-  EXPECT_TRUE(BoxPairTest(frame(identity, {2.1, 0, 0}, 0.05)).are_apart(cube(1), cube(1)));
-  EXPECT_FALSE(BoxPairTest(frame(identity, {2.1, 0, 0}, 0.15)).are_apart(cube(1), cube(1)));
-  EXPECT_FALSE(BoxPairTest(frame(identity, {2, 0, 0}, 0)).are_apart(cube(1), cube(1)));
+  EXPECT_TRUE(BoxSeparation(frame(identity, {2.1, 0, 0}, 0.05)).are_apart(cube(1), cube(1)));
+  EXPECT_FALSE(BoxSeparation(frame(identity, {2.1, 0, 0}, 0.15)).are_apart(cube(1), cube(1)));
+  EXPECT_FALSE(BoxSeparation(frame(identity, {2, 0, 0}, 0)).are_apart(cube(1), cube(1)));
 }
 
 // Edge against edge: only a cross product of axes separates these.
-TEST(BoxPairTest, CrossedEdgesNeedTheirCrossProduct) {
+TEST(BoxSeparation, CrossedEdgesNeedTheirCrossProduct) {
   const Eigen::Matrix3d turn_a =
       Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   const Eigen::Matrix3d turn_b =
@@ -46,23 +46,23 @@ TEST(BoxPairTest, CrossedEdgesNeedTheirCrossProduct) {
   const double touching = 2 * std::sqrt(2.0);
   const auto are_apart_at = [&](double distance) {
     const Eigen::Vector3d translation = turn_a.transpose() * Eigen::Vector3d(distance, 0, 0);
-    return BoxPairTest(frame(relative, translation, 1e-12)).are_apart(cube(1), cube(1));
+    return BoxSeparation(frame(relative, translation, 1e-12)).are_apart(cube(1), cube(1));
   };
   EXPECT_TRUE(are_apart_at(touching + 1e-6));
   EXPECT_FALSE(are_apart_at(touching - 1e-6));
 }
 
-TEST(BoxPairTest, NothingIsProvedByNanOrInfinity) {
+TEST(BoxSeparation, NothingIsProvedByNanOrInfinity) {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
-  EXPECT_FALSE(BoxPairTest(frame(identity, {kNan, 5, 0}, kNan)).are_apart(cube(1), cube(1)));
-  EXPECT_FALSE(BoxPairTest(frame(identity, {5, 5, 5}, kInfinity)).are_apart(cube(1), cube(1)));
+  EXPECT_FALSE(BoxSeparation(frame(identity, {kNan, 5, 0}, kNan)).are_apart(cube(1), cube(1)));
+  EXPECT_FALSE(BoxSeparation(frame(identity, {5, 5, 5}, kInfinity)).are_apart(cube(1), cube(1)));
   EXPECT_FALSE(
-      BoxPairTest(frame(identity, {kInfinity, 0, 0}, kInfinity)).are_apart(cube(1), cube(1)));
+      BoxSeparation(frame(identity, {kInfinity, 0, 0}, kInfinity)).are_apart(cube(1), cube(1)));
 }
 
 // Conservative: a point of both boxes forbids "apart". And useful: boxes that a plane separates
 // along one of the fifteen axes are found, which random directions here check against.
-TEST(BoxPairTest, NeverApartWithACommonPoint) {
+TEST(BoxSeparation, NeverApartWithACommonPoint) {
   std::mt19937_64 random(5);
   const auto uniform = [&](double low, double high) {
     return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
@@ -87,20 +87,20 @@ TEST(BoxPairTest, NeverApartWithACommonPoint) {
       in_b[k] = b.min[k] + (double{b.max[k]} - b.min[k]) * static_cast<double>(random() % 3) / 2;
     }
     const Eigen::Vector3d translation = in_a - rotation * in_b;
-    ASSERT_FALSE(BoxPairTest(frame(rotation, translation, 1e-13)).are_apart(a, b));
+    ASSERT_FALSE(BoxSeparation(frame(rotation, translation, 1e-13)).are_apart(a, b));
     const Eigen::Vector3d away = translation + Eigen::Vector3d(uniform(-4, 4), uniform(-4, 4), 0);
-    found_apart += BoxPairTest(frame(rotation, away, 1e-13)).are_apart(a, b);
+    found_apart += BoxSeparation(frame(rotation, away, 1e-13)).are_apart(a, b);
   }
   EXPECT_GT(found_apart, 10000);
 }
 
-TEST(BoxPairTest, UnitsScaleEachSide) {
+TEST(BoxSeparation, UnitsScaleEachSide) {
   RelativeFrame scaled = frame(Eigen::Matrix3d::Identity(), {3, 0, 0}, 0);
   scaled.units_b = 4;
-  EXPECT_FALSE(BoxPairTest(scaled).are_apart(cube(1), cube(0.5f)));
-  EXPECT_TRUE(BoxPairTest(scaled).are_apart(cube(0.5f), cube(0.5f)));
-  EXPECT_FALSE(BoxPairTest(scaled).is_first_larger(cube(1), cube(0.5f)));
-  EXPECT_TRUE(BoxPairTest(scaled).is_first_larger(cube(3), cube(0.5f)));
+  EXPECT_FALSE(BoxSeparation(scaled).are_apart(cube(1), cube(0.5f)));
+  EXPECT_TRUE(BoxSeparation(scaled).are_apart(cube(0.5f), cube(0.5f)));
+  EXPECT_FALSE(BoxSeparation(scaled).is_first_larger(cube(1), cube(0.5f)));
+  EXPECT_TRUE(BoxSeparation(scaled).is_first_larger(cube(3), cube(0.5f)));
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
-#include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/box_separation.h>
 
 #include <cmath>
 
 namespace graze::bvh {
 
-BoxPairTest::BoxPairTest(const RelativeFrame& frame) : frame_(frame) {
+BoxSeparation::BoxSeparation(const RelativeFrame& frame) : frame_(frame) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
       size_[i][j] = std::abs(frame.rotation[i][j]);
   }
 }
 
-bool BoxPairTest::are_apart(const FloatBox& a, const FloatBox& b) const {
+bool BoxSeparation::are_apart(const FloatBox& a, const FloatBox& b) const {
   const double(&r)[3][3] = frame_.rotation;
   const double(&s)[3][3] = size_;
   const double slack = frame_.slack;
@@ -53,7 +53,7 @@ bool BoxPairTest::are_apart(const FloatBox& a, const FloatBox& b) const {
   return false;
 }
 
-bool BoxPairTest::is_first_larger(const FloatBox& a, const FloatBox& b) const {
+bool BoxSeparation::is_first_larger(const FloatBox& a, const FloatBox& b) const {
   double size_a = 0;
   double size_b = 0;
   for (int k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@ namespace graze::bvh {
 /// How the frame of tree B lies in that of tree A, in common units: a point b of B's local frame is
 /// at rotation * (b * units_b) + translation, a point a of A's at a * units_a. `slack`, in the same
 /// units, covers all by which the query's truth may differ from that, and the rounding of
-/// BoxPairTest: whoever fills this in derives it (law 5).
+/// BoxSeparation: whoever fills this in derives it (law 5).
 struct RelativeFrame {
   double rotation[3][3];  // row-major
   double translation[3];
@@ -19,9 +19,9 @@ struct RelativeFrame {
 /// Proves pairs of node boxes apart by the separating axis test for oriented boxes: three axes of
 /// each and nine cross products (Gottschalk, Lin and Manocha, "OBBTree", 1996). One rotation serves
 /// the whole query. True is sure; false is not.
-class BoxPairTest {
+class BoxSeparation {
  public:
-  explicit BoxPairTest(const RelativeFrame& frame);
+  explicit BoxSeparation(const RelativeFrame& frame);
 
   bool are_apart(const FloatBox& a, const FloatBox& b) const;
 
