@@ -39,7 +39,9 @@ bool intersects(const Triangle& triangle, const Obb& box) {
     local.min.data()[i] = -box.half_extents.data()[i];
     local.max.data()[i] = box.half_extents.data()[i];
   }
-  return intersects(narrowphase::into_frame(triangle, box.pose), local);
+  const Triangle framed = narrowphase::into_frame(triangle, box.pose);
+  narrowphase::check_finite(framed, "triangle in the frame of the box");
+  return intersects(framed, local);
 }
 
 }  // namespace graze

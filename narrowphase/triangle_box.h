@@ -16,7 +16,8 @@ bool intersects(const Triangle& triangle, const Aabb& box);
 /// As above for an oriented box: each vertex v goes into the box's frame as law 3 says,
 /// q = v - t and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation rounded to double, and the
 /// triangle of the results meets [-half_extents, half_extents] exactly.
-/// Throws InputError or PoseError for an invalid box.
+/// Throws InputError or PoseError for an invalid box, and InputError if a vertex overflows on its
+/// way into the frame.
 bool intersects(const Triangle& triangle, const Obb& box);
 
 namespace narrowphase {

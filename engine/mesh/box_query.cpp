@@ -1,4 +1,5 @@
 #include <graze/bvh/box_pair_test.h>
+#include <graze/bvh/error.h>
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/placement.h>
@@ -6,6 +7,8 @@
 #include <graze/narrowphase/triangle_box.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace graze {
 namespace {
@@ -33,6 +36,35 @@ FramedBox framed(const Obb& box) {
   return result;
 }
 
+/// Refuses a mesh that could overflow on its way into the frame of an oriented box (law 3), where
+/// the answer would depend on what the tree prunes. The sums are in the order of place() and
+/// into_frame(), and rounding is monotone: if these are finite, so is every intermediate result.
+void check_way_into_frame(const Pose& pose, const Aabb& bounds, const FramedBox& box) {
+  if (box.kind != FramedBox::Kind::Oriented) return;
+  const double* m = pose.data();
+  const double* f = box.frame.data();
+  double largest[3];
+  double way[3];
+  for (int k = 0; k < 3; ++k) {
+    largest[k] = std::max(std::abs(bounds.min.data()[k]), std::abs(bounds.max.data()[k]));
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double placed = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
+                           std::abs(m[8 + i]) * largest[2]) +
+                          std::abs(m[12 + i]);
+    way[i] = placed + std::abs(f[12 + i]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double* axis = f + 4 * i;
+    const double reach =
+        (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
+    if (!std::isfinite(reach)) {
+      throw PoseError(std::string("box: coordinate ") + "xyz"[i] +
+                      " of the mesh in its frame could overflow");
+    }
+  }
+}
+
 bool meet(const Triangle& placed, const FramedBox& box, Work& work) {
   using narrowphase::Verdict;
   ++work.triangle_tests;
@@ -49,6 +81,7 @@ template <typename OnTriangle>
 void for_each_triangle(const PlacedMesh& placed, const FramedBox& box, Work& work,
                        OnTriangle&& on_triangle) {
   const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
+  check_way_into_frame(placed.pose, placed.mesh.bounds(), box);
   const bvh::Tree& tree = placed.mesh.tree(&work);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(box.box);
   const bvh::FloatBox local = frame.to_local(box.box);
