@@ -19,9 +19,7 @@ Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
 
 Triangle into_frame(const Triangle& triangle, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
-  Triangle local{into_frame(triangle.a, m), into_frame(triangle.b, m), into_frame(triangle.c, m)};
-  check_finite(local, "triangle in the frame of the box");
-  return local;
+  return {into_frame(triangle.a, m), into_frame(triangle.b, m), into_frame(triangle.c, m)};
 }
 
 Decision decide(const Triangle& triangle, const Aabb& box) {
@@ -44,7 +42,9 @@ bool intersects(const Triangle& triangle, const Obb& box) {
     local.min.data()[i] = -box.half_extents.data()[i];
     local.max.data()[i] = box.half_extents.data()[i];
   }
-  return intersects(narrowphase::into_frame(triangle, box.pose), local);
+  const Triangle framed = narrowphase::into_frame(triangle, box.pose);
+  narrowphase::check_finite(framed, "triangle in the frame of the box");
+  return intersects(framed, local);
 }
 
 }  // namespace graze

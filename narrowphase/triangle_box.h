@@ -16,13 +16,13 @@ bool intersects(const Triangle& triangle, const Aabb& box);
 /// As above for an oriented box: each vertex v goes into the box's frame as law 3 says,
 /// q = v - t and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation rounded to double, and the
 /// triangle of the results meets [-half_extents, half_extents] exactly.
-/// Throws InputError or PoseError for an invalid box.
+/// Throws InputError or PoseError for an invalid box, and InputError if a vertex overflows on its
+/// way into the frame.
 bool intersects(const Triangle& triangle, const Obb& box);
 
 namespace narrowphase {
 
-/// Law 3's way into the frame of an oriented box, without checking the box. Throws InputError if a
-/// coordinate overflows there.
+/// Law 3's way into the frame of an oriented box, without checking either.
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 
 /// What intersects() answers, with the stage that decided.

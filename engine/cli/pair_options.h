@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace graze::cli {
@@ -10,7 +11,7 @@ struct PairOptions {
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
-  std::string poses;
+  std::optional<std::string> poses;  // given and empty is an error, not as if not given
   std::string query = "pairs";
   std::string check;
   bool is_listing = false;

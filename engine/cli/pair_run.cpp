@@ -17,8 +17,11 @@ namespace graze::cli {
 namespace {
 
 void check_combinations(const PairOptions& options) {
-  if (!options.pose_b.empty() && !options.poses.empty()) {
+  if (!options.pose_b.empty() && options.poses) {
     throw UsageError("--pose-b and --poses exclude each other: both place B");
+  }
+  if (options.poses && options.poses->empty()) {
+    throw UsageError("--poses: the name of the file is empty");
   }
   if (options.is_listing && options.query == "any") {
     throw UsageError("--list needs --query pairs: --query any stops at the first pair it finds");
@@ -30,7 +33,7 @@ void check_combinations(const PairOptions& options) {
 
 /// The poses of B, with line 0 for one that comes from the command line.
 std::vector<PoseLine> read_poses_b(const PairOptions& options) {
-  if (!options.poses.empty()) return load_pose_lines(options.poses);
+  if (options.poses) return load_pose_lines(*options.poses);
   if (!options.pose_b.empty()) return {{parse_pose(options.pose_b, "--pose-b"), 0}};
   return {{Pose::Identity(), 0}};
 }
@@ -50,7 +53,7 @@ void check_placements(const PairOptions& options, const PairJob& job) {
   check_placement(job.pose_a, job.mesh_a.bounds(), "--pose-a");
   for (const PoseLine& pose : job.poses_b) {
     const std::string place =
-        pose.line == 0 ? "--pose-b" : options.poses + ":" + std::to_string(pose.line);
+        pose.line == 0 ? "--pose-b" : *options.poses + ":" + std::to_string(pose.line);
     check_placement(pose.pose, job.mesh_b.bounds(), place.c_str());
   }
 }

@@ -1,4 +1,5 @@
 #include <graze/bvh/box_separation.h>
+#include <graze/bvh/error.h>
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/placement.h>
@@ -6,7 +7,9 @@
 #include <graze/engine/mesh/relative_frame.h>
 #include <graze/narrowphase/triangle_box.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace graze {
 namespace {
@@ -34,6 +37,26 @@ FramedBox framed(const Obb& box) {
   return result;
 }
 
+/// Refuses a mesh that could overflow on its way into the frame of an oriented box (law 3), where
+/// the answer would depend on what the tree prunes. The sums are in the order of into_frame(), and
+/// rounding is monotone: if these are finite, so is every intermediate result.
+void check_way_into_frame(const PlacedMesh& placed, const FramedBox& box) {
+  if (box.kind != FramedBox::Kind::Oriented) return;
+  std::array<double, 3> way = placed_reach(placed.pose, placed.mesh.bounds());
+  const double* m = box.frame.data();  // column-major 4x4: column i is the frame's axis i
+  for (int i = 0; i < 3; ++i)
+    way[i] += std::abs(m[12 + i]);
+  for (int i = 0; i < 3; ++i) {
+    const double* axis = m + 4 * i;
+    const double reach =
+        (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
+    if (!std::isfinite(reach)) {
+      throw PoseError(std::string("box: coordinate ") + "xyz"[i] +
+                      " of the mesh in its frame could overflow");
+    }
+  }
+}
+
 bool meet(const Triangle& placed, const FramedBox& box, Work& work) {
   ++work.triangle_tests;
   const Triangle triangle =
@@ -48,6 +71,7 @@ template <typename OnTriangle>
 void for_each_triangle(const PlacedMesh& placed, const FramedBox& box, Work& work,
                        OnTriangle&& on_triangle) {
   const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
+  check_way_into_frame(placed, box);
   const bvh::Tree& tree = placed.mesh.tree(&work);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(box.box);
   const bvh::FloatBox local = frame.to_local(box.box);

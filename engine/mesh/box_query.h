@@ -32,7 +32,7 @@ struct BoxSettings {
 /// True if and only if some placed triangle of the mesh shares a point with the box (laws 1 and 3).
 /// Surface only: a box wholly inside a closed mesh does not touch it. Stops at the first triangle.
 /// Throws InputError or PoseError for an invalid box, PoseError for a pose that is refused by law
-/// 10 or by law 1.
+/// 10 or by law 1, or an oriented box in whose frame the mesh could overflow.
 bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
 

@@ -23,19 +23,27 @@ Triangle place(const Pose& pose, const Triangle& triangle) {
   return {place(pose, triangle.a), place(pose, triangle.b), place(pose, triangle.c)};
 }
 
-double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
-  const double deviation = check_rigid(pose, what);
+std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {
   const double* m = pose.data();
   double largest[3];
   for (int k = 0; k < 3; ++k) {
     largest[k] = std::max(std::abs(bounds.min.data()[k]), std::abs(bounds.max.data()[k]));
   }
+  // Rounding is monotone: the same operations on absolute values bound all of place()'s.
+  std::array<double, 3> reach;
   for (int i = 0; i < 3; ++i) {
-    // Rounding is monotone: if this is finite, so is every intermediate result of place().
-    const double reach = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
-                          std::abs(m[8 + i]) * largest[2]) +
-                         std::abs(m[12 + i]);
-    if (!std::isfinite(reach)) {
+    reach[i] = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
+                std::abs(m[8 + i]) * largest[2]) +
+               std::abs(m[12 + i]);
+  }
+  return reach;
+}
+
+double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
+  const double deviation = check_rigid(pose, what);
+  const std::array<double, 3> reach = placed_reach(pose, bounds);
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(reach[i])) {
       throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +
                       " of the mesh could overflow");
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
 #include <graze/narrowphase/triangle.h>
@@ -10,6 +12,10 @@ namespace graze {
 /// no fused operations. What a query decides, it decides for the result of this function.
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
 Triangle place(const Pose& pose, const Triangle& triangle);
+
+/// The largest absolute value that each coordinate of a placed point of the box, and every
+/// intermediate result of place() on the way to it, can have; infinite if it could overflow.
+std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds);
 
 /// The door (laws 1 and 10): throws PoseError, which begins with `what`, for a pose that is not
 /// rigid or under which a point of the box could overflow. Returns the deviation from a rotation.

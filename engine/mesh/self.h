@@ -22,7 +22,9 @@ struct SelfSettings {
 };
 
 /// True if and only if two triangles of the mesh cross: their intersection is more than the welded
-/// vertex or edge that they have in common. Duplicates cross. Exact for every finite mesh.
+/// vertex or edge that they have in common. Duplicates cross, unless they are segments or points
+/// that repeat a corner: these are no more than what they have in common. Exact for every finite
+/// mesh.
 bool self_intersects(const Mesh& mesh, Work* work = nullptr);
 
 /// All pairs a < b of the kind, sorted.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
@@ -111,6 +112,22 @@ TEST(Law10Box, BadBoxesAreRefused) {
   Obb reflected{Pose::Identity(), {1, 1, 1}};
   reflected.pose.linear()(0, 0) = -1;
   EXPECT_THROW(find_triangles({sphere}, reflected), PoseError);
+}
+
+// Law 3's subtraction overflows for the far triangle alone, which the tree would prune: the door
+// must not leave the answer to that.
+TEST(Law10Box, AMeshThatCouldOverflowInTheFrameOfTheBoxIsRefused) {
+  const std::vector<Eigen::Vector3d> vertices{{1.7e308, 0, 0}, {1.7e308, 1, 0}, {1.7e308, 0, 1},
+                                              {0, 0, 0},       {1, 0, 0},       {0, 1, 0}};
+  const std::vector<TriangleIndices> triangles{{0, 1, 2}, {3, 4, 5}};
+  const Mesh mesh(vertices, triangles);
+  Obb box{Pose::Identity(), {1, 1, 1}};
+  EXPECT_EQ(find_triangles({mesh}, box).size(), 1u);
+  box.pose.translation().x() = -1.7e308;
+  EXPECT_THROW(find_triangles({mesh}, box), PoseError);
+  EXPECT_THROW(intersects({mesh}, box), PoseError);
+  EXPECT_THROW(intersects(mesh.triangle(0), box), InputError);
+  EXPECT_FALSE(intersects(mesh.triangle(1), box));
 }
 
 }  // namespace

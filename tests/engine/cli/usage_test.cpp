@@ -153,6 +153,9 @@ TEST_F(CliUsage, BadPoseFilesAreRefusedWithTheirLine) {
   expect_refusal({"pair", "a.off", "b.off", "--poses", "missing.txt"},
                  "graze: missing.txt: No such file or directory");
   expect_refusal({"pair", "a.off", "b.off", "--poses", "."}, "graze: .: is a directory");
+  // A script's unset variable must not be answered for the identity pose.
+  expect_refusal({"pair", "a.off", "b.off", "--poses", ""},
+                 "graze: --poses: the name of the file is empty");
 }
 
 TEST_F(CliUsage, PosesThatOverflowAreRefusedBeforeTheFirstQuery) {
