@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "tests/crosscheck/cross_check.h"
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {
@@ -17,28 +17,15 @@ using tests::make_box;
 using tests::make_sphere;
 using tests::make_torus;
 
-Pose random_rotation(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
-                      .normalized()
-                      .toRotationMatrix();
-  return pose;
-}
-
-Eigen::Vector3d random_direction(std::mt19937_64& random) {
-  return random_rotation(random).linear().col(0);
-}
-
 /// Poses of B at distances around `touching`, some of them within rounding of it.
 std::vector<Pose> grazing_poses(double touching, int count) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> unit(-1, 1);
+  RandomSource source(7);
   std::vector<Pose> poses;
   for (int i = 0; i < count; ++i) {
-    Pose pose = random_rotation(random);
+    Pose pose = tests::random_pose(0, source);
+    const Eigen::Vector3d direction = source.vector(-1, 1).normalized();
     const double spread = std::pow(10.0, -(i % 16));
-    pose.translation() = random_direction(random) * (touching * (1 + spread * unit(random)));
+    pose.translation() = direction * (touching * (1 + spread * source.uniform(-1, 1)));
     poses.push_back(pose);
   }
   return poses;
@@ -57,14 +44,14 @@ std::vector<Pose> shifts(const std::vector<Eigen::Vector3d>& translations) {
 TEST(FclCrossCheck, Spheres) {
   const Mesh sphere = make_sphere(1, 12, 20);
   const tests::CrossCheckCounts counts =
-      tests::cross_check(sphere, sphere, grazing_poses(1.97, 100));
+      tests::cross_check(sphere, sphere, grazing_poses(1.97, 300));
   EXPECT_GT(counts.intersecting, 10u);
   EXPECT_GT(counts.apart, 10u);
 }
 
 TEST(FclCrossCheck, TorusAndBox) {
   const tests::CrossCheckCounts counts = tests::cross_check(
-      make_torus(1, 0.25, 24, 10), make_box({0.5, 0.3, 0.2}), grazing_poses(1.4, 150));
+      make_torus(1, 0.25, 24, 10), make_box({0.5, 0.3, 0.2}), grazing_poses(1.4, 300));
   EXPECT_GT(counts.intersecting, 10u);
   EXPECT_GT(counts.apart, 10u);
 }
