@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 #include <graze/bvh/error.h>
 
 namespace graze {

@@ -18,12 +18,13 @@
 //
 // Not quite rotations. The axes C_j of B are used as they are, but their products C_j . C_k are
 // taken for those of unit vectors. R_A R_A^T differs from I by 3 dev_A at most (the spectral norm
-// is that of R_A^T R_A - I), so C^T C by g = 3.01 dev_A + dev_B + 10 u an entry; C_j x C_k from C_l
+// is that of R_A^T R_A - I), so C^T C by g = 3.01 dev_A + dev_B + 12 u an entry; C_j x C_k from C_l
 // by 9 g. Over the extents of B's boxes that is at most 18 g r_B.
 //
-// The axes are not longer than 1.74 in the 1-norm, so twice the errors of A and B cover them. The
-// rounding of the separating axis test itself, with |T| = tau in common units, in which boxes are
-// at most 2 in size and 4 across, is below 128 u (tau + 16).
+// The axes have 2-norms of about 1 and 1-norms below 1.74, so twice the errors of A and B cover
+// them, whether an error's largest component is taken in y or, as for the oriented box, in B's
+// frame. The rounding of the separating axis test itself, with |T| = tau in common units, in which
+// boxes are at most 2 in size and 4 across, is below 128 u (tau + 16).
 
 #include <graze/engine/mesh/relative_frame.h>
 
@@ -94,7 +95,7 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
   const double error_a = 3 * side_a.deviation * side_a.radius + 3.5 * side_a.placing;
   const double error_b = (3 * side_b.deviation + 28 * kUnitRoundoff) * side_b.radius +
                          3.5 * side_b.placing + 10 * kUnitRoundoff * largest_component(between);
-  const double gram = 3.01 * side_a.deviation + side_b.deviation + 10 * kUnitRoundoff;
+  const double gram = 3.01 * side_a.deviation + side_b.deviation + 12 * kUnitRoundoff;
   const double metres = 2 * (error_a + error_b) + 18 * gram * side_b.radius;
   // A hundredth more pays for the rounding of these lines.
   relative.slack = 1.01 * (metres * per_metre + 128 * kUnitRoundoff * (tau + 16)) + 0x1p-900;
