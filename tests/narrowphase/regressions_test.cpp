@@ -17,7 +17,7 @@ using oracle::TriangleAndBox;
 using oracle::TrianglePair;
 
 struct Answers {
-  bool library;
+  bool is_hit;
   bool exact_stage;
   bool referee;
 };
@@ -49,7 +49,7 @@ TEST_P(Regressions, KeepTheirAnswers) {
     const Answers found =
         std::visit([](const auto& shapes) { return answers(shapes); }, known.shapes);
     const std::string place = GetParam().filename().string() + ":" + std::to_string(known.line);
-    EXPECT_EQ(found.library, known.intersects) << place;
+    EXPECT_EQ(found.is_hit, known.intersects) << place;
     EXPECT_EQ(found.exact_stage, known.intersects) << place;
     EXPECT_EQ(found.referee, known.intersects) << place << ": the file contradicts the referee";
   }
