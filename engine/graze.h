@@ -4,8 +4,11 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
+#include <graze/bvh/sphere.h>
+#include <graze/bvh/volume.h>
 #include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>

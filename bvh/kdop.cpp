@@ -1,0 +1,20 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/kdop.h>
+#include <cmath>
+#include <string>
+
+namespace graze {
+
+void check_kdop(const KDop<18>& kdop, const char* what) {
+  for (int i = 0; i < KDop<18>::kSlabs; ++i) {
+    if (!std::isfinite(kdop.min[i]) || !std::isfinite(kdop.max[i])) {
+      throw InputError(std::string(what) + ": slab " + std::to_string(i) + " is not finite");
+    }
+    if (kdop.min[i] > kdop.max[i]) {
+      throw InputError(std::string(what) + ": minimum exceeds maximum in slab " +
+                       std::to_string(i));
+    }
+  }
+}
+
+}  // namespace graze

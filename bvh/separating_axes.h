@@ -1,0 +1,55 @@
+#pragma once
+
+// The separating axis test for two boxes: three axes of each and nine cross products (Gottschalk,
+// Lin and Manocha, "OBBTree", 1996). Private to bvh and narrowphase.
+
+#include <cmath>
+
+namespace graze::bvh {
+
+/// Two boxes in the frame of the first: axis j of B is column j of `rotation`, its centre lies at
+/// `offset` from that of A.
+struct BoxesInFrame {
+  const double (&rotation)[3][3];  // row-major
+  const double (&size)[3][3];      // |rotation|
+  const double (&offset)[3];
+  const double (&half_a)[3];
+  const double (&half_b)[3];
+};
+
+/// True if an axis has the boxes further apart than `slack`, which must cover all rounding and the
+/// rotation's deviation from one. A slack or an offset that is NaN or infinite proves nothing.
+/// Static, so that each source compiles its own copy, whatever flags others have.
+static inline bool are_boxes_apart(const BoxesInFrame& boxes, double slack) {
+  const double(&r)[3][3] = boxes.rotation;
+  const double(&s)[3][3] = boxes.size;
+  const double(&d)[3] = boxes.offset;
+  const double(&half_a)[3] = boxes.half_a;
+  const double(&half_b)[3] = boxes.half_b;
+  for (int i = 0; i < 3; ++i) {
+    const double reach =
+        half_a[i] + half_b[0] * s[i][0] + half_b[1] * s[i][1] + half_b[2] * s[i][2];
+    if (std::abs(d[i]) > reach + slack) return true;
+  }
+  for (int j = 0; j < 3; ++j) {
+    const double distance = d[0] * r[0][j] + d[1] * r[1][j] + d[2] * r[2][j];
+    const double reach =
+        half_b[j] + half_a[0] * s[0][j] + half_a[1] * s[1][j] + half_a[2] * s[2][j];
+    if (std::abs(distance) > reach + slack) return true;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3;
+    const int i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = (j + 1) % 3;
+      const int j2 = (j + 2) % 3;
+      const double distance = d[i2] * r[i1][j] - d[i1] * r[i2][j];
+      const double reach = half_a[i1] * s[i2][j] + half_a[i2] * s[i1][j] + half_b[j1] * s[i][j2] +
+                           half_b[j2] * s[i][j1];
+      if (std::abs(distance) > reach + slack) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace graze {
+
+/// Which bounding volumes a query compares. All of them lie over one tree, and no answer depends on
+/// the choice (law 9): only the time does.
+enum class Volume {
+  Aabb,    ///< boxes in each mesh's own frame: the default, always there
+  Sphere,  ///< minimal spheres: the cheapest test, the loosest fit
+  Obb,     ///< a box for each node with axes of its own: the tightest fit, the dearest test
+  KDop,    ///< 18 half-spaces in each mesh's own frame
+  // Cascades: the sphere first, and the tighter volume where spheres overlap.
+  SphereThenAabb,
+  SphereThenObb,
+  SphereThenKDop,
+};
+
+}  // namespace graze
