@@ -16,6 +16,8 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/mesh/voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>
