@@ -4,6 +4,10 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/fit/aabb_fit.h>
+#include <graze/bvh/fit/kdop_fit.h>
+#include <graze/bvh/fit/obb_fit.h>
+#include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
