@@ -70,7 +70,7 @@ TEST(FitOrientedBox, TightIsNeverLargerThanTheOthers) {
     EXPECT_LE(tight, (aligned.max - aligned.min).prod() + allowance) << set.name;
     EXPECT_LE(half_surface_of(2 * ditetrahedron_box(set.points).half_extents),
               half_surface_of(aligned.max - aligned.min) +
-                  1e-14 * (aligned.max - aligned.min).squaredNorm())
+                  1e-14 * (aligned.max - aligned.min).squaredNorm() + 1e-30)
         << set.name;
   }
 }
