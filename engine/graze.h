@@ -6,6 +6,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/aabb_fit.h>
 #include <graze/bvh/fit/kdop_fit.h>
+#include <graze/bvh/fit/measure.h>
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/kdop.h>
