@@ -4,6 +4,11 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/fit/aabb_fit.h>
+#include <graze/bvh/fit/kdop_fit.h>
+#include <graze/bvh/fit/measure.h>
+#include <graze/bvh/fit/obb_fit.h>
+#include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
@@ -23,3 +28,9 @@
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_triangle.h>
+#include <graze/narrowphase/volumes/ellipsoid_box.h>
+#include <graze/narrowphase/volumes/hollow_overlap.h>
+#include <graze/narrowphase/volumes/sphere_batch.h>
+#include <graze/narrowphase/volumes/sphere_box.h>
+#include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
