@@ -8,9 +8,8 @@
 namespace graze {
 namespace {
 
-/// What a Mesh can have of vertices and of triangles, and so what load_mesh() can read.
-constexpr std::uint64_t kMaxElements = 0x7fffffff;
-constexpr std::uint64_t kTrianglesOfBox = 12;
+/// What a Mesh can have of vertices, and so what load_mesh() can read.
+constexpr std::uint64_t kMaxCorners = 0x7fffffff;
 
 /// Counter-clockwise seen from outside; corner x + 2 y + 4 z of the box is at x, y, z in {0, 1}.
 constexpr int kQuads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -33,11 +32,12 @@ void check_voxels(const Voxels& voxels) {
   }
 }
 
-void check_count(const std::filesystem::path& path, std::uint64_t count, const char* what) {
-  if (count <= kMaxElements) return;
+void check_count(const std::filesystem::path& path, std::uint64_t count, std::uint64_t most,
+                 const char* what) {
+  if (count <= most) return;
   const std::string name = mesh_io::printable(path.string());
-  mesh_io::fail({name, {}}, std::to_string(count) + " " + what + ", a mesh has at most " +
-                                std::to_string(kMaxElements));
+  mesh_io::fail({name, {}}, std::to_string(count) + " " + what + ", a mesh has room for " +
+                                std::to_string(most));
 }
 
 void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
@@ -55,9 +55,9 @@ void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
 void write_voxels(const std::filesystem::path& path, const Voxels& voxels) {
   const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
   check_voxels(voxels);
-  check_count(path, voxels.size() * kTrianglesOfBox, "triangles");
+  check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
   const mesh_io::VoxelCorners corners(voxels);
-  check_count(path, corners.size(), "corners");
+  check_count(path, corners.size(), kMaxCorners, "corners");
   mesh_io::OutputFile file(path);
   const auto boxes = format.begin(file, voxels.grid, {corners.size(), 6 * voxels.size()});
   corners.for_each([&](const auto& planes) { boxes->add_corner(planes); });
