@@ -14,12 +14,12 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>
