@@ -14,12 +14,15 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
+#include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/mesh/voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>
