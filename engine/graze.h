@@ -25,3 +25,9 @@
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_triangle.h>
+#include <graze/narrowphase/volumes/ellipsoid_box.h>
+#include <graze/narrowphase/volumes/hollow_overlap.h>
+#include <graze/narrowphase/volumes/sphere_batch.h>
+#include <graze/narrowphase/volumes/sphere_box.h>
+#include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>

@@ -29,6 +29,19 @@ int exponent_of_lowest_bit(double value) {
   return parts.exponent + std::countr_zero(parts.mantissa);
 }
 
+BigInteger::BigInteger(const BigInteger& other)
+    : size_(other.size_), is_negative_(other.is_negative_) {
+  std::copy_n(other.limbs_.begin(), size_, limbs_.begin());
+}
+
+BigInteger& BigInteger::operator=(const BigInteger& other) {
+  if (this == &other) return *this;
+  size_ = other.size_;
+  is_negative_ = other.is_negative_;
+  std::copy_n(other.limbs_.begin(), size_, limbs_.begin());
+  return *this;
+}
+
 BigInteger BigInteger::from_double(double value, int unit) {
   BigInteger result;
   if (value == 0) return result;

@@ -6,14 +6,19 @@
 
 namespace graze::narrowphase {
 
-/// A signed integer of fixed capacity: wide enough for the product of three differences of any
-/// finite doubles, counted in units of the smallest one. Slow, plain and always right.
+/// A signed integer of fixed capacity: wide enough for polynomials of degree six in differences of
+/// any finite doubles, counted in units of the smallest one. Slow, plain and always right. A copy
+/// costs the limbs in use, not the capacity.
 ///
-/// A finite double is an integer below 2^2098 times 2^-1074; a difference of two has 2099 bits, the
-/// product of three of them 6297, and a sum of six such products 6300 bits: 99 limbs.
+/// A finite double is an integer below 2^2098 times 2^-1074, so a difference or a sum of two has at
+/// most 2099 bits. A product of six of these has 12594 bits, and a sum of up to 64 such products
+/// 12600: 197 limbs. A product asks for the limbs of its factors together, each rounded up, which
+/// of two factors is at most one limb more than their bits need: 198.
 class BigInteger {
  public:
-  BigInteger() = default;
+  BigInteger() {}  // not defaulted: `BigInteger()` would clear all limbs
+  BigInteger(const BigInteger& other);
+  BigInteger& operator=(const BigInteger& other);
 
   /// value / 2^unit, which must be an integer: unit is at most exponent_of_lowest_bit(value).
   static BigInteger from_double(double value, int unit);
@@ -25,7 +30,7 @@ class BigInteger {
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b);
 
  private:
-  static constexpr int kCapacity = 100;
+  static constexpr int kCapacity = 200;
 
   static int compare_magnitude(const BigInteger& a, const BigInteger& b);
   static BigInteger add_magnitude(const BigInteger& a, const BigInteger& b);

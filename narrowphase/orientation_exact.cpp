@@ -1,9 +1,7 @@
-#include <graze/narrowphase/big_integer.h>
+#include <graze/narrowphase/exact_vector.h>
 #include <graze/narrowphase/expansion.h>
 #include <graze/narrowphase/orientation_stages.h>
-#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 namespace graze::narrowphase {
 namespace {
@@ -32,23 +30,6 @@ bool are_safe(Point2 point) {
 Expansion<2> difference(double a, double b) {
   return Expansion<2>::difference(a, b);
 }
-
-/// Differences of doubles as integers, in units of the lowest bit among all coordinates.
-class BigDifference {
- public:
-  explicit BigDifference(std::initializer_list<double> coordinates) {
-    for (double coordinate : coordinates) {
-      if (coordinate != 0) unit_ = std::min(unit_, exponent_of_lowest_bit(coordinate));
-    }
-  }
-
-  BigInteger operator()(double a, double b) const {
-    return BigInteger::from_double(a, unit_) - BigInteger::from_double(b, unit_);
-  }
-
- private:
-  int unit_ = 1024;
-};
 
 /// (b - a) x (c - a), with differences taken exactly by `minus`.
 template <typename Difference>
@@ -80,12 +61,11 @@ std::optional<Sign> orientation_3d_expansion(const double* a, const double* b, c
 }
 
 Sign orientation_2d_big(Point2 a, Point2 b, Point2 c) {
-  return sign_of_area(a, b, c, BigDifference({a.x, a.y, b.x, b.y, c.x, c.y}));
+  return sign_of_area(a, b, c, CommonUnit({a.x, a.y, b.x, b.y, c.x, c.y}));
 }
 
 Sign orientation_3d_big(const double* a, const double* b, const double* c, const double* d) {
-  const BigDifference minus(
-      {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1], d[2]});
+  const CommonUnit minus({a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], d[0], d[1], d[2]});
   return sign_of_volume(a, b, c, d, minus);
 }
 

@@ -3,9 +3,9 @@
 
 namespace graze {
 namespace narrowphase {
-namespace {
 
-Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
+Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const Pose& frame) {
+  const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
   const double x = point.data()[0] - m[12];
   const double y = point.data()[1] - m[13];
   const double z = point.data()[2] - m[14];
@@ -15,11 +15,9 @@ Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const double* m) {
   return local;
 }
 
-}  // namespace
-
 Triangle into_frame(const Triangle& triangle, const Pose& frame) {
-  const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
-  return {into_frame(triangle.a, m), into_frame(triangle.b, m), into_frame(triangle.c, m)};
+  return {into_frame(triangle.a, frame), into_frame(triangle.b, frame),
+          into_frame(triangle.c, frame)};
 }
 
 Decision decide(const Triangle& triangle, const Aabb& box) {

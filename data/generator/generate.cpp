@@ -5,10 +5,13 @@
 
 #include "data/generator/bolt.h"
 #include "data/generator/gear.h"
+#include "data/generator/link.h"
 #include "data/generator/mesh_writers.h"
 #include "data/generator/nut.h"
 #include "data/generator/output_file.h"
 #include "data/generator/poses.h"
+#include "data/generator/rock.h"
+#include "data/generator/terrain.h"
 
 namespace graze::generator {
 namespace {
@@ -37,11 +40,18 @@ void generate(const std::filesystem::path& directory) {
   std::filesystem::create_directories(poses);
   write_obj(meshes / "bolt.obj", make_bolt().scaled(kMillimetre));
   write_binary_stl(meshes / "nut.stl", make_nut().scaled(kMillimetre));
-  write_binary_ply(meshes / "gear.ply", make_gear(kGear).scaled(kMillimetre));
+  write_ply(meshes / "gear.ply", make_gear(kGear).scaled(kMillimetre));
   write_off(meshes / "pinion.off", make_gear(kPinion).scaled(kMillimetre));
+  write_ply(meshes / "link.ply", make_link(kLink).scaled(kMillimetre),
+            {.encoding = PlyEncoding::Ascii});
+  write_ply(meshes / "rock.ply", make_rock(), {.encoding = PlyEncoding::BigEndian});
+  write_ply(meshes / "terrain.ply", make_terrain(),
+            {.coordinates = PlyCoordinates::Float, .indices = PlyIndices::Ushort});
   for (const PoseList& list : bolt_nut_poses())
     write_poses(poses, list);
   for (const PoseList& list : gear_pinion_poses())
+    write_poses(poses, list);
+  for (const PoseList& list : approach_poses(meshes))
     write_poses(poses, list);
 }
 

@@ -1,32 +1,14 @@
 #include "data/generator/mesh_writers.h"
 
 #include <Eigen/Geometry>
-#include <bit>
 #include <cstdint>
 #include <string>
 
+#include "data/generator/binary.h"
 #include "data/generator/output_file.h"
 
 namespace graze::generator {
 namespace {
-
-// Little-endian bytes, whatever the machine.
-template <typename Bits>
-void append_bits(std::string& bytes, Bits bits) {
-  for (std::size_t i = 0; i < sizeof(Bits); ++i) {
-    bytes.push_back(static_cast<char>(bits >> (8 * i) & 0xff));
-  }
-}
-
-void append(std::string& bytes, std::uint32_t value) {
-  append_bits(bytes, value);
-}
-void append(std::string& bytes, float value) {
-  append_bits(bytes, std::bit_cast<std::uint32_t>(value));
-}
-void append(std::string& bytes, double value) {
-  append_bits(bytes, std::bit_cast<std::uint64_t>(value));
-}
 
 std::string coordinates(const Eigen::Vector3d& p) {
   return shortest(p.x()) + ' ' + shortest(p.y()) + ' ' + shortest(p.z());
@@ -59,34 +41,16 @@ void write_off(const std::filesystem::path& path, const Surface& surface) {
 void write_binary_stl(const std::filesystem::path& path, const Surface& surface) {
   std::string bytes = path.stem().string() + ", metres";
   bytes.resize(80, ' ');
-  append(bytes, static_cast<std::uint32_t>(surface.triangles().size()));
+  append_little_endian(bytes, static_cast<std::uint32_t>(surface.triangles().size()));
   for (const auto& [a, b, c] : surface.triangles()) {
     const Eigen::Vector3d& p = surface.vertices()[a];
     const Eigen::Vector3d normal =
         (surface.vertices()[b] - p).cross(surface.vertices()[c] - p).normalized();
     for (const Eigen::Vector3d& v : {normal, p, surface.vertices()[b], surface.vertices()[c]}) {
       for (int i = 0; i < 3; ++i)
-        append(bytes, static_cast<float>(v[i]));
+        append_little_endian(bytes, static_cast<float>(v[i]));
     }
     bytes.append(2, '\0');
-  }
-  write_file(path, bytes);
-}
-
-void write_binary_ply(const std::filesystem::path& path, const Surface& surface) {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + path.stem().string() +
-                      ", metres\nelement vertex " + std::to_string(surface.vertices().size()) +
-                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                      std::to_string(surface.triangles().size()) +
-                      "\nproperty list uchar uint vertex_indices\nend_header\n";
-  for (const Eigen::Vector3d& p : surface.vertices()) {
-    for (int i = 0; i < 3; ++i)
-      append(bytes, p[i]);
-  }
-  for (const auto& triangle : surface.triangles()) {
-    bytes.push_back(3);
-    for (std::uint32_t index : triangle)
-      append(bytes, index);
   }
   write_file(path, bytes);
 }

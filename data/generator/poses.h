@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,11 @@ std::vector<PoseList> bolt_nut_poses();
 
 /// The pinion on the gear: mesh, tight, deep, apart.
 std::vector<PoseList> gear_pinion_poses();
+
+/// Links of a chain: hanging, near, touch, deep, apart. The rock beside itself: far, near, touch,
+/// deep. The rock above the terrain: far, near, touch, deep. The nut and the bolt, the pinion and
+/// the gear, turned anyhow: far, near, touch. Found by moving the meshes of the directory, as they
+/// were written, towards each other.
+std::vector<PoseList> approach_poses(const std::filesystem::path& meshes);
 
 }  // namespace graze::generator

@@ -16,7 +16,8 @@ namespace {
 const std::filesystem::path kData = GRAZE_DATA_DIR;
 
 const std::map<std::string, std::string> kMeshFiles = {
-    {"bolt", "bolt.obj"}, {"nut", "nut.stl"}, {"gear", "gear.ply"}, {"pinion", "pinion.off"}};
+    {"bolt", "bolt.obj"}, {"nut", "nut.stl"},   {"gear", "gear.ply"},      {"pinion", "pinion.off"},
+    {"link", "link.ply"}, {"rock", "rock.ply"}, {"terrain", "terrain.ply"}};
 
 Mesh load_bundled(const std::string& name) {
   return load_mesh(kData / "meshes" / kMeshFiles.at(name));
@@ -55,10 +56,33 @@ TEST(FclBundledData, GearAndPinion) {
   EXPECT_GT(counts.pairs, 100u);
 }
 
+TEST(FclBundledData, LinkAndLink) {
+  const tests::CrossCheckCounts counts = check_bundled("link", "link");
+  EXPECT_EQ(counts.intersecting, 72u);
+  EXPECT_EQ(counts.apart, 108u);
+  EXPECT_GT(counts.pairs, 1000u);
+}
+
+TEST(FclBundledData, RockAndRock) {
+  const tests::CrossCheckCounts counts = check_bundled("rock", "rock");
+  EXPECT_EQ(counts.intersecting, 72u);
+  EXPECT_EQ(counts.apart, 72u);
+  EXPECT_GT(counts.pairs, 1000u);
+}
+
+TEST(FclBundledData, TerrainAndRock) {
+  const tests::CrossCheckCounts counts = check_bundled("terrain", "rock");
+  EXPECT_EQ(counts.intersecting, 72u);
+  EXPECT_EQ(counts.apart, 72u);
+  EXPECT_GT(counts.pairs, 1000u);
+}
+
 TEST(FclBundledData, NoFileOfPosesIsLeftOut) {
   for (const auto& entry : std::filesystem::directory_iterator(kData / "poses")) {
     const std::string pair = entry.path().stem().stem().string();
-    EXPECT_TRUE(pair == "bolt-nut" || pair == "gear-pinion") << entry.path();
+    EXPECT_TRUE(pair == "bolt-nut" || pair == "gear-pinion" || pair == "link-link" ||
+                pair == "rock-rock" || pair == "terrain-rock")
+        << entry.path();
   }
 }
 

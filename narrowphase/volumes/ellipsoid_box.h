@@ -1,0 +1,22 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/narrowphase/verdict.h>
+#include <graze/narrowphase/volumes/ellipsoid.h>
+
+namespace graze {
+
+/// True if and only if the closed ellipsoid and the closed box share a point, in real arithmetic,
+/// on their doubles. Throws InputError for values that are not finite, a negative semi-axis, or a
+/// box with min > max.
+/// Arvo, "A simple method for box-sphere intersection testing", Graphics Gems, 1990.
+bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box);
+bool overlaps(const Aabb& box, const Ellipsoid& ellipsoid);
+
+namespace narrowphase {
+
+/// What overlaps() answers for valid volumes, with the stage that decided. Does not check them.
+Decision decide(const Ellipsoid& ellipsoid, const Aabb& box);
+
+}  // namespace narrowphase
+}  // namespace graze

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/sphere.h>
+
+namespace graze {
+
+/// The surface of a ball alone: the points at exactly `radius` from `centre`.
+struct HollowSphere {
+  Sphere sphere;
+};
+
+/// The surface of a box alone. That of a flat box is the whole box.
+struct HollowAabb {
+  Aabb box;
+};
+
+}  // namespace graze

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/sphere.h>
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace graze {
+
+/// Spheres, coordinate by coordinate, metres: element i of each array, all of one length. A view:
+/// the caller keeps the memory.
+struct SphereArray {
+  std::span<const double> x;
+  std::span<const double> y;
+  std::span<const double> z;
+  std::span<const double> radius;
+
+  std::size_t size() const { return x.size(); }
+};
+
+/// Axis-aligned boxes, likewise; arrays 0, 1, 2 are x, y, z.
+struct AabbArray {
+  std::array<std::span<const double>, 3> min;
+  std::array<std::span<const double>, 3> max;
+
+  std::size_t size() const { return min[0].size(); }
+};
+
+namespace narrowphase {
+
+/// Throw InputError, which begins with `what`, unless all arrays have one length.
+void check_lengths(const SphereArray& spheres, const char* what);
+void check_lengths(const AabbArray& boxes, const char* what);
+
+/// Element `index`, as it is and unchecked.
+Sphere element(const SphereArray& spheres, std::size_t index);
+Aabb element(const AabbArray& boxes, std::size_t index);
+
+}  // namespace narrowphase
+}  // namespace graze

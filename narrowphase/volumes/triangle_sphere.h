@@ -1,0 +1,26 @@
+#pragma once
+
+#include <graze/bvh/sphere.h>
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/verdict.h>
+
+namespace graze {
+
+/// True if and only if the closed triangle and the closed ball share a point, in real arithmetic,
+/// on their doubles. Touching counts; degenerate triangles and a radius of 0 are what they are.
+/// Throws InputError for values that are not finite or a negative radius.
+bool intersects(const Triangle& triangle, const Sphere& sphere);
+
+namespace narrowphase {
+
+/// What intersects() answers, with the stage that decided. Throws as intersects() does.
+Decision decide(const Triangle& triangle, const Sphere& sphere);
+
+/// The floating-point stage alone. Not finite input, or a negative radius, is Unsure.
+Verdict triage(const Triangle& triangle, const Sphere& sphere);
+
+/// The exact stage alone. Throws as intersects() does.
+bool intersects_exactly(const Triangle& triangle, const Sphere& sphere);
+
+}  // namespace narrowphase
+}  // namespace graze

@@ -1,0 +1,182 @@
+// A guess and two proofs. Rounded arithmetic guesses the nearest point of the triangle and a
+// direction that separates; then one bound proves that *some* point of the triangle, the one with
+// the guessed weights, is within the radius, or that *this* direction separates, however it was
+// found. So the guess may be wrong: that costs a sure answer, never a right one. Notation as in
+// orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+
+#include <graze/narrowphase/volumes/triangle_sphere.h>
+#include <algorithm>
+#include <cmath>
+
+namespace graze::narrowphase {
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+
+// V_i are the corners seen from the centre, each component a rounded difference of inputs, at most
+// M in size; r is the radius.
+//
+// Apart along a direction q, doubles taken as they are, with S = |q_x| + |q_y| + |q_z|: a product
+// V_i . q carries four roundings: it is off by at most 4.001 u M S and 1.5 n. For q^2 >= 2^-900 the
+// root of q^2 is off by 2.6 u of itself, and r times it, the reach, by 3.61 u of itself and n / 2.
+// The triangle is apart if all V_i . q exceed the reach by more than 4.001 u M S + 3.61 u reach +
+// 2 n. Computing and adding up this slack rounds by 6.01 u of itself, and adding it to the reach by
+// 1.01 u (reach + slack): 4.63 u reach and 4.01 u M S in all.
+//
+// Touching at the point sum w_i V_i / W, with W = sum w_i and any w_i >= 0 taken as they are: each
+// component of the sum is off by at most 4.001 u M W and 1.5 n, the vector by sqrt(3) times that:
+// 6.94 u M W + 2.6 n. Its computed length is off by 2.6 u of itself, and by 2^-536 where squares
+// underflow; r W, the reach, by 3.01 u of itself and n / 2. There is a hit if length and slack are
+// below the reach, where the length is below the reach, too: 6.94 u M W + 5.61 u reach + 2^-536,
+// and 1.01 u reach for adding: 6.95 u M W + 6.63 u reach in all.
+constexpr double kBound = 8 * kUnitRoundoff;
+constexpr double kApartUnderflow = 0x1p-1000;
+constexpr double kTouchingUnderflow = 0x1p-500;
+constexpr double kSmallestSquare = 0x1p-900;
+
+// With V_i up to 2^150 in size nothing overflows unseen: directions (degree three at most) times
+// corners stay below 2^610, and whatever is infinite or NaN makes both sides of a comparison, or
+// the greater one, so; none is then true. In size down to about 2^-140 underflow spoils no proof.
+constexpr double kLargest = 0x1p+150;
+
+using Vector = double[3];
+
+double dot(const Vector& a, const Vector& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+void cross(const Vector& a, const Vector& b, Vector& product) {
+  product[0] = a[1] * b[2] - a[2] * b[1];
+  product[1] = a[2] * b[0] - a[0] * b[2];
+  product[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+struct Centred {
+  Vector corner[3];  // V_i
+  Vector edge[3];    // from corner i to the next
+  double largest;    // M
+  double radius;
+  bool is_in_range;
+};
+
+Centred centred(const Triangle& triangle, const Sphere& sphere) {
+  const double* p[3] = {triangle.a.data(), triangle.b.data(), triangle.c.data()};
+  Centred t;
+  t.radius = sphere.radius;
+  t.largest = 0;
+  t.is_in_range = sphere.radius >= 0 && sphere.radius <= kLargest;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      t.corner[i][k] = p[i][k] - sphere.centre.data()[k];
+      t.edge[i][k] = p[(i + 1) % 3][k] - p[i][k];
+      // Written so that NaN fails.
+      t.is_in_range &= std::abs(t.corner[i][k]) <= kLargest;
+      t.largest = std::max(t.largest, std::abs(t.corner[i][k]));
+    }
+  }
+  return t;
+}
+
+/// Rounding is monotone and the radius a double: no bound is needed.
+bool is_apart_along_axes(const Centred& t) {
+  for (int k = 0; k < 3; ++k) {
+    const double a = t.corner[0][k];
+    const double b = t.corner[1][k];
+    const double c = t.corner[2][k];
+    if (std::min(std::min(a, b), c) > t.radius) return true;
+    if (std::max(std::max(a, b), c) < -t.radius) return true;
+  }
+  return false;
+}
+
+struct Guess {
+  double weight[3] = {0, 0, 0};  // of the corners, for the nearest point
+  Vector direction;              // from the centre towards the triangle
+};
+
+void guess_vertex(const Centred& t, Guess& guess) {
+  int nearest = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (dot(t.corner[i], t.corner[i]) < dot(t.corner[nearest], t.corner[nearest])) nearest = i;
+  }
+  guess.weight[nearest] = 1;
+  std::copy_n(t.corner[nearest], 3, guess.direction);
+}
+
+/// The edge beyond whose line the centre lies, with its foot between the ends: there is at most one
+/// such. `weight` are the barycentric coordinates of the foot on the plane, scaled.
+bool guess_edge(const Centred& t, const double* weight, Guess& guess) {
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (weight[(i + 2) % 3] > 0) continue;
+    const double to_end = dot(t.corner[j], t.edge[i]);
+    const double from_start = -dot(t.corner[i], t.edge[i]);
+    if (!(to_end > 0 && from_start > 0)) continue;
+    guess.weight[i] = to_end;
+    guess.weight[j] = from_start;
+    for (int k = 0; k < 3; ++k)
+      guess.direction[k] = to_end * t.corner[i][k] + from_start * t.corner[j][k];
+    return true;
+  }
+  return false;
+}
+
+Guess guess_nearest(const Centred& t) {
+  Guess guess;
+  Vector normal;
+  cross(t.edge[0], t.edge[1], normal);
+  double weight[3];
+  for (int i = 0; i < 3; ++i) {
+    Vector area;
+    cross(t.corner[(i + 1) % 3], t.corner[(i + 2) % 3], area);
+    weight[i] = dot(area, normal);
+  }
+  if (weight[0] > 0 && weight[1] > 0 && weight[2] > 0) {
+    const double side = dot(t.corner[0], normal) < 0 ? -1 : 1;
+    const double scale = 1 / (weight[0] + weight[1] + weight[2]);  // degree four is far out
+    for (int k = 0; k < 3; ++k) {
+      guess.weight[k] = scale * weight[k];
+      guess.direction[k] = side * normal[k];
+    }
+  } else if (!guess_edge(t, weight, guess)) {
+    guess_vertex(t, guess);
+  }
+  return guess;
+}
+
+bool is_touching_at(const double* weight, const Centred& t) {
+  const double total = (weight[0] + weight[1]) + weight[2];
+  Vector sum;
+  for (int k = 0; k < 3; ++k) {
+    sum[k] = (weight[0] * t.corner[0][k] + weight[1] * t.corner[1][k]) + weight[2] * t.corner[2][k];
+  }
+  const double length = std::sqrt(dot(sum, sum));
+  const double reach = t.radius * total;
+  return length + (kBound * (t.largest * total + reach) + kTouchingUnderflow) < reach;
+}
+
+bool is_apart_along(const Vector& q, const Centred& t) {
+  const double square = dot(q, q);
+  if (!(square >= kSmallestSquare)) return false;
+  const double size = (std::abs(q[0]) + std::abs(q[1])) + std::abs(q[2]);
+  const double a = dot(t.corner[0], q);
+  const double b = dot(t.corner[1], q);
+  const double c = dot(t.corner[2], q);
+  const double reach = t.radius * std::sqrt(square);
+  const double least = reach + (kBound * (t.largest * size + reach) + kApartUnderflow);
+  return a > least && b > least && c > least;
+}
+
+}  // namespace
+
+Verdict triage(const Triangle& triangle, const Sphere& sphere) {
+  const Centred t = centred(triangle, sphere);
+  if (!t.is_in_range) return Verdict::Unsure;
+  if (is_apart_along_axes(t)) return Verdict::Apart;
+  const Guess guess = guess_nearest(t);
+  if (is_touching_at(guess.weight, t)) return Verdict::Touching;
+  if (is_apart_along(guess.direction, t)) return Verdict::Apart;
+  return Verdict::Unsure;
+}
+
+}  // namespace graze::narrowphase
