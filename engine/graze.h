@@ -15,6 +15,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
@@ -27,6 +28,7 @@
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_fit.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/volumes/ellipsoid_box.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>

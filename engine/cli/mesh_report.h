@@ -5,6 +5,7 @@
 #include <string>
 
 #include <graze/bvh/statistics.h>
+#include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh.h>
 
 namespace graze::cli {
@@ -16,6 +17,7 @@ struct MeshReport {
   std::size_t vertices;  ///< as the file gives them
   Aabb bounds;
   Topology topology;
+  std::optional<MeshFit> fit;  ///< none if a volume around the mesh overflows
   bvh::TreeStatistics tree;
   std::optional<std::size_t> crossing_pairs;  ///< if asked for
 };
