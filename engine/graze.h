@@ -6,6 +6,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/aabb_fit.h>
 #include <graze/bvh/fit/kdop_fit.h>
+#include <graze/bvh/fit/measure.h>
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/kdop.h>
@@ -13,12 +14,15 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
-#include <graze/engine/mesh/box_query.h>
+#include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/mesh/voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>

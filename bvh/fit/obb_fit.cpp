@@ -66,15 +66,16 @@ Obb tight_box(std::span<const Eigen::Vector3d> points) {
   const LocalPoints local(points);
   Axes best = Axes::Identity();
   double least = padded_volume(extents_along(best, local));
-  for (const Axes& axes :
-       {bvh::principal_axes(bvh::covariance(local)), bvh::ditetrahedron_axes(local)}) {
+  for (const Axes& start : {Axes(Axes::Identity()), bvh::principal_axes(bvh::covariance(local)),
+                            bvh::ditetrahedron_axes(local)}) {
+    const Axes axes = refined(start, local);
     const double volume = padded_volume(extents_along(axes, local));
     if (volume < least) {
       least = volume;
       best = axes;
     }
   }
-  return box_along(refined(best, local), local, points);
+  return box_along(best, local, points);
 }
 
 }  // namespace graze

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-// All of these throw InputError for no points, for the first that is not finite, and for points so
+// The fits throw InputError for no points, for the first that is not finite, and for points so
 // far apart that a half extent overflows. The boxes contain the points in both readings of a box:
 // each point is t + R y with y in [-h, h] in exact arithmetic, and its coordinates as law 3 rounds
 // them lie in [-h, h]. The rotation deviates from an exact one by a few 1e-16, which costs the half
@@ -21,10 +21,16 @@ Obb covariance_box(std::span<const Eigen::Vector3d> points);
 /// of tight-fitting oriented bounding boxes", Game Engine Gems 2, 2011). Linear, and fast.
 Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points);
 
-/// The best by volume of the two above and the box along the coordinate axes, refined: turned about
-/// each of its axes to the smallest rectangle around the points' shadow, until that gains nothing.
-/// Volume counts with a billionth of the size added to each extent, so that flat sets get the least
-/// area and straight ones the least length. O(n log n) for each turn. A local minimum.
+/// The best by volume of what three boxes come to that are refined: the two above and the box along
+/// the coordinate axes, each turned about its own axes to the smallest rectangle around the points'
+/// shadow, until that gains nothing. Volume counts with a billionth of the size added to each
+/// extent, so that flat sets get the least area and straight ones the least length. O(n log n) for
+/// each turn. A local minimum, for boxes of whole meshes rather than for each node of a tree.
 Obb tight_box(std::span<const Eigen::Vector3d> points);
+
+/// A box around both, rounded outward: the tight box of their corners, with a margin for how the
+/// corners and the coordinates by law 3 round. Throws InputError or PoseError for a box that is not
+/// valid.
+Obb merged(const Obb& box_a, const Obb& box_b);
 
 }  // namespace graze

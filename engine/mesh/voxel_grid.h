@@ -1,0 +1,54 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <Eigen/Core>
+#include <array>
+#include <compare>
+#include <cstdint>
+
+namespace graze {
+
+/// The indices of a voxel along x, y and z. Ordered by k, then j, then i: a row along x is
+/// contiguous.
+struct Voxel {
+  std::uint16_t i;
+  std::uint16_t j;
+  std::uint16_t k;
+
+  friend bool operator==(const Voxel&, const Voxel&) = default;
+  friend std::strong_ordering operator<=>(const Voxel& a, const Voxel& b) {
+    return a.key() <=> b.key();
+  }
+
+ private:
+  constexpr std::uint64_t key() const {
+    return static_cast<std::uint64_t>(k) << 32 | static_cast<std::uint64_t>(j) << 16 | i;
+  }
+};
+
+/// Cubes side by side. What decides are the planes between them: voxel (i, j, k) is the closed box
+/// between planes i and i + 1 along x, and so on, so that neighbours share a face bit for bit.
+struct VoxelGrid {
+  Eigen::Vector3d origin;               ///< metres, the corner with the smallest coordinates
+  double edge;                          ///< metres, the length of a voxel's edges, above 0
+  std::array<std::uint32_t, 3> counts;  ///< voxels along x, y and z, at least 1, at most 65535
+
+  /// The grid over a box: from its minimum up to the first plane at or beyond its maximum, along
+  /// each axis. The longest side has `resolution` voxels. The edge is that side / resolution,
+  /// rounded up to 36 significant bits, so that index * edge is exact and planes carry one rounding
+  /// alone; and at least 2^-50 of the largest coordinate, so that planes are distinct. Where that
+  /// is more than the side would ask for, as in a box that is a point, there are fewer voxels.
+  /// Throws InputError for an invalid box, a resolution that is not from 1 to 65535, or a plane
+  /// that would overflow.
+  static VoxelGrid over(const Aabb& bounds, std::uint32_t resolution);
+
+  /// origin + index * edge, rounded once. `index` is at most the count along the axis.
+  double plane(int axis, std::uint32_t index) const;
+
+  Aabb box(const Voxel& voxel) const;
+
+  /// All voxels, of which a mesh touches some.
+  std::uint64_t size() const;
+};
+
+}  // namespace graze

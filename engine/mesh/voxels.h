@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/work.h>
+
+namespace graze {
+
+/// Which voxels are wanted.
+enum class VoxelFill {
+  Surface,  ///< those that share a point with a triangle
+  Solid,    ///< these, and all that lie inside a closed mesh
+};
+
+struct VoxelSettings {
+  /// Voxels along the longest side of the mesh's bounds, 1 to 65535; see VoxelGrid::over().
+  std::uint32_t resolution = 64;
+  VoxelFill fill = VoxelFill::Surface;
+  /// Work on at most this many threads, at most 1024; 0 leaves it to oneTBB.
+  std::uint32_t threads = 0;
+  /// If set, called as work goes on with how many of how many parts are done, by one thread at a
+  /// time. What it throws ends the query.
+  std::function<void(std::size_t done, std::size_t total)> on_progress = {};
+};
+
+/// Voxels of a grid in ascending order, each once.
+struct Voxels {
+  VoxelGrid grid;
+  std::vector<Voxel> voxels;
+
+  std::size_t size() const { return voxels.size(); }
+  bool empty() const { return voxels.empty(); }
+  auto begin() const { return voxels.begin(); }
+  auto end() const { return voxels.end(); }
+};
+
+/// All voxels that the mesh's surface touches, exactly (law 3: closed boxes, closed triangles), or
+/// the solid. In a solid, a voxel that touches no triangle is inside if its points are enclosed as
+/// contains() says. The result is the same for any number of threads. Time follows the surface, not
+/// the volume: blocks of voxels that no triangle touches are decided as a whole.
+/// Throws InputError as VoxelGrid::over() does and for bad settings, and MeshError for the solid of
+/// a mesh that is not closed.
+Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings = {}, Work* work = nullptr);
+
+}  // namespace graze
