@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 namespace graze {
 
 /// Which bounding volumes a query compares. All of them lie over one tree, and no answer depends on
@@ -14,5 +16,13 @@ enum class Volume {
   SphereThenObb,
   SphereThenKDop,
 };
+
+inline constexpr std::array kVolumes{
+    Volume::Aabb,           Volume::Sphere,        Volume::Obb,           Volume::KDop,
+    Volume::SphereThenAabb, Volume::SphereThenObb, Volume::SphereThenKDop};
+
+/// Its name on the command line: "sphere-obb" for SphereThenObb. Throws InputError for what is none
+/// of kVolumes.
+const char* name_of(Volume volume);
 
 }  // namespace graze

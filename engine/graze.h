@@ -14,13 +14,14 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/mesh/write_voxels.h>
@@ -28,6 +29,7 @@
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_fit.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/volumes/ellipsoid_box.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>

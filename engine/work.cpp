@@ -8,6 +8,7 @@ Work& Work::operator+=(const Work& other) {
   triangle_tests += other.triangle_tests;
   exact_tests += other.exact_tests;
   trees_built += other.trees_built;
+  skins_built += other.skins_built;
   return *this;
 }
 

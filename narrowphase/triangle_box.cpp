@@ -4,7 +4,7 @@
 namespace graze {
 namespace narrowphase {
 
-Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const Pose& frame) {
+Eigen::Vector3d point_into_frame(const Eigen::Vector3d& point, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
   const double x = point.data()[0] - m[12];
   const double y = point.data()[1] - m[13];
@@ -16,8 +16,8 @@ Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const Pose& frame) {
 }
 
 Triangle into_frame(const Triangle& triangle, const Pose& frame) {
-  return {into_frame(triangle.a, frame), into_frame(triangle.b, frame),
-          into_frame(triangle.c, frame)};
+  return {point_into_frame(triangle.a, frame), point_into_frame(triangle.b, frame),
+          point_into_frame(triangle.c, frame)};
 }
 
 Decision decide(const Triangle& triangle, const Aabb& box) {

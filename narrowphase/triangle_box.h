@@ -23,7 +23,7 @@ bool intersects(const Triangle& triangle, const Obb& box);
 namespace narrowphase {
 
 /// Law 3's way into the frame of an oriented box, without checking either.
-Eigen::Vector3d into_frame(const Eigen::Vector3d& point, const Pose& frame);
+Eigen::Vector3d point_into_frame(const Eigen::Vector3d& point, const Pose& frame);
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 
 /// What intersects() answers, with the stage that decided.

@@ -15,9 +15,18 @@ Vertices are counted as the file gives them, and once more with equal positions 
 mesh is closed if each welded edge has an even number of triangles; the others are its boundary
 edges. Degenerate triangles have no area; duplicate ones have the same welded vertices as an
 earlier one. Crossing pairs (--self) share more than the vertex or edge that they have in common.
-Lengths are in the unit of the file, taken as metres. The tree is what queries walk: a random line
-through the mesh's box is expected to visit so many of its nodes and triangles (the surface area
-heuristic).
+Lengths are in the unit of the file, taken as metres.
+
+Of the bounding volumes around the mesh, how much space each leaves empty: of a closed mesh the
+share of the volume that the mesh does not enclose, in per cent; of an open one its volume relative
+to that of the box along the axes. What a mesh encloses follows from the sense of its triangles: a
+mesh that crosses itself may count parts twice. The volumes are the box along the axes (aabb), the
+smallest sphere, the tightest oriented box found (obb) and the polytope of 18 half-spaces (kdop).
+
+The tree is what queries walk: a random line through the mesh's box is expected to visit so many of
+its nodes and triangles (the surface area heuristic). Level by level, from the root down, the volume
+of all boxes, and that of the other volumes over the same nodes relative to it: what lies below a
+node is an open patch of surface.
 
 Examples:
   graze info bolt.obj

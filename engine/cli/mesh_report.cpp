@@ -1,3 +1,4 @@
+#include <graze/engine/cli/fit_report.h>
 #include <graze/engine/cli/mesh_report.h>
 #include <graze/engine/mesh/io/source.h>
 #include <graze/engine/mesh/load_mesh.h>
@@ -46,6 +47,14 @@ void append(std::string& text, const bvh::TreeStatistics& tree) {
   append(text, "tree bytes", std::to_string(tree.bytes));
 }
 
+std::optional<MeshFit> fit_of(const Mesh& mesh) {
+  try {
+    return measure_fit(mesh);
+  } catch (const InputError&) {  // finite as all meshes are, it can only be too large
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 MeshReport report_mesh(const std::string& file, const MeshReportSettings& settings) {
@@ -55,6 +64,8 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .vertices = mesh.vertices().size(),
                     .bounds = mesh.bounds(),
                     .topology = mesh.topology(),
+                    .fit = fit_of(mesh),
+                    .levels = fit_by_level(mesh),
                     .tree = bvh::statistics_of(mesh.tree()),
                     .crossing_pairs = std::nullopt};
   if (settings.has_crossing_pairs) report.crossing_pairs = find_self_pairs(mesh).size();
@@ -76,6 +87,8 @@ std::string to_json(const MeshReport& report) {
   json["boundary_edges"] = topology.boundary_edges;
   json["degenerate_triangles"] = topology.degenerate_triangles;
   json["duplicate_triangles"] = topology.duplicate_triangles;
+  json["fit"] = report.fit ? fit_object(*report.fit) : nullptr;
+  json["levels"] = levels_array(report.levels);
   json["tree"] = to_object(report.tree);
   if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
   // File names need not be UTF-8, JSON must be.
@@ -96,7 +109,10 @@ std::string to_text(const MeshReport& report) {
   append(text, "boundary edges", std::to_string(topology.boundary_edges));
   append(text, "degenerate triangles", std::to_string(topology.degenerate_triangles));
   append(text, "duplicate triangles", std::to_string(topology.duplicate_triangles));
+  for (const auto& [name, value] : fit_lines(report.fit))
+    append(text, name, value);
   append(text, report.tree);
+  text += levels_text(report.levels);
   if (report.crossing_pairs) {
     append(text, "crossing pairs", std::to_string(*report.crossing_pairs));
   }

@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <graze/bvh/statistics.h>
+#include <graze/engine/cli/level_report.h>
+#include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh.h>
 
 namespace graze::cli {
@@ -16,6 +19,8 @@ struct MeshReport {
   std::size_t vertices;  ///< as the file gives them
   Aabb bounds;
   Topology topology;
+  std::optional<MeshFit> fit;  ///< none if a volume around the mesh overflows
+  std::vector<LevelFit> levels;
   bvh::TreeStatistics tree;
   std::optional<std::size_t> crossing_pairs;  ///< if asked for
 };

@@ -1,9 +1,12 @@
+#include <graze/bvh/volume.h>
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pair_options.h>
 #include <graze/engine/cli/pair_run.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace graze::cli {
 namespace {
@@ -16,11 +19,14 @@ touching counts as intersecting.
 
 With --json each pose gives one line:
   {"pose":0,"intersects":true,"pairs":2,"work":{"volume_tests":...,"volume_rejections":...,
-   "triangle_tests":...,"exact_tests":...,"trees_built":...}}
+   "triangle_tests":...,"exact_tests":...,"trees_built":...,
+   "skins_built":...}}
 --list adds "list":[[a,b],...] after "pairs", triangles counted from 0 in the order of the files,
 and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b],"graze":...,
 "fcl":...,"truth":...}],"graze_wrong":0,"fcl_wrong":0}. With --query any there is no "pairs".
-Times are in microseconds; the first query's time includes building both trees.
+Volumes are aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and sphere-kdop, which
+try the sphere first. Times are in microseconds; the first query's time includes building both
+trees and their volumes.
 
 Examples:
   graze pair bolt.obj nut.stl
@@ -32,6 +38,13 @@ Exit codes:
   0  an answer was given, whatever it is
   1  with --check: exact arithmetic found an answer of graze to be wrong
   2  bad input, with one line on stderr: usage, meshes, poses (FILE:LINE))";
+
+std::vector<std::string> volume_names() {
+  std::vector<std::string> names;
+  for (const Volume volume : kVolumes)
+    names.emplace_back(name_of(volume));
+  return names;
+}
 
 }  // namespace
 
@@ -49,6 +62,11 @@ void add_pair_command(CLI::App& program, Action& action) {
                    "any: do they intersect; pairs (default): which triangles do")
       ->type_name("any|pairs")
       ->check(CLI::IsMember({"any", "pairs"}).description(""));
+  command
+      ->add_option("--volume", options->volume,
+                   "what prunes (default: aabb); changes the time, never the answer")
+      ->type_name("VOLUME")
+      ->check(CLI::IsMember(volume_names()).description(""));
   command->add_flag("--list", options->is_listing, "print the pairs of triangles, in order");
   command
       ->add_option("--check", options->check,

@@ -38,6 +38,13 @@ std::vector<PoseLine> read_poses_b(const PairOptions& options) {
   return {{Pose::Identity(), 0}};
 }
 
+Volume volume_named(const std::string& name) {
+  for (const Volume volume : kVolumes) {
+    if (name == name_of(volume)) return volume;
+  }
+  throw UsageError("--volume: there is no volume " + name);
+}
+
 /// Everything that the queries need.
 struct PairJob {
   Mesh mesh_a;
@@ -45,6 +52,7 @@ struct PairJob {
   Pose pose_a;
   std::vector<PoseLine> poses_b;
   PairQuery query;
+  Volume volume;
   std::unique_ptr<FclCheck> fcl;
 };
 
@@ -71,6 +79,7 @@ PairJob read_job(const PairOptions& options) {
                  pose_a,
                  std::move(poses_b),
                  options.query == "any" ? PairQuery::Any : PairQuery::Pairs,
+                 volume_named(options.volume),
                  nullptr};
   check_placements(options, job);
   if (!options.check.empty()) job.fcl = make_fcl_check(mesh_a, mesh_b);
@@ -83,10 +92,11 @@ PairAnswer ask(const PairJob& job, std::size_t index) {
   answer.pose = index;
   const auto start = std::chrono::steady_clock::now();
   if (job.query == PairQuery::Any) {
-    answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b}, &answer.work);
+    answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+                                   {.volume = job.volume}, &answer.work);
   } else {
-    answer.pairs =
-        find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b}, {}, &answer.work);
+    answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+                                       {.volume = job.volume}, &answer.work);
     answer.intersects = !answer.pairs->empty();
   }
   answer.time = std::chrono::steady_clock::now() - start;

@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/query_results.h>
+#include <graze/engine/mesh/volume_query.h>
 
 #include <cmath>
 #include <string>

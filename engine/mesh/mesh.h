@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 
 #include <graze/bvh/aabb.h>
 #include <graze/engine/mesh/mesh_error.h>
@@ -15,7 +14,10 @@ namespace graze {
 
 namespace bvh {
 struct Tree;
-}
+struct FloatSphere;
+struct FloatObb;
+struct FloatKDop;
+}  // namespace bvh
 struct Work;
 
 /// Three indices into the vertices of a mesh.
@@ -60,6 +62,12 @@ class Mesh {
   /// The hierarchy over the triangles, built when first asked for, O(n log n). The call that builds
   /// it counts that in `work`.
   const bvh::Tree& tree(Work* work = nullptr) const;
+
+  /// The skins of the tree: one volume for each of its nodes, in the tree's frame. Fitted when
+  /// first asked for, O(n log n), which the call that does it counts in `work`.
+  std::span<const bvh::FloatSphere> sphere_skin(Work* work = nullptr) const;
+  std::span<const bvh::FloatObb> obb_skin(Work* work = nullptr) const;
+  std::span<const bvh::FloatKDop> kdop_skin(Work* work = nullptr) const;
 
   /// True if both are handles to the same mesh.
   friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) {

@@ -2,6 +2,7 @@
 
 // What the handles of one mesh share. Private to engine/mesh.
 
+#include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree.h>
 #include <graze/engine/mesh/mesh.h>
 
@@ -12,12 +13,21 @@ namespace graze {
 
 /// Made by the constructor, but for what is computed when first asked for, each behind its flag.
 struct Mesh::Data {
+  template <typename Volume>
+  struct Skin {
+    std::once_flag flag;
+    std::vector<Volume> volumes;
+  };
+
   std::vector<Eigen::Vector3d> vertices;
   std::vector<TriangleIndices> triangles;
   Aabb bounds;
 
   mutable std::once_flag tree_flag;
   mutable bvh::Tree tree;
+  mutable Skin<bvh::FloatSphere> spheres;
+  mutable Skin<bvh::FloatObb> obbs;
+  mutable Skin<bvh::FloatKDop> kdops;
   mutable std::once_flag welded_flag;
   mutable std::vector<std::uint32_t> welded;
   mutable std::once_flag topology_flag;

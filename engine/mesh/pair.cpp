@@ -1,5 +1,5 @@
-#include <graze/bvh/box_separation.h>
 #include <graze/bvh/traverse_pair.h>
+#include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
@@ -51,23 +51,17 @@ class Candidates {
 /// Calls `on_pair(a, b)` with the indices of each pair of triangles that meet, until it answers
 /// Stop.
 template <typename OnPair>
-void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&& on_pair) {
+void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work& work,
+                   OnPair&& on_pair) {
   const double deviation_a = check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
   const double deviation_b = check_placement(b.pose, b.mesh.bounds(), "pose of mesh B");
-  const bvh::Tree& tree_a = a.mesh.tree(&work);
-  const bvh::Tree& tree_b = b.mesh.tree(&work);
-  const bvh::BoxSeparation box_test(
+  const NodeVolumes volumes_a = volumes_of(a.mesh, volume, work);
+  const NodeVolumes volumes_b = volumes_of(b.mesh, volume, work);
+  const bvh::Tree& tree_a = a.mesh.tree();
+  const bvh::Tree& tree_b = b.mesh.tree();
+  const bvh::RelativeFrame frame =
       relative_frame({a.pose, deviation_a, tree_a.frame, a.mesh.bounds()},
-                     {b.pose, deviation_b, tree_b.frame, b.mesh.bounds()}));
-  const auto are_apart = [&](const bvh::Node& node_a, const bvh::Node& node_b) {
-    ++work.volume_tests;
-    const bool is_pruned = box_test.are_apart(node_a.box, node_b.box);
-    work.volume_rejections += is_pruned;
-    return is_pruned;
-  };
-  const auto is_first_larger = [&](const bvh::Node& node_a, const bvh::Node& node_b) {
-    return box_test.is_first_larger(node_a.box, node_b.box);
-  };
+                     {b.pose, deviation_b, tree_b.frame, b.mesh.bounds()});
   Candidates candidates(work);
   const auto collect = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
@@ -82,15 +76,25 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Work& work, OnPair&
     }
     return bvh::Walk::Continue;
   };
-  const bvh::Walk walk = bvh::traverse_pair(tree_a, tree_b, are_apart, is_first_larger, collect);
-  if (walk == bvh::Walk::Continue) candidates.decide(on_pair);
+  with_separation(volume, frame, volumes_a, volumes_b, [&](const auto& separation) {
+    const CountedSeparation counted(separation, work);
+    const bvh::Walk walk = bvh::traverse_pair(tree_a, tree_b, counted, collect);
+    if (walk == bvh::Walk::Continue) candidates.decide(on_pair);
+  });
 }
 
 }  // namespace
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
+  return intersects(mesh_a, mesh_b, QuerySettings{}, work);
+}
+
+bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
+                Work* work) {
   CountedWork counted(work);
-  return has_any([&](auto&& on_pair) { for_each_pair(mesh_a, mesh_b, counted.work(), on_pair); });
+  return has_any([&](auto&& on_pair) {
+    for_each_pair(mesh_a, mesh_b, settings.volume, counted.work(), on_pair);
+  });
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
@@ -98,7 +102,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
   CountedWork counted(work);
   TrianglePairs found;
   found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
-    for_each_pair(mesh_a, mesh_b, counted.work(), on_pair);
+    for_each_pair(mesh_a, mesh_b, settings.volume, counted.work(), on_pair);
   });
   return found;
 }

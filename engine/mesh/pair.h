@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include <graze/bvh/volume.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
 
@@ -33,15 +34,25 @@ struct TrianglePairs {
   const TrianglePair& operator[](std::size_t index) const { return pairs[index]; }
 };
 
+/// How a query that answers yes or no goes about it.
+struct QuerySettings {
+  /// What prunes: changes the time, never the answer.
+  Volume volume = Volume::Aabb;
+};
+
 struct PairSettings {
-  /// Stop after this many pairs. Which pairs these are is reproducible.
+  /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
+  /// What prunes: changes the time, never which pairs there are.
+  Volume volume = Volume::Aabb;
 };
 
 /// True if and only if some placed triangle of A shares a point with some placed triangle of B
 /// (laws 1 and 2). Surfaces only: a mesh wholly inside another does not touch it. Stops at the
 /// first pair. Throws PoseError for a pose that is refused by law 10 or by law 1.
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work = nullptr);
+bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
+                Work* work = nullptr);
 
 /// All such pairs, sorted. Throws as intersects() does.
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,

@@ -56,9 +56,9 @@ bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Wor
   const bvh::Tree& tree = mesh.tree(&work);
   const Way way = way_out(mesh.bounds(), point);
   const bvh::FloatBox box = box_along(way, tree.frame, point);
-  const auto is_apart = [&](const bvh::Node& node) {
+  const auto is_apart = [&](std::uint32_t node) {
     ++work.volume_tests;
-    const bool is_pruned = !bvh::overlap(node.box, box);
+    const bool is_pruned = !bvh::overlap(tree.nodes[node].box, box);
     work.volume_rejections += is_pruned;
     return is_pruned;
   };

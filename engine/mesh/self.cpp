@@ -1,4 +1,5 @@
 #include <graze/bvh/traverse_self.h>
+#include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/narrowphase/adjacent_triangles.h>
@@ -82,39 +83,57 @@ class SelfQuery {
   Work& work_;
 };
 
-/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop. No pose moves
-/// the mesh, so that the boxes need no slack.
+/// The tree in its own frame. No pose moves the mesh, so that the slack need only cover the
+/// rounding of the separations, as in relative_frame().
+bvh::RelativeFrame own_frame() {
+  return {.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          .translation = {0, 0, 0},
+          .units_a = 1,
+          .units_b = 1,
+          .slack = 128 * 0x1p-53 * 16};
+}
+
+/// Calls `use(separation)` for a tree with itself. Boxes in one frame are compared as they are.
+template <typename Use>
+void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
+  if (volume == Volume::Aabb) return use(bvh::NodeOverlap(volumes.nodes, volumes.nodes));
+  with_separation(volume, own_frame(), volumes, volumes, use);
+}
+
+/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop.
 template <typename OnPair>
-void for_each_self_pair(const Mesh& mesh, SelfPairKind kind, Work& work, OnPair&& on_pair) {
-  const bvh::Tree& tree = mesh.tree(&work);
+void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& work,
+                        OnPair&& on_pair) {
+  const NodeVolumes volumes = volumes_of(mesh, settings.volume, work);
+  const bvh::Tree& tree = mesh.tree();
   SelfQuery query(mesh, work);
-  const auto are_apart = [&](const bvh::Node& a, const bvh::Node& b) {
-    ++work.volume_tests;
-    const bool is_pruned = !bvh::overlap(a.box, b.box);
-    work.volume_rejections += is_pruned;
-    return is_pruned;
-  };
   const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     const bool is_same = &leaf_a == &leaf_b;
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
       for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
         const auto [a, b] = std::minmax(tree.primitives[i], tree.primitives[j]);
-        if (query.meet(a, b) != kind) continue;
+        if (query.meet(a, b) != settings.kind) continue;
         if (on_pair(TrianglePair{a, b}) == bvh::Walk::Stop) return bvh::Walk::Stop;
       }
     }
     return bvh::Walk::Continue;
   };
-  bvh::traverse_self(tree, are_apart, test_leaves);
+  with_own_separation(settings.volume, volumes, [&](const auto& separation) {
+    bvh::traverse_self(tree, CountedSeparation(separation, work), test_leaves);
+  });
 }
 
 }  // namespace
 
 bool self_intersects(const Mesh& mesh, Work* work) {
+  return self_intersects(mesh, QuerySettings{}, work);
+}
+
+bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
   CountedWork counted(work);
   return has_any([&](auto&& on_pair) {
-    for_each_self_pair(mesh, SelfPairKind::Crossing, counted.work(), on_pair);
+    for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);
   });
 }
 
@@ -122,7 +141,7 @@ TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Wo
   CountedWork counted(work);
   TrianglePairs found;
   found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
-    for_each_self_pair(mesh, settings.kind, counted.work(), on_pair);
+    for_each_self_pair(mesh, settings, counted.work(), on_pair);
   });
   return found;
 }

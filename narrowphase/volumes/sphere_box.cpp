@@ -29,7 +29,7 @@ bool overlaps(const Sphere& sphere, const Obb& box) {
     local.min.data()[i] = -box.half_extents.data()[i];
     local.max.data()[i] = box.half_extents.data()[i];
   }
-  const Sphere framed{narrowphase::into_frame(sphere.centre, box.pose), sphere.radius};
+  const Sphere framed{narrowphase::point_into_frame(sphere.centre, box.pose), sphere.radius};
   check_sphere(framed, "sphere in the frame of the box");
   return narrowphase::decide(framed, local).is_hit;
 }

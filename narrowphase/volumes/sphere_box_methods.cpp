@@ -4,7 +4,7 @@
 
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_distance.h>
-#include <algorithm>
+#include <cmath>
 
 namespace graze::narrowphase {
 namespace {
@@ -61,11 +61,21 @@ Decision decide_quick_rejections(const Sphere& sphere, const Aabb& box) {
   return decide_by_way(way, sphere, box);
 }
 
+namespace {
+
+/// max(x, 0), exactly (or infinite, which is unsure), in a form that no compiler turns into a
+/// branch.
+double positive_part(double x) {
+  return 0.5 * (x + std::abs(x));
+}
+
+}  // namespace
+
 Decision decide_branch_free(const Sphere& sphere, const Aabb& box) {
   double way[3];
   for (int i = 0; i < 3; ++i) {
     const double c = sphere.centre.data()[i];
-    way[i] = std::max(box.min.data()[i] - c, 0.0) + std::max(c - box.max.data()[i], 0.0);
+    way[i] = positive_part(box.min.data()[i] - c) + positive_part(c - box.max.data()[i]);
   }
   return decide_by_way(way, sphere, box);
 }

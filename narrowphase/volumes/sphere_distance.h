@@ -5,6 +5,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/volumes/sphere_bound.h>
 #include <array>
 #include <optional>
 
@@ -15,15 +16,28 @@ std::array<double, 3> nearest_point(const Aabb& box, const double* point);
 
 /// The sign of |way|^2 - radius^2 where that is sure, from the components of the way, each off by
 /// one rounding at most, and the radius, likewise.
-std::optional<Sign> sign_of_reach(const double* way, double radius);
+inline std::optional<Sign> sign_of_reach(const double* way, double radius) {
+  const double distance2 = (way[0] * way[0] + way[1] * way[1]) + way[2] * way[2];
+  const double radius2 = radius * radius;
+  const double bound = kSquareBound * (distance2 + radius2) + kSquareUnderflow;
+  const double gap = distance2 - radius2;
+  if (gap > bound) return Sign::Positive;
+  if (gap < -bound) return Sign::Negative;
+  return std::nullopt;
+}
 
 /// The sign of |to - from| - radius, where that is sure, and always.
-std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius);
+inline std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius) {
+  const double way[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  return sign_of_reach(way, radius);
+}
 Sign sign_of_distance_exact(const double* from, const double* to, double radius);
 
 /// Likewise for radius_a + radius_b, which the first rounds within its bound.
-std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius_a,
-                                     double radius_b);
+inline std::optional<Sign> sign_of_distance(const double* from, const double* to, double radius_a,
+                                            double radius_b) {
+  return sign_of_distance(from, to, radius_a + radius_b);
+}
 Sign sign_of_distance_exact(const double* from, const double* to, double radius_a, double radius_b);
 
 }  // namespace graze::narrowphase

@@ -53,7 +53,6 @@ void cross(const Vector& a, const Vector& b, Vector& product) {
 
 struct Centred {
   Vector corner[3];  // V_i
-  Vector edge[3];    // from corner i to the next
   double largest;    // M
   double radius;
   bool is_in_range;
@@ -68,7 +67,6 @@ Centred centred(const Triangle& triangle, const Sphere& sphere) {
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
       t.corner[i][k] = p[i][k] - sphere.centre.data()[k];
-      t.edge[i][k] = p[(i + 1) % 3][k] - p[i][k];
       // Written so that NaN fails.
       t.is_in_range &= std::abs(t.corner[i][k]) <= kLargest;
       t.largest = std::max(t.largest, std::abs(t.corner[i][k]));
@@ -79,14 +77,25 @@ Centred centred(const Triangle& triangle, const Sphere& sphere) {
 
 /// Rounding is monotone and the radius a double: no bound is needed.
 bool is_apart_along_axes(const Centred& t) {
+  bool is_apart = false;
   for (int k = 0; k < 3; ++k) {
     const double a = t.corner[0][k];
     const double b = t.corner[1][k];
     const double c = t.corner[2][k];
-    if (std::min(std::min(a, b), c) > t.radius) return true;
-    if (std::max(std::max(a, b), c) < -t.radius) return true;
+    is_apart |= (a > t.radius) & (b > t.radius) & (c > t.radius);
+    is_apart |= (a < -t.radius) & (b < -t.radius) & (c < -t.radius);
   }
-  return false;
+  return is_apart;
+}
+
+using Edges = Vector[3];  // from corner i to the next
+
+void find_edges(const Triangle& triangle, Edges& edge) {
+  const double* p[3] = {triangle.a.data(), triangle.b.data(), triangle.c.data()};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      edge[i][k] = p[(i + 1) % 3][k] - p[i][k];
+  }
 }
 
 struct Guess {
@@ -105,12 +114,12 @@ void guess_vertex(const Centred& t, Guess& guess) {
 
 /// The edge beyond whose line the centre lies, with its foot between the ends: there is at most one
 /// such. `weight` are the barycentric coordinates of the foot on the plane, scaled.
-bool guess_edge(const Centred& t, const double* weight, Guess& guess) {
+bool guess_edge(const Centred& t, const Edges& edge, const double* weight, Guess& guess) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
     if (weight[(i + 2) % 3] > 0) continue;
-    const double to_end = dot(t.corner[j], t.edge[i]);
-    const double from_start = -dot(t.corner[i], t.edge[i]);
+    const double to_end = dot(t.corner[j], edge[i]);
+    const double from_start = -dot(t.corner[i], edge[i]);
     if (!(to_end > 0 && from_start > 0)) continue;
     guess.weight[i] = to_end;
     guess.weight[j] = from_start;
@@ -121,10 +130,10 @@ bool guess_edge(const Centred& t, const double* weight, Guess& guess) {
   return false;
 }
 
-Guess guess_nearest(const Centred& t) {
+Guess guess_nearest(const Centred& t, const Edges& edge) {
   Guess guess;
   Vector normal;
-  cross(t.edge[0], t.edge[1], normal);
+  cross(edge[0], edge[1], normal);
   double weight[3];
   for (int i = 0; i < 3; ++i) {
     Vector area;
@@ -138,7 +147,7 @@ Guess guess_nearest(const Centred& t) {
       guess.weight[k] = scale * weight[k];
       guess.direction[k] = side * normal[k];
     }
-  } else if (!guess_edge(t, weight, guess)) {
+  } else if (!guess_edge(t, edge, weight, guess)) {
     guess_vertex(t, guess);
   }
   return guess;
@@ -173,7 +182,9 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   const Centred t = centred(triangle, sphere);
   if (!t.is_in_range) return Verdict::Unsure;
   if (is_apart_along_axes(t)) return Verdict::Apart;
-  const Guess guess = guess_nearest(t);
+  Edges edge;
+  find_edges(triangle, edge);
+  const Guess guess = guess_nearest(t, edge);
   if (is_touching_at(guess.weight, t)) return Verdict::Touching;
   if (is_apart_along(guess.direction, t)) return Verdict::Apart;
   return Verdict::Unsure;

@@ -1,4 +1,5 @@
 #include <graze/bvh/build.h>
+#include <graze/bvh/skins/node_separation.h>
 #include <graze/bvh/traverse_pair.h>
 #include <graze/bvh/traverse_self.h>
 #include <graze/bvh/traverse_volume.h>
@@ -26,6 +27,11 @@ void for_each_primitive(const Tree& tree, const Node& leaf, Fn&& fn) {
     fn(tree.primitives[i]);
 }
 
+struct NeverApart {
+  bool are_apart(std::uint32_t, std::uint32_t) const { return false; }
+  bool is_first_larger(std::uint32_t, std::uint32_t) const { return false; }
+};
+
 class TraverseOn : public testing::TestWithParam<Distribution> {};
 
 INSTANTIATE_TEST_SUITE_P(Distributions, TraverseOn, testing::ValuesIn(kDistributions),
@@ -41,18 +47,16 @@ TEST_P(TraverseOn, SelfIsBruteForce) {
     }
   }
   std::size_t visits = 0;
-  traverse_self(
-      tree, [](const Node& a, const Node& b) { return !overlap(a.box, b.box); },
-      [&](const Node& a, const Node& b) {
-        for_each_primitive(tree, a, [&](std::uint32_t i) {
-          for_each_primitive(tree, b, [&](std::uint32_t j) {
-            if (&a == &b && i >= j) return;
-            ++visits;
-            if (overlap(boxes[i], boxes[j])) found.insert(std::minmax(i, j));
-          });
-        });
-        return Walk::Continue;
+  traverse_self(tree, NodeOverlap(tree.nodes, tree.nodes), [&](const Node& a, const Node& b) {
+    for_each_primitive(tree, a, [&](std::uint32_t i) {
+      for_each_primitive(tree, b, [&](std::uint32_t j) {
+        if (&a == &b && i >= j) return;
+        ++visits;
+        if (overlap(boxes[i], boxes[j])) found.insert(std::minmax(i, j));
       });
+    });
+    return Walk::Continue;
+  });
   EXPECT_EQ(found, expected);
   EXPECT_LE(visits, boxes.size() * (boxes.size() - 1) / 2) << "a pair came twice";
 }
@@ -67,7 +71,7 @@ TEST_P(TraverseOn, VolumeIsBruteForce) {
       if (overlap(boxes[i], boxes[probe])) expected.insert(i);
     }
     traverse_volume(
-        tree, [&](const Node& node) { return !overlap(node.box, local); },
+        tree, [&](std::uint32_t node) { return !overlap(tree.nodes[node].box, local); },
         [&](const Node& leaf) {
           for_each_primitive(tree, leaf, [&](std::uint32_t i) {
             if (overlap(boxes[i], boxes[probe])) found.insert(i);
@@ -103,18 +107,16 @@ TEST_P(TraverseOn, PairIsBruteForce) {
     }
   }
   std::size_t visits = 0;
-  traverse_pair(
-      tree_a, tree_b, [](const Node& a, const Node& b) { return !overlap(a.box, b.box); },
-      [](const Node& a, const Node& b) { return half_surface(a.box) > half_surface(b.box); },
-      [&](const Node& a, const Node& b) {
-        for_each_primitive(tree_a, a, [&](std::uint32_t i) {
-          for_each_primitive(tree_b, b, [&](std::uint32_t j) {
-            ++visits;
-            if (overlap(boxes_a[i], boxes_b[j])) found.insert({i, j});
-          });
-        });
-        return Walk::Continue;
-      });
+  traverse_pair(tree_a, tree_b, NodeOverlap(tree_a.nodes, tree_b.nodes),
+                [&](const Node& a, const Node& b) {
+                  for_each_primitive(tree_a, a, [&](std::uint32_t i) {
+                    for_each_primitive(tree_b, b, [&](std::uint32_t j) {
+                      ++visits;
+                      if (overlap(boxes_a[i], boxes_b[j])) found.insert({i, j});
+                    });
+                  });
+                  return Walk::Continue;
+                });
   EXPECT_EQ(found, expected);
   EXPECT_LE(visits, boxes_a.size() * boxes_b.size()) << "a pair came twice";
 }
@@ -122,19 +124,19 @@ TEST_P(TraverseOn, PairIsBruteForce) {
 TEST(Traverse, StopsWhenTold) {
   const std::vector<Aabb> boxes = random_boxes(Distribution::OnePoint, 1000, 1);
   const Tree tree = build(boxes);
-  const auto never = [](const Node&, const Node&) { return false; };
+  const NeverApart never;
   int leaves = 0;
   const auto stop_at_third = [&](const Node&, const Node&) {
     return ++leaves == 3 ? Walk::Stop : Walk::Continue;
   };
-  EXPECT_EQ(traverse_pair(tree, tree, never, never, stop_at_third), Walk::Stop);
+  EXPECT_EQ(traverse_pair(tree, tree, never, stop_at_third), Walk::Stop);
   EXPECT_EQ(leaves, 3);
   leaves = 0;
   EXPECT_EQ(traverse_self(tree, never, stop_at_third), Walk::Stop);
   EXPECT_EQ(leaves, 3);
   leaves = 0;
   EXPECT_EQ(traverse_volume(
-                tree, [](const Node&) { return false; },
+                tree, [](std::uint32_t) { return false; },
                 [&](const Node&) { return ++leaves == 3 ? Walk::Stop : Walk::Continue; }),
             Walk::Stop);
   EXPECT_EQ(leaves, 3);

@@ -36,6 +36,10 @@ std::size_t expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
   EXPECT_EQ(found.completeness, Completeness::Complete);
   EXPECT_EQ(intersects(a, b), !expected.empty());
   EXPECT_EQ(intersects(b, a), !expected.empty());
+  for (const Volume volume : kVolumes) {
+    EXPECT_EQ(find_triangle_pairs(a, b, {.volume = volume}).pairs, expected) << name_of(volume);
+    EXPECT_EQ(intersects(b, a, {.volume = volume}), !expected.empty()) << name_of(volume);
+  }
   std::vector<TrianglePair> mirrored;
   for (TrianglePair pair : find_triangle_pairs(b, a))
     mirrored.push_back({pair.b, pair.a});
@@ -161,6 +165,10 @@ TEST(Law5, ATouchingVertexIsNeverPruned) {
     const Mesh probe = kissing(extreme, outward, std::pow(10.0, source.integer(-3, 3)));
     ASSERT_TRUE(intersects({mesh, pose}, {probe})) << n;
     ASSERT_TRUE(intersects({probe}, {mesh, pose})) << n;
+    for (const Volume volume : kVolumes) {
+      ASSERT_TRUE(intersects({mesh, pose}, {probe}, {.volume = volume})) << n << name_of(volume);
+      ASSERT_TRUE(intersects({probe}, {mesh, pose}, {.volume = volume})) << n << name_of(volume);
+    }
     ASSERT_EQ(find_triangle_pairs({mesh, pose}, {probe}).pairs, brute_force({mesh, pose}, {probe}))
         << n;
   }
@@ -205,6 +213,41 @@ TEST(Pair, WorkFollowsTheNeed) {
   pose.translation().x() = 0.5;
   find_triangle_pairs({sphere}, {sphere, pose}, {}, &pairs);
   EXPECT_LT(20 * deep.triangle_tests, pairs.triangle_tests) << "a boolean stops at its first yes";
+}
+
+TEST(Pair, SkinsAreMadeByTheFirstQueryThatNeedsThem) {
+  const Mesh sphere = tests::make_sphere(1, 20, 20);
+  const auto work_of = [&](Volume volume) {
+    Work work;
+    intersects({sphere}, {sphere}, {.volume = volume}, &work);
+    return work;
+  };
+  EXPECT_EQ(work_of(Volume::Aabb).skins_built, 0u);
+  EXPECT_EQ(work_of(Volume::SphereThenObb).skins_built, 2u) << "both are the same mesh";
+  EXPECT_EQ(work_of(Volume::Sphere).skins_built, 0u);
+  EXPECT_EQ(work_of(Volume::Obb).skins_built, 0u);
+  EXPECT_EQ(work_of(Volume::KDop).skins_built, 1u);
+  EXPECT_EQ(work_of(Volume::KDop).trees_built, 0u);
+}
+
+TEST(Pair, TighterVolumesPruneMore) {
+  const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+  pose.translation() << 1.2, 0.4, 0.3;
+  const auto tests_of = [&](Volume volume) {
+    Work work;
+    find_triangle_pairs({torus}, {torus, pose}, {.volume = volume}, &work);
+    return work.triangle_tests;
+  };
+  EXPECT_LT(tests_of(Volume::Obb), tests_of(Volume::Aabb));
+  EXPECT_LT(tests_of(Volume::KDop), tests_of(Volume::Sphere));
+  EXPECT_LE(tests_of(Volume::SphereThenObb), tests_of(Volume::Obb));
+}
+
+TEST(Law10Pair, AVolumeThatIsNoneIsRefused) {
+  const Mesh sphere = tests::make_sphere(1, 4, 4);
+  EXPECT_THROW(intersects({sphere}, {sphere}, {.volume = static_cast<Volume>(99)}), InputError);
 }
 
 TEST(Pair, AMeshWhollyInsideAnotherDoesNotTouchIt) {

@@ -41,6 +41,10 @@ TEST(Law9Self, BothKindsTogetherAreBruteForce) {
                std::back_inserter(all));
     EXPECT_EQ(all, expected);
     EXPECT_EQ(self_intersects(mesh), !crossing.empty());
+    for (const Volume volume : kVolumes) {
+      EXPECT_EQ(find_self_pairs(mesh, {.volume = volume}).pairs, crossing.pairs) << name_of(volume);
+      EXPECT_EQ(self_intersects(mesh, {.volume = volume}), !crossing.empty()) << name_of(volume);
+    }
     crossings += crossing.size();
     neighbours += neighbour.size();
   }

@@ -1,6 +1,6 @@
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 

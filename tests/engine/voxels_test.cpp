@@ -1,5 +1,5 @@
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <gtest/gtest.h>

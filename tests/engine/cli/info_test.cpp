@@ -46,6 +46,25 @@ TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
   EXPECT_EQ(row["boundary_edges"], 9);
 }
 
+TEST_F(CliInfo, LevelsSumOverAllNodes) {
+  write_mesh("torus.off", make_torus(2, 0.5, 24, 12));
+  const Json report = Json::parse(graze({"info", "--json", "torus.off"}).out);
+  const Json& levels = report["levels"];
+  ASSERT_EQ(levels.size(), report["tree"]["depth"].get<std::size_t>() + 1);
+  std::size_t nodes = 0;
+  for (const Json& level : levels)
+    nodes += level["nodes"].get<std::size_t>();
+  EXPECT_EQ(nodes, report["tree"]["nodes"]);
+  EXPECT_EQ(levels[0]["nodes"], 1);
+  EXPECT_NEAR(levels[0]["aabb_volume"], 5 * 5 * 1, 1e-4);
+  // The bevelled edges cut four prisms of (2 - sqrt 2) / 2 * 2.5 off each corner along z, and less
+  // along x and y; the sphere has the diagonal of what the torus reaches.
+  EXPECT_LT(levels[0]["kdop"], 0.87);
+  EXPECT_GT(levels[0]["kdop"], 0.7);
+  EXPECT_GT(levels[0]["sphere"], 2);
+  EXPECT_LT(levels[levels.size() - 2]["obb"], 1);
+}
+
 TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
   write_mesh("row.off", make_row(100));
   const Json tree = Json::parse(graze({"info", "--json", "row.off"}).out)["tree"];
@@ -59,6 +78,47 @@ TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
   EXPECT_EQ(tree["expected_node_visits"], expected.expected_node_visits);
   EXPECT_EQ(tree["expected_triangle_tests"], expected.expected_primitive_tests);
   EXPECT_EQ(tree["bytes"], expected.bytes);
+}
+
+TEST_F(CliInfo, ClosedMeshesSayWhatTheirVolumesLeaveEmpty) {
+  const CommandResult result = graze({"info", "--json", "box.off"});
+  const Json fit = Json::parse(result.out)["fit"];
+  EXPECT_NEAR(fit["enclosed_volume"], 8, 1e-14);
+  EXPECT_EQ(fit["aabb"]["volume"], 8);
+  EXPECT_EQ(fit["aabb"]["surface"], 28);
+  const double sphere_volume = fit["sphere"]["volume"];
+  EXPECT_NEAR(fit["sphere"]["empty_per_cent"], 100 * (1 - 8 / sphere_volume), 1e-12);
+  for (const char* name : {"aabb", "obb", "kdop"}) {
+    EXPECT_NEAR(fit[name]["empty_per_cent"], 0, 1e-12) << name;
+    EXPECT_FALSE(fit[name].contains("relative_to_aabb"));
+  }
+  const std::string table = graze({"info", "box.off"}).out;
+  EXPECT_NE(table.find("  enclosed volume (m^3)   8\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("  aabb                    8             28             0.0\n"),
+            std::string::npos)
+      << table;
+}
+
+TEST_F(CliInfo, OpenMeshesSayHowTheirVolumesCompareWithTheBounds) {
+  write("open.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n");
+  const Json fit = Json::parse(graze({"info", "--json", "open.off"}).out)["fit"];
+  EXPECT_FALSE(fit.contains("enclosed_volume"));
+  EXPECT_EQ(fit["aabb"]["relative_to_aabb"], 1);
+  EXPECT_LT(fit["kdop"]["relative_to_aabb"], 0.5);
+  EXPECT_FALSE(fit["kdop"].contains("empty_per_cent"));
+  const std::string table = graze({"info", "open.off"}).out;
+  EXPECT_EQ(table.find("enclosed volume"), std::string::npos);
+  EXPECT_NE(table.find("  aabb                    1             6              1.000\n"),
+            std::string::npos)
+      << table;
+}
+
+TEST_F(CliInfo, MeshesTooLargeForVolumesAreStillReported) {
+  write("huge.off", "OFF\n3 1 0\n-1.7e308 -1.7e308 0\n1.7e308 0 0\n0 1.7e308 0\n3 0 1 2\n");
+  const CommandResult result = graze({"info", "--json", "huge.off"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(Json::parse(result.out)["fit"].is_null());
+  EXPECT_NE(graze({"info", "huge.off"}).out.find("too large for numbers"), std::string::npos);
 }
 
 TEST_F(CliInfo, AMeshMayBeNamedLikeASubcommand) {

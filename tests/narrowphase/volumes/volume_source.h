@@ -11,11 +11,12 @@
 
 namespace graze {
 
-/// Kinds of numbers that volumes are made of.
-enum class Numbers { Generic, Lattice, MixedScale, Denormal, Huge };
+/// Kinds of numbers that volumes are made of. Extreme ones are the smallest, the largest and few in
+/// between: exact arithmetic needs all of its width for these.
+enum class Numbers { Generic, Lattice, MixedScale, Denormal, Huge, Extreme };
 
-inline constexpr Numbers kEveryKind[] = {Numbers::Generic, Numbers::Lattice, Numbers::MixedScale,
-                                         Numbers::Denormal, Numbers::Huge};
+inline constexpr Numbers kEveryKind[] = {Numbers::Generic,  Numbers::Lattice, Numbers::MixedScale,
+                                         Numbers::Denormal, Numbers::Huge,    Numbers::Extreme};
 
 /// Integer vectors whose length is an integer.
 struct Quadruple {
@@ -44,6 +45,8 @@ class VolumeSource {
         return random_.integer(-9, 9) * 0x1p-1074;
       case Numbers::Huge:
         return random_.uniform(-1, 1) * 0x1.fffffffffffffp1023;
+      case Numbers::Extreme:
+        return extreme();
     }
     return 0;
   }
@@ -89,6 +92,13 @@ class VolumeSource {
   }
 
  private:
+  double extreme() {
+    static constexpr double kSizes[] = {0, 0x1p-1074, 0x1.8p-1022,
+                                        1, 0x1p1023,  0x1.fffffffffffffp1023};
+    const double size = kSizes[static_cast<int>(random_.integer(0, 5))];
+    return random_.integer(0, 1) == 0 ? size : -size;
+  }
+
   Numbers kind_;
   RandomSource random_;
 };

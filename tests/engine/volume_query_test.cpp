@@ -1,7 +1,8 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 using tests::random_pose;
 
-/// Law 9 for one box of either kind. Returns how many triangles meet it.
+/// Law 9 for one box of either kind, or a ball. Returns how many triangles meet it.
 template <typename Box>
 std::size_t expect_brute_force(const PlacedMesh& placed, const Box& box) {
   std::vector<std::uint32_t> expected;
@@ -27,12 +28,17 @@ std::size_t expect_brute_force(const PlacedMesh& placed, const Box& box) {
   EXPECT_EQ(found.triangles, expected);
   EXPECT_EQ(found.completeness, Completeness::Complete);
   EXPECT_EQ(intersects(placed, box), !expected.empty());
+  for (const Volume volume : kVolumes) {
+    EXPECT_EQ(find_triangles(placed, box, {.volume = volume}).triangles, expected)
+        << name_of(volume);
+    EXPECT_EQ(intersects(placed, box, {.volume = volume}), !expected.empty()) << name_of(volume);
+  }
   return expected.size();
 }
 
-TEST(Law9Box, SoupsAndBoxesOfEitherKind) {
+TEST(Law9Box, SoupsAndVolumesOfEachKind) {
   RandomSource source(1);
-  std::size_t aligned = 0, oriented = 0;
+  std::size_t aligned = 0, oriented = 0, balls = 0;
   for (int n = 0; n < 400; ++n) {
     const double offset = n % 4 == 0 ? 1e9 : 0;
     const Eigen::Vector3d centre = Eigen::Vector3d(1, 2, -1) * offset;
@@ -48,9 +54,11 @@ TEST(Law9Box, SoupsAndBoxesOfEitherKind) {
     turned.pose.translation() += centre;
     if (n % 7 == 0) turned.pose = tests::distorted(turned.pose, 1e-6, source);
     oriented += expect_brute_force({mesh, pose}, turned);
+    balls += expect_brute_force({mesh, pose}, Sphere{p, source.uniform(0, 1)});
   }
   EXPECT_GT(aligned, 2000u);
   EXPECT_GT(oriented, 1000u);
+  EXPECT_GT(balls, 1000u);
 }
 
 TEST(Law9Box, LatticesTouchingEverywhere) {
@@ -62,6 +70,7 @@ TEST(Law9Box, LatticesTouchingEverywhere) {
     Obb box{Pose::Identity(), source.lattice_point(0, 2)};
     box.pose.translation() = p;
     expect_brute_force({mesh}, box);
+    expect_brute_force({mesh}, Sphere{q, source.integer(0, 3)});
   }
 }
 
@@ -77,6 +86,8 @@ TEST(Law9Box, ExtremeScales) {
                                 Aabb{p.cwiseMin(q), p.cwiseMax(q)});
       met += expect_brute_force({mesh},
                                 Obb{random_pose(0.2 * scale, source), source.vector(0, 1) * scale});
+      met += expect_brute_force({mesh, random_pose(0.2 * scale, source)},
+                                Sphere{p, source.uniform(0, 1) * scale});
     }
     EXPECT_GT(met, 50u) << scale;
   }
@@ -89,8 +100,22 @@ TEST(Law5Box, ACornerThatTouchesIsNeverPruned) {
     const Pose pose = random_pose(std::pow(10.0, source.integer(0, 9)), source);
     const Eigen::Vector3d corner = place(pose, mesh.triangle(1).a);
     ASSERT_TRUE(intersects({mesh, pose}, Aabb{corner, corner + source.vector(0, 10)})) << n;
-    ASSERT_TRUE(intersects({mesh, pose}, Aabb{corner, corner})) << n;
+    for (const Volume volume : kVolumes) {
+      ASSERT_TRUE(intersects({mesh, pose}, Aabb{corner, corner}, {.volume = volume})) << n;
+      ASSERT_TRUE(intersects({mesh, pose}, Sphere{corner, 0}, {.volume = volume})) << n;
+    }
   }
+}
+
+// Beyond the range of double there is no vertex, but a ball may reach there.
+TEST(Law9Box, BallsThatReachBeyondTheRange) {
+  const Mesh mesh = tests::make_sphere(1e307, 10, 10);
+  const std::size_t all = mesh.triangles().size();
+  EXPECT_EQ(expect_brute_force({mesh}, Sphere{{1e308, 0, 0}, 1.7e308}), all);
+  const std::size_t half = expect_brute_force({mesh}, Sphere{{-1.7e308, 0, 0}, 1.7e308});
+  EXPECT_GT(half, all / 3);
+  EXPECT_LT(half, all * 2 / 3);
+  EXPECT_EQ(expect_brute_force({mesh}, Sphere{{1e308, 0, 0}, 0.5e308}), 0u);
 }
 
 TEST(BoxQuery, LimitsGiveTrueTrianglesAndSaySo) {
@@ -109,6 +134,8 @@ TEST(Law10Box, BadBoxesAreRefused) {
   EXPECT_THROW(intersects({sphere}, Aabb{{0, 0, 0}, {1, -1, 1}}), InputError);
   EXPECT_THROW(find_triangles({sphere}, Aabb{{0, 0, 0}, {1, std::nan(""), 1}}), InputError);
   EXPECT_THROW(intersects({sphere}, Obb{Pose::Identity(), {1, -1, 1}}), InputError);
+  EXPECT_THROW(intersects({sphere}, Sphere{{0, 0, 0}, -1}), InputError);
+  EXPECT_THROW(find_triangles({sphere}, Sphere{{0, std::nan(""), 0}, 1}), InputError);
   Obb reflected{Pose::Identity(), {1, 1, 1}};
   reflected.pose.linear()(0, 0) = -1;
   EXPECT_THROW(find_triangles({sphere}, reflected), PoseError);
