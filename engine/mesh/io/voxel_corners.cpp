@@ -18,18 +18,23 @@ void append_corners(std::span<const Voxel> layer, std::vector<std::uint32_t>& ke
   }
 }
 
-std::span<const Voxel> layer_of(std::span<const Voxel> voxels, std::uint32_t k) {
-  const auto layer = std::ranges::equal_range(voxels, k, {}, &Voxel::k);
-  return {layer.begin(), layer.end()};
+/// The voxels of layer k, which come first among those of this and later layers, are taken off.
+std::span<const Voxel> take_layer(std::span<const Voxel>& voxels, std::uint32_t k) {
+  const auto is_of_layer = [&](const Voxel& voxel) { return voxel.k == k; };
+  const auto end = std::partition_point(voxels.begin(), voxels.end(), is_of_layer);
+  const auto layer = voxels.first(static_cast<std::size_t>(end - voxels.begin()));
+  voxels = voxels.subspan(layer.size());
+  return layer;
 }
 
 }  // namespace
 
 VoxelCorners::VoxelCorners(const Voxels& voxels) {
   std::vector<std::uint32_t> layer_keys;
+  std::span<const Voxel> left = voxels.voxels;
   std::span<const Voxel> below;
   for (std::uint32_t k = 0; k <= voxels.grid.counts[2]; ++k) {
-    const std::span<const Voxel> above = layer_of(voxels.voxels, k);
+    const std::span<const Voxel> above = take_layer(left, k);
     layer_keys.clear();
     append_corners(below, layer_keys);
     append_corners(above, layer_keys);
