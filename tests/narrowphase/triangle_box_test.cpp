@@ -69,7 +69,8 @@ TEST(Law3, OrientedBoxesRoundTheWayIntoTheirFrame) {
   box.pose.translation() = Eigen::Vector3d(5, 0, 0);
   EXPECT_TRUE(intersects({{5 + 1.41, 0, 0}, {9, 0, 0}, {9, 1, 0}}, box));
   EXPECT_FALSE(intersects({{5 + 1.42, 0, 0}, {9, 0, 0}, {9, 1, 0}}, box));
-  const Triangle local = narrowphase::into_frame({{6, 0, 0}, {5, 1, 0}, {5, 0, 1}}, box.pose);
+  const Triangle local =
+      narrowphase::into_frame(Triangle{{6, 0, 0}, {5, 1, 0}, {5, 0, 1}}, box.pose);
   const double root = box.pose.linear()(0, 0);
   EXPECT_EQ(local.a, Eigen::Vector3d(root, box.pose.linear()(0, 1), 0));
   EXPECT_EQ(local.c, Eigen::Vector3d(0, 0, 1));
