@@ -31,8 +31,15 @@
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_fit.h>
 #include <graze/narrowphase/triangle_triangle.h>
+#include <graze/narrowphase/volumes/aabb_list.h>
+#include <graze/narrowphase/volumes/aabb_overlap.h>
+#include <graze/narrowphase/volumes/contains.h>
 #include <graze/narrowphase/volumes/ellipsoid_box.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>
+#include <graze/narrowphase/volumes/kdop_list.h>
+#include <graze/narrowphase/volumes/kdop_overlap.h>
+#include <graze/narrowphase/volumes/obb_list.h>
+#include <graze/narrowphase/volumes/obb_overlap.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
