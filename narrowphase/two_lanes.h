@@ -4,6 +4,7 @@
 // extensions, which gcc and clang share. Each lane rounds as a double does.
 
 #include <cstdint>
+#include <limits>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -34,6 +35,14 @@ inline TwoLanes magnitude(TwoLanes v) {
   constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
   return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(v) &
                                     TwoMasks{kAllButSign, kAllButSign});
+}
+
+/// The lanes whose bits are set in `which` with their signs changed.
+inline TwoLanes negated(TwoLanes v, unsigned which) {
+  constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
+  constexpr TwoMasks kMasks[4] = {TwoMasks{0, 0}, TwoMasks{kSign, 0}, TwoMasks{0, kSign},
+                                  TwoMasks{kSign, kSign}};
+  return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(v) ^ kMasks[which]);
 }
 
 /// All bits of a lane are set where a > b, none elsewhere: masks, for both_of() and sign_bits().
