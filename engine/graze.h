@@ -21,6 +21,8 @@
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/derived/triangle_intersection.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_triangle.h>
