@@ -26,6 +26,8 @@
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_fit.h>
