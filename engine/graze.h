@@ -27,8 +27,10 @@
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_fit.h>
