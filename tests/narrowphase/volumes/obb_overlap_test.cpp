@@ -206,6 +206,30 @@ TEST(ObbOverlap, WhatOverflowsIsNeverSilentlyApart) {
   EXPECT_FALSE(overlaps(Aabb{{-huge, 0, 0}, {-huge, 0, 0}}, cube(1, {huge, 0, 0})));
 }
 
+// Turned boxes that reach each other over nearly the whole range of doubles. On the way into A's
+// frame, x + y + z of (1, 1, -1) overflows before z is subtracted. The sum of half extents of each
+// box alone is finite.
+TEST(ObbOverlap, WhatOverflowsOnTheWayIsNotApart) {
+  const double huge = std::numeric_limits<double>::max();
+  const Eigen::Vector3d way = Eigen::Vector3d(1, 1, -1).normalized();
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 1, 1).normalized();
+  const Eigen::Vector3d across = (way - way.dot(axis) * axis).normalized();
+  const Eigen::Vector3d third = axis.cross(across);
+  Obb a{Pose::Identity(), {0.195 * huge, 0.388 * huge, 0.388 * huge}};
+  a.pose.linear().col(0) = axis;
+  a.pose.linear().col(1) = (across + third) / std::sqrt(2.0);
+  a.pose.linear().col(2) = (third - across) / std::sqrt(2.0);
+  a.pose.translation() = Eigen::Vector3d(-0.435, -0.435, 0.435) * huge;
+  Obb b{Pose::Identity(), {0.93 * huge, 0, 0}};
+  b.pose.linear().col(0) = way;
+  b.pose.linear().col(1) = across.cross(third).cross(way).normalized();
+  b.pose.linear().col(2) = way.cross(b.pose.linear().col(1));
+  b.pose.translation() = -a.pose.translation();
+  ASSERT_FALSE(separation(a, b, Reading::Image, Reading::Image).is_apart);
+  EXPECT_TRUE(overlaps(a, b));
+  EXPECT_TRUE(overlaps(b, a));
+}
+
 TEST(Law10ObbOverlap, BadBoxesAreRefused) {
   const Obb good = cube(1);
   const Aabb aligned{{0, 0, 0}, {1, 1, 1}};
