@@ -17,7 +17,7 @@ std::unique_ptr<BoxContestant> one_by_one(const char* name, Answer answer) {
 
 }  // namespace
 
-std::vector<std::unique_ptr<BoxContestant>> box_contestants() {
+std::vector<std::unique_ptr<BoxContestant>> box_contestants(const std::string& set) {
   std::vector<std::unique_ptr<BoxContestant>> all;
   all.push_back(one_by_one("Akenine-Möller, plain double", [](const TriangleAndBox& element) {
     return plain_box_test(element.triangle, element.box);
