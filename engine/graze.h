@@ -14,6 +14,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/box_query.h>
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
