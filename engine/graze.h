@@ -14,7 +14,9 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
+#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
