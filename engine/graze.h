@@ -15,6 +15,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
@@ -24,8 +25,13 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>
+#include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_fit.h>

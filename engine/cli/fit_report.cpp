@@ -6,19 +6,6 @@
 namespace graze::cli {
 namespace {
 
-const char* name_of(Volume type) {
-  switch (type) {
-    case Volume::Aabb:
-      return "aabb";
-    case Volume::Sphere:
-      return "sphere";
-    case Volume::Obb:
-      return "obb";
-    default:
-      return "kdop";
-  }
-}
-
 std::string row(const std::string& volume, const std::string& surface, const std::string& share) {
   return fmt::format("{:<12}  {:<13}  {}", volume, surface, share);
 }

@@ -23,9 +23,10 @@ to that of the box along the axes. What a mesh encloses follows from the sense o
 mesh that crosses itself may count parts twice. The volumes are the box along the axes (aabb), the
 smallest sphere, the tightest oriented box found (obb) and the polytope of 18 half-spaces (kdop).
 
-The tree is what queries walk: a random line
-through the mesh's box is expected to visit so many of its nodes and triangles (the surface area
-heuristic).
+The tree is what queries walk: a random line through the mesh's box is expected to visit so many of
+its nodes and triangles (the surface area heuristic). Level by level, from the root down, the volume
+of all boxes, and that of the other volumes over the same nodes relative to it: what lies below a
+node is an open patch of surface.
 
 Examples:
   graze info bolt.obj

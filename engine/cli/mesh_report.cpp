@@ -65,6 +65,7 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .bounds = mesh.bounds(),
                     .topology = mesh.topology(),
                     .fit = fit_of(mesh),
+                    .levels = fit_by_level(mesh),
                     .tree = bvh::statistics_of(mesh.tree()),
                     .crossing_pairs = std::nullopt};
   if (settings.has_crossing_pairs) report.crossing_pairs = find_self_pairs(mesh).size();
@@ -87,6 +88,7 @@ std::string to_json(const MeshReport& report) {
   json["degenerate_triangles"] = topology.degenerate_triangles;
   json["duplicate_triangles"] = topology.duplicate_triangles;
   json["fit"] = report.fit ? fit_object(*report.fit) : nullptr;
+  json["levels"] = levels_array(report.levels);
   json["tree"] = to_object(report.tree);
   if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
   // File names need not be UTF-8, JSON must be.
@@ -110,6 +112,7 @@ std::string to_text(const MeshReport& report) {
   for (const auto& [name, value] : fit_lines(report.fit))
     append(text, name, value);
   append(text, report.tree);
+  text += levels_text(report.levels);
   if (report.crossing_pairs) {
     append(text, "crossing pairs", std::to_string(*report.crossing_pairs));
   }

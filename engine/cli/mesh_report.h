@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <graze/bvh/statistics.h>
+#include <graze/engine/cli/level_report.h>
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh.h>
 
@@ -18,6 +20,7 @@ struct MeshReport {
   Aabb bounds;
   Topology topology;
   std::optional<MeshFit> fit;  ///< none if a volume around the mesh overflows
+  std::vector<LevelFit> levels;
   bvh::TreeStatistics tree;
   std::optional<std::size_t> crossing_pairs;  ///< if asked for
 };

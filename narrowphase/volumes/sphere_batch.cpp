@@ -43,13 +43,13 @@ std::string name_of(const char* array, std::size_t index) {
 }
 
 Sphere checked(const SphereArray& spheres, std::size_t index, const char* name) {
-  const Sphere sphere = narrowphase::element(spheres, index);
+  Sphere sphere = narrowphase::element(spheres, index);
   check_sphere(sphere, name_of(name, index).c_str());
   return sphere;
 }
 
 Aabb checked(const AabbArray& boxes, std::size_t index, const char* name) {
-  const Aabb box = narrowphase::element(boxes, index);
+  Aabb box = narrowphase::element(boxes, index);
   check_box(box, name_of(name, index).c_str());
   return box;
 }

@@ -46,6 +46,25 @@ TEST_F(CliInfo, JsonIsOneObjectPerMesh) {
   EXPECT_EQ(row["boundary_edges"], 9);
 }
 
+TEST_F(CliInfo, LevelsSumOverAllNodes) {
+  write_mesh("torus.off", make_torus(2, 0.5, 24, 12));
+  const Json report = Json::parse(graze({"info", "--json", "torus.off"}).out);
+  const Json& levels = report["levels"];
+  ASSERT_EQ(levels.size(), report["tree"]["depth"].get<std::size_t>() + 1);
+  std::size_t nodes = 0;
+  for (const Json& level : levels)
+    nodes += level["nodes"].get<std::size_t>();
+  EXPECT_EQ(nodes, report["tree"]["nodes"]);
+  EXPECT_EQ(levels[0]["nodes"], 1);
+  EXPECT_NEAR(levels[0]["aabb_volume"], 5 * 5 * 1, 1e-4);
+  // The bevelled edges cut four prisms of (2 - sqrt 2) / 2 * 2.5 off each corner along z, and less
+  // along x and y; the sphere has the diagonal of what the torus reaches.
+  EXPECT_LT(levels[0]["kdop"], 0.87);
+  EXPECT_GT(levels[0]["kdop"], 0.7);
+  EXPECT_GT(levels[0]["sphere"], 2);
+  EXPECT_LT(levels[levels.size() - 2]["obb"], 1);
+}
+
 TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
   write_mesh("row.off", make_row(100));
   const Json tree = Json::parse(graze({"info", "--json", "row.off"}).out)["tree"];

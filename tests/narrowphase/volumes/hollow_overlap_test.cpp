@@ -27,15 +27,17 @@ TEST(Law2Hollow, AgreeWithRationalsOnEveryKindOfNumber) {
   for (Numbers kind : kEveryKind) {
     VolumeSource source(kind, 1);
     int differ = 0;
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < 1200; ++n) {
       Sphere sphere = source.sphere();
       const Aabb box = source.box();
+      // In every other box's middle, where hollow or not matters.
+      if (n % 2 == 1) sphere.centre = 0.5 * box.min + 0.5 * box.max;
       ASSERT_NO_FATAL_FAILURE(expect_oracle(sphere, box)) << static_cast<int>(kind) << ", " << n;
       sphere.radius *= 0.25;
       ASSERT_NO_FATAL_FAILURE(expect_oracle(sphere, box)) << static_cast<int>(kind) << ", " << n;
       differ += overlaps(sphere, box) != overlaps(HollowSphere{sphere}, HollowAabb{box});
     }
-    EXPECT_GT(differ, 20) << static_cast<int>(kind) << ": hollow or not should matter";
+    EXPECT_GT(differ, 50) << static_cast<int>(kind) << ": hollow or not should matter";
   }
 }
 

@@ -55,7 +55,7 @@ TEST(Law2SphereBox, TouchingCountsToTheLastBit) {
   VolumeSource source(Numbers::Lattice, 2);
   for (int n = 0; n < 3000; ++n) {
     const Quadruple q = source.quadruple();
-    const double scale = std::ldexp(1.0, static_cast<int>(source.random().integer(-1000, 900)));
+    const double scale = std::ldexp(1.0, static_cast<int>(source.random().integer(-1070, 1010)));
     const Eigen::Vector3d centre = source.point() * scale;
     const double extent = source.random().integer(0, 4) * scale;
     const Aabb box = box_beyond(centre, q.way * scale, extent);

@@ -20,7 +20,7 @@ TEST(Law2TriangleSphere, AgreesWithRationalsOnEveryKindOfNumber) {
   for (Numbers kind : kEveryKind) {
     VolumeSource source(kind, 1);
     int hits = 0;
-    for (int n = 0; n < 2500; ++n) {
+    for (int n = 0; n < 1500; ++n) {
       Triangle triangle = source.triangle();
       if (n % 8 == 1) triangle.c = triangle.b;
       if (n % 16 == 2) triangle.c = triangle.b = triangle.a;
@@ -33,7 +33,7 @@ TEST(Law2TriangleSphere, AgreesWithRationalsOnEveryKindOfNumber) {
       ASSERT_EQ(intersects_exactly(triangle, sphere), expected);
     }
     EXPECT_GT(hits, 100) << static_cast<int>(kind);
-    EXPECT_LT(hits, 2400) << static_cast<int>(kind);
+    EXPECT_LT(hits, 1400) << static_cast<int>(kind);
   }
 }
 
@@ -138,6 +138,20 @@ TEST(Law2TriangleSphere, APointIsASphereOfRadiusZero) {
   EXPECT_TRUE(intersects({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, Sphere{{1, 2, 3}, 0}));
 }
 
+// The square of the normal is so small a number that its root has few right digits.
+TEST(Law2TriangleSphere, AUnitBallOnATriangleWhoseSquaredNormalUnderflows) {
+  RandomSource random(7);
+  for (int exponent = -290; exponent <= -240; ++exponent) {
+    for (int n = 0; n < 40; ++n) {
+      const double scale = std::ldexp(random.uniform(1, 2), exponent);
+      const Triangle t{
+          {-3 * scale, -2 * scale, 0}, {5 * scale, -3 * scale, 0}, {scale, 7 * scale, 0}};
+      ASSERT_TRUE(intersects(t, Sphere{{0, 0, 1}, 1})) << exponent;
+      ASSERT_FALSE(intersects(t, Sphere{{0, 0, 1}, next_below(1)})) << exponent;
+    }
+  }
+}
+
 TEST(Law2TriangleSphere, NeedlesAndNearlyFlatTriangles) {
   VolumeSource source(Numbers::Generic, 3);
   for (int n = 0; n < 1500; ++n) {
@@ -183,7 +197,7 @@ TEST(Law2TriangleSphere, RadiiWithinARoundingErrorOfTheDistance) {
 TEST(Law4TriangleSphere, ReorderingVerticesChangesNothing) {
   for (Numbers kind : kEveryKind) {
     VolumeSource source(kind, 5);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < 400; ++n) {
       const Triangle t = source.triangle();
       const Sphere sphere = source.sphere();
       const bool expected = intersects(t, sphere);
