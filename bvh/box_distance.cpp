@@ -45,29 +45,34 @@ BoxGap BoxDistance::gap(const FloatBox& a, const FloatBox& b) const {
     half_b[k] = (double{b.max[k]} - b.min[k]) * scale_b;
     centre_b[k] = (double{b.max[k]} + b.min[k]) * scale_b;
   }
-  double in_a = 0;
   double between = 0;
+  double along = 0;
+  double reach_along = frame_.slack;
   for (int i = 0; i < 3; ++i) {
     const double centre_a = (double{a.max[i]} + a.min[i]) * scale_a;
     d[i] = frame_.translation[i] - centre_a + r[i][0] * centre_b[0] + r[i][1] * centre_b[1] +
            r[i][2] * centre_b[2];
     between += d[i] * d[i];
+    along += d[i] * direction_[i];
+    reach_along += half_a[i] * size_in_a_[i] + half_b[i] * size_in_b_[i];
+  }
+  const double bound_along = squared_gap(along, reach_along);
+  if (bound_along > limit_) return {bound_along, between};
+  double in_a = 0;
+  for (int i = 0; i < 3; ++i) {
     const double reach =
         half_a[i] + half_b[0] * s[i][0] + half_b[1] * s[i][1] + half_b[2] * s[i][2];
     in_a += squared_gap(std::abs(d[i]), reach + frame_.slack);
   }
+  if (in_a > limit_) return {in_a, between};
   double in_b = 0;
-  double along = 0;
-  double reach_along = frame_.slack;
   for (int j = 0; j < 3; ++j) {
     const double offset = d[0] * r[0][j] + d[1] * r[1][j] + d[2] * r[2][j];
     const double reach =
         half_b[j] + half_a[0] * s[0][j] + half_a[1] * s[1][j] + half_a[2] * s[2][j];
     in_b += squared_gap(std::abs(offset), reach + frame_.slack);
-    along += d[j] * direction_[j];
-    reach_along += half_a[j] * size_in_a_[j] + half_b[j] * size_in_b_[j];
   }
-  return {std::max(std::max(in_a, in_b), squared_gap(along, reach_along)), between};
+  return {std::max(std::max(in_a, in_b), bound_along), between};
 }
 
 }  // namespace graze::bvh

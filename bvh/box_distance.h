@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_separation.h>
+#include <limits>
 
 namespace graze::bvh {
 
@@ -21,6 +22,9 @@ class BoxDistance {
   /// rounding, or 0.
   void set_direction(const double (&direction)[3]);
 
+  /// A bound above this is as good as a larger one.
+  void set_limit(double squared_limit) { limit_ = squared_limit; }
+
   /// The bound is at most the square of the distance if distances are measured along the axes of
   /// `frame` as if they were those of rotations: the caller corrects for the poses' deviation. The
   /// frame's slack is taken off first.
@@ -29,6 +33,7 @@ class BoxDistance {
  private:
   RelativeFrame frame_;
   double size_[3][3];  // |rotation|
+  double limit_ = std::numeric_limits<double>::infinity();
   double direction_[3] = {0, 0, 0};
   double size_in_a_[3] = {0, 0, 0};  // |direction| along the axes of A
   double size_in_b_[3] = {0, 0, 0};

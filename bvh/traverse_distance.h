@@ -7,6 +7,7 @@
 
 namespace graze::bvh {
 
+/// How much the distance of centres counts beside a lower bound in choosing what to look at first.
 inline constexpr double kCentreWeight = 0.1;
 
 /// Two nodes that wait, with what their boxes say.
