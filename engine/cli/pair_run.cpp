@@ -29,6 +29,9 @@ void check_combinations(const PairOptions& options) {
   if (!options.check.empty() && !has_fcl_check()) {
     throw UsageError("--check fcl: this command was built without FCL");
   }
+  if (!options.check.empty() && options.touch == "exclude") {
+    throw UsageError("--check fcl needs --touch include: FCL knows no other policy");
+  }
 }
 
 /// The poses of B, with line 0 for one that comes from the command line.
@@ -53,6 +56,7 @@ struct PairJob {
   std::vector<PoseLine> poses_b;
   PairQuery query;
   Volume volume;
+  Touch touch;
   std::unique_ptr<FclCheck> fcl;
 };
 
@@ -80,6 +84,7 @@ PairJob read_job(const PairOptions& options) {
                  std::move(poses_b),
                  options.query == "any" ? PairQuery::Any : PairQuery::Pairs,
                  volume_named(options.volume),
+                 options.touch == "exclude" ? Touch::Exclude : Touch::Include,
                  nullptr};
   check_placements(options, job);
   if (!options.check.empty()) job.fcl = make_fcl_check(mesh_a, mesh_b);
@@ -93,10 +98,10 @@ PairAnswer ask(const PairJob& job, std::size_t index) {
   const auto start = std::chrono::steady_clock::now();
   if (job.query == PairQuery::Any) {
     answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                   {.volume = job.volume}, &answer.work);
+                                   {.volume = job.volume, .touch = job.touch}, &answer.work);
   } else {
     answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                       {.volume = job.volume}, &answer.work);
+                                       {.volume = job.volume, .touch = job.touch}, &answer.work);
     answer.intersects = !answer.pairs->empty();
   }
   answer.time = std::chrono::steady_clock::now() - start;

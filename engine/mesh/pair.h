@@ -9,6 +9,7 @@
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/touch.h>
 
 namespace graze {
 
@@ -38,6 +39,9 @@ struct TrianglePairs {
 struct QuerySettings {
   /// What prunes: changes the time, never the answer.
   Volume volume = Volume::Aabb;
+  /// Which pairs of triangles count, for two meshes. What asks for no two meshes refuses any other
+  /// policy than Include by InputError.
+  Touch touch = Touch::Include;
 };
 
 struct PairSettings {
@@ -45,11 +49,14 @@ struct PairSettings {
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   /// What prunes: changes the time, never which pairs there are.
   Volume volume = Volume::Aabb;
+  /// Which pairs count.
+  Touch touch = Touch::Include;
 };
 
 /// True if and only if some placed triangle of A shares a point with some placed triangle of B
-/// (laws 1 and 2). Surfaces only: a mesh wholly inside another does not touch it. Stops at the
-/// first pair. Throws PoseError for a pose that is refused by law 10 or by law 1.
+/// (laws 1 and 2), or under Touch::Exclude crosses() one. Surfaces only: a mesh wholly inside
+/// another does not touch it. Stops at the first pair. Throws PoseError for a pose that is refused
+/// by law 10 or by law 1.
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work = nullptr);

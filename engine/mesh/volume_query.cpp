@@ -3,6 +3,7 @@
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query_policies.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
 #include <graze/engine/mesh/volume_query.h>
@@ -149,6 +150,7 @@ void for_each_triangle(const PlacedMesh& placed, const FramedVolume& asked, Volu
 
 bool meets_any(const PlacedMesh& mesh, const FramedVolume& asked, const QuerySettings& settings,
                Work* work) {
+  require_touch_included(settings, "a mesh and a volume");
   CountedWork counted(work);
   return has_any([&](auto&& on_triangle) {
     for_each_triangle(mesh, asked, settings.volume, counted.work(), on_triangle);

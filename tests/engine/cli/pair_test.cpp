@@ -66,6 +66,25 @@ TEST_F(CliPair, VolumesChangeNoAnswer) {
   EXPECT_EQ(graze({"pair", "a.off", "b.off", "--volume", "cone"}).exit_code, 2);
 }
 
+TEST_F(CliPair, TouchSaysWhichPairsCount) {
+  const std::string on_top = "1 0 0 0 0 1 0 0 0 0 1 2";
+  write_mesh("b.off", make_box({1, 1, 1}));
+  EXPECT_EQ(json_lines({"--pose-b", on_top}).at(0)["intersects"], true);
+  EXPECT_EQ(json_lines({"--pose-b", on_top, "--touch", "include"}).at(0)["intersects"], true);
+  const Json plain = json_lines({"--pose-b", on_top, "--touch", "exclude", "--list"}).at(0);
+  EXPECT_EQ(plain["intersects"], false);
+  EXPECT_EQ(plain["pairs"], 0);
+  EXPECT_EQ(plain["list"], Json::array());
+  const std::vector<std::string> any = {"--query", "any", "--touch", "exclude", "--pose-b"};
+  const auto with = [](std::vector<std::string> options, const std::string& pose) {
+    options.push_back(pose);
+    return options;
+  };
+  EXPECT_EQ(json_lines(with(any, on_top)).at(0)["intersects"], false);
+  EXPECT_EQ(json_lines(with(any, kCrossing)).at(0)["intersects"], true);
+  EXPECT_EQ(graze({"pair", "a.off", "b.off", "--touch", "maybe"}).exit_code, 2);
+}
+
 TEST_F(CliPair, AnswersAreTheLibrarys) {
   const Mesh mesh_a = load_mesh(folder_ / "a.off");
   const Mesh mesh_b = load_mesh(folder_ / "b.off");
