@@ -14,7 +14,6 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
-#include <graze/engine/mesh/box_query.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
