@@ -24,6 +24,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>
+#include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/triangle.h>

@@ -5,7 +5,7 @@
 namespace graze::narrowphase {
 namespace {
 
-Corners corners_of(const Triangle& triangle) {
+Corners<double> corners_of(const Triangle& triangle) {
   return {{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
 }
 
@@ -36,7 +36,7 @@ bool leaves_into(const Triangle& from, const Triangle& into) {
 
 bool is_degenerate(const Triangle& triangle) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Corners t = corners_of(triangle);
+    const Corners<double> t = corners_of(triangle);
     if (orientation_2d(project(t.point[0], axis), project(t.point[1], axis),
                        project(t.point[2], axis)) != Sign::Zero) {
       return false;
@@ -52,8 +52,8 @@ bool intersect_beyond_vertex(const Triangle& triangle_a, const Triangle& triangl
 }
 
 bool intersect_beyond_edge(const Triangle& triangle_a, const Triangle& triangle_b) {
-  const Corners a = corners_of(triangle_a);
-  const Corners b = corners_of(triangle_b);
+  const Corners<double> a = corners_of(triangle_a);
+  const Corners<double> b = corners_of(triangle_b);
   if (orientation_3d(a.point[0], a.point[1], a.point[2], b.point[2]) != Sign::Zero) return false;
   const bool is_segment_a = is_degenerate(triangle_a);
   const bool is_segment_b = is_degenerate(triangle_b);

@@ -12,7 +12,7 @@ struct Range {
   double max;
 };
 
-bool is_apart_along_box_axis(const Corners& triangle, const Aabb& box, int i) {
+bool is_apart_along_box_axis(const Corners<double>& triangle, const Aabb& box, int i) {
   const double a = triangle.point[0][i];
   const double b = triangle.point[1][i];
   const double c = triangle.point[2][i];
@@ -45,7 +45,8 @@ bool is_apart_along_edges(const Point2 (&corner)[3], Sign turn, Range x, Range y
 /// The plane of the triangle separates it from the box: the two vertices of the box diagonal
 /// nearest to the normal are on one side. Without a normal all signs are zero, and so is the
 /// answer.
-bool is_apart_along_normal(const Corners& triangle, const Sign (&normal)[3], const Aabb& box) {
+bool is_apart_along_normal(const Corners<double>& triangle, const Sign (&normal)[3],
+                           const Aabb& box) {
   double low[3];
   double high[3];
   for (int i = 0; i < 3; ++i) {
@@ -63,7 +64,7 @@ bool is_apart_along_normal(const Corners& triangle, const Sign (&normal)[3], con
 bool intersects_exactly(const Triangle& triangle, const Aabb& box) {
   check_finite(triangle, "triangle");
   check_box(box, "box");
-  const Corners corners{{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
+  const Corners<double> corners{{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
   for (int i = 0; i < 3; ++i) {
     if (is_apart_along_box_axis(corners, box, i)) return false;
   }

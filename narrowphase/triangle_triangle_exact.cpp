@@ -1,136 +1,23 @@
-#include <graze/narrowphase/coplanar.h>
+#include <graze/narrowphase/coordinates.h>
 #include <graze/narrowphase/finite.h>
-#include <graze/narrowphase/lone_vertex.h>
+#include <graze/narrowphase/fixed_point.h>
+#include <graze/narrowphase/signs_of_crossing.h>
 #include <graze/narrowphase/triangle_triangle.h>
-#include <algorithm>
-#include <cmath>
 
 namespace graze::narrowphase {
-namespace {
-
-Corners corners_of(const Triangle& triangle) {
-  return {{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
-}
-
-/// On which sides of the plane of a triangle the vertices of another lie, exactly.
-struct Sides {
-  Sign sign[3];
-
-  bool are_equal() const { return sign[0] == sign[1] && sign[1] == sign[2]; }
-  bool are_all_zero() const { return are_equal() && sign[0] == Sign::Zero; }
-};
-
-Sides sides_of_plane(const Corners& plane, const Corners& other) {
-  Sides sides;
-  for (int i = 0; i < 3; ++i) {
-    sides.sign[i] = orientation_3d(plane.point[0], plane.point[1], plane.point[2], other.point[i]);
-  }
-  return sides;
-}
-
-/// The axis along which the triangle's projection is largest: of rounded size, but never one along
-/// which it has no area. Negative for a triangle without area.
-int projection_axis(const Corners& triangle) {
-  int best = -1;
-  double best_area = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Point2 a = project(triangle.point[0], axis);
-    const Point2 b = project(triangle.point[1], axis);
-    const Point2 c = project(triangle.point[2], axis);
-    if (orientation_2d(a, b, c) == Sign::Zero) continue;
-    const double area = std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-    if (best < 0 || area > best_area) {
-      best = axis;
-      best_area = area;
-    }
-  }
-  return best;
-}
-
-/// Two triangles with area in different planes (Guigue and Devillers, section 3).
-bool cross_in_space(const Corners& a, const Corners& b, const Sides& sides_a,
-                    const Sides& sides_b) {
-  const LoneVertex lone_a = find_lone_vertex(sides_a.sign);
-  const LoneVertex lone_b = find_lone_vertex(sides_b.sign);
-  const double* p_a = a.point[lone_a.index];
-  const double* q_a = a.point[(lone_a.index + 1) % 3];
-  const double* r_a = a.point[(lone_a.index + 2) % 3];
-  const double* p_b = b.point[lone_b.index];
-  const double* q_b = b.point[(lone_b.index + 1) % 3];
-  const double* r_b = b.point[(lone_b.index + 2) % 3];
-  // Turn each triangle so that the other's lone vertex is on its positive side.
-  if (lone_b.side == Sign::Negative) std::swap(q_a, r_a);
-  if (lone_a.side == Sign::Negative) std::swap(q_b, r_b);
-  return orientation_3d(p_a, q_a, p_b, q_b) != Sign::Positive &&
-         orientation_3d(p_a, r_a, r_b, p_b) != Sign::Positive;
-}
-
-/// A closed segment that is not in the plane of a triangle with area, against that triangle. The
-/// triangle's plane is crossed where the segment's line passes no two edges on different sides.
-bool crosses(const double* u, Sign side_u, const double* v, Sign side_v, const Corners& triangle) {
-  if (side_u == side_v) return false;
-  bool has_positive = false;
-  bool has_negative = false;
-  for (int i = 0; i < 3; ++i) {
-    const Sign sign = orientation_3d(u, v, triangle.point[i], triangle.point[(i + 1) % 3]);
-    has_positive |= sign == Sign::Positive;
-    has_negative |= sign == Sign::Negative;
-  }
-  return !(has_positive && has_negative);
-}
-
-/// A triangle with area against one without, which is the union of its edges. `sides` are those of
-/// the latter's vertices, not all in the plane nor all on one side of it.
-bool edge_crosses(const Corners& without_area, const Sides& sides, const Corners& triangle) {
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    if (crosses(without_area.point[i], sides.sign[i], without_area.point[j], sides.sign[j],
-                triangle)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool any_edges_meet(const Corners& a, const Corners& b) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (segments_intersect(a.point[i], a.point[(i + 1) % 3], b.point[j], b.point[(j + 1) % 3])) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// The two triangles lie in one plane, or at least one of them has no area.
-bool meet_in_plane_or_without_area(const Corners& a, const Corners& b, const Sides& sides_a,
-                                   const Sides& sides_b) {
-  const int axis_a = projection_axis(a);
-  const int axis_b = projection_axis(b);
-  if (axis_a < 0 && axis_b < 0) return any_edges_meet(a, b);
-  if (axis_a < 0 && !sides_a.are_all_zero()) return edge_crosses(a, sides_a, b);
-  if (axis_b < 0 && !sides_b.are_all_zero()) return edge_crosses(b, sides_b, a);
-  return projections_intersect(a, b, axis_a >= 0 ? axis_a : axis_b);
-}
-
-}  // namespace
 
 bool intersects_exactly(const Triangle& triangle_a, const Triangle& triangle_b) {
   check_finite(triangle_a, "triangle A");
   check_finite(triangle_b, "triangle B");
-  const Corners a = corners_of(triangle_a);
-  const Corners b = corners_of(triangle_b);
-  const Sides sides_a = sides_of_plane(b, a);
-  if (sides_a.are_equal() && !sides_a.are_all_zero()) return false;
-  const Sides sides_b = sides_of_plane(a, b);
-  if (sides_b.are_equal() && !sides_b.are_all_zero()) return false;
-  // A triangle without area puts every vertex of the other in its plane: from here on, unless one
-  // set of signs is all zero, both have area and their planes differ.
-  if (sides_a.are_all_zero() || sides_b.are_all_zero()) {
-    return meet_in_plane_or_without_area(a, b, sides_a, sides_b);
+  const double* a = coordinates(triangle_a);
+  const double* b = coordinates(triangle_b);
+  const double* const corners[6] = {a, a + 3, a + 6, b, b + 3, b + 6};
+  FixedPoint fixed[6];
+  if (to_fixed_point(corners, 6, fixed)) {
+    return meet_exactly(Corners<std::int64_t>{{fixed[0], fixed[1], fixed[2]}},
+                        Corners<std::int64_t>{{fixed[3], fixed[4], fixed[5]}});
   }
-  return cross_in_space(a, b, sides_a, sides_b);
+  return meet_exactly(Corners<double>{{a, a + 3, a + 6}}, Corners<double>{{b, b + 3, b + 6}});
 }
 
 }  // namespace graze::narrowphase

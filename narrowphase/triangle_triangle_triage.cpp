@@ -1,111 +1,112 @@
-// Guigue and Devillers' test in rounded arithmetic, with one error bound for the three determinants
-// of each plane. Notation as in orientation_filter.cpp: u is the unit roundoff, n the smallest
-// double.
+// Guigue and Devillers' test in rounded arithmetic, with one error bound for all determinants of a
+// pair. Where determinants cannot decide, comparing coordinates may: that is exact.
 
-#include <graze/narrowphase/lone_vertex.h>
-#include <graze/narrowphase/orientation_stages.h>
-#include <graze/narrowphase/plane_bound.h>
+#include <graze/narrowphase/coordinates.h>
+#include <graze/narrowphase/equal_vertices.h>
+#include <graze/narrowphase/pair_bound.h>
 #include <graze/narrowphase/triangle_triangle.h>
-#include <algorithm>
-#include <cmath>
+#include <graze/narrowphase/two_lanes.h>
+#include <cstdint>
 
 namespace graze::narrowphase {
 namespace {
 
-struct Vector {
-  double x, y, z;
+TwoVectors points(const double* a, const double* b) {
+  return {TwoLanes{a[0], b[0]}, TwoLanes{a[1], b[1]}, TwoLanes{a[2], b[2]}};
+}
+
+/// Corner `i` of both triangles: lane 0 is A's, lane 1 is B's.
+TwoVectors corner_of_both(const double* a, const double* b, int i) {
+  return points(a + 3 * i, b + 3 * i);
+}
+
+TwoVectors swapped(const TwoVectors& v) {
+  return {narrowphase::swapped(v.x), narrowphase::swapped(v.y), narrowphase::swapped(v.z)};
+}
+
+/// Largest minus smallest of six, the same in both lanes.
+TwoLanes extent(TwoLanes a, TwoLanes b, TwoLanes c) {
+  const TwoLanes high = larger(larger(a, b), c);
+  const TwoLanes low = smaller(smaller(a, b), c);
+  return larger(high, narrowphase::swapped(high)) - smaller(low, narrowphase::swapped(low));
+}
+
+/// What the signs of three vertices beside a plane, of which two agree and one does not, say about
+/// their order. Bit i of an index is set if vertex i is on the negative side; offsets are to the
+/// first coordinates of the lone vertex and of the two that follow it.
+struct Order {
+  std::uint8_t lone, next, last;
 };
+constexpr Order kOrders[8] = {{0, 3, 6}, {0, 3, 6}, {3, 6, 0}, {6, 0, 3},
+                              {6, 0, 3}, {3, 6, 0}, {0, 3, 6}, {0, 3, 6}};
 
-Vector difference(const double* a, const double* b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+constexpr bool is_lone_vertex_negative(unsigned signs) {
+  constexpr unsigned kOneNegative = 1u << 0b001 | 1u << 0b010 | 1u << 0b100;
+  return (kOneNegative >> signs & 1) != 0;
 }
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vector largest_components(const Vector& a, const Vector& b) {
-  return {std::max(std::abs(a.x), std::abs(b.x)), std::max(std::abs(a.y), std::abs(b.y)),
-          std::max(std::abs(a.z), std::abs(b.z))};
-}
-
-/// On which sides of the plane of one triangle the vertices of the other lie. Zero means unsure.
-struct Sides {
-  Sign sign[3];
-
-  bool are_sure() const {
-    return sign[0] != Sign::Zero && sign[1] != Sign::Zero && sign[2] != Sign::Zero;
-  }
-  bool are_equal() const { return sign[0] == sign[1] && sign[1] == sign[2]; }
-};
-
-/// The shared sub-determinants of a plane are the components of its normal. A coordinate that is
-/// not finite makes all determinants that it enters infinite or NaN, and a bound that is not
-/// finite, or a comparison with NaN, is never passed: Zero.
-Sides sides_of_plane(const Triangle& plane, const Triangle& other) {
-  const double* origin = plane.a.data();
-  const Vector edge_b = difference(plane.b.data(), origin);
-  const Vector edge_c = difference(plane.c.data(), origin);
-  const Vector normal = cross(edge_b, edge_c);
-  const Vector way[3] = {difference(other.a.data(), origin), difference(other.b.data(), origin),
-                         difference(other.c.data(), origin)};
-  const Vector e = largest_components(edge_b, edge_c);
-  const Vector d = largest_components(way[0], largest_components(way[1], way[2]));
-  const double size = e.y * e.z * d.x + e.z * e.x * d.y + e.x * e.y * d.z;
-  const double largest =
-      std::max(std::max(std::max(e.x, e.y), e.z), std::max(std::max(d.x, d.y), d.z));
-  Sides sides{};
-  if (!(size >= kSmallestPlaneSize && largest <= kLargestDifference)) return sides;
-  const double bound = kPlaneBound * size;
-  for (int i = 0; i < 3; ++i) {
-    const double determinant = dot(normal, way[i]);
-    sides.sign[i] = determinant > bound    ? Sign::Positive
-                    : determinant < -bound ? Sign::Negative
-                                           : Sign::Zero;
-  }
-  return sides;
-}
-
-/// A triangle seen from its lone vertex, in an order in which the other's lone vertex is on the
-/// positive side of its plane.
+/// The corners from the lone one on, in the order in which the other triangle's lone vertex is on
+/// the positive side.
 struct Canonical {
   const double* p;
   const double* q;
   const double* r;
 };
 
-Canonical canonical(const Triangle& triangle, int lone, Sign other_side) {
-  const double* corner[3] = {triangle.a.data(), triangle.b.data(), triangle.c.data()};
-  const double* q = corner[(lone + 1) % 3];
-  const double* r = corner[(lone + 2) % 3];
-  if (other_side == Sign::Negative) std::swap(q, r);
-  return {corner[lone], q, r};
+Canonical canonical(const double* triangle, unsigned signs, bool is_other_negative) {
+  const Order order = kOrders[signs];
+  const int q = is_other_negative ? order.last : order.next;
+  const int r = is_other_negative ? order.next : order.last;
+  return {triangle + order.lone, triangle + q, triangle + r};
+}
+
+/// Figure 5 of the paper: the intervals that two crossing triangles cut out of the line that their
+/// planes share overlap unless one ends before the other begins. Its two orientations are the
+/// lanes.
+Verdict triage_intervals(const Canonical& s, const Canonical& t, double bound) {
+  const TwoVectors origin = points(s.p, s.p);
+  const TwoVectors first = points(s.q, s.r) - origin;
+  const TwoVectors second = points(t.p, t.r) - origin;
+  const TwoVectors third = points(t.q, t.p) - origin;
+  const TwoLanes determinant = dot(cross(first, second), third);
+  if (sign_bits(are_greater(determinant, both(bound))) != 0) return Verdict::Apart;
+  return sign_bits(are_greater(both(-bound), determinant)) == 0b11 ? Verdict::Touching
+                                                                   : Verdict::Unsure;
 }
 
 }  // namespace
 
+/// A coordinate that is not finite makes all determinants that it enters infinite or NaN, and with
+/// infinity the extents are not in range; a comparison with NaN is never passed: Unsure.
 Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b) {
-  const Sides a = sides_of_plane(triangle_b, triangle_a);
-  if (a.are_sure() && a.are_equal()) return Verdict::Apart;
-  const Sides b = sides_of_plane(triangle_a, triangle_b);
-  if (b.are_sure() && b.are_equal()) return Verdict::Apart;
-  if (!a.are_sure() || !b.are_sure()) return Verdict::Unsure;
-
-  const LoneVertex lone_a = find_lone_vertex(a.sign);
-  const LoneVertex lone_b = find_lone_vertex(b.sign);
-  const Canonical s = canonical(triangle_a, lone_a.index, lone_b.side);
-  const Canonical t = canonical(triangle_b, lone_b.index, lone_a.side);
-  // Figure 5 of the paper: the intervals that both cut out of the common line overlap unless one
-  // ends before the other begins.
-  const auto first = orientation_3d_filter(s.p, s.q, t.p, t.q);
-  const auto second = orientation_3d_filter(s.p, s.r, t.r, t.p);
-  if (first == Sign::Positive || second == Sign::Positive) return Verdict::Apart;
-  if (first && second) return Verdict::Touching;
-  return Verdict::Unsure;
+  const double* a = coordinates(triangle_a);
+  const double* b = coordinates(triangle_b);
+  const TwoVectors own[3] = {corner_of_both(a, b, 0), corner_of_both(a, b, 1),
+                             corner_of_both(a, b, 2)};
+  const double x = extent(own[0].x, own[1].x, own[2].x)[0];
+  const double y = extent(own[0].y, own[1].y, own[2].y)[0];
+  const double z = extent(own[0].z, own[1].z, own[2].z)[0];
+  const double volume = x * y * z;
+  const double bound = kPairBound * volume;
+  // Lane 0 is the plane of A with B's corners beside it, lane 1 the plane of B with A's.
+  const TwoVectors normal = cross(own[1] - own[0], own[2] - own[0]);
+  const TwoLanes first = dot(normal, swapped(own[0]) - own[0]);
+  const TwoLanes second = dot(normal, swapped(own[1]) - own[0]);
+  const TwoLanes third = dot(normal, swapped(own[2]) - own[0]);
+  const TwoLanes limit = both(bound);
+  const unsigned sure = sign_bits(
+      both_of(both_of(are_greater(magnitude(first), limit), are_greater(magnitude(second), limit)),
+              are_greater(magnitude(third), limit)));
+  const unsigned signs[3] = {sign_bits(first), sign_bits(second), sign_bits(third)};
+  const bool is_in_range = volume >= kSmallestPairVolume && x <= kLargestExtent &&
+                           y <= kLargestExtent && z <= kLargestExtent;
+  const unsigned one_sided = ~((signs[0] ^ signs[1]) | (signs[0] ^ signs[2]));
+  if (is_in_range && (sure & one_sided) != 0) return Verdict::Apart;
+  if (!is_in_range || sure != 0b11) return compare_coordinates(triangle_a, triangle_b);
+  const unsigned signs_b = (signs[0] & 1) | (signs[1] & 1) << 1 | (signs[2] & 1) << 2;
+  const unsigned signs_a = signs[0] >> 1 | (signs[1] >> 1) << 1 | (signs[2] >> 1) << 2;
+  return triage_intervals(canonical(a, signs_a, is_lone_vertex_negative(signs_b)),
+                          canonical(b, signs_b, is_lone_vertex_negative(signs_a)), bound);
 }
 
 }  // namespace graze::narrowphase

@@ -13,17 +13,19 @@ constexpr int kSlabs = KDop<18>::kSlabs;
 // sqrt(3) sqrt(2) = 2.45 in the other.
 constexpr double kSlackFactor = 1.5;
 
-/// The slab with 1 at `i`, and `sign` at `j` if it is not zero.
-int slab_of(int i, int j, int sign) {
-  for (int slab = 0; slab < kSlabs; ++slab) {
-    const auto& d = kKDopDirections<18>[slab];
-    int expected[3] = {0, 0, 0};
-    expected[i] = 1;
-    if (sign != 0) expected[j] = sign;
-    if (d[0] == expected[0] && d[1] == expected[1] && d[2] == expected[2]) return slab;
+// The slabs of e_i + e_j and of e_i - e_j stand at 2 + i + j and 5 + i + j, that of e_i at i.
+constexpr bool are_slabs_where_expected() {
+  for (int i = 0; i < 3; ++i) {
+    if (kKDopDirections<18>[i][i] != 1) return false;
+    for (int j = i + 1; j < 3; ++j) {
+      const auto& sum = kKDopDirections<18>[2 + i + j];
+      const auto& difference = kKDopDirections<18>[5 + i + j];
+      if (sum[i] != 1 || sum[j] != 1 || difference[i] != 1 || difference[j] != -1) return false;
+    }
   }
-  return -1;
+  return true;
 }
+static_assert(are_slabs_where_expected());
 
 void set_term(KDopCombination& combination, int term, int slab, double weight) {
   combination.slab[term] = slab;
@@ -36,7 +38,8 @@ void set_edge(KDopCombination& combination, int term, int i, int j, const int (&
               double weight) {
   const int low = std::min(i, j);
   const int high = std::max(i, j);
-  set_term(combination, term, slab_of(low, high, sign[low] * sign[high]), sign[low] * weight);
+  const int slab = (sign[low] == sign[high] ? 2 : 5) + low + high;
+  set_term(combination, term, slab, sign[low] * weight);
 }
 
 }  // namespace
@@ -57,7 +60,7 @@ KDopCombination combination_of(const double (&direction)[3]) {
   const double a = size[i], b = size[j], c = size[k];
   KDopCombination combination;
   if (a >= b + c) {
-    set_term(combination, 0, slab_of(i, i, 0), sign[i] * (a - b - c));
+    set_term(combination, 0, i, sign[i] * (a - b - c));
     set_edge(combination, 1, i, j, sign, b);
     set_edge(combination, 2, i, k, sign, c);
   } else {

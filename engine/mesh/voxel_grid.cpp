@@ -9,6 +9,7 @@
 namespace graze {
 namespace {
 
+/// The most voxels along an axis.
 constexpr std::uint32_t kMaxResolution = 65535;
 
 // An index has at most 16 bits: index * edge fits into 52 and is exact, down to the denormals,
@@ -64,15 +65,6 @@ std::uint32_t smallest_count(const VoxelGrid& grid, const Aabb& bounds, int axis
   return enough;
 }
 
-void check_planes(const VoxelGrid& grid) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(grid.plane(axis, grid.counts[axis]))) {
-      throw InputError(std::string("voxel grid: its last plane along ") + "xyz"[axis] +
-                       " would overflow");
-    }
-  }
-}
-
 }  // namespace
 
 VoxelGrid VoxelGrid::over(const Aabb& bounds, std::uint32_t resolution) {
@@ -90,7 +82,7 @@ VoxelGrid VoxelGrid::over(const Aabb& bounds, std::uint32_t resolution) {
     grid.edge += quantum;
   for (int axis = 0; axis < 3; ++axis)
     grid.counts[axis] = smallest_count(grid, bounds, axis, resolution);
-  check_planes(grid);
+  grid.check();
   return grid;
 }
 
@@ -106,6 +98,21 @@ Aabb VoxelGrid::box(const Voxel& voxel) const {
     box.max.data()[axis] = plane(axis, index[axis] + 1);
   }
   return box;
+}
+
+void VoxelGrid::check() const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string along = std::string("along ") + "xyz"[axis];
+    if (counts[axis] < 1 || counts[axis] > kMaxResolution) {
+      throw InputError("voxel grid: " + std::to_string(counts[axis]) + " voxels " + along +
+                       ", not from 1 to " + std::to_string(kMaxResolution));
+    }
+    const double last = plane(axis, counts[axis]);
+    if (!std::isfinite(origin.data()[axis]) || !std::isfinite(last)) {
+      throw InputError("voxel grid: a plane " + along + " is not finite");
+    }
+    if (!(plane(axis, 0) < last)) throw InputError("voxel grid: planes do not rise " + along);
+  }
 }
 
 std::uint64_t VoxelGrid::size() const {

@@ -47,6 +47,10 @@ struct VoxelGrid {
 
   Aabb box(const Voxel& voxel) const;
 
+  /// Throws InputError unless there are 1 to 65535 voxels along each axis and planes are finite and
+  /// rise. Grids made by over() pass.
+  void check() const;
+
   /// All voxels, of which a mesh touches some.
   std::uint64_t size() const;
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <span>
 #include <string>
 
 namespace graze {
@@ -23,24 +24,38 @@ constexpr std::uint32_t kMaxThreads = 1024;
 constexpr std::uint64_t kTaskCount = 16384;
 constexpr std::uint64_t kMinTaskSize = 512;
 
-/// Reports that parts are done, one thread at a time.
+/// Counts parts as they are done, one thread at a time.
 class PartsDone {
  public:
   PartsDone(const VoxelSettings& settings, std::size_t total)
       : settings_(settings), total_(total) {}
 
-  void add_one() {
-    if (!settings_.on_progress) return;
+  /// A part with so many voxels. Throws InputError if they become too many.
+  void add(std::uint64_t voxels) {
     const std::lock_guard lock(mutex_);
-    settings_.on_progress(++done_, total_);
+    voxels_ += voxels;
+    if (voxels_ > settings_.max_voxels) {
+      throw InputError("resolution: " + std::to_string(settings_.resolution) + " gives more than " +
+                       std::to_string(settings_.max_voxels) + " voxels");
+    }
+    ++done_;
+    if (settings_.on_progress) settings_.on_progress(done_, total_);
   }
 
  private:
   const VoxelSettings& settings_;
   std::size_t total_;
   std::size_t done_ = 0;
+  std::uint64_t voxels_ = 0;
   std::mutex mutex_;
 };
+
+std::uint64_t count_voxels(std::span<const VoxelRun> runs) {
+  std::uint64_t count = 0;
+  for (const VoxelRun& run : runs)
+    count += run.length();
+  return count;
+}
 
 /// More than oneTBB has threads to give is not asked for, or it would warn on stderr.
 int arena_size(const VoxelSettings& settings) {
@@ -71,13 +86,15 @@ std::vector<VoxelRun> sorted_runs(const VoxelScene& scene, const VoxelTask& whol
   top.split(whole, std::max(whole.block.size() / kTaskCount, kMinTaskSize), tasks);
 
   tbb::enumerable_thread_specific<VoxelDescent> descents([&] { return VoxelDescent(scene); });
-  PartsDone done(settings, tasks.size());
+  PartsDone done(settings, tasks.size() + 1);
+  done.add(count_voxels(top.runs()));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       VoxelDescent& descent = descents.local();
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        const std::size_t before = descent.runs().size();
                         descent.run(tasks[i]);
-                        done.add_one();
+                        done.add(count_voxels(std::span(descent.runs()).subspan(before)));
                       }
                     });
   std::vector<VoxelRun> runs = std::move(top.runs());
@@ -92,11 +109,8 @@ std::vector<VoxelRun> sorted_runs(const VoxelScene& scene, const VoxelTask& whol
 }
 
 std::vector<Voxel> expanded(const std::vector<VoxelRun>& runs) {
-  std::size_t count = 0;
-  for (const VoxelRun& run : runs)
-    count += run.length();
   std::vector<Voxel> voxels;
-  voxels.reserve(count);
+  voxels.reserve(count_voxels(runs));
   for (const VoxelRun& run : runs) {
     Voxel voxel = run.first();
     for (std::uint32_t n = run.length(); n > 0; --n, ++voxel.i)

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <graze/engine/mesh/mesh.h>
@@ -23,6 +24,9 @@ struct VoxelSettings {
   VoxelFill fill = VoxelFill::Surface;
   /// Work on at most this many threads, at most 1024; 0 leaves it to oneTBB.
   std::uint32_t threads = 0;
+  /// More voxels than this are an error, found before they fill the memory. Which resolution is too
+  /// high does not depend on threads.
+  std::uint64_t max_voxels = std::numeric_limits<std::uint64_t>::max();
   /// If set, called as work goes on with how many of how many parts are done, by one thread at a
   /// time. What it throws ends the query.
   std::function<void(std::size_t done, std::size_t total)> on_progress = {};
@@ -43,7 +47,8 @@ struct Voxels {
 /// the solid. In a solid, a voxel that touches no triangle is inside if its points are enclosed as
 /// contains() says. The result is the same for any number of threads. Time follows the surface, not
 /// the volume: blocks of voxels that no triangle touches are decided as a whole.
-/// Throws InputError as VoxelGrid::over() does and for bad settings, and MeshError for the solid of
+/// Throws InputError as VoxelGrid::over() does for bad settings and for more than
+/// max_voxels, and MeshError for the solid of
 /// a mesh that is not closed.
 Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings = {}, Work* work = nullptr);
 

@@ -100,7 +100,25 @@ TEST(Law10VoxelGrid, BadInputIsRefused) {
   EXPECT_EQ(error_of({{-kLargest, 0, 0}, {kLargest, 0, 0}}, 4),
             "voxel grid: the length of the bounds overflows");
   EXPECT_EQ(error_of({{0, 0, 0}, {1, kLargest, 1}}, 3),
-            "voxel grid: its last plane along y would overflow");
+            "voxel grid: a plane along y is not finite");
+}
+
+TEST(Law10VoxelGrid, GridsMadeByHandAreChecked) {
+  const VoxelGrid good{{0, 0, 0}, 1, {1, 2, 3}};
+  EXPECT_NO_THROW(good.check());
+  VoxelGrid grid = good;
+  grid.edge = -1;
+  EXPECT_THROW(grid.check(), InputError);
+  grid.edge = std::nan("");
+  EXPECT_THROW(grid.check(), InputError);
+  grid = good;
+  grid.counts[1] = 65536;
+  EXPECT_THROW(grid.check(), InputError);
+  grid.counts[1] = 0;
+  EXPECT_THROW(grid.check(), InputError);
+  grid = good;
+  grid.origin.z() = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(grid.check(), InputError);
 }
 
 TEST(Voxel, OrderedByRows) {

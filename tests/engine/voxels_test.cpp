@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -247,6 +248,21 @@ TEST(VoxelsThreads, ManyMayAskAtOnce) {
   EXPECT_GT(found[0].size(), 1000u);
   for (const Voxels& voxels : found)
     EXPECT_EQ(voxels.voxels, found[0].voxels);
+}
+
+TEST(Law10Voxels, TooManyVoxelsAreRefused) {
+  const Mesh torus = tests::make_torus(1, 0.3, 20, 12);
+  for (VoxelFill fill : {VoxelFill::Surface, VoxelFill::Solid}) {
+    const std::uint64_t count = find_voxels(torus, {.resolution = 60, .fill = fill}).size();
+    EXPECT_NO_THROW(find_voxels(torus, {.resolution = 60, .fill = fill, .max_voxels = count}));
+    try {
+      find_voxels(torus, {.resolution = 60, .fill = fill, .max_voxels = count - 1});
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                "resolution: 60 gives more than " + std::to_string(count - 1) + " voxels");
+    }
+  }
 }
 
 TEST(Law10Voxels, BadInputIsRefused) {

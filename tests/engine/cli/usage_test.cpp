@@ -24,7 +24,8 @@ TEST_F(CliUsage, HelpOfEachCommandSuffices) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"info", "--help"},
                                                     {"pair", "--help"},
-                                                    {"pair", "-h"}}) {
+                                                    {"pair", "-h"},
+                                                    {"voxels", "--help"}}) {
     const CommandResult result = graze(arguments);
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(result.err, "");
@@ -36,7 +37,7 @@ TEST_F(CliUsage, HelpOfEachCommandSuffices) {
 
 TEST_F(CliUsage, HelpNamesEveryOption) {
   const std::string program = graze({"--help"}).out;
-  for (const char* part : {"info", "pair", "--version"})
+  for (const char* part : {"info", "pair", "voxels", "--version"})
     EXPECT_TRUE(contains(program, part)) << part;
   const std::string info = graze({"info", "--help"}).out;
   for (const char* part : {"MESH", "--json", "--self", "--progress"}) {
@@ -47,10 +48,15 @@ TEST_F(CliUsage, HelpNamesEveryOption) {
                            "--check", "--json", "--progress", "FILE:LINE"}) {
     EXPECT_TRUE(contains(pair, part)) << part;
   }
+  const std::string voxels = graze({"voxels", "--help"}).out;
+  for (const char* part :
+       {"MESH", "--resolution", "--output", "--solid", "--json", "--progress", "--threads"}) {
+    EXPECT_TRUE(contains(voxels, part)) << part;
+  }
 }
 
 TEST_F(CliUsage, LinesOfHelpFitATerminal) {
-  for (const char* command : {"info", "pair"}) {
+  for (const char* command : {"info", "pair", "voxels"}) {
     for (const std::string& line : lines_of(graze({command, "--help"}).out)) {
       EXPECT_LE(line.size(), 100u) << line;
     }
@@ -79,6 +85,9 @@ TEST_F(CliUsage, WrongArgumentsAreRefusedInOneLine) {
   };
   refuse({}, "subcommand");
   refuse({"info"}, "MESH");
+  refuse({"voxels", "a.off", "-o", "v.obj"}, "--resolution");
+  refuse({"voxels", "a.off", "--resolution", "8"}, "--output");
+  refuse({"voxels", "-o", "v.obj", "--resolution", "8"}, "MESH");
   refuse({"pair"}, "A ");
   refuse({"pair", "a.off"}, "B ");
   refuse({"pair", "a.off", "b.off", "--fast"}, "--fast");

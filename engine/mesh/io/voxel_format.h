@@ -1,0 +1,44 @@
+#pragma once
+
+#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/mesh/voxels.h>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace graze::mesh_io {
+
+/// How many elements a file will have.
+struct BoxCounts {
+  std::uint64_t corners;
+  std::uint64_t quads;
+};
+
+/// A file of boxes in one format, to which corners and then quads are added.
+class BoxFile {
+ public:
+  virtual ~BoxFile() = default;
+
+  /// The numbers of three planes of the grid.
+  virtual void add_corner(const std::array<std::uint32_t, 3>& planes) = 0;
+
+  /// Corners counted from 0.
+  virtual void add_quad(const std::array<std::uint64_t, 4>& corners) = 0;
+};
+
+/// Begins a file. What it refers to must outlive it.
+std::unique_ptr<BoxFile> begin_obj(OutputFile& file, const VoxelGrid& grid, BoxCounts counts);
+std::unique_ptr<BoxFile> begin_ply(OutputFile& file, const VoxelGrid& grid, BoxCounts counts);
+
+/// A kind of file for voxels: its names end with `extension`, in upper or lower case.
+struct VoxelFormat {
+  std::string_view extension;
+  std::unique_ptr<BoxFile> (*begin)(OutputFile&, const VoxelGrid&, BoxCounts);
+};
+
+/// Throws MeshError, naming the file, if its name ends like none.
+const VoxelFormat& voxel_format_of(const std::filesystem::path& path);
+
+}  // namespace graze::mesh_io

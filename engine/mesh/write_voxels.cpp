@@ -1,0 +1,68 @@
+#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/mesh/io/voxel_corners.h>
+#include <graze/engine/mesh/io/voxel_format.h>
+#include <graze/engine/mesh/write_voxels.h>
+#include <string>
+
+namespace graze {
+namespace {
+
+/// What a Mesh can have of vertices, and so what load_mesh() can read.
+constexpr std::uint64_t kMaxCorners = 0x7fffffff;
+
+/// Counter-clockwise seen from outside; corner x + 2 y + 4 z of the box is at x, y, z in {0, 1}.
+constexpr int kQuads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+
+bool is_within(const VoxelGrid& grid, const Voxel& voxel) {
+  return voxel.i < grid.counts[0] && voxel.j < grid.counts[1] && voxel.k < grid.counts[2];
+}
+
+void check_voxels(const Voxels& voxels) {
+  voxels.grid.check();
+  if (voxels.empty()) throw InputError("no voxels to write");
+  for (std::size_t n = 0; n < voxels.size(); ++n) {
+    if (!is_within(voxels.grid, voxels.voxels[n])) {
+      throw InputError("voxel " + std::to_string(n) + ": not within the grid");
+    }
+    if (n > 0 && !(voxels.voxels[n - 1] < voxels.voxels[n])) {
+      throw InputError("voxel " + std::to_string(n) + ": not above the one before it");
+    }
+  }
+}
+
+void check_count(const std::filesystem::path& path, std::uint64_t count, std::uint64_t most,
+                 const char* what) {
+  if (count <= most) return;
+  const std::string name = mesh_io::printable(path.string());
+  mesh_io::fail({name, {}}, std::to_string(count) + " " + what + ", a mesh has room for " +
+                                std::to_string(most));
+}
+
+void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
+               mesh_io::BoxFile& boxes) {
+  mesh_io::VoxelCornerNumbers numbers(corners);
+  for (const Voxel& voxel : voxels) {
+    const std::array<std::uint64_t, 8>& number = numbers.of(voxel);
+    for (const auto& quad : kQuads)
+      boxes.add_quad({number[quad[0]], number[quad[1]], number[quad[2]], number[quad[3]]});
+  }
+}
+
+}  // namespace
+
+void write_voxels(const std::filesystem::path& path, const Voxels& voxels) {
+  const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
+  check_voxels(voxels);
+  check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
+  const mesh_io::VoxelCorners corners(voxels);
+  check_count(path, corners.size(), kMaxCorners, "corners");
+  mesh_io::OutputFile file(path);
+  const auto boxes = format.begin(file, voxels.grid, {corners.size(), 6 * voxels.size()});
+  corners.for_each([&](const auto& planes) { boxes->add_corner(planes); });
+  add_quads(voxels, corners, *boxes);
+  file.finish();
+}
+
+}  // namespace graze

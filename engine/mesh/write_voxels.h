@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include <graze/engine/mesh/voxels.h>
+
+namespace graze {
+
+/// More voxels than this have too many triangles for a mesh, and are not written.
+inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
+
+/// Writes each voxel as a closed box of six quads, wound counter-clockwise seen from outside, to an
+/// OBJ file (text, coordinates with 17 digits) or a PLY file (binary, little-endian, doubles),
+/// chosen by the file name's ending in upper or lower case. Boxes share the corners that they have
+/// in common, bit for bit those of VoxelGrid::box(). load_mesh() reads either again, as 12
+/// triangles a voxel.
+///
+/// Throws MeshError, naming the file, for another ending, for more voxels or corners than a mesh
+/// can have, or if the file cannot be written; what was written of it is then removed. Throws
+/// InputError for no voxels, a grid that check() refuses, and voxels that are not in ascending
+/// order, each once, and within the grid. Memory is a fraction of that of the voxels.
+void write_voxels(const std::filesystem::path& path, const Voxels& voxels);
+
+}  // namespace graze

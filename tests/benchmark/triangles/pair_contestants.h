@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <tests/benchmark/triangles/contest.h>
+#include <tests/oracle/shapes.h>
+
+namespace graze::benchmark {
+
+std::vector<std::unique_ptr<Contestant<oracle::TrianglePair>>> pair_contestants();
+
+Truth truth_of(const std::vector<oracle::TrianglePair>& pairs);
+
+}  // namespace graze::benchmark
