@@ -16,6 +16,7 @@
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
