@@ -17,6 +17,7 @@
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
