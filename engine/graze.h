@@ -27,6 +27,8 @@
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/derived/triangle_intersection.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_fit.h>
