@@ -1,146 +1,147 @@
-// Akenine-Möller's test in rounded arithmetic. The box axes, and a vertex inside the box, are
-// decided by comparing inputs, exactly; the other ten axes by one error bound each kind. Notation
-// as in orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+// Akenine-Möller's test in rounded arithmetic, two axes at a time. The box axes, and a vertex
+// inside the box, are decided by comparing inputs, exactly; the other ten axes by one error bound
+// each kind (box_bound.h).
 
+#include <graze/narrowphase/box_bound.h>
+#include <graze/narrowphase/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/two_lanes.h>
+#include <graze/narrowphase/verdicts.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze::narrowphase {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-
-// With c and h the box's rounded centre and half size, v = vertex - c, f the edges, and V, H, F the
-// largest absolute components of v, h, f and M that of the box's minimum and maximum: c is off by
-// at most u M, hence v by u (M + V); h by u H; f by u F.
-//
-// Edge axes: p = f_z v_y - f_y v_z is off by 2 * 3 u F V from its roundings and 2 F u (M + V) from
-// v: u F (8 V + 2 M). The radius h_y |f_z| + h_z |f_y| is off by 8 u F H. Comparing them rounds a
-// difference of size 2 F (V + H). In all at most 10.1 u F (V + M + H), second order included; the
-// rest of 12 pays for the rounding of the bound and for underflow of four products.
-constexpr double kEdgeBound = 12 * kUnitRoundoff;
-
-// The normal: n = f_0 x f_1 has components up to 2 F^2, off by 8.1 u F^2. d = n . v is off by
-// 3 (8.1 u F^2 V + 2 F^2 u (M + V)) and 18 u F^2 V from its own roundings: u F^2 (48.3 V + 6 M).
-// The radius likewise by 48.3 u F^2 H. Comparing rounds a difference of size 6 F^2 (V + H). In all
-// at most 55 u F^2 (V + M + H).
-constexpr double kNormalBound = 60 * kUnitRoundoff;
-
-// All coordinates at most 2^150: no overflow (F^2 V < 2^453). F and V + M + H at least 2^-250: both
-// bounds are above 2^-800, the underflow of products, n / 2 each, times V at most, below 2^-900.
-constexpr double kLargestCoordinate = 0x1p+150;
-constexpr double kSmallestEdge = 0x1p-250;
-constexpr double kSmallestSize = 0x1p-250;
-
-struct CentredTriangle {
-  double v[3][3];    // vertices from the box's centre
-  double f[3][3];    // edges, f[i] from vertex i to the next
-  double half[3];    // of the box
-  double largest_f;  // F
-  double size;       // V + M + H
-  bool is_in_range;  // every input within kLargestCoordinate, hence finite
-};
-
-CentredTriangle centred(const Triangle& triangle, const Aabb& box) {
-  const double* corner[3] = {triangle.a.data(), triangle.b.data(), triangle.c.data()};
-  CentredTriangle result;
-  double largest_v = 0, largest_h = 0, largest_m = 0;
-  result.largest_f = 0;
-  result.is_in_range = true;
-  for (int k = 0; k < 3; ++k) {
-    const double low = box.min.data()[k];
-    const double high = box.max.data()[k];
-    const double centre = 0.5 * (low + high);
-    result.half[k] = 0.5 * (high - low);
-    // Written so that NaN fails.
-    result.is_in_range &=
-        std::abs(low) <= kLargestCoordinate && std::abs(high) <= kLargestCoordinate && low <= high;
-    largest_h = std::max(largest_h, result.half[k]);
-    largest_m = std::max(largest_m, std::max(std::abs(low), std::abs(high)));
-    for (int i = 0; i < 3; ++i) {
-      result.is_in_range &= std::abs(corner[i][k]) <= kLargestCoordinate;
-      result.v[i][k] = corner[i][k] - centre;
-      result.f[i][k] = corner[(i + 1) % 3][k] - corner[i][k];
-      largest_v = std::max(largest_v, std::abs(result.v[i][k]));
-      result.largest_f = std::max(result.largest_f, std::abs(result.f[i][k]));
-    }
-  }
-  result.size = largest_v + largest_m + largest_h;
-  return result;
+TwoLanes load(const double* p) {
+  return TwoLanes{p[0], p[1]};
 }
 
-bool is_apart_along_box_axes(const Triangle& triangle, const Aabb& box) {
-  for (int k = 0; k < 3; ++k) {
-    const double a = triangle.a.data()[k];
-    const double b = triangle.b.data()[k];
-    const double c = triangle.c.data()[k];
-    if (std::min(std::min(a, b), c) > box.max.data()[k]) return true;
-    if (std::max(std::max(a, b), c) < box.min.data()[k]) return true;
-  }
-  return false;
+/// The sum of the absolute values of all coordinates: infinite or NaN as soon as one of them is.
+double sum_of_sizes(const double* t, const double* low, const double* high) {
+  const TwoLanes sum = ((magnitude(load(t)) + magnitude(load(t + 2))) +
+                        (magnitude(load(t + 4)) + magnitude(load(t + 6)))) +
+                       (magnitude(load(low)) + magnitude(load(high))) +
+                       magnitude(TwoLanes{low[2], high[2]});
+  return sum[0] + sum[1] + std::abs(t[8]);
 }
 
-bool contains(const Aabb& box, const Eigen::Vector3d& point) {
+bool is_ordered(const double* low, const double* high) {
+  return (sign_bits(are_greater(load(low), load(high))) == 0) & (low[2] <= high[2]);
+}
+
+/// Without branches: what random input does here cannot be foreseen.
+bool is_apart_along_box_axes(const double* t, const double* low, const double* high) {
+  const TwoLanes a = load(t), b = load(t + 3), c = load(t + 6);
+  const TwoLanes above = are_greater(smaller(smaller(a, b), c), load(high));
+  const TwoLanes below = are_greater(load(low), larger(larger(a, b), c));
+  const double lowest = std::min(std::min(t[2], t[5]), t[8]);
+  const double highest = std::max(std::max(t[2], t[5]), t[8]);
+  const TwoLanes along_z = are_greater(TwoLanes{lowest, low[2]}, TwoLanes{high[2], highest});
+  return sign_bits(either_of(either_of(above, below), along_z)) != 0;
+}
+
+bool contains(const double* low, const double* high, const double* point) {
   bool is_inside = true;
-  for (int k = 0; k < 3; ++k) {
-    is_inside &= box.min.data()[k] <= point.data()[k] && point.data()[k] <= box.max.data()[k];
-  }
+  for (int k = 0; k < 3; ++k)
+    is_inside &= low[k] <= point[k] && point[k] <= high[k];
   return is_inside;
 }
 
-/// The nine axes e_i x f_j. All vertices are projected: for the two ends of the edge the exact
-/// values are equal, the rounded ones may differ within the bound.
-Verdict triage_edges(const CentredTriangle& t) {
-  const double bound = kEdgeBound * t.largest_f * t.size;
-  bool is_sure = true;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    for (int edge = 0; edge < 3; ++edge) {
-      const double fj = t.f[edge][j];
-      const double fk = t.f[edge][k];
-      const int opposite = (edge + 2) % 3;
-      const double p = fk * t.v[edge][j] - fj * t.v[edge][k];
-      const double q = fk * t.v[opposite][j] - fj * t.v[opposite][k];
-      const double radius = t.half[j] * std::abs(fk) + t.half[k] * std::abs(fj);
-      const double gap = std::max(std::min(p, q), -std::max(p, q)) - radius;
-      if (gap > bound) return Verdict::Apart;
-      is_sure &= gap < -bound;
-    }
-  }
-  return is_sure ? Verdict::Touching : Verdict::Unsure;
+/// The gap between the projections along e_i x f, negative where they overlap; `half_m` is half of
+/// component i of the normal.
+TwoLanes gap(TwoLanes f_j, TwoLanes f_k, TwoLanes v_j, TwoLanes v_k, TwoLanes h_j, TwoLanes h_k,
+             TwoLanes half_m) {
+  const TwoLanes middle = (f_k * v_j - f_j * v_k) - half_m;
+  const TwoLanes radius = h_j * magnitude(f_k) + h_k * magnitude(f_j);
+  return magnitude(middle) - (magnitude(half_m) + radius);
 }
 
-Verdict triage_normal(const CentredTriangle& t) {
-  const double bound = kNormalBound * t.largest_f * t.largest_f * t.size;
-  const double* e = t.f[0];
-  const double* f = t.f[1];
-  const double normal[3] = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2],
-                            e[0] * f[1] - e[1] * f[0]};
-  const double distance = normal[0] * t.v[0][0] + normal[1] * t.v[0][1] + normal[2] * t.v[0][2];
-  const double radius = t.half[0] * std::abs(normal[0]) + t.half[1] * std::abs(normal[1]) +
-                        t.half[2] * std::abs(normal[2]);
-  const double gap = std::abs(distance) - radius;
-  if (gap > bound) return Verdict::Apart;
-  return gap < -bound ? Verdict::Touching : Verdict::Unsure;
+/// Component i of the cross product of the two lanes' vectors, in both lanes.
+TwoLanes cross_of_lanes(TwoLanes f_j, TwoLanes f_k) {
+  const TwoLanes products = f_j * swapped(f_k);
+  return both(products[0] - products[1]);
+}
+
+double larger_lane(TwoLanes v) {
+  return std::max(v[0], v[1]);
+}
+
+TwoLanes largest(TwoLanes x, TwoLanes y, TwoLanes z) {
+  return larger(larger(magnitude(x), magnitude(y)), magnitude(z));
+}
+
+/// The ten axes, for valid input of this sum of sizes.
+Verdict triage_ten_axes(const double* t, const double* low, const double* high, double size) {
+  const TwoLanes centre_xy = 0.5 * (load(low) + load(high));
+  const TwoLanes half_xy = 0.5 * (load(high) - load(low));
+  const double centre_z = 0.5 * (low[2] + high[2]);
+  const double half_z = 0.5 * (high[2] - low[2]);
+  const TwoLanes h_x = both(half_xy[0]), h_y = both(half_xy[1]), h_z = both(half_z);
+  // Lane 0 is the edge from a to b with its vertex a, lane 1 that from b to c with b.
+  const TwoLanes a_x{t[0], t[3]}, a_y{t[1], t[4]}, a_z{t[2], t[5]};
+  const TwoLanes f_x = TwoLanes{t[3], t[6]} - a_x;
+  const TwoLanes f_y = TwoLanes{t[4], t[7]} - a_y;
+  const TwoLanes f_z = TwoLanes{t[5], t[8]} - a_z;
+  const TwoLanes v_x = a_x - both(centre_xy[0]);
+  const TwoLanes v_y = a_y - both(centre_xy[1]);
+  const TwoLanes v_z = a_z - both(centre_z);
+  // The edge from c to a with c.
+  const TwoLanes g_xy = load(t) - load(t + 6);
+  const TwoLanes w_xy = load(t + 6) - centre_xy;
+  const double g_z = t[2] - t[8];
+  const double w_z = t[8] - centre_z;
+
+  const double f =
+      larger_lane(larger(larger(largest(f_x, f_y, f_z), magnitude(g_xy)), magnitude(both(g_z))));
+  if (!(f >= kSmallestBoxSize && size >= kSmallestBoxSize && size <= kLargestBoxSize)) {
+    return Verdict::Unsure;
+  }
+  const double edge_bound = kEdgeBound * f * size;
+  const double normal_bound = kNormalBound * f * f * size;
+
+  const TwoLanes n_x = cross_of_lanes(f_y, f_z);
+  const TwoLanes n_y = cross_of_lanes(f_z, f_x);
+  const TwoLanes n_z = cross_of_lanes(f_x, f_y);
+  const double distance = n_x[0] * v_x[0] + n_y[0] * v_y[0] + n_z[0] * v_z[0];
+  const double radius =
+      h_x[0] * std::abs(n_x[0]) + h_y[0] * std::abs(n_y[0]) + h_z[0] * std::abs(n_z[0]);
+  const double normal_gap = std::abs(distance) - radius;
+
+  TwoLanes gaps = gap(f_y, f_z, v_y, v_z, h_y, h_z, 0.5 * n_x);
+  gaps = larger(gaps, gap(f_z, f_x, v_z, v_x, h_z, h_x, 0.5 * n_y));
+  gaps = larger(gaps, gap(f_x, f_y, v_x, v_y, h_x, h_y, 0.5 * n_z));
+  // Axes x and y of the third edge together; z twice.
+  const TwoLanes g_yz{g_xy[1], g_z}, g_zx{g_z, g_xy[0]};
+  const TwoLanes w_yz{w_xy[1], w_z}, w_zx{w_z, w_xy[0]};
+  const TwoLanes h_yz{half_xy[1], half_z}, h_zx{half_z, half_xy[0]};
+  gaps =
+      larger(gaps, gap(g_yz, g_zx, w_yz, w_zx, h_yz, h_zx, TwoLanes{0.5 * n_x[0], 0.5 * n_y[0]}));
+  gaps = larger(
+      gaps, gap(both(g_xy[0]), both(g_xy[1]), both(w_xy[0]), both(w_xy[1]), h_x, h_y, 0.5 * n_z));
+  const double edge_gap = larger_lane(gaps);
+  const bool is_apart = (edge_gap > edge_bound) | (normal_gap > normal_bound);
+  const bool is_touching = (edge_gap < -edge_bound) & (normal_gap < -normal_bound);
+  return verdict_of(is_apart, is_touching);
 }
 
 }  // namespace
 
 Verdict triage(const Triangle& triangle, const Aabb& box) {
-  const CentredTriangle t = centred(triangle, box);
-  if (!t.is_in_range) return Verdict::Unsure;
-  if (is_apart_along_box_axes(triangle, box)) return Verdict::Apart;
-  if (contains(box, triangle.a) || contains(box, triangle.b) || contains(box, triangle.c)) {
-    return Verdict::Touching;
+  const double* t = coordinates(triangle);
+  const double* low = box.min.data();
+  const double* high = box.max.data();
+  const double size = sum_of_sizes(t, low, high);
+  if (!(size <= std::numeric_limits<double>::max()) || !is_ordered(low, high)) {
+    return Verdict::Unsure;
   }
-  if (!(t.largest_f >= kSmallestEdge && t.size >= kSmallestSize)) return Verdict::Unsure;
-  const Verdict normal = triage_normal(t);
-  if (normal == Verdict::Apart) return Verdict::Apart;
-  const Verdict edges = triage_edges(t);
-  if (edges == Verdict::Apart) return Verdict::Apart;
-  return normal == edges ? normal : Verdict::Unsure;
+  if (is_apart_along_box_axes(t, low, high)) return Verdict::Apart;
+  const Verdict verdict = triage_ten_axes(t, low, high, size);
+  if (verdict != Verdict::Unsure) return verdict;
+  const bool is_inside =
+      contains(low, high, t) || contains(low, high, t + 3) || contains(low, high, t + 6);
+  return is_inside ? Verdict::Touching : Verdict::Unsure;
 }
 
 }  // namespace graze::narrowphase

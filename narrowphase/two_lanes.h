@@ -59,6 +59,11 @@ inline TwoLanes both_of(TwoLanes mask_a, TwoLanes mask_b) {
                                     reinterpret_cast<TwoMasks>(mask_b));
 }
 
+inline TwoLanes either_of(TwoLanes mask_a, TwoLanes mask_b) {
+  return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(mask_a) |
+                                    reinterpret_cast<TwoMasks>(mask_b));
+}
+
 /// Bit i is the sign bit of lane i: set for negative numbers, and in masks for true.
 inline unsigned sign_bits(TwoLanes v) {
 #ifdef __SSE2__
