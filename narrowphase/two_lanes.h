@@ -19,6 +19,11 @@ inline TwoLanes both(double value) {
   return TwoLanes{value, value};
 }
 
+/// Two numbers that lie side by side.
+inline TwoLanes load(const double* p) {
+  return TwoLanes{p[0], p[1]};
+}
+
 inline TwoLanes swapped(TwoLanes v) {
   return __builtin_shufflevector(v, v, 1, 0);
 }
