@@ -2,6 +2,7 @@
 
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_rows.h>
+#include <graze/narrowphase/verdicts.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,12 +33,6 @@ class TrianglePairBatch {
   alignas(64) double a_[9][kCapacity] = {};
   alignas(64) double b_[9][kCapacity] = {};
   std::size_t size_ = 0;
-};
-
-/// Verdicts of several pairs: bit i is set in one of these, or in neither if pair i is unsure.
-struct Verdicts {
-  std::uint32_t apart = 0;
-  std::uint32_t touching = 0;
 };
 
 /// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it

@@ -6,6 +6,7 @@
 #include <graze/narrowphase/pair_bound.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/two_lanes.h>
+#include <graze/narrowphase/verdicts.h>
 #include <cstdint>
 
 namespace graze::narrowphase {
@@ -65,8 +66,8 @@ Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, uns
   const TwoVectors ends = points(b + with_next, b + with_last) - origin;
   const TwoLanes determinant = dot(cross(edges, way), ends);
   const TwoLanes gap = negated(determinant, is_b_negative ? 0b01 : 0b10);
-  if (sign_bits(are_greater(gap, both(bound))) != 0) return Verdict::Apart;
-  return sign_bits(are_greater(both(-bound), gap)) == 0b11 ? Verdict::Touching : Verdict::Unsure;
+  return verdict_of(sign_bits(are_greater(gap, both(bound))) != 0,
+                    sign_bits(are_greater(both(-bound), gap)) == 0b11);
 }
 
 }  // namespace

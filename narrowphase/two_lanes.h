@@ -19,6 +19,11 @@ inline TwoLanes both(double value) {
   return TwoLanes{value, value};
 }
 
+/// Two numbers that lie side by side.
+inline TwoLanes load(const double* p) {
+  return TwoLanes{p[0], p[1]};
+}
+
 inline TwoLanes swapped(TwoLanes v) {
   return __builtin_shufflevector(v, v, 1, 0);
 }
@@ -56,6 +61,11 @@ inline TwoLanes are_greater(TwoLanes a, TwoLanes b) {
 
 inline TwoLanes both_of(TwoLanes mask_a, TwoLanes mask_b) {
   return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(mask_a) &
+                                    reinterpret_cast<TwoMasks>(mask_b));
+}
+
+inline TwoLanes either_of(TwoLanes mask_a, TwoLanes mask_b) {
+  return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(mask_a) |
                                     reinterpret_cast<TwoMasks>(mask_b));
 }
 

@@ -27,7 +27,11 @@ void finish(const narrowphase::Verdicts* blocks, const Element* elements, std::s
     const narrowphase::Verdicts block = *blocks++;
     const std::size_t size = std::min(kBlock, count - first);
     const std::uint64_t bytes = spread(block.touching);
-    std::memcpy(hits + first, &bytes, size);
+    if (size == kBlock) {
+      std::memcpy(hits + first, &bytes, kBlock);
+    } else {
+      std::memcpy(hits + first, &bytes, size);
+    }
     const std::uint32_t used = (std::uint32_t{1} << size) - 1;
     for (std::uint32_t left = ~(block.apart | block.touching) & used; left != 0; left &= left - 1) {
       const std::size_t n = first + static_cast<std::size_t>(std::countr_zero(left));

@@ -47,6 +47,29 @@ class Rows final : public PairContestant {
   std::vector<narrowphase::Verdicts> blocks_;
 };
 
+/// Eight pairs at a time, whose rows lie together.
+class FilledBatches final : public PairContestant {
+ public:
+  std::string name() const override { return "graze, in filled batches"; }
+  void prepare(const std::vector<TrianglePair>& pairs) override {
+    pairs_ = &pairs;
+    batches_.assign((pairs.size() + kBlock - 1) / kBlock, {});
+    blocks_.resize(batches_.size());
+    for (std::size_t n = 0; n < pairs.size(); ++n)
+      batches_[n / kBlock].add(pairs[n].a, pairs[n].b);
+  }
+  void answer(std::vector<std::uint8_t>& hits) override {
+    for (std::size_t i = 0; i < batches_.size(); ++i)
+      blocks_[i] = narrowphase::triage(batches_[i]);
+    finish(blocks_.data(), pairs_->data(), pairs_->size(), hits.data(), is_hit);
+  }
+
+ private:
+  const std::vector<TrianglePair>* pairs_ = nullptr;
+  std::vector<narrowphase::TrianglePairBatch> batches_;
+  std::vector<narrowphase::Verdicts> blocks_;
+};
+
 /// Eight pairs at a time, which are put into rows first.
 class Batches final : public PairContestant {
  public:
@@ -104,6 +127,7 @@ std::vector<std::unique_ptr<PairContestant>> pair_contestants(const std::string&
     return narrowphase::intersects_exactly(pair.a, pair.b);
   }));
   all.push_back(std::make_unique<Rows>());
+  all.push_back(std::make_unique<FilledBatches>());
   all.push_back(std::make_unique<Batches>());
   if (set.find("one against many") != std::string::npos) {
     all.push_back(std::make_unique<OneAgainstMany>());
