@@ -14,9 +14,12 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
+#include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>

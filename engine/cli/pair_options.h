@@ -16,6 +16,7 @@ struct PairOptions {
   std::string volume = "aabb";
   std::string touch = "include";
   std::string check;
+  bool is_solid = false;
   bool is_listing = false;
   bool is_json = false;
   bool has_progress = false;

@@ -5,9 +5,11 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/narrowphase/derived/directed_gap.h>
 #include <graze/narrowphase/derived/distance_stages.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -16,6 +18,11 @@ namespace graze {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
+
+// Half of the best distance so far: the first walk looks only where much could be gained, and hands
+// a limit to the second that is at most twice the answer. Measured: it saves up to half of the
+// time.
+constexpr double kFirstShare = 0.5;
 
 /// Which bounds of boxes are beyond a distance in metres. A bound is a length in the common frame y
 /// = R_A^T p, along axes of which those of B are the columns of C = R_A^T R_B (relative_frame.cpp,
@@ -41,6 +48,7 @@ class Reach {
     square_ = units * units;
   }
 
+  double square() const { return square_; }
   bool is_beyond(double squared_bound) const { return squared_bound > square_; }
 
  private:
@@ -61,6 +69,11 @@ void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) 
   check(settings.hint->b, b.triangles().size(), "B");
 }
 
+double largest_of(const PlacedMesh& placed) {
+  const std::array<double, 3> reach = placed_reach(placed.pose, placed.mesh.bounds());
+  return std::max(reach[0], std::max(reach[1], reach[2]));
+}
+
 /// Walks pairs of triangles, nearer ones first, and keeps what is beyond a limit out.
 class Search {
  public:
@@ -68,7 +81,28 @@ class Search {
       : Search(a, b, check_placement(a.pose, a.mesh.bounds(), "pose of mesh A"),
                check_placement(b.pose, b.mesh.bounds(), "pose of mesh B"), work) {}
 
-  void shrink_to(double metres) { reach_.shrink_to(metres); }
+  /// Skips what is beyond this share of the limit: less than 1 is a guess.
+  void set_share(double share) {
+    share_ = share;
+    shrink_to(limit_);
+  }
+
+  void shrink_to(double metres) {
+    limit_ = metres;
+    reach_.shrink_to(share_ * metres);
+    boxes_.set_limit(reach_.square());
+  }
+
+  /// Looks first for what separates, as the nearest points found so far do.
+  void aim_along(const TriangleDistance& found) {
+    gap_.set_direction(found);
+    const double(&z)[3] = gap_.direction();
+    const double* m = a_.pose.data();  // column-major 4x4
+    double in_a[3];
+    for (int i = 0; i < 3; ++i)
+      in_a[i] = m[4 * i] * z[0] + m[4 * i + 1] * z[1] + m[4 * i + 2] * z[2];
+    boxes_.set_direction(in_a);
+  }
 
   TriangleDistance distance_of(TrianglePair pair) const {
     return decide(place(a_.pose, a_.mesh.triangle(pair.a)),
@@ -83,7 +117,7 @@ class Search {
         tree_a_, tree_b_,
         [&](const bvh::Node& node_a, const bvh::Node& node_b) {
           ++work_.volume_tests;
-          return boxes_.squared_lower_bound(node_a.box, node_b.box);
+          return boxes_.gap(node_a.box, node_b.box);
         },
         [&](double squared_bound) {
           const bool is_pruned = reach_.is_beyond(squared_bound);
@@ -114,6 +148,7 @@ class Search {
         boxes_(relative_),
         sizes_(relative_),
         reach_(frame_a, frame_b, relative_),
+        gap_(std::max(largest_of(a), largest_of(b))),
         work_(work) {}
 
   TriangleDistance decide(const Triangle& triangle_a, const Triangle& triangle_b) const {
@@ -128,12 +163,15 @@ class Search {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t index_a = tree_a_.primitives[i];
       const Triangle triangle_a = place(a_.pose, a_.mesh.triangle(index_a));
+      double end = gap_.end_of(triangle_a);
       for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
         const std::uint32_t index_b = tree_b_.primitives[j];
         const Triangle triangle_b = place(b_.pose, b_.mesh.triangle(index_b));
+        if (gap_.is_beyond(limit_, end, gap_.start_of(triangle_b))) continue;
         const TrianglePair pair{index_a, index_b};
         if (on_pair(pair, decide(triangle_a, triangle_b)) == bvh::Walk::Stop)
           return bvh::Walk::Stop;
+        end = gap_.end_of(triangle_a);
       }
     }
     return bvh::Walk::Continue;
@@ -147,6 +185,9 @@ class Search {
   bvh::BoxDistance boxes_;
   bvh::BoxSeparation sizes_;
   Reach reach_;
+  narrowphase::DirectedGap gap_;
+  double limit_ = std::numeric_limits<double>::infinity();
+  double share_ = 1;
   Work& work_;
 };
 
@@ -161,18 +202,24 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
   CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   Search search(mesh_a, mesh_b, counted.work());
+  MeshDistance best{};
+  const auto improve_to = [&](TrianglePair pair, const TriangleDistance& found) {
+    best = result_of(found, pair);
+    search.shrink_to(best.distance);
+    search.aim_along(found);
+  };
   const TrianglePair first = settings.hint.value_or(TrianglePair{0, 0});
-  MeshDistance best = result_of(search.distance_of(first), first);
-  search.shrink_to(best.distance);
-  if (best.distance > 0) {
+  improve_to(first, search.distance_of(first));
+  const auto look_within = [&](double share) {
+    search.set_share(share);
     search.run([&](TrianglePair pair, const TriangleDistance& found) {
-      if (found.distance < best.distance || (found.distance == best.distance && pair < best.pair)) {
-        best = result_of(found, pair);
-        search.shrink_to(best.distance);
-      }
+      if (found.distance < best.distance) improve_to(pair, found);
+      if (found.distance == best.distance && pair < best.pair) best = result_of(found, pair);
       return best.distance == 0 ? bvh::Walk::Stop : bvh::Walk::Continue;
     });
-  }
+  };
+  if (!settings.hint && best.distance > 0) look_within(kFirstShare);
+  if (best.distance > 0) look_within(1);
   if (best.distance == 0) {
     best.pair = find_triangle_pairs(mesh_a, mesh_b, {}, &counted.work()).pairs.front();
     best = result_of(search.distance_of(best.pair), best.pair);
@@ -191,8 +238,13 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
   if (settings.hint && search.distance_of(*settings.hint).distance <= clearance) return true;
   search.shrink_to(clearance);
   bool is_within = false;
+  double nearest = std::numeric_limits<double>::infinity();
   search.run([&](TrianglePair, const TriangleDistance& found) {
     is_within = found.distance <= clearance;
+    if (found.distance < nearest) {
+      nearest = found.distance;
+      search.aim_along(found);
+    }
     return is_within ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   return is_within;

@@ -1,9 +1,11 @@
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/engine/mesh/solid.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
 
@@ -93,11 +95,18 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) 
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work) {
+  check_interior(settings);
+  if (settings.interior == Interior::Solid) {
+    check_closed(mesh_a.mesh, "mesh A");
+    check_closed(mesh_b.mesh, "mesh B");
+  }
   CountedWork counted(work);
-  return has_any([&](auto&& on_pair) {
+  const bool is_touching = has_any([&](auto&& on_pair) {
     for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
                   counted.work(), on_pair);
   });
+  return is_touching ||
+         (settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work()));
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,

@@ -9,4 +9,9 @@ void require_touch_included(const QuerySettings& settings, const char* query) {
   throw InputError(std::string(query) + ": touch must be Touch::Include");
 }
 
+void require_surface(const QuerySettings& settings, const char* query) {
+  if (settings.interior == Interior::Surface) return;
+  throw InputError(std::string(query) + ": interior must be Interior::Surface");
+}
+
 }  // namespace graze

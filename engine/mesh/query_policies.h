@@ -10,4 +10,7 @@ namespace graze {
 /// two meshes, and would ignore the policy.
 void require_touch_included(const QuerySettings& settings, const char* query);
 
+/// Throws InputError, which begins with `query`, unless only the surface is asked for.
+void require_surface(const QuerySettings& settings, const char* query);
+
 }  // namespace graze

@@ -133,6 +133,7 @@ bool self_intersects(const Mesh& mesh, Work* work) {
 
 bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
   require_touch_included(settings, "self_intersects");
+  require_surface(settings, "self_intersects");
   CountedWork counted(work);
   return has_any([&](auto&& on_pair) {
     for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);

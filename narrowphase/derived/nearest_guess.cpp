@@ -28,7 +28,8 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 
 double clamped(double s) {
-  return s > 0 ? (s < 1 ? s : 1) : 0;  // NaN, of an edge without length, becomes 0
+  const double above = s > 0 ? s : 0;  // NaN, of an edge without length, becomes 0
+  return above < 1 ? above : 1;
 }
 
 /// The feature of an edge at parameter s: one of its ends, or its inside.
@@ -37,54 +38,77 @@ void set_feature(Feature& kind, int& index, int edge, double s) {
   index = kind == Feature::Edge ? edge : kEdges[edge][s > 0];
 }
 
-struct Guess {
-  double squared = std::numeric_limits<double>::infinity();
-  FeaturePair pair{Feature::Vertex, 0, Feature::Vertex, 0};
-};
-
-struct Parameters {
-  double s;
-  double t;
-};
-
-/// Where |w + t v - s u| is least, s and t from 0 to 1.
-Parameters nearest_on_edges(double uu, double uv, double vv, double uw, double vw) {
-  const double determinant = uu * vv - uv * uv;
-  double s = clamped((uw * vv - vw * uv) / determinant);
-  double t = (s * uv - vw) / vv;
-  if (!(t > 0)) {
-    t = 0;
-    s = clamped(uw / uu);
-  } else if (t > 1) {
-    t = 1;
-    s = clamped((uw + uv) / uu);
-  }
-  return {s, t};
-}
-
-void try_edges(const OrderedTriangles& t, Guess& best) {
-  Vector u[3], v[3];
-  double uu[3], vv[3];
-  for (int i = 0; i < 3; ++i) {
-    u[i] = difference(t.a[kEdges[i][1]], t.a[kEdges[i][0]]);
-    v[i] = difference(t.b[kEdges[i][1]], t.b[kEdges[i][0]]);
-    uu[i] = dot(u[i], u[i]);
-    vv[i] = dot(v[i], v[i]);
-  }
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Vector w = difference(t.b[kEdges[j][0]], t.a[kEdges[i][0]]);
-      const Parameters at =
-          nearest_on_edges(uu[i], dot(u[i], v[j]), vv[j], dot(u[i], w), dot(v[j], w));
-      const Vector way{w.x + at.t * v[j].x - at.s * u[i].x, w.y + at.t * v[j].y - at.s * u[i].y,
-                       w.z + at.t * v[j].z - at.s * u[i].z};
-      const double squared = dot(way, way);
-      if (!(squared < best.squared)) continue;
-      best.squared = squared;
-      set_feature(best.pair.kind_a, best.pair.index_a, i, at.s);
-      set_feature(best.pair.kind_b, best.pair.index_b, j, at.t);
+/// The edges of a triangle, component by component: loops over four of them, the last one twice,
+/// become vectors.
+struct Edges {
+  explicit Edges(const double (&corners)[3][3]) {
+    for (int i = 0; i < 4; ++i) {
+      const double* start = corners[kEdges[std::min(i, 2)][0]];
+      const Vector way = difference(corners[kEdges[std::min(i, 2)][1]], start);
+      for (int k = 0; k < 3; ++k)
+        from[k][i] = start[k];
+      along[0][i] = way.x;
+      along[1][i] = way.y;
+      along[2][i] = way.z;
+      square[i] = dot(way, way);
+      inverse[i] = 1 / square[i];
     }
   }
+
+  double from[3][4];
+  double along[3][4];
+  double square[4];
+  double inverse[4];
+};
+
+/// Nearest points of edge i of A and each edge of B: |w + t v - s u| is least for s and t from 0 to
+/// 1.
+struct Nearest {
+  double squared[4];
+  double s[4];
+  double t[4];
+};
+
+Nearest nearest_on_edges(const Edges& a, int i, const Edges& b) {
+  const double ux = a.along[0][i], uy = a.along[1][i], uz = a.along[2][i];
+  const double uu = a.square[i];
+  Nearest result;
+  for (int j = 0; j < 4; ++j) {
+    const double vx = b.along[0][j], vy = b.along[1][j], vz = b.along[2][j];
+    const double wx = b.from[0][j] - a.from[0][i];
+    const double wy = b.from[1][j] - a.from[1][i];
+    const double wz = b.from[2][j] - a.from[2][i];
+    const double uv = ux * vx + uy * vy + uz * vz;
+    const double uw = ux * wx + uy * wy + uz * wz;
+    const double vw = vx * wx + vy * wy + vz * wz;
+    const double on_lines = clamped((uw * b.square[j] - vw * uv) / (uu * b.square[j] - uv * uv));
+    const double t = clamped((on_lines * uv - vw) * b.inverse[j]);
+    const double s = clamped((t * uv + uw) * a.inverse[i]);
+    const double x = wx + t * vx - s * ux;
+    const double y = wy + t * vy - s * uy;
+    const double z = wz + t * vz - s * uz;
+    result.s[j] = s;
+    result.t[j] = t;
+    result.squared[j] = x * x + y * y + z * z;
+  }
+  return result;
+}
+
+FeaturePair try_edges(const OrderedTriangles& triangles) {
+  const Edges a(triangles.a);
+  const Edges b(triangles.b);
+  FeaturePair best{Feature::Vertex, 0, Feature::Vertex, 0};
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Nearest found = nearest_on_edges(a, i, b);
+    for (int j = 0; j < 3; ++j) {
+      if (!(found.squared[j] < least)) continue;
+      least = found.squared[j];
+      set_feature(best.kind_a, best.index_a, i, found.s[j]);
+      set_feature(best.kind_b, best.index_b, j, found.t[j]);
+    }
+  }
+  return best;
 }
 
 /// The vertex of x that is nearest to the plane of y, if all are on one side of it and it is above
@@ -112,13 +136,11 @@ int try_face(const double (&x)[3][3], const double (&y)[3][3]) {
 }  // namespace
 
 FeaturePair guess_nearest(const OrderedTriangles& triangles) {
-  Guess best;
   const int vertex_a = try_face(triangles.a, triangles.b);
   if (vertex_a >= 0) return {Feature::Vertex, vertex_a, Feature::Face, 0};
   const int vertex_b = try_face(triangles.b, triangles.a);
   if (vertex_b >= 0) return {Feature::Face, 0, Feature::Vertex, vertex_b};
-  try_edges(triangles, best);
-  return best.pair;
+  return try_edges(triangles);
 }
 
 }  // namespace graze::narrowphase

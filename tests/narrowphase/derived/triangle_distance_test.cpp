@@ -180,7 +180,7 @@ TEST_P(Law7TriangleDistance, AgreesWithRationalArithmetic) {
                          [](const oracle::TrianglePair& pair) { return fault_of(pair); });
 }
 TEST_P(Law7TriangleDistanceSlow, AgreesWithRationalArithmetic) {
-  crosscheck::run_corpus(GetParam(), 3000,
+  crosscheck::run_corpus(GetParam(), 1000,
                          [](const oracle::TrianglePair& pair) { return fault_of(pair); });
 }
 
@@ -209,7 +209,7 @@ TEST_P(Law7TriangleDistance, OfShapesMovedApart) {
   run_apart(GetParam(), 40);
 }
 TEST_P(Law7TriangleDistanceSlow, OfShapesMovedApart) {
-  run_apart(GetParam(), 3000);
+  run_apart(GetParam(), 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Derived, Law7TriangleDistance, testing::ValuesIn(oracle::pair_corpora()),

@@ -1,0 +1,72 @@
+#include "tests/benchmark/error/baselines/add_baselines.h"
+
+#include <type_traits>
+
+#include "tests/benchmark/error/baselines/akenine_moeller.h"
+#include "tests/benchmark/error/baselines/guigue_devillers.h"
+#include "tests/benchmark/error/baselines/moeller.h"
+
+namespace graze::benchmark {
+namespace {
+
+constexpr double kEpsilons[] = {1e-15, 1e-12, 1e-9, 1e-6, 1e-3};
+
+template <typename Real>
+struct PlainPair {
+  PlainTriangle<Real> a;
+  PlainTriangle<Real> b;
+};
+
+template <typename Real>
+struct PlainTriangleAndBox {
+  PlainTriangle<Real> triangle;
+  PlainBox<Real> box;
+};
+
+template <typename Real>
+const char* precision_of() {
+  return std::is_same_v<Real, float> ? "float" : "double";
+}
+
+/// The method without EPSILON and with each; `test_with(snap)` makes the test.
+template <typename Real, typename Element, typename Convert, typename TestWith>
+void add_family(Contestants<Element>& contestants, const char* name, Convert convert,
+                TestWith test_with) {
+  const Label plain{name, Origin::Baseline, precision_of<Real>(), std::nullopt};
+  add(contestants, plain, convert, test_with(NoSnap{}));
+  for (const double epsilon : kEpsilons) {
+    Label snapped = plain;
+    snapped.epsilon = epsilon;
+    add(contestants, snapped, convert, test_with(Snap<Real>{static_cast<Real>(epsilon)}));
+  }
+}
+
+template <typename Real>
+void add_in_precision(Field& field) {
+  const auto to_pair = [](const TrianglePair& pair) {
+    return PlainPair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
+  };
+  add_family<Real>(field.triangle_pairs, "Guigue-Devillers", to_pair, [](auto snap) {
+    return [snap](const PlainPair<Real>& pair) { return guigue_devillers(pair.a, pair.b, snap); };
+  });
+  add_family<Real>(field.triangle_pairs, "Möller 1997", to_pair, [](auto snap) {
+    return [snap](const PlainPair<Real>& pair) { return moeller(pair.a, pair.b, snap); };
+  });
+  const auto to_box = [](const TriangleAndBox& pair) {
+    return PlainTriangleAndBox<Real>{to_plain<Real>(pair.triangle), to_plain<Real>(pair.box)};
+  };
+  add_family<Real>(field.triangle_boxes, "Akenine-Möller", to_box, [](auto snap) {
+    return [snap](const PlainTriangleAndBox<Real>& pair) {
+      return akenine_moeller(pair.triangle, pair.box, snap);
+    };
+  });
+}
+
+}  // namespace
+
+void add_baselines(Field& field) {
+  add_in_precision<double>(field);
+  add_in_precision<float>(field);
+}
+
+}  // namespace graze::benchmark

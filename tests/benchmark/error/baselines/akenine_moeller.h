@@ -1,0 +1,13 @@
+#pragma once
+
+#include "tests/benchmark/error/baselines/plain.h"
+
+namespace graze::benchmark {
+
+/// Akenine-Möller's thirteen axes, rounded: the box is centred, and what sticks out beyond its
+/// radius along an axis, after `snap`, is compared with zero. For float and double, with NoSnap and
+/// Snap.
+template <typename Real, typename Snapping>
+bool akenine_moeller(const PlainTriangle<Real>& triangle, const PlainBox<Real>& box, Snapping snap);
+
+}  // namespace graze::benchmark

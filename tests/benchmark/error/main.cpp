@@ -1,0 +1,107 @@
+// Run time against error: contestants answer the same questions about the same hard inputs, and
+// what they take stands beside how often they are wrong.
+
+#include <graze/bvh/error.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "tests/benchmark/error/baselines/add_baselines.h"
+#include "tests/benchmark/error/categories.h"
+#include "tests/benchmark/error/contest.h"
+#include "tests/benchmark/error/graze_contestants.h"
+#include "tests/benchmark/error/peers/peers.h"
+#include "tests/benchmark/error/report.h"
+
+namespace graze::benchmark {
+namespace {
+
+struct Options {
+  std::string data;
+  std::string output;
+  Sizes sizes;
+  int repetitions = 5;
+};
+
+template <typename Element>
+QuestionResult ask(const char* question, const Contestants<Element>& contestants,
+                   std::size_t categories, Category<Element> (*make)(std::size_t, const Sizes&),
+                   const Options& options) {
+  QuestionResult result{question, {}, {}, {}};
+  for (const auto& contestant : contestants)
+    result.labels.push_back(contestant->label());
+  result.scores.resize(contestants.size());
+  for (std::size_t i = 0; i < categories; ++i) {
+    const Category<Element> category = make(i, options.sizes);
+    std::fprintf(stderr, "\r%s: %zu of %zu, %-40s", question, i + 1, categories,
+                 category.name.c_str());
+    const std::vector<Score> scores = contest(category, contestants, options.repetitions);
+    for (std::size_t k = 0; k < scores.size(); ++k)
+      result.scores[k].push_back(scores[k]);
+    const auto hits = std::count(category.truth.begin(), category.truth.end(), true);
+    result.categories.push_back({category.name, category.is_generic, category.has_only_floats,
+                                 category.elements.size(), static_cast<std::size_t>(hits),
+                                 category.refereed});
+  }
+  std::fputc('\n', stderr);
+  return result;
+}
+
+Field all_contestants() {
+  Field field;
+  add_graze(field);
+  add_baselines(field);
+  for (const Peer& peer : peers())
+    peer.add(field);
+  for (const std::string& name : absent_peers())
+    std::fprintf(stderr, "%s was not found when this was built: left out\n", name.c_str());
+  return field;
+}
+
+void run(const Options& options) {
+  const Field field = all_contestants();
+  Json document;
+  document["machine"] = {{"processor", processor_name()},
+                         {"threads", std::thread::hardware_concurrency()}};
+  document["repetitions"] = options.repetitions;
+  document["absent"] = absent_peers();
+  document["questions"] = Json::array();
+  const auto keep = [&](const QuestionResult& result) {
+    document["questions"].push_back(to_json(result));
+  };
+  keep(ask("triangle and triangle", field.triangle_pairs, pair_category_count(), pair_category,
+           options));
+  keep(ask("triangle and box", field.triangle_boxes, box_category_count(), box_category, options));
+  write(document, options.output);
+}
+
+}  // namespace
+}  // namespace graze::benchmark
+
+int main(int argc, char** argv) {
+  graze::benchmark::Options options;
+  CLI::App program("Run time against error: writes measurements as JSON");
+  program.add_option("--data", options.data, "folder of the bundled geometry")->required();
+  program.add_option("--output", options.output, "JSON file to write")->required();
+  program.add_option("--elements", options.sizes.elements, "of each category (default 20000)")
+      ->check(CLI::Range(1, 10000000));
+  program
+      .add_option("--refereed", options.sizes.refereed,
+                  "of these, checked by the exact referee (default 400)")
+      ->check(CLI::Range(1, 10000000));
+  program.add_option("--repetitions", options.repetitions, "runs of each contestant (default 5)")
+      ->check(CLI::Range(1, 1000));
+  CLI11_PARSE(program, argc, argv);
+  try {
+    graze::benchmark::run(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "graze_benchmark_error: %s\n", error.what());
+    return 2;
+  }
+}
