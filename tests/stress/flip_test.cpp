@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "tests/stress/flip.h"
 
@@ -27,7 +28,7 @@ void check_flip(std::size_t index, std::size_t poses) {
 }
 
 TEST_P(StressFlip, NeverWrongInTheLastDoubles) {
-  check_flip(GetParam(), 200);
+  check_flip(GetParam(), 100);
 }
 
 TEST_P(StressFlipSlow, NeverWrongInTheLastDoubles) {

@@ -16,6 +16,7 @@
 #include "tests/shapes/closed_meshes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/stress/sweeps.h"
 
 namespace graze::stress {
 namespace {
@@ -60,29 +61,27 @@ TEST(StressScale, PowersOfTwoChangeNoAnswer) {
 constexpr double kScales[] = {1e-12, 1e-9, 1e-6, 1e-3, 1, 1e3, 1e6, 1e9, 1e12};
 constexpr double kOffsets[] = {0, 1, 1e3, 1e6, 1e9};
 
-TEST(StressScale, PlacedTrianglesAreTheReferees) {
-  RandomSource source(1);
-  int hits = 0;
-  int total = 0;
-  for (const double scale : kScales) {
-    for (const double offset : kOffsets) {
-      for (int n = 0; n < 80; ++n) {
-        const auto point = [&] { return Eigen::Vector3d(source.lattice_point(-2, 2) * scale); };
-        const Triangle a{point(), point(), point()};
-        const Triangle b{point(), point(), point()};
-        Pose pose = tests::random_pose(offset, source);
-        if (n % 4 == 0) pose.linear().setIdentity();
-        const Triangle placed_a = place(pose, a);
-        const Triangle placed_b = place(pose, b);
-        const bool truth = compare::referee_intersects(placed_a, placed_b);
-        ASSERT_EQ(intersects(placed_a, placed_b), truth) << scale << ' ' << offset << ' ' << n;
-        hits += truth;
-        ++total;
-      }
-    }
+void check_rows(const std::vector<SweepRow>& rows, std::size_t cases) {
+  for (const SweepRow& row : rows) {
+    EXPECT_EQ(row.cases, cases);
+    EXPECT_EQ(row.wrong, 0u) << row.value;
+    EXPECT_GT(row.hits, cases / 10) << row.value;
+    EXPECT_LT(row.hits, cases - cases / 10) << row.value;
   }
-  EXPECT_GT(hits, total / 10);
-  EXPECT_LT(hits, total - total / 10);
+}
+
+void check_sweeps(std::size_t cases) {
+  for (const double offset : {0.0, 1.0, 1e6})
+    check_rows(sweep_scales(offset, cases), cases);
+  check_rows(sweep_offsets(cases), cases);
+}
+
+TEST(StressScale, PlacedTrianglesAreTheReferees) {
+  check_sweeps(150);
+}
+
+TEST(StressScaleSlow, PlacedTrianglesAreTheReferees) {
+  check_sweeps(50000);
 }
 
 /// All pairs by the referee.
