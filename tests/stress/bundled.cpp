@@ -16,10 +16,23 @@ std::vector<BundledPair> bundled_pairs(const std::filesystem::path& data) {
   Pose aside = Pose::Identity();
   aside.linear() = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   aside.translation() << 0.5, 0.03, 0.02;
-  return {{"bolt-nut", mesh("bolt.obj"), mesh("nut.stl"), pose("bolt-nut.turning.txt", 7), 0, 2e-5},
-          {"gear-pinion", mesh("gear.ply"), mesh("pinion.off"), pose("gear-pinion.mesh.txt", 3), 0,
-           -1e-5},
-          {"rock-rock", rock, rock, aside, 0, -1e-2}};
+  const Pose here = Pose::Identity();
+  std::vector<BundledPair> pairs{{"bolt-nut", mesh("bolt.obj"), mesh("nut.stl"), here,
+                                  pose("bolt-nut.turning.txt", 7), 0, 2e-5},
+                                 {"gear-pinion", mesh("gear.ply"), mesh("pinion.off"), here,
+                                  pose("gear-pinion.mesh.txt", 3), 0, -1e-5},
+                                 {"rock-rock", rock, rock, here, aside, 0, -1e-2}};
+  Pose scene = Pose::Identity();
+  scene.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d(2, 1, 1).normalized()).toRotationMatrix();
+  scene.translation() << 3, -2, 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    BundledPair pair = pairs[i];
+    pair.name += " in a scene";
+    pair.pose_a = scene;
+    pair.apart = scene * pair.apart;
+    pairs.push_back(pair);
+  }
+  return pairs;
 }
 
 }  // namespace graze::stress

@@ -15,12 +15,14 @@ struct BundledPair {
   std::string name;
   Mesh mesh_a;
   Mesh mesh_b;
+  Pose pose_a = Pose::Identity();
   Pose apart;
   int axis;
   double step;  ///< metres, less than what hides a hit; negative towards smaller coordinates
 };
 
-/// Bolt and nut, gear and pinion, two rocks. `data` is the folder of the bundled geometry.
+/// Bolt and nut, gear and pinion, two rocks; then the same three with both meshes turned and a few
+/// metres from the origin, as in a scene. `data` is the folder of the bundled geometry.
 std::vector<BundledPair> bundled_pairs(const std::filesystem::path& data);
 
 }  // namespace graze::stress

@@ -26,7 +26,8 @@ Pose pose_at(const BundledPair& pair, double value) {
 
 Flip find_flip(const BundledPair& pair) {
   const auto is_hit = [&](double value) {
-    return intersects({pair.mesh_a}, {pair.mesh_b, pose_at(pair, value)}, {.volume = Volume::Obb});
+    return intersects({pair.mesh_a, pair.pose_a}, {pair.mesh_b, pose_at(pair, value)},
+                      {.volume = Volume::Obb});
   };
   Flip flip{pair.apart.translation()[pair.axis], 0};
   if (is_hit(flip.apart)) throw std::logic_error(pair.name + ": begins with a hit");
@@ -44,7 +45,7 @@ Flip find_flip(const BundledPair& pair) {
 }
 
 FlipReport report_flip(const BundledPair& pair, const Flip& flip, std::size_t poses) {
-  const PlacedMesh placed_a{pair.mesh_a};
+  const PlacedMesh placed_a{pair.mesh_a, pair.pose_a};
   const std::vector<TrianglePair> near =
       near_pairs(placed_a, {pair.mesh_b, pose_at(pair, flip.hit)}, kMargin);
   const std::unique_ptr<Peer> fcl = make_fcl_peer(pair.mesh_a, pair.mesh_b);

@@ -28,15 +28,15 @@ void check_flip(std::size_t index, std::size_t poses) {
 }
 
 TEST_P(StressFlip, NeverWrongInTheLastDoubles) {
-  check_flip(GetParam(), 100);
+  check_flip(GetParam(), 60);
 }
 
 TEST_P(StressFlipSlow, NeverWrongInTheLastDoubles) {
   check_flip(GetParam(), 20000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stress, StressFlip, testing::Values(0u, 1u, 2u));
-INSTANTIATE_TEST_SUITE_P(Stress, StressFlipSlow, testing::Values(0u, 1u, 2u));
+INSTANTIATE_TEST_SUITE_P(Stress, StressFlip, testing::Values<std::size_t>(1u, 2u, 3u, 4u, 5u));
+INSTANTIATE_TEST_SUITE_P(Stress, StressFlipSlow, testing::Range<std::size_t>(0, 6));
 
 }  // namespace
 }  // namespace graze::stress
