@@ -7,6 +7,7 @@ Work& Work::operator+=(const Work& other) {
   volume_rejections += other.volume_rejections;
   triangle_tests += other.triangle_tests;
   exact_tests += other.exact_tests;
+  points_tested += other.points_tested;
   trees_built += other.trees_built;
   skins_built += other.skins_built;
   return *this;

@@ -66,6 +66,17 @@ Sign BigInteger::sign() const {
   return is_negative_ ? Sign::Negative : Sign::Positive;
 }
 
+BigInteger::Leading BigInteger::leading() const {
+  if (size_ == 0) return {0, 0, 0};
+  const auto limb = [&](int i) { return i >= 0 ? limbs_[i] : 0; };
+  const std::uint64_t limbs[3] = {limb(size_ - 1), limb(size_ - 2), limb(size_ - 3)};
+  const int shift = std::countl_zero(limbs[0]);
+  const auto joined = [&](int i) {
+    return shift == 0 ? limbs[i] : limbs[i] << shift | limbs[i + 1] >> (64 - shift);
+  };
+  return {joined(0), joined(1), 64 * (size_ - 2) - shift};
+}
+
 int BigInteger::compare_magnitude(const BigInteger& a, const BigInteger& b) {
   if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
   for (int i = a.size_ - 1; i >= 0; --i) {

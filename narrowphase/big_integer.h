@@ -25,6 +25,15 @@ class BigInteger {
 
   Sign sign() const;
 
+  /// The highest 128 bits of the magnitude, which is (high * 2^64 + low) * 2^exponent but for what
+  /// lies below them; the highest bit of `high` is set, unless all is zero.
+  struct Leading {
+    std::uint64_t high;
+    std::uint64_t low;
+    int exponent;
+  };
+  Leading leading() const;
+
   friend BigInteger operator+(const BigInteger& a, const BigInteger& b);
   friend BigInteger operator-(const BigInteger& a, const BigInteger& b);
   friend BigInteger operator*(const BigInteger& a, const BigInteger& b);

@@ -20,6 +20,9 @@ class CommonUnit {
   BigInteger operator()(double a, double b) const { return of(a) - of(b); }
   BigInteger sum(double a, double b) const { return of(a) + of(b); }
 
+  /// The unit is 2^exponent().
+  int exponent() const { return unit_; }
+
  private:
   int unit_ = 1024;
 };

@@ -8,9 +8,10 @@ namespace {
 
 constexpr int kBits = 60;
 
-// Between these, the unit and its inverse are powers of two in the range of normal doubles.
+// From here up, the unit and its inverse are powers of two in the range of normal doubles. Smaller
+// numbers are taken larger first, which is exact for all of them.
 constexpr double kSmallest = 0x1p-900;
-constexpr double kLargest = 0x1p+900;
+constexpr double kEnlargement = 0x1p+200;
 
 double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
@@ -30,15 +31,17 @@ bool to_fixed_axis(const double* const* points, int count, int axis, FixedPoint*
       fixed[i][axis] = 0;
     return true;
   }
-  if (!(largest >= kSmallest && largest <= kLargest)) return false;
+  const double enlargement = largest < kSmallest ? kEnlargement : 1;
+  largest *= enlargement;
   const int unit = exponent_of(largest) + 1 - kBits;
   const double scale = power_of_two(-unit);
   const double inverse = power_of_two(unit);
   bool is_exact = true;
   for (int i = 0; i < count; ++i) {
     // What does not survive the way there and back is no integer, or so small that it underflows.
-    const auto integer = static_cast<std::int64_t>(points[i][axis] * scale);
-    is_exact &= static_cast<double>(integer) * inverse == points[i][axis];
+    const double value = points[i][axis] * enlargement;
+    const auto integer = static_cast<std::int64_t>(value * scale);
+    is_exact &= static_cast<double>(integer) * inverse == value;
     fixed[i][axis] = integer;
   }
   return is_exact;

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/triangle_rows.h>
+#include <graze/narrowphase/verdicts.h>
 
 #include <cstddef>
 #include <cstdint>
 
 namespace graze::narrowphase {
 
-/// Pairs of triangles, coordinate by coordinate, for find_apart().
+/// Pairs of triangles, coordinate by coordinate, for the triage of all at once.
 class TrianglePairBatch {
  public:
   static constexpr std::size_t kCapacity = 8;
@@ -33,9 +35,21 @@ class TrianglePairBatch {
   std::size_t size_ = 0;
 };
 
+/// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it
+/// leaves unsure go to decide(). The same on every SIMD target.
+Verdicts triage(const TrianglePairBatch& batch);
+
 /// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
-/// other's plane: the first half of triage(), for the whole batch at once, with the same bound. The
-/// same on every SIMD target.
+/// other's plane: the first half of triage(), for less time. The same on every SIMD target.
 std::uint32_t find_apart(const TrianglePairBatch& batch);
+
+/// How many elements one Verdicts of the functions below stands for.
+inline constexpr std::size_t kVerdictsBlock = 8;
+
+/// One triangle against each of many: verdicts[i] becomes those of elements 8 i to 8 i + 7.
+void triage(const Triangle& triangle, const TriangleRows& many, Verdicts* verdicts);
+
+/// Pairs: element i of one against element i of the other, which is as long.
+void triage(const TriangleRows& triangles_a, const TriangleRows& triangles_b, Verdicts* verdicts);
 
 }  // namespace graze::narrowphase

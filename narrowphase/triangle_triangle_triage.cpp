@@ -6,6 +6,7 @@
 #include <graze/narrowphase/pair_bound.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/two_lanes.h>
+#include <graze/narrowphase/verdicts.h>
 #include <cstdint>
 
 namespace graze::narrowphase {
@@ -45,33 +46,28 @@ constexpr bool is_lone_vertex_negative(unsigned signs) {
   return (kOneNegative >> signs & 1) != 0;
 }
 
-/// The corners from the lone one on, in the order in which the other triangle's lone vertex is on
-/// the positive side.
-struct Canonical {
-  const double* p;
-  const double* q;
-  const double* r;
-};
-
-Canonical canonical(const double* triangle, unsigned signs, bool is_other_negative) {
-  const Order order = kOrders[signs];
-  const int q = is_other_negative ? order.last : order.next;
-  const int r = is_other_negative ? order.next : order.last;
-  return {triangle + order.lone, triangle + q, triangle + r};
-}
-
 /// Figure 5 of the paper: the intervals that two crossing triangles cut out of the line that their
-/// planes share overlap unless one ends before the other begins. Its two orientations are the
-/// lanes.
-Verdict triage_intervals(const Canonical& s, const Canonical& t, double bound) {
-  const TwoVectors origin = points(s.p, s.p);
-  const TwoVectors first = points(s.q, s.r) - origin;
-  const TwoVectors second = points(t.p, t.r) - origin;
-  const TwoVectors third = points(t.q, t.p) - origin;
-  const TwoLanes determinant = dot(cross(first, second), third);
-  if (sign_bits(are_greater(determinant, both(bound))) != 0) return Verdict::Apart;
-  return sign_bits(are_greater(both(-bound), determinant)) == 0b11 ? Verdict::Touching
-                                                                   : Verdict::Unsure;
+/// planes share overlap unless one ends before the other begins. The paper turns both triangles
+/// until each has its lone vertex on the positive side of the other's plane, and asks for the signs
+/// of [p_a q_a p_b q_b] and [p_a r_a r_b p_b]. Turning one of them instead of both or none, and
+/// turning A alone, change no more than the signs and which of q_b and r_b goes with q_a: the two
+/// determinants are the lanes.
+Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, unsigned signs_b,
+                         double bound) {
+  const Order order_a = kOrders[signs_a];
+  const Order order_b = kOrders[signs_b];
+  const bool is_a_negative = is_lone_vertex_negative(signs_a);
+  const bool is_b_negative = is_lone_vertex_negative(signs_b);
+  const int with_next = is_a_negative == is_b_negative ? order_b.next : order_b.last;
+  const int with_last = is_a_negative == is_b_negative ? order_b.last : order_b.next;
+  const TwoVectors origin = points(a + order_a.lone, a + order_a.lone);
+  const TwoVectors edges = points(a + order_a.next, a + order_a.last) - origin;
+  const TwoVectors way = points(b + order_b.lone, b + order_b.lone) - origin;
+  const TwoVectors ends = points(b + with_next, b + with_last) - origin;
+  const TwoLanes determinant = dot(cross(edges, way), ends);
+  const TwoLanes gap = negated(determinant, is_b_negative ? 0b01 : 0b10);
+  return verdict_of(sign_bits(are_greater(gap, both(bound))) != 0,
+                    sign_bits(are_greater(both(-bound), gap)) == 0b11);
 }
 
 }  // namespace
@@ -105,8 +101,7 @@ Verdict triage(const Triangle& triangle_a, const Triangle& triangle_b) {
   if (!is_in_range || sure != 0b11) return compare_coordinates(triangle_a, triangle_b);
   const unsigned signs_b = (signs[0] & 1) | (signs[1] & 1) << 1 | (signs[2] & 1) << 2;
   const unsigned signs_a = signs[0] >> 1 | (signs[1] >> 1) << 1 | (signs[2] >> 1) << 2;
-  return triage_intervals(canonical(a, signs_a, is_lone_vertex_negative(signs_b)),
-                          canonical(b, signs_b, is_lone_vertex_negative(signs_a)), bound);
+  return triage_intervals(a, signs_a, b, signs_b, bound);
 }
 
 }  // namespace graze::narrowphase

@@ -4,6 +4,7 @@
 // extensions, which gcc and clang share. Each lane rounds as a double does.
 
 #include <cstdint>
+#include <limits>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -16,6 +17,11 @@ using TwoMasks = std::int64_t __attribute__((vector_size(16)));
 
 inline TwoLanes both(double value) {
   return TwoLanes{value, value};
+}
+
+/// Two numbers that lie side by side.
+inline TwoLanes load(const double* p) {
+  return TwoLanes{p[0], p[1]};
 }
 
 inline TwoLanes swapped(TwoLanes v) {
@@ -36,6 +42,14 @@ inline TwoLanes magnitude(TwoLanes v) {
                                     TwoMasks{kAllButSign, kAllButSign});
 }
 
+/// The lanes whose bits are set in `which` with their signs changed.
+inline TwoLanes negated(TwoLanes v, unsigned which) {
+  constexpr std::int64_t kSign = std::numeric_limits<std::int64_t>::min();
+  constexpr TwoMasks kMasks[4] = {TwoMasks{0, 0}, TwoMasks{kSign, 0}, TwoMasks{0, kSign},
+                                  TwoMasks{kSign, kSign}};
+  return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(v) ^ kMasks[which]);
+}
+
 /// All bits of a lane are set where a > b, none elsewhere: masks, for both_of() and sign_bits().
 inline TwoLanes are_greater(TwoLanes a, TwoLanes b) {
 #ifdef __SSE2__
@@ -47,6 +61,11 @@ inline TwoLanes are_greater(TwoLanes a, TwoLanes b) {
 
 inline TwoLanes both_of(TwoLanes mask_a, TwoLanes mask_b) {
   return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(mask_a) &
+                                    reinterpret_cast<TwoMasks>(mask_b));
+}
+
+inline TwoLanes either_of(TwoLanes mask_a, TwoLanes mask_b) {
+  return reinterpret_cast<TwoLanes>(reinterpret_cast<TwoMasks>(mask_a) |
                                     reinterpret_cast<TwoMasks>(mask_b));
 }
 

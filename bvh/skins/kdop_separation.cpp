@@ -6,8 +6,6 @@
 namespace graze::bvh {
 namespace {
 
-constexpr int kSlabs = KDop<18>::kSlabs;
-
 // The slack of RelativeFrame is twice the error in one coordinate of either frame and serves axes
 // with 1-norms below 1.74. The directions (1, 1, 0) have 1-norms of 2 in their own frame and up to
 // sqrt(3) sqrt(2) = 2.45 in the other.

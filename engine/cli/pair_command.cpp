@@ -15,15 +15,19 @@ constexpr const char* kFooter = R"(
 A pose is 12 numbers, the rows of the 3x4 matrix [R | t] one after the other: R a rotation, t in
 metres (the meshes' unit). They stand in one quoted argument, separated by blanks or commas, or in
 12 arguments. Coordinates are double precision, and every answer is exact for the placed triangles:
-touching counts as intersecting.
+touching counts as intersecting, unless --touch exclude asks for triangles that cross, whose insides
+go through each other, and leaves out those that share a vertex or an edge or lie in one plane.
 
 With --json each pose gives one line:
   {"pose":0,"intersects":true,"pairs":2,"work":{"volume_tests":...,"volume_rejections":...,
-   "triangle_tests":...,"exact_tests":...,"trees_built":...,
-   "skins_built":...}}
+   "triangle_tests":...,"exact_tests":...,"points_tested":...,
+   "trees_built":...,"skins_built":...}}
 --list adds "list":[[a,b],...] after "pairs", triangles counted from 0 in the order of the files,
 and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b],"graze":...,
 "fcl":...,"truth":...}],"graze_wrong":0,"fcl_wrong":0}. With --query any there is no "pairs".
+With --touch exclude, "intersects", "pairs" and "list" speak of triangles that cross.
+With --solid, which needs closed meshes, "intersects" is true also where one is wholly inside the
+other; pairs stay pairs of triangles, and there may be none.
 Volumes are aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and sphere-kdop, which
 try the sphere first. Times are in microseconds; the first query's time includes building both
 trees and their volumes.
@@ -67,6 +71,13 @@ void add_pair_command(CLI::App& program, Action& action) {
                    "what prunes (default: aabb); changes the time, never the answer")
       ->type_name("VOLUME")
       ->check(CLI::IsMember(volume_names()).description(""));
+  command
+      ->add_option("--touch", options->touch,
+                   "include (default): touching counts; exclude: only triangles that cross")
+      ->type_name("include|exclude")
+      ->check(CLI::IsMember({"include", "exclude"}).description(""));
+  command->add_flag("--solid", options->is_solid,
+                    "a closed mesh wholly inside the other intersects it too");
   command->add_flag("--list", options->is_listing, "print the pairs of triangles, in order");
   command
       ->add_option("--check", options->check,

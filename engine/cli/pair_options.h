@@ -14,7 +14,9 @@ struct PairOptions {
   std::optional<std::string> poses;  // given and empty is an error, not as if not given
   std::string query = "pairs";
   std::string volume = "aabb";
+  std::string touch = "include";
   std::string check;
+  bool is_solid = false;
   bool is_listing = false;
   bool is_json = false;
   bool has_progress = false;

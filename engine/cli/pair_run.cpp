@@ -4,6 +4,7 @@
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
 
@@ -29,6 +30,15 @@ void check_combinations(const PairOptions& options) {
   if (!options.check.empty() && !has_fcl_check()) {
     throw UsageError("--check fcl: this command was built without FCL");
   }
+  if (!options.check.empty() && options.touch == "exclude") {
+    throw UsageError("--check fcl needs --touch include: FCL knows no other policy");
+  }
+  if (!options.check.empty() && options.is_solid) {
+    throw UsageError("--check fcl and --solid exclude each other: FCL knows surfaces only");
+  }
+  if (options.touch == "exclude" && options.is_solid) {
+    throw UsageError("--solid needs --touch include");
+  }
 }
 
 /// The poses of B, with line 0 for one that comes from the command line.
@@ -53,6 +63,8 @@ struct PairJob {
   std::vector<PoseLine> poses_b;
   PairQuery query;
   Volume volume;
+  Touch touch;
+  Interior interior;
   std::unique_ptr<FclCheck> fcl;
 };
 
@@ -64,6 +76,12 @@ void check_placements(const PairOptions& options, const PairJob& job) {
         pose.line == 0 ? "--pose-b" : *options.poses + ":" + std::to_string(pose.line);
     check_placement(pose.pose, job.mesh_b.bounds(), place.c_str());
   }
+}
+
+void check_solids(const PairOptions& options, const PairJob& job) {
+  if (job.interior != Interior::Solid) return;
+  check_closed(job.mesh_a, ("--solid: " + options.mesh_a).c_str());
+  check_closed(job.mesh_b, ("--solid: " + options.mesh_b).c_str());
 }
 
 PairJob read_job(const PairOptions& options) {
@@ -80,10 +98,17 @@ PairJob read_job(const PairOptions& options) {
                  std::move(poses_b),
                  options.query == "any" ? PairQuery::Any : PairQuery::Pairs,
                  volume_named(options.volume),
+                 options.touch == "exclude" ? Touch::Exclude : Touch::Include,
+                 options.is_solid ? Interior::Solid : Interior::Surface,
                  nullptr};
   check_placements(options, job);
+  check_solids(options, job);
   if (!options.check.empty()) job.fcl = make_fcl_check(mesh_a, mesh_b);
   return job;
+}
+
+QuerySettings settings_of(const PairJob& job) {
+  return {.volume = job.volume, .touch = job.touch, .interior = job.interior};
 }
 
 PairAnswer ask(const PairJob& job, std::size_t index) {
@@ -92,12 +117,16 @@ PairAnswer ask(const PairJob& job, std::size_t index) {
   answer.pose = index;
   const auto start = std::chrono::steady_clock::now();
   if (job.query == PairQuery::Any) {
-    answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                   {.volume = job.volume}, &answer.work);
+    answer.intersects =
+        intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b}, settings_of(job), &answer.work);
   } else {
     answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                       {.volume = job.volume}, &answer.work);
+                                       {.volume = job.volume, .touch = job.touch}, &answer.work);
     answer.intersects = !answer.pairs->empty();
+    if (!answer.intersects && job.interior == Interior::Solid) {
+      answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+                                     settings_of(job), &answer.work);
+    }
   }
   answer.time = std::chrono::steady_clock::now() - start;
   if (job.fcl && job.query == PairQuery::Any) {

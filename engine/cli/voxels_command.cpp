@@ -94,6 +94,13 @@ Voxels find(const VoxelsOptions& options, const Mesh& mesh, VoxelSettings settin
   }
 }
 
+void write(const VoxelsOptions& options, const Voxels& voxels) {
+  Progress progress("percent of the file:", 100, {.is_forced = options.has_progress});
+  write_voxels(options.file, voxels, {.on_progress = [&](std::uint64_t done, std::uint64_t total) {
+                 progress.update(100 * done / total);
+               }});
+}
+
 ExitCode run_voxels(const VoxelsOptions& options, Output& output) {
   using Clock = std::chrono::steady_clock;
   const VoxelSettings settings = settings_of(options);
@@ -106,7 +113,7 @@ ExitCode run_voxels(const VoxelsOptions& options, Output& output) {
   const auto start = Clock::now();
   const Voxels voxels = find(options, mesh, settings, report.work);
   const auto found = Clock::now();
-  write_voxels(options.file, voxels);
+  write(options, voxels);
   report.find_time = found - start;
   report.write_time = Clock::now() - found;
   report.grid = voxels.grid;

@@ -30,7 +30,7 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
 
 bool contains(const Mesh& mesh, const Eigen::Vector3d& point, Work* work) {
   check_point(point);
-  check_closed(mesh);
+  check_closed(mesh, "the mesh");
   if (!is_within(mesh.bounds(), point)) return false;
   CountedWork counted(work);
   return intersects({mesh}, Aabb{point, point}, &counted.work()) ||

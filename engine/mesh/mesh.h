@@ -55,6 +55,9 @@ class Mesh {
   /// Counted when first asked for, then kept. O(n log n).
   const Topology& topology() const;
 
+  /// One vertex of each of topology()'s components, ascending. Known with it.
+  std::span<const std::uint32_t> component_vertices() const;
+
   /// For each vertex the lowest index of a vertex in the same position. Computed when first asked
   /// for, O(n log n).
   std::span<const std::uint32_t> welded() const;

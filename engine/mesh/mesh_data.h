@@ -32,6 +32,7 @@ struct Mesh::Data {
   mutable std::vector<std::uint32_t> welded;
   mutable std::once_flag topology_flag;
   mutable Topology topology;
+  mutable std::vector<std::uint32_t> component_vertices;
 };
 
 }  // namespace graze

@@ -1,11 +1,13 @@
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/engine/mesh/solid.h>
+#include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
-#include <graze/narrowphase/triangle_triangle.h>
 
 namespace graze {
 namespace {
@@ -13,7 +15,7 @@ namespace {
 /// Candidates on their way from the trees to the triangle tests.
 class Candidates {
  public:
-  explicit Candidates(Work& work) : work_(work) {}
+  Candidates(Touch touch, Work& work) : touch_(touch), work_(work) {}
 
   bool is_full() const { return batch_.is_full(); }
 
@@ -38,11 +40,12 @@ class Candidates {
 
  private:
   bool meet(const Triangle& triangle_a, const Triangle& triangle_b) {
-    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b);
+    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b, touch_);
     work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
     return decision.is_hit;
   }
 
+  Touch touch_;
   Work& work_;
   narrowphase::TrianglePairBatch batch_;
   TrianglePair pairs_[narrowphase::TrianglePairBatch::kCapacity];
@@ -51,18 +54,19 @@ class Candidates {
 /// Calls `on_pair(a, b)` with the indices of each pair of triangles that meet, until it answers
 /// Stop.
 template <typename OnPair>
-void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work& work,
-                   OnPair&& on_pair) {
+void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, const PairSettings& settings,
+                   Work& work, OnPair&& on_pair) {
+  narrowphase::check_touch(settings.touch);
   const double deviation_a = check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
   const double deviation_b = check_placement(b.pose, b.mesh.bounds(), "pose of mesh B");
-  const NodeVolumes volumes_a = volumes_of(a.mesh, volume, work);
-  const NodeVolumes volumes_b = volumes_of(b.mesh, volume, work);
+  const NodeVolumes volumes_a = volumes_of(a.mesh, settings.volume, work);
+  const NodeVolumes volumes_b = volumes_of(b.mesh, settings.volume, work);
   const bvh::Tree& tree_a = a.mesh.tree();
   const bvh::Tree& tree_b = b.mesh.tree();
   const bvh::RelativeFrame frame =
       relative_frame({a.pose, deviation_a, tree_a.frame, a.mesh.bounds()},
                      {b.pose, deviation_b, tree_b.frame, b.mesh.bounds()});
-  Candidates candidates(work);
+  Candidates candidates(settings.touch, work);
   const auto collect = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t index_a = tree_a.primitives[i];
@@ -76,7 +80,7 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work
     }
     return bvh::Walk::Continue;
   };
-  with_separation(volume, frame, volumes_a, volumes_b, [&](const auto& separation) {
+  with_separation(settings.volume, frame, volumes_a, volumes_b, [&](const auto& separation) {
     const CountedSeparation counted(separation, work);
     const bvh::Walk walk = bvh::traverse_pair(tree_a, tree_b, counted, collect);
     if (walk == bvh::Walk::Continue) candidates.decide(on_pair);
@@ -91,10 +95,18 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) 
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work) {
+  check_interior(settings);
+  if (settings.interior == Interior::Solid) {
+    check_closed(mesh_a.mesh, "mesh A");
+    check_closed(mesh_b.mesh, "mesh B");
+  }
   CountedWork counted(work);
-  return has_any([&](auto&& on_pair) {
-    for_each_pair(mesh_a, mesh_b, settings.volume, counted.work(), on_pair);
+  const bool is_touching = has_any([&](auto&& on_pair) {
+    for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
+                  counted.work(), on_pair);
   });
+  return is_touching ||
+         (settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work()));
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
@@ -102,7 +114,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
   CountedWork counted(work);
   TrianglePairs found;
   found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
-    for_each_pair(mesh_a, mesh_b, settings.volume, counted.work(), on_pair);
+    for_each_pair(mesh_a, mesh_b, settings, counted.work(), on_pair);
   });
   return found;
 }

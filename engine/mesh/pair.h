@@ -7,8 +7,10 @@
 #include <vector>
 
 #include <graze/bvh/volume.h>
+#include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
+#include <graze/narrowphase/touch.h>
 
 namespace graze {
 
@@ -38,6 +40,13 @@ struct TrianglePairs {
 struct QuerySettings {
   /// What prunes: changes the time, never the answer.
   Volume volume = Volume::Aabb;
+  /// Which pairs of triangles count, for two meshes. What asks for no two meshes refuses any other
+  /// policy than Include by InputError.
+  Touch touch = Touch::Include;
+  /// Whether closed meshes are solid: a mesh, a box or a ball wholly inside one is then a hit.
+  /// Needs Touch::Include. A mesh with itself has no inside to ask for and refuses Solid by
+  /// InputError.
+  Interior interior = Interior::Surface;
 };
 
 struct PairSettings {
@@ -45,11 +54,17 @@ struct PairSettings {
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   /// What prunes: changes the time, never which pairs there are.
   Volume volume = Volume::Aabb;
+  /// Which pairs count.
+  Touch touch = Touch::Include;
 };
 
 /// True if and only if some placed triangle of A shares a point with some placed triangle of B
-/// (laws 1 and 2). Surfaces only: a mesh wholly inside another does not touch it. Stops at the
-/// first pair. Throws PoseError for a pose that is refused by law 10 or by law 1.
+/// (laws 1 and 2), or under Touch::Exclude crosses() one. Surfaces only, unless Interior::Solid
+/// says otherwise: a mesh wholly inside another does not touch it. Stops at the first pair; only
+/// where there is none, one placed vertex of each connected part is asked whether the other mesh
+/// encloses it, exactly. Throws PoseError for a pose that is refused by law 10 or by law 1,
+/// InputError for settings that are none, and with Interior::Solid MeshError, which names the mesh
+/// and its number of boundary edges, for one that is not closed.
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work = nullptr);

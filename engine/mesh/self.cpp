@@ -1,5 +1,6 @@
 #include <graze/bvh/traverse_self.h>
 #include <graze/engine/mesh/node_volumes.h>
+#include <graze/engine/mesh/query_policies.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/narrowphase/adjacent_triangles.h>
@@ -131,6 +132,8 @@ bool self_intersects(const Mesh& mesh, Work* work) {
 }
 
 bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
+  require_touch_included(settings, "self_intersects");
+  require_surface(settings, "self_intersects");
   CountedWork counted(work);
   return has_any([&](auto&& on_pair) {
     for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);

@@ -2,6 +2,7 @@
 #include <graze/narrowphase/adjacent_triangles.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -61,8 +62,10 @@ std::uint64_t count_odd(std::vector<Edge>& edges) {
   return odd;
 }
 
+/// Fills `component_vertices` with one vertex of each component.
 Topology topology_of(const std::vector<TriangleIndices>& triangles,
-                     std::span<const std::uint32_t> welded) {
+                     std::span<const std::uint32_t> welded,
+                     std::vector<std::uint32_t>& component_vertices) {
   Topology topology;
   Components components(welded.size());
   std::vector<TriangleIndices> sorted;
@@ -83,8 +86,9 @@ Topology topology_of(const std::vector<TriangleIndices>& triangles,
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   topology.welded_vertices = static_cast<std::uint32_t>(used.size());
-  for (std::uint32_t vertex : used)
-    topology.components += components.root(vertex) == vertex;
+  std::copy_if(used.begin(), used.end(), std::back_inserter(component_vertices),
+               [&](std::uint32_t vertex) { return components.root(vertex) == vertex; });
+  topology.components = static_cast<std::uint32_t>(component_vertices.size());
   std::sort(sorted.begin(), sorted.end());
   const auto distinct = std::unique(sorted.begin(), sorted.end());
   topology.duplicate_triangles = static_cast<std::uint32_t>(sorted.end() - distinct);
@@ -102,13 +106,18 @@ std::span<const std::uint32_t> Mesh::welded() const {
 
 const Topology& Mesh::topology() const {
   std::call_once(data_->topology_flag, [&] {
-    Topology topology = topology_of(data_->triangles, welded());
+    Topology topology = topology_of(data_->triangles, welded(), data_->component_vertices);
     for (std::size_t i = 0; i < data_->triangles.size(); ++i) {
       topology.degenerate_triangles += narrowphase::is_degenerate(triangle(i));
     }
     data_->topology = topology;
   });
   return data_->topology;
+}
+
+std::span<const std::uint32_t> Mesh::component_vertices() const {
+  topology();
+  return data_->component_vertices;
 }
 
 }  // namespace graze

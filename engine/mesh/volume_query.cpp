@@ -2,9 +2,12 @@
 #include <graze/bvh/skins/skin_of_one.h>
 #include <graze/bvh/traverse_volume.h>
 #include <graze/engine/mesh/node_volumes.h>
+#include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query_policies.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/engine/mesh/solid.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
@@ -147,12 +150,29 @@ void for_each_triangle(const PlacedMesh& placed, const FramedVolume& asked, Volu
   });
 }
 
+/// For a volume that does not touch the surface: one of its points decides for all.
+bool is_inside(const FramedVolume& asked, const PlacedMesh& mesh, Work& work) {
+  switch (asked.kind) {
+    case FramedVolume::Kind::Oriented:
+      return is_moved_centre_enclosed(mesh, {asked.frame, asked.box.max}, work);
+    case FramedVolume::Kind::Ball:
+      return is_moved_point_enclosed(mesh, asked.ball.centre, work);
+    default:
+      return is_moved_point_enclosed(mesh, asked.box.min, work);
+  }
+}
+
 bool meets_any(const PlacedMesh& mesh, const FramedVolume& asked, const QuerySettings& settings,
                Work* work) {
+  require_touch_included(settings, "a mesh and a volume");
+  check_interior(settings);
+  if (settings.interior == Interior::Solid) check_closed(mesh.mesh, "the mesh");
   CountedWork counted(work);
-  return has_any([&](auto&& on_triangle) {
+  const bool is_touching = has_any([&](auto&& on_triangle) {
     for_each_triangle(mesh, asked, settings.volume, counted.work(), on_triangle);
   });
+  return is_touching ||
+         (settings.interior == Interior::Solid && is_inside(asked, mesh, counted.work()));
 }
 
 TriangleList find_all(const PlacedMesh& mesh, const FramedVolume& asked,

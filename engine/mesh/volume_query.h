@@ -34,10 +34,11 @@ struct TriangleSettings {
 };
 
 /// True if and only if some placed triangle of the mesh shares a point with the closed box or ball
-/// (laws 1 and 3). Surface only: a box wholly inside a closed mesh does not touch it. Stops at the
-/// first triangle. Throws InputError or PoseError for an invalid box or sphere, PoseError for a
-/// pose that is refused by law 10 or by law 1, or an oriented box in whose frame the mesh could
-/// overflow.
+/// (laws 1 and 3). Surface only, unless Interior::Solid says otherwise: a box wholly inside a
+/// closed mesh does not touch it. Stops at the first triangle. Throws MeshError for Interior::Solid
+/// and a mesh that is not closed. Throws InputError or PoseError for an invalid box or sphere,
+/// PoseError for a pose that is refused by law 10 or by law 1, or an oriented box in whose frame
+/// the mesh could overflow.
 bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
 bool intersects(const PlacedMesh& mesh, const Sphere& sphere, Work* work = nullptr);

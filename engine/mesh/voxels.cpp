@@ -124,7 +124,7 @@ std::vector<Voxel> expanded(const std::vector<VoxelRun>& runs) {
 Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings, Work* work) {
   const int threads = arena_size(settings);
   Voxels result{VoxelGrid::over(mesh.bounds(), settings.resolution), {}};
-  if (settings.fill == VoxelFill::Solid) check_closed(mesh);
+  if (settings.fill == VoxelFill::Solid) check_closed(mesh, "the mesh");
   CountedWork counted(work);
   tbb::task_arena(threads).execute([&] {
     const bvh::Tree& tree = mesh.tree(&counted.work());

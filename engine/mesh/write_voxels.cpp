@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/io/voxel_corners.h>
 #include <graze/engine/mesh/io/voxel_format.h>
 #include <graze/engine/mesh/write_voxels.h>
+#include <iterator>
 #include <string>
 
 namespace graze {
@@ -40,8 +41,40 @@ void check_count(const std::filesystem::path& path, std::uint64_t count, std::ui
                                 std::to_string(most));
 }
 
+/// Adds to a file of boxes, and reports how far it has come.
+class ReportingBoxFile {
+ public:
+  ReportingBoxFile(mesh_io::BoxFile& boxes, mesh_io::BoxCounts counts,
+                   const VoxelWriteSettings& settings)
+      : boxes_(boxes), settings_(settings), total_(counts.corners + counts.quads) {}
+
+  void add_corner(const std::array<std::uint32_t, 3>& planes) {
+    boxes_.add_corner(planes);
+    count();
+  }
+
+  void add_quad(const std::array<std::uint64_t, 4>& corners) {
+    boxes_.add_quad(corners);
+    count();
+  }
+
+ private:
+  static constexpr std::uint64_t kInterval = std::uint64_t{1} << 16;
+
+  void count() {
+    ++done_;
+    const bool is_due = done_ % kInterval == 0 || done_ == total_;
+    if (is_due && settings_.on_progress) settings_.on_progress(done_, total_);
+  }
+
+  mesh_io::BoxFile& boxes_;
+  const VoxelWriteSettings& settings_;
+  std::uint64_t total_;
+  std::uint64_t done_ = 0;
+};
+
 void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
-               mesh_io::BoxFile& boxes) {
+               ReportingBoxFile& boxes) {
   mesh_io::VoxelCornerNumbers numbers(corners);
   for (const Voxel& voxel : voxels) {
     const std::array<std::uint64_t, 8>& number = numbers.of(voxel);
@@ -52,16 +85,19 @@ void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
 
 }  // namespace
 
-void write_voxels(const std::filesystem::path& path, const Voxels& voxels) {
+void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
+                  const VoxelWriteSettings& settings) {
   const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
   check_voxels(voxels);
   check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
   const mesh_io::VoxelCorners corners(voxels);
   check_count(path, corners.size(), kMaxCorners, "corners");
   mesh_io::OutputFile file(path);
-  const auto boxes = format.begin(file, voxels.grid, {corners.size(), 6 * voxels.size()});
-  corners.for_each([&](const auto& planes) { boxes->add_corner(planes); });
-  add_quads(voxels, corners, *boxes);
+  const mesh_io::BoxCounts counts{corners.size(), std::size(kQuads) * voxels.size()};
+  const auto boxes = format.begin(file, voxels.grid, counts);
+  ReportingBoxFile reporting(*boxes, counts, settings);
+  corners.for_each([&](const auto& planes) { reporting.add_corner(planes); });
+  add_quads(voxels, corners, reporting);
   file.finish();
 }
 

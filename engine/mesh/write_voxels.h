@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 
 #include <graze/engine/mesh/voxels.h>
 
@@ -9,6 +10,12 @@ namespace graze {
 
 /// More voxels than this have too many triangles for a mesh, and are not written.
 inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
+
+struct VoxelWriteSettings {
+  /// If set, called now and then with how many of how many corners and quads are written. What it
+  /// throws ends the writing, and the file is removed.
+  std::function<void(std::uint64_t done, std::uint64_t total)> on_progress = {};
+};
 
 /// Writes each voxel as a closed box of six quads, wound counter-clockwise seen from outside, to an
 /// OBJ file (text, coordinates with 17 digits) or a PLY file (binary, little-endian, doubles),
@@ -20,6 +27,7 @@ inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
 /// can have, or if the file cannot be written; what was written of it is then removed. Throws
 /// InputError for no voxels, a grid that check() refuses, and voxels that are not in ascending
 /// order, each once, and within the grid. Memory is a fraction of that of the voxels.
-void write_voxels(const std::filesystem::path& path, const Voxels& voxels);
+void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
+                  const VoxelWriteSettings& settings = {});
 
 }  // namespace graze

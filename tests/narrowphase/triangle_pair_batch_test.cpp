@@ -1,13 +1,14 @@
+#include <graze/narrowphase/equal_vertices.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "tests/narrowphase/simd_targets.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze::narrowphase {
@@ -49,30 +50,124 @@ std::vector<std::uint32_t> found_apart(const std::vector<Pair>& pairs) {
   return masks;
 }
 
-/// The SIMD targets that this CPU has, each forced in turn.
-std::vector<std::int64_t> targets() {
-  hwy::SetSupportedTargetsForTest(0);
-  std::vector<std::int64_t> single;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)
-    single.push_back(left & -left);
-  return single;
+/// The verdicts of a batch, of rows, and of one against many, for blocks of eight pairs.
+struct AllVerdicts {
+  std::vector<std::uint32_t> batch, rows, one;
+
+  bool operator==(const AllVerdicts&) const = default;
+};
+
+/// Rows of the second triangles of some pairs, or of the first.
+class Columns {
+ public:
+  Columns(const std::vector<Pair>& pairs, Triangle Pair::*which) {
+    for (const Pair& pair : pairs) {
+      const Triangle& t = pair.*which;
+      for (std::size_t row = 0; row < 9; ++row) {
+        const auto k = static_cast<Eigen::Index>(row % 3);
+        columns_[row].push_back((row < 3 ? t.a : row < 6 ? t.b : t.c)[k]);
+      }
+    }
+  }
+
+  TriangleRows rows() const {
+    TriangleRows rows{{}, columns_[0].size()};
+    for (std::size_t row = 0; row < 9; ++row)
+      rows.row[row] = columns_[row].data();
+    return rows;
+  }
+
+ private:
+  std::vector<double> columns_[9];
+};
+
+void append(std::vector<std::uint32_t>& all, const std::vector<Verdicts>& some) {
+  for (const Verdicts& verdicts : some) {
+    EXPECT_EQ(verdicts.apart & verdicts.touching, 0u);
+    all.push_back(verdicts.apart << 16 | verdicts.touching);
+  }
 }
 
-void force(std::int64_t target) {
-  hwy::SetSupportedTargetsForTest(target);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+AllVerdicts all_verdicts(const std::vector<Pair>& pairs) {
+  AllVerdicts all;
+  std::vector<Verdicts> verdicts((pairs.size() + 7) / 8);
+  TrianglePairBatch batch;
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    batch.add(pairs[n].a, pairs[n].b);
+    if (!batch.is_full() && n + 1 < pairs.size()) continue;
+    verdicts[n / 8] = triage(batch);
+    batch.clear();
+  }
+  append(all.batch, verdicts);
+  const Columns a(pairs, &Pair::a), b(pairs, &Pair::b);
+  triage(a.rows(), b.rows(), verdicts.data());
+  append(all.rows, verdicts);
+  triage(pairs[0].a, b.rows(), verdicts.data());
+  append(all.one, verdicts);
+  return all;
+}
+
+Verdict verdict_of_bit(const std::vector<std::uint32_t>& all, std::size_t n) {
+  return verdict_of((all[n / 8] >> (16 + n % 8) & 1) != 0, (all[n / 8] >> n % 8 & 1) != 0);
 }
 
 TEST(Law8, EverySimdTargetFindsTheSamePairsApart) {
   const std::vector<Pair> pairs = pairs_of_every_sort(80000);
   const std::vector<std::uint32_t> expected = found_apart(pairs);
-  const std::vector<std::int64_t> all = targets();
+  const std::vector<std::int64_t> all = simd_targets();
   EXPECT_GE(all.size(), 1u);
   for (std::int64_t target : all) {
-    force(target);
+    force_simd_target(target);
     EXPECT_EQ(found_apart(pairs), expected) << hwy::TargetName(target);
   }
-  force(0);
+  force_simd_target(0);
+}
+
+TEST(Law8, EverySimdTargetGivesTheSameVerdicts) {
+  const std::vector<Pair> pairs = pairs_of_every_sort(20005);
+  const AllVerdicts expected = all_verdicts(pairs);
+  for (std::int64_t target : simd_targets()) {
+    force_simd_target(target);
+    EXPECT_EQ(all_verdicts(pairs), expected) << hwy::TargetName(target);
+  }
+  force_simd_target(0);
+}
+
+/// One pair at a time compares coordinates besides: it may know more, never less.
+bool agrees(Verdict of_many, Verdict of_one, const Triangle& a, const Triangle& b) {
+  if (of_many == of_one) return true;
+  return of_many == Verdict::Unsure && of_one == compare_coordinates(a, b);
+}
+
+TEST(Law6, ManyAtOnceAreJudgedAsEachAlone) {
+  const std::vector<Pair> pairs = pairs_of_every_sort(20005);
+  const AllVerdicts all = all_verdicts(pairs);
+  std::size_t touching = 0;
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    const Verdict alone = triage(pairs[n].a, pairs[n].b);
+    ASSERT_TRUE(agrees(verdict_of_bit(all.rows, n), alone, pairs[n].a, pairs[n].b)) << n;
+    ASSERT_EQ(verdict_of_bit(all.batch, n), verdict_of_bit(all.rows, n)) << n;
+    const Verdict first = triage(pairs[0].a, pairs[n].b);
+    ASSERT_TRUE(agrees(verdict_of_bit(all.one, n), first, pairs[0].a, pairs[n].b)) << n;
+    touching += verdict_of_bit(all.rows, n) == Verdict::Touching;
+  }
+  EXPECT_GT(touching, 500u);
+}
+
+TEST(TriangleRows, AnyLengthIsReadToItsEndAndNoFurther) {
+  std::vector<Pair> pairs = pairs_of_every_sort(40);
+  for (std::size_t size = 0; size <= pairs.size(); ++size) {
+    const std::vector<Pair> some(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(size));
+    const Columns a(some, &Pair::a), b(some, &Pair::b);
+    std::vector<Verdicts> verdicts((size + 7) / 8 + 1, Verdicts{77, 88});
+    triage(a.rows(), b.rows(), verdicts.data());
+    EXPECT_EQ(verdicts[(size + 7) / 8].apart, 77u) << "one too many was written";
+    for (std::size_t n = size; n < (size + 7) / 8 * 8; ++n)
+      EXPECT_EQ((verdicts[n / 8].apart | verdicts[n / 8].touching) >> n % 8 & 1, 0u);
+    if (size > 0) {
+      EXPECT_EQ(b.rows()[size - 1].c.x(), some.back().b.c.x());
+    }
+  }
 }
 
 TEST(Law6, ABatchIsSureOnlyWhereTheTriageOfOnePairIs) {

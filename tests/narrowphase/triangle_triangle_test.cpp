@@ -99,6 +99,31 @@ TEST(Law6, AZeroAreaTriangleIsNeverSurelyTouching) {
   }
 }
 
+TEST(Law6, EqualVerticesCertifyAHitAndDisjointBoxesAMiss) {
+  RandomSource source(8);
+  for (int n = 0; n < 2000; ++n) {
+    const auto point = [&] { return source.vector(-1, 1); };
+    const Eigen::Vector3d shared = point();
+    const Triangle a{point(), shared, point()};
+    const Triangle b{point(), point(), shared};
+    ASSERT_EQ(triage(a, b), Verdict::Touching);
+    ASSERT_TRUE(narrowphase::intersects_exactly(a, b));
+    ASSERT_EQ(triage(a, a), Verdict::Touching);
+    ASSERT_EQ(triage(a, {shared, shared, shared}), Verdict::Touching);
+  }
+  EXPECT_EQ(triage(kFlat, {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}), Verdict::Apart) << "in one plane";
+  EXPECT_EQ(triage(kFlat, {{4, 1, 0}, {6, 0, 0}, {5, 1, 0}}), Verdict::Unsure);
+}
+
+TEST(Law10, EqualVerticesDoNotHideWhatIsNotFinite) {
+  for (double bad : {std::nan(""), HUGE_VAL}) {
+    const Triangle broken{kFlat.a, {1, bad, 1}, {2, 2, 2}};
+    EXPECT_THROW(intersects(kFlat, broken), InputError);
+    EXPECT_THROW(intersects(broken, kFlat), InputError);
+    EXPECT_THROW(intersects(broken, broken), InputError);
+  }
+}
+
 TEST(Law6, BeyondTheFiltersRangeItIsUnsure) {
   const auto scaled = [](double scale) {
     return triage({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 0, 0) * scale,

@@ -22,23 +22,24 @@ struct Options {
   std::string json;
 };
 
-template <typename MakeSet, typename Contestants>
+template <typename MakeSet, typename MakeContestants>
 std::vector<Score> run(const std::vector<std::string>& names, MakeSet make_set,
-                       const Contestants& contestants, const Options& options) {
+                       MakeContestants make_contestants, const Options& options) {
   std::vector<Score> scores;
   for (const std::string& name : names) {
     if (name.find(options.filter) == std::string::npos) continue;
     const auto set = make_set(name, options.elements);
-    const auto rows = contest(set, contestants, truth_of(set.elements), options.repetitions);
+    const auto rows =
+        contest(set, make_contestants(name), truth_of(set.elements), options.repetitions);
     scores.insert(scores.end(), rows.begin(), rows.end());
   }
   return scores;
 }
 
 int run(const Options& options) {
-  const auto pairs = run(pair_set_names(), pair_set, pair_contestants(), options);
+  const auto pairs = run(pair_set_names(), pair_set, pair_contestants, options);
   write_table(std::cout, "Triangle against triangle", pairs);
-  const auto boxes = run(box_set_names(), box_set, box_contestants(), options);
+  const auto boxes = run(box_set_names(), box_set, box_contestants, options);
   write_table(std::cout, "Triangle against box", boxes);
   if (!options.json.empty()) {
     std::ofstream file(options.json);

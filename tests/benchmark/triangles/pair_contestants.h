@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <tests/benchmark/triangles/contest.h>
@@ -8,7 +9,9 @@
 
 namespace graze::benchmark {
 
-std::vector<std::unique_ptr<Contestant<oracle::TrianglePair>>> pair_contestants();
+/// Those that can take part in the set of that name.
+std::vector<std::unique_ptr<Contestant<oracle::TrianglePair>>> pair_contestants(
+    const std::string& set);
 
 Truth truth_of(const std::vector<oracle::TrianglePair>& pairs);
 

@@ -47,8 +47,9 @@ using Keys = std::vector<std::string>;
 TEST_F(CliPair, JsonHasThePromisedKeysInOrder) {
   const Json plain = json_lines({"--pose-b", kCrossing}).at(0);
   EXPECT_EQ(keys_of(plain), (Keys{"pose", "intersects", "pairs", "work"}));
-  EXPECT_EQ(keys_of(plain["work"]), (Keys{"volume_tests", "volume_rejections", "triangle_tests",
-                                          "exact_tests", "trees_built", "skins_built"}));
+  EXPECT_EQ(keys_of(plain["work"]),
+            (Keys{"volume_tests", "volume_rejections", "triangle_tests", "exact_tests",
+                  "points_tested", "trees_built", "skins_built"}));
   EXPECT_EQ(keys_of(json_lines({"--query", "any"}).at(0)), (Keys{"pose", "intersects", "work"}));
   EXPECT_EQ(keys_of(json_lines({"--list"}).at(0)),
             (Keys{"pose", "intersects", "pairs", "list", "work"}));
@@ -64,6 +65,44 @@ TEST_F(CliPair, VolumesChangeNoAnswer) {
     EXPECT_EQ(line["work"]["skins_built"] > 0, volume != Volume::Aabb) << name_of(volume);
   }
   EXPECT_EQ(graze({"pair", "a.off", "b.off", "--volume", "cone"}).exit_code, 2);
+}
+
+TEST_F(CliPair, TouchSaysWhichPairsCount) {
+  const std::string on_top = "1 0 0 0 0 1 0 0 0 0 1 2";
+  write_mesh("b.off", make_box({1, 1, 1}));
+  EXPECT_EQ(json_lines({"--pose-b", on_top}).at(0)["intersects"], true);
+  EXPECT_EQ(json_lines({"--pose-b", on_top, "--touch", "include"}).at(0)["intersects"], true);
+  const Json plain = json_lines({"--pose-b", on_top, "--touch", "exclude", "--list"}).at(0);
+  EXPECT_EQ(plain["intersects"], false);
+  EXPECT_EQ(plain["pairs"], 0);
+  EXPECT_EQ(plain["list"], Json::array());
+  const std::vector<std::string> any = {"--query", "any", "--touch", "exclude", "--pose-b"};
+  const auto with = [](std::vector<std::string> options, const std::string& pose) {
+    options.push_back(pose);
+    return options;
+  };
+  EXPECT_EQ(json_lines(with(any, on_top)).at(0)["intersects"], false);
+  EXPECT_EQ(json_lines(with(any, kCrossing)).at(0)["intersects"], true);
+  EXPECT_EQ(graze({"pair", "a.off", "b.off", "--touch", "maybe"}).exit_code, 2);
+}
+
+TEST_F(CliPair, SolidsHoldWhatIsWhollyInside) {
+  write_mesh("a.off", make_box({4, 4, 4}));
+  EXPECT_EQ(json_lines({}).at(0)["intersects"], false);
+  const Json inside = json_lines({"--solid"}).at(0);
+  EXPECT_EQ(inside["intersects"], true);
+  EXPECT_EQ(inside["pairs"], 0);
+  EXPECT_GT(inside["work"]["points_tested"], 0);
+  EXPECT_EQ(json_lines({"--solid", "--query", "any"}).at(0)["intersects"], true);
+  EXPECT_EQ(json_lines({"--solid", "--pose-b", kApart}).at(0)["intersects"], false);
+}
+
+TEST_F(CliPair, SolidsAreClosedMeshes) {
+  write_mesh("open.off", make_row(2));
+  expect_refusal({"pair", "a.off", "open.off", "--solid"},
+                 "graze: --solid: open.off is not closed: it has 6 boundary edges");
+  expect_refusal({"pair", "a.off", "b.off", "--solid", "--touch", "exclude"},
+                 "graze: --solid needs --touch include");
 }
 
 TEST_F(CliPair, AnswersAreTheLibrarys) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/files/temporary_directory.h"
@@ -109,6 +110,25 @@ TEST(WriteVoxels, TheLastVoxelOfTheLargestGrid) {
                    {{65534, 0, 0}, {0, 65534, 65534}, {65534, 65534, 65534}}};
   write_voxels(directory.path("far.ply"), far);
   expect_boxes(load_mesh(directory.path("far.ply")), far);
+}
+
+TEST(WriteVoxels, ProgressReachesItsTotal) {
+  const TemporaryDirectory directory;
+  const Voxels voxels = find_voxels(tests::make_sphere(1, 20, 20), {.resolution = 60});
+  std::uint64_t last = 0, total = 0, calls = 0;
+  write_voxels(directory.path("a.ply"), voxels,
+               {.on_progress = [&](std::uint64_t done, std::uint64_t of) {
+                 EXPECT_GT(done, last);
+                 last = done;
+                 total = of;
+                 ++calls;
+               }});
+  EXPECT_GT(calls, 1u);
+  EXPECT_EQ(last, total);
+  const auto stop = [](std::uint64_t, std::uint64_t) { throw std::runtime_error("enough"); };
+  EXPECT_THROW(write_voxels(directory.path("b.ply"), voxels, {.on_progress = stop}),
+               std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(directory.path("b.ply")));
 }
 
 class WriteVoxelsErrors : public testing::Test {

@@ -1,0 +1,42 @@
+#pragma once
+
+// B moves along a direction and A stays: at how large a translation can they still meet? Weak
+// duality answers, rigorously: if p of A meets q of B moved by s d, then p - q = s d, and for every
+// vector n at all s (n.d) = n.(p - q), which is at most the largest n.(p - q) there is. So each n
+// bounds s, whatever its own rounding, and a few well chosen ones bound it tightly.
+
+#include <graze/engine/mesh/placed_mesh.h>
+#include <limits>
+
+namespace graze::contacts {
+
+inline constexpr double kUnitRoundoff = 0x1p-53;
+
+/// What a sweep is measured in: coordinates times `per_metre`, a power of two, are below 1 in size.
+struct SweepUnits {
+  SweepUnits(const PlacedMesh& a, const PlacedMesh& b);
+
+  double per_metre;
+  double metres;  // of one unit
+};
+
+/// The translations, 0 and more, that some vectors n leave possible.
+class SweepBounds {
+ public:
+  /// `margin` is by how much each coordinate of p - q may be off.
+  explicit SweepBounds(double margin) : margin_(margin) {}
+
+  /// Takes note of one n: `along` is n.d, `size` the sum of its absolute components, and `lowest`
+  /// and `highest` are of n.(p - q). The bounds hold for any n; one with no size says nothing.
+  void note(double along, double size, double lowest, double highest);
+
+  bool is_empty() const { return lower_ > upper_; }
+  double upper() const { return upper_; }
+
+ private:
+  double margin_;
+  double lower_ = 0;
+  double upper_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace graze::contacts

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <graze/narrowphase/touch.h>
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/verdict.h>
+
+namespace graze {
+
+/// True if and only if the relative interiors of the two triangles share a point and no plane holds
+/// both triangles, in real arithmetic. The relative interior of a triangle with area is the
+/// triangle without its edges; of one that is a segment, the segment without its ends; of a point,
+/// the point. So two triangles with area cross where the inside of each goes through the other, a
+/// segment crosses a triangle whose inside it pierces, and no other pair crosses: two segments that
+/// meet, and a point with anything that it meets, lie in one plane. Exact for every finite double,
+/// and the same for any order of triangles and vertices (law 4). Throws InputError for a coordinate
+/// that is not finite.
+bool crosses(const Triangle& triangle_a, const Triangle& triangle_b);
+
+/// intersects() or crosses(), as `touch` says. Throws InputError for a policy that is none.
+bool intersects(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
+
+namespace narrowphase {
+
+/// What intersects() answers under this policy, with the stage that decided.
+Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
+
+/// The floating-point stage of crosses() alone: sure, or unsure. Apart means that they do not
+/// cross, Touching that they do. Not finite input is Unsure.
+Verdict crossing_triage(const Triangle& triangle_a, const Triangle& triangle_b);
+
+/// The exact stage of crosses() alone. Throws as crosses() does.
+bool crosses_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
+
+/// Throws InputError for a policy that is none.
+void check_touch(Touch touch);
+
+}  // namespace narrowphase
+}  // namespace graze

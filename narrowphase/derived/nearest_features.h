@@ -1,0 +1,28 @@
+#pragma once
+
+#include <graze/narrowphase/derived/ordered_triangles.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <optional>
+
+namespace graze::narrowphase {
+
+/// Features of two triangles that hold their nearest points: vertices and edges by number, edges as
+/// in simplex.h. A face goes with a vertex.
+struct FeaturePair {
+  Feature kind_a;
+  int index_a;
+  Feature kind_b;
+  int index_b;
+};
+
+/// Which features look nearest to rounded arithmetic: any answer is possible, most are right.
+FeaturePair guess_nearest(const OrderedTriangles& triangles);
+
+/// Proved to hold the only pair of nearest points, by rounded arithmetic with bounds. Empty when
+/// that is not sure, as when the triangles meet.
+std::optional<FeaturePair> find_surely_nearest(const OrderedTriangles& triangles);
+
+/// Features that hold a pair of nearest points, exactly. The triangles must not meet.
+FeaturePair find_nearest_exactly(const OrderedTriangles& triangles);
+
+}  // namespace graze::narrowphase

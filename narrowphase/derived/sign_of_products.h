@@ -1,0 +1,33 @@
+#pragma once
+
+// Signs of products of differences of points: what decides which features of two triangles are
+// nearest. Exact for all finite doubles; the filters alone answer nothing when they are not sure.
+
+#include <graze/narrowphase/predicates.h>
+#include <optional>
+
+namespace graze::narrowphase {
+
+/// The vector to - from, between arrays of three doubles.
+struct Step {
+  const double* from;
+  const double* to;
+};
+
+constexpr Step operator-(Step step) {
+  return {step.to, step.from};
+}
+
+/// p . q
+std::optional<Sign> dot_filter(Step p, Step q);
+Sign sign_of_dot(Step p, Step q);
+
+/// (p x q) . r
+std::optional<Sign> triple_filter(Step p, Step q, Step r);
+Sign sign_of_triple(Step p, Step q, Step r);
+
+/// (p x q) . (r x s)
+std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);
+Sign sign_of_crosses(Step p, Step q, Step r, Step s);
+
+}  // namespace graze::narrowphase

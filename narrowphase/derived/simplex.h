@@ -1,0 +1,53 @@
+#pragma once
+
+#include <graze/narrowphase/predicates.h>
+
+namespace graze::narrowphase {
+
+/// The three edges of a triangle with corners in ascending order, each ascending too, so that
+/// triangles that share an edge compute the same numbers for it.
+inline constexpr int kEdges[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+
+/// What a triangle whose corners ascend lexicographically is: a triangle with area, the segment
+/// between its corners 0 and 2, or the point 0. Vertices and edges keep their numbers.
+struct Simplex {
+  explicit Simplex(const double (&corners)[3][3]);
+
+  const double* vertex(int i) const { return corner_[i]; }
+  const double* edge_start(int edge) const { return corner_[kEdges[edge][0]]; }
+  const double* edge_end(int edge) const { return corner_[kEdges[edge][1]]; }
+
+  bool has_area() const { return axis_ >= 0; }
+  bool is_point() const { return is_point_; }
+  bool has_vertex(int i) const { return i == 0 || has_area() || (i == 2 && !is_point_); }
+  bool has_edge(int edge) const { return has_area() || (edge == 2 && !is_point_); }
+
+  /// Along which the projection has area, and in which sense its corners turn.
+  int axis() const { return axis_; }
+  Sign turn() const { return turn_; }
+
+ private:
+  const double* corner_[3];
+  int axis_ = -1;
+  Sign turn_ = Sign::Zero;
+  bool is_point_ = false;
+};
+
+/// The part of a triangle that a point lies in, as a set of edges that it lies on: all bits clear
+/// for the inside, one for an edge, two for a vertex.
+struct Location {
+  bool is_inside;
+  unsigned edges;
+};
+
+/// Where `point` lies in the closed simplex, exactly. `side` is its side of the plane, for a
+/// simplex that has area.
+Location locate(const double* point, const Simplex& simplex, Sign side);
+
+/// The edges that meet at a vertex.
+constexpr unsigned edges_at_vertex(int vertex) {
+  constexpr unsigned kMeeting[3] = {0b101, 0b011, 0b110};
+  return kMeeting[vertex];
+}
+
+}  // namespace graze::narrowphase

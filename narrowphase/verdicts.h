@@ -1,0 +1,24 @@
+#pragma once
+
+#include <graze/narrowphase/verdict.h>
+
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// The verdict of two certificates, of which at most one holds. No branch: which of them does is
+/// often beyond prediction.
+constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
+  static_assert(static_cast<int>(Verdict::Apart) == 0 && static_cast<int>(Verdict::Touching) == 1 &&
+                static_cast<int>(Verdict::Unsure) == 2);
+  return static_cast<Verdict>((2 - static_cast<int>(is_touching)) &
+                              (static_cast<int>(is_apart) - 1));
+}
+
+/// Verdicts of several pairs: bit i is set in one of these, or in neither if pair i is unsure.
+struct Verdicts {
+  std::uint32_t apart = 0;
+  std::uint32_t touching = 0;
+};
+
+}  // namespace graze::narrowphase

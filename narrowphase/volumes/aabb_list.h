@@ -1,0 +1,47 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/narrowphase/volumes/sphere_arrays.h>
+#include <graze/narrowphase/volumes/volume_rows.h>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace graze {
+
+/// Valid axis-aligned boxes, stored coordinate by coordinate for tests of many at once.
+class AabbList {
+ public:
+  std::size_t size() const { return rows_.size(); }
+
+  /// Of `index` below size().
+  Aabb operator[](std::size_t index) const;
+
+  /// Throws InputError, which names the index that the box would have had, for a bad box. Amortised
+  /// constant time.
+  void add(const Aabb& box);
+
+  void clear() { rows_.clear(); }
+
+  /// A view for tests against spheres; the list must outlive it unchanged.
+  AabbArray view() const;
+
+  /// Minimum x, y, z, maximum x, y, z.
+  const narrowphase::VolumeRows<6>& rows() const { return rows_; }
+
+ private:
+  narrowphase::VolumeRows<6> rows_;
+};
+
+// Many tests at once, a SIMD width at a time on whatever SIMD the CPU has: hits[i] becomes 1 or 0,
+// what overlaps() answers for element i alone, on every SIMD target. `hits` has the length of the
+// list, which may be 0. Linear time, no allocation. They throw InputError for lengths that differ
+// and for a bad box.
+
+/// One box against each of many.
+void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits);
+
+/// Pairs: element i of one list against element i of the other.
+void overlaps(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits);
+
+}  // namespace graze

@@ -1,0 +1,16 @@
+#include <graze/narrowphase/volumes/aabb_overlap.h>
+
+namespace graze {
+
+bool overlaps(const Aabb& box_a, const Aabb& box_b) {
+  check_box(box_a, "box a");
+  check_box(box_b, "box b");
+  bool is_hit = true;
+  for (int i = 0; i < 3; ++i) {
+    is_hit &= box_a.min.data()[i] <= box_b.max.data()[i];
+    is_hit &= box_b.min.data()[i] <= box_a.max.data()[i];
+  }
+  return is_hit;
+}
+
+}  // namespace graze

@@ -1,0 +1,26 @@
+#pragma once
+
+// Slab by slab overlap, a SIMD width at a time: of k-DOPs, and of boxes, which are k-DOPs of three
+// slabs. Plain arrays at the border: the minima of all slabs, then the maxima. Rows are padded to
+// whole blocks of eight (volume_rows.h); hits are not.
+
+#include <graze/narrowphase/volumes/volume_rows.h>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// hits[i] becomes 1 if all slabs of `one` and element i of `many` overlap, otherwise 0.
+void find_overlaps(const std::array<double, 6>& one, const RowPointers<6>& many, std::size_t count,
+                   std::uint8_t* hits);
+void find_overlaps(const std::array<double, 18>& one, const RowPointers<18>& many,
+                   std::size_t count, std::uint8_t* hits);
+
+/// Likewise for the elements i of both.
+void find_overlaps(const RowPointers<6>& a, const RowPointers<6>& b, std::size_t count,
+                   std::uint8_t* hits);
+void find_overlaps(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t count,
+                   std::uint8_t* hits);
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <graze/bvh/obb.h>
+#include <graze/narrowphase/volumes/obb_rows.h>
+#include <graze/narrowphase/volumes/volume_rows.h>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace graze {
+
+/// Valid oriented boxes, stored number by number for tests of many at once.
+class ObbList {
+ public:
+  std::size_t size() const { return rows_.size(); }
+
+  /// Of `index` below size().
+  Obb operator[](std::size_t index) const;
+
+  /// Throws InputError or PoseError, which names the index that the box would have had, for a bad
+  /// box. Amortised constant time.
+  void add(const Obb& box);
+
+  void clear() { rows_.clear(); }
+
+  /// In the order of narrowphase::ObbRow.
+  const narrowphase::VolumeRows<narrowphase::kObbRows>& rows() const { return rows_; }
+
+ private:
+  narrowphase::VolumeRows<narrowphase::kObbRows> rows_;
+};
+
+// Many tests at once, as in aabb_list.h; the answers are bit for bit those of overlaps() for two
+// oriented boxes, only "apart" being sure.
+
+/// One box against each of many.
+void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits);
+
+/// Pairs: element i of one list against element i of the other.
+void overlaps(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits);
+
+}  // namespace graze

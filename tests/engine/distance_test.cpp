@@ -1,0 +1,172 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using tests::distorted;
+using tests::random_pose;
+using tests::random_soup;
+
+MeshDistance brute_force(const PlacedMesh& a, const PlacedMesh& b) {
+  MeshDistance best{HUGE_VAL, {}, {}, {}};
+  for (std::uint32_t i = 0; i < a.mesh.triangles().size(); ++i) {
+    const Triangle placed = place(a.pose, a.mesh.triangle(i));
+    for (std::uint32_t j = 0; j < b.mesh.triangles().size(); ++j) {
+      const TriangleDistance found = distance(placed, place(b.pose, b.mesh.triangle(j)));
+      if (found.distance < best.distance || (i == 0 && j == 0)) {
+        best = {found.distance, found.point_a, found.point_b, {i, j}};
+      }
+    }
+  }
+  return best;
+}
+
+bool are_bits_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  return std::memcmp(p.data(), q.data(), 3 * sizeof(double)) == 0;
+}
+
+void expect_same(const MeshDistance& found, const MeshDistance& expected) {
+  EXPECT_EQ(found.distance, expected.distance);
+  EXPECT_TRUE(are_bits_equal(found.point_a, expected.point_a));
+  EXPECT_TRUE(are_bits_equal(found.point_b, expected.point_b));
+  EXPECT_EQ(found.pair, expected.pair);
+}
+
+/// Law 9: the trees change nothing, nor does a hint. Returns the distance.
+double expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
+  const MeshDistance expected = brute_force(a, b);
+  expect_same(distance(a, b), expected);
+  const TrianglePair last{static_cast<std::uint32_t>(a.mesh.triangles().size() - 1),
+                          static_cast<std::uint32_t>(b.mesh.triangles().size() - 1)};
+  expect_same(distance(a, b, {.hint = expected.pair}), expected);
+  expect_same(distance(a, b, {.hint = last}), expected);
+  EXPECT_EQ(distance(b, a).distance, expected.distance);
+  const double d = expected.distance;
+  EXPECT_TRUE(within(a, b, d));
+  EXPECT_TRUE(within(b, a, d, {.hint = TrianglePair{last.b, last.a}}));
+  EXPECT_TRUE(within(a, b, 1.5 * d));
+  EXPECT_EQ(within(a, b, std::nextafter(d, 0.0)), d == 0);
+  EXPECT_EQ(within(a, b, d / 2, {.hint = expected.pair}), d == 0);
+  return d;
+}
+
+TEST(Law9MeshDistance, SoupsInRandomPoses) {
+  RandomSource source(91);
+  int apart = 0;
+  for (int n = 0; n < 200; ++n) {
+    const Mesh a = random_soup({.count = 40}, source);
+    const Mesh b = random_soup({.count = 30, .extent = 0.5, .size = 0.1}, source);
+    const double d =
+        expect_brute_force({a, random_pose(1.5, source)}, {b, random_pose(1.5, source)});
+    apart += d > 0;
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_LT(apart, 200);
+}
+
+TEST(Law9MeshDistance, LatticesTieEverywhere) {
+  RandomSource source(92);
+  int apart = 0;
+  for (int n = 0; n < 40; ++n) {
+    const Mesh a = tests::lattice_soup(20, 2, source);
+    const Mesh b = tests::lattice_soup(20, 2, source);
+    Pose quarter = Pose::Identity();
+    quarter.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    quarter.translation() = source.lattice_point(-7, 7);
+    apart += expect_brute_force({a}, {b, quarter}) > 0;
+  }
+  EXPECT_GT(apart, 10);
+}
+
+TEST(Law9MeshDistance, SpheresShareTheirNearestVertices) {
+  const Mesh sphere = tests::make_sphere(1, 12, 12);
+  Pose pose = Pose::Identity();
+  pose.translation().z() = 2.5;
+  EXPECT_EQ(expect_brute_force({sphere}, {sphere, pose}), 0.5);
+  pose.translation() << 3, 0, 0;
+  expect_brute_force({sphere}, {sphere, pose});
+}
+
+TEST(Law9MeshDistance, AtHugeOffsets) {
+  RandomSource source(93);
+  for (double offset : {1e6, 1e9, 1e12, 1e15}) {
+    for (int n = 0; n < 10; ++n) {
+      const Eigen::Vector3d centre = Eigen::Vector3d(1, -0.7, 0.3) * offset;
+      const Mesh here = random_soup({.count = 20}, source);
+      const Mesh there = random_soup({.count = 20, .centre = centre}, source);
+      Pose moved = random_pose(3, source);
+      moved.translation() += centre;
+      expect_brute_force({here, moved}, {there});
+      expect_brute_force({here}, {there});
+    }
+  }
+}
+
+TEST(Law9MeshDistance, AtExtremeAndMixedScales) {
+  RandomSource source(94);
+  for (double scale : {1e-310, 1e-300, 1e-160, 1e-20, 1e20, 1e150, 1e300}) {
+    for (int n = 0; n < 3; ++n) {
+      const Mesh a = random_soup({.count = 12, .extent = scale, .size = 0.3 * scale}, source);
+      const Mesh b = random_soup({.count = 12, .extent = scale, .size = 0.3 * scale}, source);
+      const Mesh c = random_soup({.count = 12}, source);
+      expect_brute_force({a, random_pose(2 * scale, source)}, {b, random_pose(2 * scale, source)});
+      expect_brute_force({a, random_pose(0, source)}, {c, random_pose(2, source)});
+    }
+  }
+}
+
+TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
+  RandomSource source(95);
+  for (int n = 0; n < 100; ++n) {
+    const Mesh a = random_soup({.count = 30, .extent = 1, .size = 0.1}, source);
+    const Mesh b = random_soup({.count = 30, .extent = 1, .size = 0.1}, source);
+    expect_brute_force({a, distorted(random_pose(2, source), 1e-6, source)},
+                       {b, distorted(random_pose(2, source), 1e-6, source)});
+  }
+}
+
+TEST(MeshDistance, WorkFollowsTheNeed) {
+  const Mesh sphere = tests::make_sphere(1, 60, 60);
+  Pose pose = Pose::Identity();
+  pose.translation() << 2, 1.5, 1;
+  Work all, far, near;
+  const MeshDistance found = distance({sphere}, {sphere, pose}, {}, &all);
+  EXPECT_LT(all.triangle_tests, 20000u) << "of 50 million";
+  EXPECT_FALSE(within({sphere}, {sphere, pose}, found.distance / 4, {}, &far));
+  EXPECT_TRUE(within({sphere}, {sphere, pose}, found.distance * 4, {}, &near));
+  EXPECT_EQ(far.triangle_tests, 0u);
+  EXPECT_LT(far.volume_tests, all.volume_tests);
+  EXPECT_LT(near.volume_tests, all.volume_tests);
+}
+
+TEST(Law10MeshDistance, BadInputIsRefusedAndNamed) {
+  const Mesh mesh = tests::make_sphere(1, 4, 4);
+  Pose bad = Pose::Identity();
+  bad.linear() *= 1.1;
+  EXPECT_THROW(distance({mesh}, {mesh, bad}), PoseError);
+  EXPECT_THROW(within({mesh, bad}, {mesh}, 1), PoseError);
+  EXPECT_THROW(within({mesh}, {mesh}, -1), InputError);
+  EXPECT_THROW(within({mesh}, {mesh}, std::numeric_limits<double>::quiet_NaN()), InputError);
+  EXPECT_TRUE(within({mesh}, {mesh}, HUGE_VAL));
+  try {
+    distance({mesh}, {mesh}, {.hint = TrianglePair{0, 99}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("hint: triangle 99 of mesh B"), 0u) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace graze

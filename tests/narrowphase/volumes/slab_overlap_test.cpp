@@ -1,0 +1,134 @@
+#include <graze/bvh/error.h>
+#include <graze/narrowphase/volumes/aabb_overlap.h>
+#include <graze/narrowphase/volumes/kdop_overlap.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/narrowphase/volumes/volume_source.h"
+
+namespace graze {
+namespace {
+
+constexpr int kSlabs = KDop<18>::kSlabs;
+
+/// The k-DOP of a lattice box: sums of small integers are exact.
+KDop<18> kdop_of(const Aabb& box) {
+  KDop<18> kdop;
+  for (std::size_t slab = 0; slab < kSlabs; ++slab) {
+    kdop.min[slab] = kdop.max[slab] = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int factor = kKDopDirections<18>[slab][static_cast<std::size_t>(i)];
+      kdop.min[slab] += factor * (factor > 0 ? box.min[i] : box.max[i]);
+      kdop.max[slab] += factor * (factor > 0 ? box.max[i] : box.min[i]);
+    }
+  }
+  return kdop;
+}
+
+TEST(Law11Aabb, OverlapIsClosedAndExactInEachCoordinate) {
+  const Aabb box{{0, 0, 0}, {1, 1, 1}};
+  EXPECT_TRUE(overlaps(box, box));
+  EXPECT_TRUE(overlaps(box, Aabb{{1, 1, 1}, {2, 2, 2}}));
+  EXPECT_TRUE(overlaps(box, Aabb{{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}}));
+  for (int i = 0; i < 3; ++i) {
+    Aabb beyond{{0, 0, 0}, {2, 2, 2}};
+    beyond.min[i] = std::nextafter(1.0, 2.0);
+    EXPECT_FALSE(overlaps(box, beyond));
+    EXPECT_FALSE(overlaps(beyond, box));
+    Aabb before{{-1, -1, -1}, {1, 1, 1}};
+    before.max[i] = -0x1p-1074;
+    EXPECT_FALSE(overlaps(box, before));
+    EXPECT_FALSE(overlaps(before, box));
+  }
+}
+
+// A common point, if any, is the largest minimum; and moving both boxes by whole numbers changes
+// nothing.
+TEST(Law11Aabb, OverlapIsACommonPointForAllNumbers) {
+  for (Numbers kind : kEveryKind) {
+    VolumeSource source(kind, 1);
+    for (int n = 0; n < 3000; ++n) {
+      const Aabb a = source.box(), b = source.box();
+      const Eigen::Vector3d corner = a.min.cwiseMax(b.min);
+      const bool is_common =
+          (corner.array() <= a.max.array()).all() && (corner.array() <= b.max.array()).all();
+      ASSERT_EQ(overlaps(a, b), is_common);
+      ASSERT_EQ(overlaps(b, a), is_common);
+      if (kind != Numbers::Lattice) continue;
+      const Eigen::Vector3d way = source.point();
+      ASSERT_EQ(overlaps(Aabb{a.min + way, a.max + way}, Aabb{b.min + way, b.max + way}),
+                is_common);
+    }
+  }
+}
+
+TEST(Law11KDop, EachSlabSeparatesAndTouchingCounts) {
+  const KDop<18> kdop = kdop_of({{0, 0, 0}, {2, 2, 2}});
+  EXPECT_TRUE(overlaps(kdop, kdop));
+  for (std::size_t slab = 0; slab < kSlabs; ++slab) {
+    KDop<18> other = kdop;
+    other.min[slab] = other.max[slab] = kdop.max[slab];
+    EXPECT_TRUE(overlaps(kdop, other));
+    other.min[slab] = other.max[slab] = std::nextafter(kdop.max[slab], HUGE_VAL);
+    EXPECT_FALSE(overlaps(kdop, other)) << slab;
+    EXPECT_FALSE(overlaps(other, kdop)) << slab;
+    other.min[slab] = other.max[slab] = std::nextafter(kdop.min[slab], -HUGE_VAL);
+    EXPECT_FALSE(overlaps(kdop, other)) << slab;
+    EXPECT_FALSE(overlaps(other, kdop)) << slab;
+  }
+}
+
+// The k-DOPs of boxes tell apart exactly those boxes that are: bevels never do better, nor worse.
+TEST(Law11KDop, OfBoxesIsAsBoxes) {
+  VolumeSource source(Numbers::Lattice, 2);
+  int hits = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Aabb a = source.box(), b = source.box();
+    const bool is_hit = overlaps(kdop_of(a), kdop_of(b));
+    ASSERT_EQ(is_hit, overlaps(a, b));
+    ASSERT_EQ(overlaps(kdop_of(b), kdop_of(a)), is_hit);
+    hits += is_hit;
+  }
+  EXPECT_GT(hits, 2000);
+  EXPECT_LT(hits, 18000);
+}
+
+// Two bars along opposite diagonals: their boxes overlap, a bevel separates them.
+TEST(Law11KDop, BevelsSeparateWhatBoxesDoNot) {
+  KDop<18> low = kdop_of({{0, 0, 0}, {4, 4, 4}});
+  KDop<18> high = low;
+  low.max[3] = 3;  // x + y <= 3
+  high.min[3] = std::nextafter(3.0, 4.0);
+  EXPECT_FALSE(overlaps(low, high));
+  high.min[3] = 3;
+  EXPECT_TRUE(overlaps(low, high));
+}
+
+TEST(Law10SlabOverlap, BadVolumesAreRefused) {
+  const Aabb box{{0, 0, 0}, {1, 1, 1}};
+  const KDop<18> kdop = kdop_of(box);
+  for (double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    for (int i = 0; i < 3; ++i) {
+      Aabb low = box, high = box;
+      low.min[i] = bad;
+      high.max[i] = bad;
+      EXPECT_THROW(overlaps(box, low), InputError);
+      EXPECT_THROW(overlaps(high, box), InputError);
+    }
+    for (std::size_t slab = 0; slab < kSlabs; ++slab) {
+      KDop<18> low = kdop, high = kdop;
+      low.min[slab] = bad;
+      high.max[slab] = bad;
+      EXPECT_THROW(overlaps(kdop, low), InputError);
+      EXPECT_THROW(overlaps(high, kdop), InputError);
+    }
+  }
+  EXPECT_THROW(overlaps(box, Aabb{{0, 0, 2}, {1, 1, 1}}), InputError);
+  KDop<18> inverted = kdop;
+  inverted.min[8] = inverted.max[8] + 1;
+  EXPECT_THROW(overlaps(inverted, kdop), InputError);
+}
+
+}  // namespace
+}  // namespace graze
