@@ -1,17 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "tests/benchmark/error/contest.h"
 #include "tests/benchmark/error/elements.h"
 
 namespace graze::benchmark {
-
-struct Sizes {
-  std::size_t elements = 20000;  ///< of each category
-  std::size_t refereed = 400;    ///< of these, checked by the exact referee
-};
 
 /// How many categories each question has.
 std::size_t pair_category_count();

@@ -25,6 +25,11 @@ struct Category {
   std::size_t refereed;  ///< of these, settled or confirmed by the referee
 };
 
+struct Sizes {
+  std::size_t elements = 20000;  ///< of each category
+  std::size_t refereed = 400;    ///< of these, checked by the exact referee
+};
+
 /// How one contestant did in one category.
 struct Score {
   double nanoseconds = 0;  ///< per element, median of the repetitions

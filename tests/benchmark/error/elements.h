@@ -5,6 +5,7 @@
 #include <tests/oracle/shapes.h>
 
 #include "tests/benchmark/error/contestant.h"
+#include "tests/benchmark/error/mesh_contestant.h"
 
 namespace graze::benchmark {
 
@@ -27,6 +28,7 @@ struct Field {
   Contestants<TriangleAndBox> triangle_boxes;
   Contestants<SphereAndBox> sphere_boxes;
   Contestants<SpherePair> sphere_pairs;
+  MeshContestants meshes;
 };
 
 }  // namespace graze::benchmark

@@ -17,9 +17,14 @@ class Labels:
 
     def __init__(self):
         self.wanted = []
+        self.lines = []
 
     def add(self, axes, x, y, text, size=7, colour="black"):
         self.wanted.append((axes, x, y, text, size, colour))
+
+    def avoid(self, axes, points):
+        """No label shall cover the line through these points."""
+        self.lines.append((axes, points))
 
     def place(self, figure):
         renderer = figure.canvas.get_renderer()
@@ -29,6 +34,8 @@ class Labels:
             at = axes.transData.transform((x, y))
             taken.append(Bbox([at - MARK * points, at + MARK * points]))
         own = list(taken)
+        for axes, line in self.lines:
+            taken += boxes_along([axes.transData.transform(point) for point in line], points)
         # The long names first: the short ones find a place more easily.
         for index in sorted(range(len(self.wanted)), key=lambda i: (-self.wanted[i][4], -len(self.wanted[i][3]))):
             self._place_one(index, own[index], taken, renderer)
@@ -56,6 +63,17 @@ class Labels:
             if cost == 0:
                 break
         taken.append(best[2])
+
+
+def boxes_along(corners, points):
+    """Small boxes that cover a line on the screen."""
+    boxes = []
+    for (x, y), (u, v) in zip(corners, corners[1:]):
+        steps = max(1, int(max(abs(u - x), abs(v - y)) / (3 * points)))
+        for i in range(steps + 1):
+            px, py = x + (u - x) * i / steps, y + (v - y) * i / steps
+            boxes.append(Bbox([(px - points, py - points), (px + points, py + points)]))
+    return boxes
 
 
 def area(box):

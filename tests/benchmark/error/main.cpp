@@ -15,8 +15,10 @@
 #include "tests/benchmark/error/categories.h"
 #include "tests/benchmark/error/contest.h"
 #include "tests/benchmark/error/graze_contestants.h"
+#include "tests/benchmark/error/mesh_contest.h"
 #include "tests/benchmark/error/peers/peers.h"
 #include "tests/benchmark/error/report.h"
+#include "tests/benchmark/error/sphere_categories.h"
 
 namespace graze::benchmark {
 namespace {
@@ -25,6 +27,7 @@ struct Options {
   std::string data;
   std::string output;
   Sizes sizes;
+  std::size_t poses = 12;
   int repetitions = 5;
 };
 
@@ -77,6 +80,14 @@ void run(const Options& options) {
   keep(ask("triangle and triangle", field.triangle_pairs, pair_category_count(), pair_category,
            options));
   keep(ask("triangle and box", field.triangle_boxes, box_category_count(), box_category, options));
+  keep(ask("sphere and box", field.sphere_boxes, sphere_category_count(), sphere_box_category,
+           options));
+  keep(ask("sphere and sphere", field.sphere_pairs, sphere_category_count(), sphere_pair_category,
+           options));
+  for (const QuestionResult& result : contest_of_meshes(
+           field.meshes,
+           {.data = options.data, .poses = options.poses, .repetitions = options.repetitions}))
+    keep(result);
   write(document, options.output);
 }
 
@@ -94,6 +105,8 @@ int main(int argc, char** argv) {
       .add_option("--refereed", options.sizes.refereed,
                   "of these, checked by the exact referee (default 400)")
       ->check(CLI::Range(1, 10000000));
+  program.add_option("--poses", options.poses, "of meshes, from each file (default 12)")
+      ->check(CLI::Range(1, 1000000));
   program.add_option("--repetitions", options.repetitions, "runs of each contestant (default 5)")
       ->check(CLI::Range(1, 1000));
   CLI11_PARSE(program, argc, argv);

@@ -49,9 +49,9 @@ def draw_families(axes, contestants, scope, labels):
     for (_, precision), family in families.items():
         if len(family) == 1:
             continue
-        family = [member for member in family if share(member, scope) > 0]
-        axes.plot([share(member, scope) for member in family], [time_of(member) for member in family],
-                  linestyle=LINES[precision], color=COLOURS["baseline"], linewidth=0.8, zorder=1)
+        points = [(share(member, scope), time_of(member)) for member in family]
+        axes.plot(*zip(*points), linestyle=LINES[precision], color=COLOURS["baseline"], linewidth=0.8, zorder=1)
+        labels.avoid(axes, points)
         for member in family:
             if member["epsilon"] is None:
                 continue
@@ -62,9 +62,10 @@ def draw_families(axes, contestants, scope, labels):
                            "ε " + exponent(member["epsilon"]), size=5.5, colour=COLOURS["baseline"])
 
 
-def draw_mark(axes, x, contestant):
+def draw_mark(axes, x, contestant, labels):
     """The mark at ordinary input, and a thin line to the mean over all categories."""
     origin = contestant["origin"]
+    labels.avoid(axes, [(x, time_of(contestant)), (x, contestant["all"]["nanoseconds_mean"])])
     filled = "white" if contestant["precision"] == "float" else COLOURS[origin]
     axes.plot([x, x], [time_of(contestant), contestant["all"]["nanoseconds_mean"]], linewidth=0.6,
               color=COLOURS[origin], zorder=1)
@@ -73,7 +74,7 @@ def draw_mark(axes, x, contestant):
 
 
 def draw_panel(zero, axes, question, scope):
-    contestants = [c for c in question["contestants"] if c[scope] and c["origin"] != "absent"]
+    contestants = [c for c in question["contestants"] if c[scope]]
     wrong = [c for c in contestants if c[scope]["errors"] > 0]
     right = [c for c in contestants if c[scope]["errors"] == 0 and c["epsilon"] is None]
     elements = max(c[scope]["elements"] for c in contestants)
@@ -85,13 +86,13 @@ def draw_panel(zero, axes, question, scope):
         axes.set_xlim(0.5 * min(share(c, scope) for c in wrong), 1.5)
     for contestant in wrong:
         if contestant["epsilon"] is None:
-            draw_mark(axes, share(contestant, scope), contestant)
+            draw_mark(axes, share(contestant, scope), contestant, labels)
             labels.add(axes, share(contestant, scope), time_of(contestant), text_of(contestant, scope))
     draw_families(axes, wrong, scope, labels)
     zero.set_xlim(0, 1)
     zero.set_xticks([0.1], [f"0 of {elements:,}"])
     for contestant in right:
-        draw_mark(zero, 0.1, contestant)
+        draw_mark(zero, 0.1, contestant, labels)
         labels.add(zero, 0.1, time_of(contestant), text_of(contestant, scope))
     break_axis(zero, axes)
     return labels
@@ -119,7 +120,7 @@ def panel(figure, place, question, scope):
     labels = draw_panel(zero, axes, question, scope)
     zero.set_title(f"{question['question']}: {SCOPES[scope]}", loc="left", fontsize=10)
     axes.set_xlabel("share of wrong or missing answers")
-    zero.set_ylabel("nanoseconds each")
+    zero.set_ylabel("nanoseconds a query" if question["question"].startswith("meshes") else "nanoseconds each")
     return labels
 
 

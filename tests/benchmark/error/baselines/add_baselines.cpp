@@ -5,6 +5,7 @@
 #include "tests/benchmark/error/baselines/akenine_moeller.h"
 #include "tests/benchmark/error/baselines/guigue_devillers.h"
 #include "tests/benchmark/error/baselines/moeller.h"
+#include "tests/benchmark/error/baselines/sphere_tests.h"
 
 namespace graze::benchmark {
 namespace {
@@ -42,6 +43,41 @@ void add_family(Contestants<Element>& contestants, const char* name, Convert con
 }
 
 template <typename Real>
+struct PlainSphereAndBox {
+  PlainSphere<Real> sphere;
+  PlainBox<Real> box;
+};
+
+template <typename Real>
+struct PlainSpherePair {
+  PlainSphere<Real> a;
+  PlainSphere<Real> b;
+};
+
+template <typename Real>
+void add_spheres(Field& field) {
+  using Both = PlainSphereAndBox<Real>;
+  const auto to_both = [](const SphereAndBox& pair) {
+    return Both{to_plain<Real>(pair.sphere), to_plain<Real>(pair.box)};
+  };
+  const auto label = [](const char* name) {
+    return Label{name, Origin::Baseline, precision_of<Real>(), std::nullopt};
+  };
+  add(field.sphere_boxes, label("Arvo"), to_both,
+      [](const Both& pair) { return arvo(pair.sphere, pair.box); });
+  add(field.sphere_boxes, label("quick rejections"), to_both,
+      [](const Both& pair) { return quick_rejections(pair.sphere, pair.box); });
+  add(field.sphere_boxes, label("branch-free"), to_both,
+      [](const Both& pair) { return branch_free(pair.sphere, pair.box); });
+  add(
+      field.sphere_pairs, label("plain"),
+      [](const SpherePair& pair) {
+        return PlainSpherePair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
+      },
+      [](const PlainSpherePair<Real>& pair) { return plain_spheres(pair.a, pair.b); });
+}
+
+template <typename Real>
 void add_in_precision(Field& field) {
   const auto to_pair = [](const TrianglePair& pair) {
     return PlainPair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
@@ -67,6 +103,8 @@ void add_in_precision(Field& field) {
 void add_baselines(Field& field) {
   add_in_precision<double>(field);
   add_in_precision<float>(field);
+  add_spheres<double>(field);
+  add_spheres<float>(field);
 }
 
 }  // namespace graze::benchmark

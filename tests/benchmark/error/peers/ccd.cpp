@@ -1,11 +1,12 @@
-// libccd, in double: GJK on support functions, as its users write them. The number of iterations,
-// which is without limit by default, ends at 100; all else is its default. Its other method, MPR,
-// does not end on some nearly coplanar triangles, whatever the limit, and cannot take part.
+// libccd, in double: GJK and MPR on support functions, as its users write them. The number of
+// iterations, which is without limit by default, ends at 100; all else is its default. MPR heeds
+// that limit in its last phase only: see support_limit.h.
 
 #include <ccd/ccd.h>
 #include <ccd/vec3.h>
 
 #include "tests/benchmark/error/peers/peers.h"
+#include "tests/benchmark/error/peers/support_limit.h"
 
 namespace graze::benchmark {
 namespace {
@@ -63,8 +64,31 @@ void support(const CcdSphere& sphere, const ccd_vec3_t& direction, ccd_vec3_t& p
   ccdVec3Add(&point, &sphere.centre);
 }
 
+void centre(const CcdTriangle& t, ccd_vec3_t& point) {
+  point = t.corners[0];
+  ccdVec3Add(&point, &t.corners[1]);
+  ccdVec3Add(&point, &t.corners[2]);
+  ccdVec3Scale(&point, 1.0 / 3);
+}
+
+void centre(const CcdBox& box, ccd_vec3_t& point) {
+  point = box.min;
+  ccdVec3Add(&point, &box.max);
+  ccdVec3Scale(&point, 0.5);
+}
+
+void centre(const CcdSphere& sphere, ccd_vec3_t& point) {
+  point = sphere.centre;
+}
+
+template <typename Shape>
+void centre_of(const void* shape, ccd_vec3_t* point) {
+  centre(*static_cast<const Shape*>(shape), *point);
+}
+
 template <typename Shape>
 void support_of(const void* shape, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  SupportLimit::count();
   support(*static_cast<const Shape*>(shape), *direction, *point);
 }
 
@@ -74,30 +98,41 @@ struct CcdPair {
   B b;
 };
 
+using Test = int (*)(const void*, const void*, const ccd_t*);
+
 template <typename A, typename B, typename Element, typename Convert>
-void add_gjk(Contestants<Element>& contestants, Convert convert) {
+void add_both(Contestants<Element>& contestants, Convert convert) {
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = support_of<A>;
   ccd.support2 = support_of<B>;
+  ccd.center1 = centre_of<A>;
+  ccd.center2 = centre_of<B>;
   ccd.max_iterations = 100;
-  add(contestants, {"libccd GJK", Origin::Peer, "double", std::nullopt}, convert,
-      [ccd](const CcdPair<A, B>& pair) { return ccdGJKIntersect(&pair.a, &pair.b, &ccd) != 0; });
+  const auto with = [&](const char* name, Test test) {
+    add(contestants, {name, Origin::Peer, "double", std::nullopt}, convert,
+        [ccd, test](const CcdPair<A, B>& pair) {
+          SupportLimit::begin();
+          return test(&pair.a, &pair.b, &ccd) != 0;
+        });
+  };
+  with("libccd GJK", ccdGJKIntersect);
+  with("libccd MPR", ccdMPRIntersect);
 }
 
 }  // namespace
 
 void add_ccd(Field& field) {
-  add_gjk<CcdTriangle, CcdTriangle>(field.triangle_pairs, [](const TrianglePair& pair) {
+  add_both<CcdTriangle, CcdTriangle>(field.triangle_pairs, [](const TrianglePair& pair) {
     return CcdPair<CcdTriangle, CcdTriangle>{CcdTriangle(pair.a), CcdTriangle(pair.b)};
   });
-  add_gjk<CcdTriangle, CcdBox>(field.triangle_boxes, [](const TriangleAndBox& pair) {
+  add_both<CcdTriangle, CcdBox>(field.triangle_boxes, [](const TriangleAndBox& pair) {
     return CcdPair<CcdTriangle, CcdBox>{CcdTriangle(pair.triangle), CcdBox(pair.box)};
   });
-  add_gjk<CcdSphere, CcdBox>(field.sphere_boxes, [](const SphereAndBox& pair) {
+  add_both<CcdSphere, CcdBox>(field.sphere_boxes, [](const SphereAndBox& pair) {
     return CcdPair<CcdSphere, CcdBox>{CcdSphere(pair.sphere), CcdBox(pair.box)};
   });
-  add_gjk<CcdSphere, CcdSphere>(field.sphere_pairs, [](const SpherePair& pair) {
+  add_both<CcdSphere, CcdSphere>(field.sphere_pairs, [](const SpherePair& pair) {
     return CcdPair<CcdSphere, CcdSphere>{CcdSphere(pair.a), CcdSphere(pair.b)};
   });
 }

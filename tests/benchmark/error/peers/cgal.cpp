@@ -56,9 +56,6 @@ void add_kernel(Field& field, const char* name, const char* precision) {
   add_pairs<CgalSphere, CgalBox>(field.sphere_boxes, label, [](const SphereAndBox& pair) {
     return std::pair(to_cgal<Kernel>(pair.sphere), to_cgal<Kernel>(pair.box));
   });
-  add_pairs<CgalSphere, CgalSphere>(field.sphere_pairs, label, [](const SpherePair& pair) {
-    return std::pair(to_cgal<Kernel>(pair.a), to_cgal<Kernel>(pair.b));
-  });
 }
 
 }  // namespace

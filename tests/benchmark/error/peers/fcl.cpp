@@ -9,9 +9,10 @@
 #include <fcl/narrowphase/detail/gjk_solver_libccd.h>
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>
 
-#include <graze/bvh/error.h>
+#include <memory>
 
 #include "tests/benchmark/error/peers/peers.h"
+#include "tests/benchmark/error/peers/support_limit.h"
 
 // The library that is linked was compiled for the baseline; wider SIMD would change Eigen's layout.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
@@ -32,12 +33,6 @@ struct PlacedBox {
   fcl::Transform3d pose;
 };
 
-/// The solver "libccd" does not end on some boxes that are points: these are refused.
-void refuse_endless(const fcl::detail::GJKSolver_libccdd&, const fcl::Boxd& box) {
-  if (!(box.side.maxCoeff() > 0)) throw Error("a box that is a point");
-}
-void refuse_endless(const fcl::detail::GJKSolver_indepd&, const fcl::Boxd&) {}
-
 struct PlacedSphere {
   explicit PlacedSphere(const Sphere& ball)
       : sphere(ball.radius), pose(fcl::Transform3d::Identity()) {
@@ -47,22 +42,49 @@ struct PlacedSphere {
   fcl::Transform3d pose;
 };
 
+struct TriangleBox {
+  Triangle triangle;
+  PlacedBox box;
+};
+
+bool meet(const fcl::detail::GJKSolver_indepd& solver, const TriangleBox& pair) {
+  return solver.shapeTriangleIntersect(pair.box.box, pair.box.pose, pair.triangle.a,
+                                       pair.triangle.b, pair.triangle.c);
+}
+
+/// Forwards to FCL's own support functions, and counts.
+template <fcl::detail::GJKSupportFunction (*function)()>
+void counted_support(const void* shape, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  static const fcl::detail::GJKSupportFunction support = function();
+  SupportLimit::count();
+  support(shape, direction, point);
+}
+
+/// What the solver's shapeTriangleIntersect() does, with an end: see support_limit.h.
+bool meet(const fcl::detail::GJKSolver_libccdd& solver, const TriangleBox& pair) {
+  using Initializer = fcl::detail::GJKInitializer<double, fcl::Boxd>;
+  const std::unique_ptr<void, void (*)(void*)> box(
+      Initializer::createGJKObject(pair.box.box, pair.box.pose), Initializer::deleteGJKObject);
+  const std::unique_ptr<void, void (*)(void*)> triangle(
+      fcl::detail::triCreateGJKObject(pair.triangle.a, pair.triangle.b, pair.triangle.c),
+      fcl::detail::triDeleteGJKObject);
+  SupportLimit::begin();
+  return fcl::detail::GJKCollide<double>(
+      box.get(), counted_support<Initializer::getSupportFunction>, Initializer::getCenterFunction(),
+      triangle.get(), counted_support<fcl::detail::triGetSupportFunction>,
+      fcl::detail::triGetCenterFunction(),
+      static_cast<unsigned int>(solver.max_collision_iterations), solver.collision_tolerance,
+      nullptr, nullptr, nullptr);
+}
+
 template <typename Solver>
 void add_solver(Field& field, const char* name) {
-  struct TriangleBox {
-    Triangle triangle;
-    PlacedBox box;
-  };
   add(
       field.triangle_boxes, label(name),
       [](const TriangleAndBox& pair) {
         return TriangleBox{pair.triangle, PlacedBox(pair.box)};
       },
-      [solver = Solver()](const TriangleBox& pair) {
-        refuse_endless(solver, pair.box.box);
-        return solver.shapeTriangleIntersect(pair.box.box, pair.box.pose, pair.triangle.a,
-                                             pair.triangle.b, pair.triangle.c);
-      });
+      [solver = Solver()](const TriangleBox& pair) { return meet(solver, pair); });
   struct SphereBox {
     PlacedSphere sphere;
     PlacedBox box;
@@ -102,6 +124,7 @@ void add_fcl(Field& field) {
       });
   add_solver<fcl::detail::GJKSolver_libccdd>(field, "FCL libccd");
   add_solver<fcl::detail::GJKSolver_indepd>(field, "FCL indep");
+  add_fcl_meshes(field.meshes);
 }
 
 }  // namespace graze::benchmark

@@ -19,6 +19,7 @@ void add_ccd(Field& field);
 void add_cgal(Field& field);
 void add_embree(Field& field);
 void add_fcl(Field& field);
+void add_fcl_meshes(MeshContestants& contestants);
 void add_ode(Field& field);
 
 /// Those that were found when this was configured.

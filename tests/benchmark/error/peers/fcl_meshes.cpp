@@ -1,0 +1,79 @@
+// FCL's trees of oriented boxes, of these with swept spheres, and of axis-aligned boxes, asked by
+// its public function. Contact geometry is not asked for: each pair is then reported once.
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+
+#include <graze/bvh/error.h>
+
+#include <limits>
+#include <optional>
+
+#include "tests/benchmark/error/peers/peers.h"
+
+static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
+
+namespace graze::benchmark {
+namespace {
+
+template <typename Volume>
+std::shared_ptr<fcl::BVHModel<Volume>> to_fcl(const Mesh& mesh) {
+  auto model = std::make_shared<fcl::BVHModel<Volume>>();
+  std::vector<fcl::Triangle> triangles;
+  for (const TriangleIndices& t : mesh.triangles())
+    triangles.emplace_back(t[0], t[1], t[2]);
+  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices().size()));
+  model->addSubModel({mesh.vertices().begin(), mesh.vertices().end()}, triangles);
+  if (model->endModel() != fcl::BVH_OK) throw Error("FCL refuses a mesh");
+  return model;
+}
+
+template <typename Volume>
+class FclMeshes final : public MeshContestant {
+ public:
+  explicit FclMeshes(const char* name)
+      : MeshContestant({name, Origin::Peer, "double", std::nullopt}) {}
+
+  void prepare(const Mesh& mesh_a, const Mesh& mesh_b) override {
+    mesh_a_ = to_fcl<Volume>(mesh_a);
+    mesh_b_ = to_fcl<Volume>(mesh_b);
+  }
+  bool any(const Pose& pose_b) override {
+    collide(pose_b, 1);
+    return result_.isCollision();
+  }
+  void find(const Pose& pose_b, std::vector<IndexPair>& pairs) override {
+    collide(pose_b, std::numeric_limits<std::size_t>::max());
+    pairs.clear();
+    for (std::size_t i = 0; i < result_.numContacts(); ++i) {
+      const fcl::Contactd& contact = result_.getContact(i);
+      pairs.push_back(
+          {static_cast<std::uint32_t>(contact.b1), static_cast<std::uint32_t>(contact.b2)});
+    }
+  }
+
+ private:
+  void collide(const Pose& pose_b, std::size_t most) {
+    fcl::Transform3d placed = fcl::Transform3d::Identity();
+    placed.linear() = pose_b.linear();
+    placed.translation() = pose_b.translation();
+    const fcl::CollisionRequestd request(most, /*enable_contact=*/false);
+    result_.clear();
+    fcl::collide(mesh_a_.get(), fcl::Transform3d::Identity(), mesh_b_.get(), placed, request,
+                 result_);
+  }
+
+  std::shared_ptr<fcl::BVHModel<Volume>> mesh_a_;
+  std::shared_ptr<fcl::BVHModel<Volume>> mesh_b_;
+  fcl::CollisionResultd result_;
+};
+
+}  // namespace
+
+void add_fcl_meshes(MeshContestants& contestants) {
+  contestants.push_back(std::make_unique<FclMeshes<fcl::OBBd>>("FCL OBB"));
+  contestants.push_back(std::make_unique<FclMeshes<fcl::OBBRSSd>>("FCL OBBRSS"));
+  contestants.push_back(std::make_unique<FclMeshes<fcl::AABBd>>("FCL AABB"));
+}
+
+}  // namespace graze::benchmark
