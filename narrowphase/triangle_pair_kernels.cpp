@@ -8,7 +8,7 @@
 
 #include <graze/narrowphase/coordinates.h>
 #include <graze/narrowphase/pair_bound.h>
-#include <graze/narrowphase/row_lanes.h>
+#include <graze/narrowphase/row_lanes.inc>
 #include <graze/narrowphase/triangle_pair_batch.h>
 #include <hwy/highway.h>
 
