@@ -8,9 +8,9 @@
 
 #include <graze/narrowphase/box_bound.h>
 #include <graze/narrowphase/coordinates.h>
-#include <graze/narrowphase/row_lanes.h>
 #include <graze/narrowphase/triangle_box_batch.h>
 #include <hwy/highway.h>
+#include <graze/narrowphase/row_lanes.inc>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();

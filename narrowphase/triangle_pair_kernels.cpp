@@ -8,9 +8,9 @@
 
 #include <graze/narrowphase/coordinates.h>
 #include <graze/narrowphase/pair_bound.h>
-#include <graze/narrowphase/row_lanes.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
 #include <hwy/highway.h>
+#include <graze/narrowphase/row_lanes.inc>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::narrowphase::HWY_NAMESPACE {
