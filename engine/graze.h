@@ -15,6 +15,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/contacts/mesh_contacts.h>
 #include <graze/engine/mesh/contacts/mesh_intersection.h>
 #include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/fit.h>
