@@ -14,6 +14,7 @@
 #include <graze/bvh/pose.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
+#include <graze/engine/mesh/contacts/mesh_contacts.h>
 #include <graze/engine/mesh/contacts/mesh_intersection.h>
 #include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/containment.h>

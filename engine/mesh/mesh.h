@@ -18,6 +18,7 @@ struct FloatSphere;
 struct FloatObb;
 struct FloatKDop;
 }  // namespace bvh
+struct VertexFans;
 struct Work;
 
 /// Three indices into the vertices of a mesh.
@@ -61,6 +62,9 @@ class Mesh {
   /// For each vertex the lowest index of a vertex in the same position. Computed when first asked
   /// for, O(n log n).
   std::span<const std::uint32_t> welded() const;
+
+  /// The triangles around each welded vertex. Computed when first asked for, O(n log n).
+  const VertexFans& vertex_fans() const;
 
   /// The hierarchy over the triangles, built when first asked for, O(n log n). The call that builds
   /// it counts that in `work`.

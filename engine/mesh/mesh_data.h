@@ -5,6 +5,7 @@
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/vertex_fans.h>
 
 #include <mutex>
 #include <vector>
@@ -30,6 +31,8 @@ struct Mesh::Data {
   mutable Skin<bvh::FloatKDop> kdops;
   mutable std::once_flag welded_flag;
   mutable std::vector<std::uint32_t> welded;
+  mutable std::once_flag fans_flag;
+  mutable VertexFans fans;
   mutable std::once_flag topology_flag;
   mutable Topology topology;
   mutable std::vector<std::uint32_t> component_vertices;

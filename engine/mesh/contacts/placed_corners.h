@@ -30,6 +30,7 @@ class PlacedCorners {
   const Eigen::Vector3d& position(std::uint32_t corner) const { return positions_[corner]; }
   const Elements& elements(std::uint32_t triangle) const { return elements_[slot_of(triangle)]; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
+  std::size_t count() const { return positions_.size(); }
 
   /// The corners' numbers in the order of the mesh's own indices.
   const std::array<std::uint32_t, 3>& corners(std::uint32_t triangle) const {

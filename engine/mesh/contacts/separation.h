@@ -26,4 +26,11 @@ struct Separation {
 Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const Eigen::Vector3d& direction, Work* work = nullptr);
 
+/// The shortest of these along the normals of the deepest contacts, the axes and the line between
+/// the middles of the meshes, each both ways: a translation that separates them, and so no less
+/// than the smallest one that does, by how much is not known. Zero if the surfaces do not meet.
+/// Throws likewise.
+Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                  Work* work = nullptr);
+
 }  // namespace graze

@@ -193,7 +193,7 @@ class IntersectionOfParts : public testing::TestWithParam<const char*> {};
 
 TEST_P(IntersectionOfParts, IsClosedLoops) {
   const tests::BundledPair pair(GetParam());
-  for (std::size_t i = 0; i < pair.poses.size(); i += 5)
+  for (std::size_t i = 0; i < pair.poses.size(); i += 9)
     EXPECT_GT(expect_loops({pair.mesh_a}, {pair.mesh_b, pair.poses[i]}), 0u);
 }
 

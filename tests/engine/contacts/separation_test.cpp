@@ -215,6 +215,31 @@ INSTANTIATE_TEST_SUITE_P(Bundled, SeparationOfParts,
                          testing::Values("rock-rock.touch", "rock-rock.deep", "link-link.touch",
                                          "link-link.deep", "bolt-nut.touch", "bolt-nut.deep"));
 
+TEST(Separation, WithoutADirectionItIsNoLongerThanAlongAnAxis) {
+  const Mesh box = tests::make_box({1, 1, 1});
+  const PlacedMesh a{box};
+  const PlacedMesh b{box, shifted(0.5, 0.25, -1.75)};
+  const Separation best = separating_translation(a, b);
+  EXPECT_FALSE(intersects(a, {box, best.pose_b}));
+  EXPECT_EQ(best.direction, Eigen::Vector3d(0, 0, -1));
+  EXPECT_NEAR(best.distance, 0.25, 1e-13);
+  const Separation none = separating_translation(a, {box, shifted(5, 0, 0)});
+  EXPECT_EQ(none.distance, 0);
+  EXPECT_EQ(none.translation, Eigen::Vector3d(0, 0, 0));
+  const Mesh inner = tests::make_box({0.5, 0.5, 0.5});
+  EXPECT_EQ(separating_translation(a, {inner}).distance, 0) << "surfaces only";
+  RandomSource source(9);
+  for (int n = 0; n < 20; ++n) {
+    const Mesh s = tests::random_soup({.count = 20}, source);
+    const Mesh t = tests::random_soup({.count = 20}, source);
+    const Separation shortest = separating_translation({s}, {t});
+    EXPECT_FALSE(intersects({s}, {t, shortest.pose_b}));
+    if (!intersects({s}, {t})) continue;
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)})
+      EXPECT_LE(shortest.distance, separating_translation({s}, {t}, axis).distance);
+  }
+}
+
 TEST(Law10Separation, BadInputIsRefused) {
   const Mesh box = tests::make_box({1, 1, 1});
   const double nan = std::nan("");

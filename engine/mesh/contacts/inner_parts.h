@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <graze/engine/mesh/contacts/regions.h>
+
+namespace graze::contacts {
+
+/// One mesh of the two that meet, and the other one as it looks from there.
+struct MeshSide {
+  const PlacedMesh& own_mesh;
+  const PlacedCorners& own;
+  const PlacedCorners& other;
+  FeatureName NodeName::*own_name;
+  FeatureName NodeName::*other_name;
+};
+
+/// The parts of a mesh's surface that lie inside the other and end at an intersection, as sets of
+/// points: placed vertices, and the nodes at which their edges leave the other mesh.
+struct InnerParts {
+  std::vector<std::vector<Eigen::Vector3d>> parts;
+  std::vector<std::vector<std::uint32_t>> of_region;  // which parts end at it
+};
+
+/// Starting from the nodes, whose triangles say which end of an edge lies behind the other surface,
+/// parts are followed from vertex to vertex as far as no edge meets the other mesh. Inside is where
+/// the triangles' counter-clockwise sides look away. A region with a loose end encloses nothing,
+/// nor does one from which a way leads from the inside to the outside: of these, the next vertices
+/// are all there is. Time O(n) in the parts.
+InnerParts find_inner_parts(const CellComplex& complex, const std::vector<Region>& regions,
+                            const MeshSide& side);
+
+}  // namespace graze::contacts

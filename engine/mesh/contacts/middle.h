@@ -1,0 +1,10 @@
+#pragma once
+
+#include <graze/engine/mesh/placed_mesh.h>
+
+namespace graze::contacts {
+
+/// The middle of the mesh's own bounds, placed.
+Eigen::Vector3d middle_of(const PlacedMesh& placed);
+
+}  // namespace graze::contacts
