@@ -106,11 +106,13 @@ std::span<const std::uint32_t> Mesh::welded() const {
 
 const Topology& Mesh::topology() const {
   std::call_once(data_->topology_flag, [&] {
-    Topology topology = topology_of(data_->triangles, welded(), data_->component_vertices);
+    std::vector<std::uint32_t> component_vertices;
+    Topology topology = topology_of(data_->triangles, welded(), component_vertices);
     for (std::size_t i = 0; i < data_->triangles.size(); ++i) {
       topology.degenerate_triangles += narrowphase::is_degenerate(triangle(i));
     }
     data_->topology = topology;
+    data_->component_vertices = std::move(component_vertices);
   });
   return data_->topology;
 }
