@@ -1,13 +1,19 @@
 #include "tests/benchmark/error/graze_contestants.h"
 
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_box_batch.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 
+#include <tests/benchmark/triangles/block_answers.h>
+#include <tests/benchmark/triangles/triangle_columns.h>
+
 #include <array>
+
+#include "tests/benchmark/error/contest.h"
 
 namespace graze::benchmark {
 namespace {
@@ -20,41 +26,92 @@ Label rounded(const char* name) {
   return {name, Origin::Graze, "double", std::nullopt};
 }
 
-/// As queries of meshes do it: eight pairs at a time, and one by one what is left of them. Filling
-/// the batch counts.
-class InBatches final : public Contestant<TrianglePair> {
- public:
-  InBatches() : Contestant(exact("graze, batches of 8")) {}
+/// The batch functions answer with bytes, which an Answer is; 1 is Touching.
+std::span<std::uint8_t> as_hits(std::span<Answer> answers) {
+  static_assert(static_cast<std::uint8_t>(Answer::Touching) == 1);
+  return {reinterpret_cast<std::uint8_t*>(answers.data()), answers.size()};
+}
 
-  void prepare(std::span<const TrianglePair> pairs) override { pairs_ = pairs; }
+void touch_rows(const narrowphase::TriangleRows& rows) {
+  for (const double* row : rows.row)
+    touch(std::span(row, rows.size));
+}
+
+/// All pairs of a chunk in one call, from rows of coordinates; what the triage leaves unsure is
+/// answered one by one.
+class PairsInRows final : public Contestant<TrianglePair> {
+ public:
+  PairsInRows() : Contestant(exact("graze, from rows")) {}
+
+  void prepare(std::span<const TrianglePair> pairs) override {
+    pairs_ = pairs;
+    a_.assign(pairs, [](const TrianglePair& pair) { return pair.a; });
+    b_.assign(pairs, [](const TrianglePair& pair) { return pair.b; });
+    blocks_.resize(kChunk / kBlock);
+  }
   void release() override { pairs_ = {}; }
   void warm(std::size_t first, std::size_t count) const override {
     touch(pairs_.subspan(first, count));
+    touch_rows(a_.rows(first, count));
+    touch_rows(b_.rows(first, count));
   }
   void answer(std::size_t first, std::span<Answer> answers) override {
-    for (std::size_t done = 0; done < answers.size();) {
-      batch_.clear();
-      while (!batch_.is_full() && done + batch_.size() < answers.size()) {
-        const TrianglePair& pair = pairs_[first + done + batch_.size()];
-        batch_.add(pair.a, pair.b);
-      }
-      const std::uint32_t apart = narrowphase::find_apart(batch_);
-      for (std::size_t i = 0; i < batch_.size(); ++i, ++done) {
-        const TrianglePair& pair = pairs_[first + done];
-        answers[done] =
-            to_answer((apart >> i & 1) == 0 && narrowphase::decide(pair.a, pair.b).is_hit);
-      }
-    }
+    const std::size_t size = answers.size();
+    narrowphase::triage(a_.rows(first, size), b_.rows(first, size), blocks_.data());
+    finish(blocks_.data(), &pairs_[first], size, as_hits(answers).data(),
+           [](const TrianglePair& pair) { return intersects(pair.a, pair.b); });
   }
 
  private:
   std::span<const TrianglePair> pairs_;
-  narrowphase::TrianglePairBatch batch_;
+  TriangleColumns a_;
+  TriangleColumns b_;
+  std::vector<narrowphase::Verdicts> blocks_;
+};
+
+/// Likewise for triangles and boxes.
+class BoxesInRows final : public Contestant<TriangleAndBox> {
+ public:
+  BoxesInRows() : Contestant(exact("graze, from rows")) {}
+
+  void prepare(std::span<const TriangleAndBox> pairs) override {
+    pairs_ = pairs;
+    triangles_.assign(pairs, [](const TriangleAndBox& pair) { return pair.triangle; });
+    boxes_.assign(pairs, 6, [](const TriangleAndBox& pair, double* numbers) {
+      for (int k = 0; k < 3; ++k) {
+        numbers[k] = pair.box.min.data()[k];
+        numbers[k + 3] = pair.box.max.data()[k];
+      }
+    });
+    blocks_.resize(kChunk / kBlock);
+  }
+  void release() override { pairs_ = {}; }
+  void warm(std::size_t first, std::size_t count) const override {
+    touch(pairs_.subspan(first, count));
+    touch_rows(triangles_.rows(first, count));
+    for (std::size_t i = 0; i < 6; ++i)
+      touch(std::span(boxes_.row(i) + first, count));
+  }
+  void answer(std::size_t first, std::span<Answer> answers) override {
+    const std::size_t size = answers.size();
+    narrowphase::AabbRows boxes{{}, size};
+    for (std::size_t i = 0; i < 6; ++i)
+      boxes.row[i] = boxes_.row(i) + first;
+    narrowphase::triage(triangles_.rows(first, size), boxes, blocks_.data());
+    finish(blocks_.data(), &pairs_[first], size, as_hits(answers).data(),
+           [](const TriangleAndBox& pair) { return intersects(pair.triangle, pair.box); });
+  }
+
+ private:
+  std::span<const TriangleAndBox> pairs_;
+  TriangleColumns triangles_;
+  Columns boxes_;
+  std::vector<narrowphase::Verdicts> blocks_;
 };
 
 /// Arrays of numbers, one for each of the `count` columns.
 template <std::size_t count>
-class Columns {
+class NumberColumns {
  public:
   void clear() {
     for (std::vector<double>& column : columns_)
@@ -76,7 +133,7 @@ class Columns {
   std::array<std::vector<double>, count> columns_;
 };
 
-using SphereColumns = Columns<4>;
+using SphereColumns = NumberColumns<4>;
 
 std::array<double, 4> row_of(const Sphere& sphere) {
   return {sphere.centre.x(), sphere.centre.y(), sphere.centre.z(), sphere.radius};
@@ -85,12 +142,6 @@ std::array<double, 4> row_of(const Sphere& sphere) {
 SphereArray part_of(const SphereColumns& columns, std::size_t first, std::size_t size) {
   return {columns.part(0, first, size), columns.part(1, first, size), columns.part(2, first, size),
           columns.part(3, first, size)};
-}
-
-/// The batch functions answer with bytes, which an Answer is; 1 is Touching.
-std::span<std::uint8_t> as_hits(std::span<Answer> answers) {
-  static_assert(static_cast<std::uint8_t>(Answer::Touching) == 1);
-  return {reinterpret_cast<std::uint8_t*>(answers.data()), answers.size()};
 }
 
 class SpheresInArrays final : public Contestant<SpherePair> {
@@ -152,7 +203,7 @@ class SpheresAndBoxesInArrays final : public Contestant<SphereAndBox> {
 
  private:
   SphereColumns spheres_;
-  Columns<6> boxes_;
+  NumberColumns<6> boxes_;
 };
 
 constexpr auto kAsItIs = [](const auto& element) { return element; };
@@ -182,11 +233,12 @@ void add_graze(Field& field) {
       [](const TrianglePair& pair) { return intersects(pair.a, pair.b); });
   add(field.triangle_pairs, rounded("graze, triage alone"), kAsItIs,
       [](const TrianglePair& pair) { return narrowphase::triage(pair.a, pair.b); });
-  field.triangle_pairs.push_back(std::make_unique<InBatches>());
+  field.triangle_pairs.push_back(std::make_unique<PairsInRows>());
   add(field.triangle_boxes, exact("graze"), kAsItIs,
       [](const TriangleAndBox& pair) { return intersects(pair.triangle, pair.box); });
   add(field.triangle_boxes, rounded("graze, triage alone"), kAsItIs,
       [](const TriangleAndBox& pair) { return narrowphase::triage(pair.triangle, pair.box); });
+  field.triangle_boxes.push_back(std::make_unique<BoxesInRows>());
   add_sphere_tests(field);
   add_graze_meshes(field.meshes);
 }
