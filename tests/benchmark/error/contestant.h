@@ -92,7 +92,7 @@ class OneByOne final : public Contestant<Element> {
     for (const Element& element : elements)
       inputs_.push_back(convert_(element));
   }
-  void release() override { inputs_ = {}; }
+  void release() override { inputs_ = std::vector<Input>(); }
   void warm(std::size_t first, std::size_t count) const override {
     touch(std::span<const Input>(inputs_).subspan(first, count));
   }

@@ -84,6 +84,9 @@ def draw_panel(zero, axes, question, scope):
     labels = Labels()
     if wrong:
         axes.set_xlim(0.5 * min(share(c, scope) for c in wrong), 1.5)
+    else:
+        axes.set_xlim(1e-3, 1)
+        axes.text(0.5, 0.5, "nobody is wrong", transform=axes.transAxes, ha="center", fontsize=8)
     for contestant in wrong:
         if contestant["epsilon"] is None:
             draw_mark(axes, share(contestant, scope), contestant, labels)

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include <tests/benchmark/error/baselines/akenine_moeller.h>
 #include <tests/benchmark/triangles/block_answers.h>
 #include <tests/benchmark/triangles/box_contestants.h>
 #include <tests/benchmark/triangles/columns.h>
 #include <tests/benchmark/triangles/one_by_one.h>
 #include <tests/benchmark/triangles/pair_sets.h>
-#include <tests/benchmark/triangles/plain_box_test.h>
 #include <tests/benchmark/triangles/triangle_columns.h>
 
 namespace graze::benchmark {
@@ -85,7 +85,8 @@ class Rows final : public BoxContestant {
 std::vector<std::unique_ptr<BoxContestant>> box_contestants(const std::string& set) {
   std::vector<std::unique_ptr<BoxContestant>> all;
   all.push_back(one_by_one("Akenine-Möller, plain double", [](const TriangleAndBox& element) {
-    return plain_box_test(element.triangle, element.box);
+    return akenine_moeller(corners_of(element.triangle), element.box.min.data(),
+                           element.box.max.data(), NoSnap{});
   }));
   all.push_back(one_by_one("graze", [](const TriangleAndBox& element) {
     return intersects(element.triangle, element.box);

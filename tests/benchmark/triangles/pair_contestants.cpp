@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include <tests/benchmark/error/baselines/guigue_devillers.h>
 #include <tests/benchmark/triangles/block_answers.h>
-#include <tests/benchmark/triangles/guigue_devillers.h>
 #include <tests/benchmark/triangles/one_by_one.h>
 #include <tests/benchmark/triangles/pair_contestants.h>
 #include <tests/benchmark/triangles/pair_sets.h>
@@ -119,7 +119,7 @@ class OneAgainstMany final : public PairContestant {
 std::vector<std::unique_ptr<PairContestant>> pair_contestants(const std::string& set) {
   std::vector<std::unique_ptr<PairContestant>> all;
   all.push_back(one_by_one("Guigue-Devillers, plain double", [](const TrianglePair& pair) {
-    return guigue_devillers(pair.a, pair.b);
+    return guigue_devillers(corners_of(pair.a), corners_of(pair.b), NoSnap{});
   }));
   all.push_back(
       one_by_one("graze", [](const TrianglePair& pair) { return intersects(pair.a, pair.b); }));

@@ -83,17 +83,21 @@ void add_in_precision(Field& field) {
     return PlainPair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
   };
   add_family<Real>(field.triangle_pairs, "Guigue-Devillers", to_pair, [](auto snap) {
-    return [snap](const PlainPair<Real>& pair) { return guigue_devillers(pair.a, pair.b, snap); };
+    return [snap](const PlainPair<Real>& pair) {
+      return guigue_devillers(corners_of(pair.a), corners_of(pair.b), snap);
+    };
   });
   add_family<Real>(field.triangle_pairs, "Möller 1997", to_pair, [](auto snap) {
-    return [snap](const PlainPair<Real>& pair) { return moeller(pair.a, pair.b, snap); };
+    return [snap](const PlainPair<Real>& pair) {
+      return moeller(corners_of(pair.a), corners_of(pair.b), snap);
+    };
   });
   const auto to_box = [](const TriangleAndBox& pair) {
     return PlainTriangleAndBox<Real>{to_plain<Real>(pair.triangle), to_plain<Real>(pair.box)};
   };
   add_family<Real>(field.triangle_boxes, "Akenine-Möller", to_box, [](auto snap) {
     return [snap](const PlainTriangleAndBox<Real>& pair) {
-      return akenine_moeller(pair.triangle, pair.box, snap);
+      return akenine_moeller(corners_of(pair.triangle), pair.box.min, pair.box.max, snap);
     };
   });
 }

@@ -45,35 +45,33 @@ class Axes {
 }  // namespace
 
 template <typename Real, typename Snapping>
-bool akenine_moeller(const PlainTriangle<Real>& triangle, const PlainBox<Real>& box,
+bool akenine_moeller(const Corners<Real>& triangle, const Real* low, const Real* high,
                      Snapping snap) {
-  const Real* low = box.min;
-  const Real* high = box.max;
   const Real two = 2;
   const Real centre[3] = {(low[0] + high[0]) / two, (low[1] + high[1]) / two,
                           (low[2] + high[2]) / two};
   const PlainVector<Real> half{(high[0] - low[0]) / two, (high[1] - low[1]) / two,
                                (high[2] - low[2]) / two};
   const Axes<Real, Snapping> axes(half, snap);
-  const PlainVector<Real> a = difference(triangle.a, centre);
-  const PlainVector<Real> b = difference(triangle.b, centre);
-  const PlainVector<Real> c = difference(triangle.c, centre);
+  const PlainVector<Real> a = difference(triangle.p, centre);
+  const PlainVector<Real> b = difference(triangle.q, centre);
+  const PlainVector<Real> c = difference(triangle.r, centre);
   if (axes.separates(a.x, b.x, c.x, half.x) || axes.separates(a.y, b.y, c.y, half.y) ||
       axes.separates(a.z, b.z, c.z, half.z)) {
     return false;
   }
-  const PlainVector<Real> e = difference(triangle.b, triangle.a);
-  const PlainVector<Real> f = difference(triangle.c, triangle.b);
-  const PlainVector<Real> g = difference(triangle.a, triangle.c);
+  const PlainVector<Real> e = difference(triangle.q, triangle.p);
+  const PlainVector<Real> f = difference(triangle.r, triangle.q);
+  const PlainVector<Real> g = difference(triangle.p, triangle.r);
   if (axes.separates(e, a, c) || axes.separates(f, b, a) || axes.separates(g, c, b)) return false;
   return !axes.plane_separates(cross(e, f), a);
 }
 
-using FloatTriangle = PlainTriangle<float>;
-using DoubleTriangle = PlainTriangle<double>;
-template bool akenine_moeller(const FloatTriangle&, const PlainBox<float>&, NoSnap);
-template bool akenine_moeller(const FloatTriangle&, const PlainBox<float>&, Snap<float>);
-template bool akenine_moeller(const DoubleTriangle&, const PlainBox<double>&, NoSnap);
-template bool akenine_moeller(const DoubleTriangle&, const PlainBox<double>&, Snap<double>);
+using FloatCorners = Corners<float>;
+using DoubleCorners = Corners<double>;
+template bool akenine_moeller(const FloatCorners&, const float*, const float*, NoSnap);
+template bool akenine_moeller(const FloatCorners&, const float*, const float*, Snap<float>);
+template bool akenine_moeller(const DoubleCorners&, const double*, const double*, NoSnap);
+template bool akenine_moeller(const DoubleCorners&, const double*, const double*, Snap<double>);
 
 }  // namespace graze::benchmark

@@ -8,6 +8,7 @@ namespace graze::benchmark {
 /// radius along an axis, after `snap`, is compared with zero. For float and double, with NoSnap and
 /// Snap.
 template <typename Real, typename Snapping>
-bool akenine_moeller(const PlainTriangle<Real>& triangle, const PlainBox<Real>& box, Snapping snap);
+bool akenine_moeller(const Corners<Real>& triangle, const Real* box_min, const Real* box_max,
+                     Snapping snap);
 
 }  // namespace graze::benchmark

@@ -12,13 +12,6 @@ Real volume(const Real* a, const Real* b, const Real* c, const Real* d) {
 }
 
 template <typename Real>
-struct Corners {
-  const Real* p;
-  const Real* q;
-  const Real* r;
-};
-
-template <typename Real>
 Real area(const Real* a, const Real* b, const Real* c, int x, int y) {
   return (b[x] - a[x]) * (c[y] - a[y]) - (b[y] - a[y]) * (c[x] - a[x]);
 }
@@ -81,10 +74,10 @@ bool put_lone_vertex_first(Corners<Real>& t, Real p, Real q, Real r) {
 }  // namespace
 
 template <typename Real, typename Snapping>
-bool guigue_devillers(const PlainTriangle<Real>& triangle_a, const PlainTriangle<Real>& triangle_b,
+bool guigue_devillers(const Corners<Real>& triangle_a, const Corners<Real>& triangle_b,
                       Snapping snap) {
-  Corners<Real> a{triangle_a.a, triangle_a.b, triangle_a.c};
-  Corners<Real> b{triangle_b.a, triangle_b.b, triangle_b.c};
+  Corners<Real> a = triangle_a;
+  Corners<Real> b = triangle_b;
   const PlainVector<Real> normal_b = cross(difference(b.p, b.r), difference(b.q, b.r));
   const Real a_p = snap(dot(normal_b, difference(a.p, b.r)));
   const Real a_q = snap(dot(normal_b, difference(a.q, b.r)));
@@ -106,11 +99,11 @@ bool guigue_devillers(const PlainTriangle<Real>& triangle_a, const PlainTriangle
   return snap(volume(a.p, a.q, b.p, b.q)) <= 0 && snap(volume(a.p, a.r, b.r, b.p)) <= 0;
 }
 
-using FloatTriangle = PlainTriangle<float>;
-using DoubleTriangle = PlainTriangle<double>;
-template bool guigue_devillers(const FloatTriangle&, const FloatTriangle&, NoSnap);
-template bool guigue_devillers(const FloatTriangle&, const FloatTriangle&, Snap<float>);
-template bool guigue_devillers(const DoubleTriangle&, const DoubleTriangle&, NoSnap);
-template bool guigue_devillers(const DoubleTriangle&, const DoubleTriangle&, Snap<double>);
+using FloatCorners = Corners<float>;
+using DoubleCorners = Corners<double>;
+template bool guigue_devillers(const FloatCorners&, const FloatCorners&, NoSnap);
+template bool guigue_devillers(const FloatCorners&, const FloatCorners&, Snap<float>);
+template bool guigue_devillers(const DoubleCorners&, const DoubleCorners&, NoSnap);
+template bool guigue_devillers(const DoubleCorners&, const DoubleCorners&, Snap<double>);
 
 }  // namespace graze::benchmark

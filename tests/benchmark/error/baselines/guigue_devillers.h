@@ -8,7 +8,7 @@ namespace graze::benchmark {
 /// after `snap`. Coplanar pairs by separating edges in the projection along the largest component
 /// of the normal. For float and double, with NoSnap and Snap.
 template <typename Real, typename Snapping>
-bool guigue_devillers(const PlainTriangle<Real>& triangle_a, const PlainTriangle<Real>& triangle_b,
+bool guigue_devillers(const Corners<Real>& triangle_a, const Corners<Real>& triangle_b,
                       Snapping snap);
 
 }  // namespace graze::benchmark

@@ -79,10 +79,9 @@ bool meet_in_plane(const PlainVector<Real>& normal, const Real* const (&a)[3],
 }  // namespace
 
 template <typename Real, typename Snapping>
-bool moeller(const PlainTriangle<Real>& triangle_a, const PlainTriangle<Real>& triangle_b,
-             Snapping snap) {
-  const Real* const a[3] = {triangle_a.a, triangle_a.b, triangle_a.c};
-  const Real* const b[3] = {triangle_b.a, triangle_b.b, triangle_b.c};
+bool moeller(const Corners<Real>& triangle_a, const Corners<Real>& triangle_b, Snapping snap) {
+  const Real* const a[3] = {triangle_a.p, triangle_a.q, triangle_a.r};
+  const Real* const b[3] = {triangle_b.p, triangle_b.q, triangle_b.r};
   const PlainVector<Real> normal_a = cross(difference(a[1], a[0]), difference(a[2], a[0]));
   const PlainVector<Real> origin_a{a[0][0], a[0][1], a[0][2]};
   const Real offset_a = -dot(normal_a, origin_a);
@@ -113,11 +112,11 @@ bool moeller(const PlainTriangle<Real>& triangle_a, const PlainTriangle<Real>& t
   return !(interval_a.high < interval_b.low || interval_b.high < interval_a.low);
 }
 
-using FloatTriangle = PlainTriangle<float>;
-using DoubleTriangle = PlainTriangle<double>;
-template bool moeller(const FloatTriangle&, const FloatTriangle&, NoSnap);
-template bool moeller(const FloatTriangle&, const FloatTriangle&, Snap<float>);
-template bool moeller(const DoubleTriangle&, const DoubleTriangle&, NoSnap);
-template bool moeller(const DoubleTriangle&, const DoubleTriangle&, Snap<double>);
+using FloatCorners = Corners<float>;
+using DoubleCorners = Corners<double>;
+template bool moeller(const FloatCorners&, const FloatCorners&, NoSnap);
+template bool moeller(const FloatCorners&, const FloatCorners&, Snap<float>);
+template bool moeller(const DoubleCorners&, const DoubleCorners&, NoSnap);
+template bool moeller(const DoubleCorners&, const DoubleCorners&, Snap<double>);
 
 }  // namespace graze::benchmark

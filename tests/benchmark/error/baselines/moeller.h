@@ -8,7 +8,6 @@ namespace graze::benchmark {
 /// rounded: the intervals in which the triangles meet the line of their planes. The distances from
 /// the planes are compared with zero after `snap`. For float and double, with NoSnap and Snap.
 template <typename Real, typename Snapping>
-bool moeller(const PlainTriangle<Real>& triangle_a, const PlainTriangle<Real>& triangle_b,
-             Snapping snap);
+bool moeller(const Corners<Real>& triangle_a, const Corners<Real>& triangle_b, Snapping snap);
 
 }  // namespace graze::benchmark

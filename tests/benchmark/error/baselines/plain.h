@@ -16,6 +16,22 @@ struct PlainTriangle {
   Real c[3];
 };
 
+/// Where three corners lie, three coordinates each.
+template <typename Real>
+struct Corners {
+  const Real* p;
+  const Real* q;
+  const Real* r;
+};
+
+template <typename Real>
+Corners<Real> corners_of(const PlainTriangle<Real>& t) {
+  return {t.a, t.b, t.c};
+}
+inline Corners<double> corners_of(const Triangle& t) {
+  return {t.a.data(), t.b.data(), t.c.data()};
+}
+
 template <typename Real>
 struct PlainBox {
   Real min[3];

@@ -17,7 +17,6 @@ struct Peer {
 void add_bullet(Field& field);
 void add_ccd(Field& field);
 void add_cgal(Field& field);
-void add_embree(Field& field);
 void add_fcl(Field& field);
 void add_fcl_meshes(MeshContestants& contestants);
 void add_ode(Field& field);
