@@ -1,4 +1,5 @@
 #include <tests/fuzz/byte_shapes.h>
+#include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
 
@@ -86,6 +87,29 @@ Aabb ByteShapes::box() {
   const Vector3d p = point();
   const Vector3d q = point();
   return {p.cwiseMin(q), p.cwiseMax(q)};
+}
+
+// A quaternion of small integers gives turns by right angles as well as slanted ones. What is off
+// stays within the 1e-6 that law 10 allows, or is refused.
+Pose ByteShapes::pose() {
+  Pose pose = Pose::Identity();
+  const int choice = byte();
+  if (choice % 4 != 0) {
+    double q[4];
+    double square = 0;
+    for (double& component : q) {
+      component = byte() % 9 - 4;
+      square += component * component;
+    }
+    if (square > 0)
+      pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  }
+  for (int k = 0; k < 9 && choice % 4 > 1; ++k) {
+    double& entry = pose.matrix()(k / 3, k % 3);
+    entry = choice % 4 == 2 ? neighbour(entry) : entry + (byte() - 128) * 0x1p-29;
+  }
+  pose.translation() = point();
+  return pose;
 }
 
 }  // namespace graze::fuzz

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/pose.h>
 #include <graze/narrowphase/triangle.h>
 
 namespace graze::fuzz {
@@ -18,11 +19,14 @@ class ByteShapes {
  public:
   ByteShapes(const std::uint8_t* data, std::size_t size) : bytes_(data, size) {}
 
+  std::uint8_t byte();
   Triangle triangle();
   Aabb box();
 
+  /// A rotation, exact or rounded or a little off, and a translation.
+  Pose pose();
+
  private:
-  std::uint8_t byte();
   double any_double();
   double neighbour(double value);
   double coordinate();
