@@ -1,3 +1,4 @@
+#include <graze/engine/cli/contacts_command.h>
 #include <graze/engine/cli/info_command.h>
 #include <graze/engine/cli/output.h>
 #include <graze/engine/cli/pair_command.h>
@@ -24,6 +25,7 @@ Each subcommand has its own --help.
 Examples:
   graze info bolt.obj nut.stl
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
+  graze contacts bolt.obj nut.stl --separate
   graze voxels bolt.obj --resolution 200 -o voxels.ply
 
 Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengths are in metres.
@@ -80,6 +82,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   Action action;
   add_info_command(program, action);
   add_pair_command(program, action);
+  add_contacts_command(program, action);
   add_voxels_command(program, action);
   Output output(stdout);
   try {
