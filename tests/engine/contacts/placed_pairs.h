@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/pose_text.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct BundledPair {
   explicit BundledPair(const std::string& name)
       : mesh_a(load(name.substr(0, name.find('-')))),
         mesh_b(load(name.substr(name.find('-') + 1, name.find('.') - name.find('-') - 1))),
-        poses(load_poses(std::string(GRAZE_DATA_DIR) + "/poses/" + name + ".txt")) {}
+        poses(load_poses(std::filesystem::path(GRAZE_DATA_DIR) / "poses" / (name + ".txt"))) {}
 
   Mesh mesh_a;
   Mesh mesh_b;
@@ -32,7 +33,7 @@ struct BundledPair {
                          : part == "nut"    ? ".stl"
                          : part == "pinion" ? ".off"
                                             : ".ply";
-    return load_mesh(std::string(GRAZE_DATA_DIR) + "/meshes/" + part + ending);
+    return load_mesh(std::filesystem::path(GRAZE_DATA_DIR) / "meshes" / (part + ending));
   }
 };
 
