@@ -8,7 +8,8 @@ foreach(package CLI11 nlohmann_json fmt fcl GTest)
 endforeach()
 
 if(ADD_SOURCES)
-  set(graze -D GRAZE_SOURCES=${SOURCES} -D BUILD_SHARED_LIBS=ON -D GRAZE_INSTALL=ON)
+  set(graze -D GRAZE_SOURCES=${SOURCES} -D BUILD_SHARED_LIBS=ON -D GRAZE_INSTALL=ON
+            -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON)  # so that no include is forgotten
 else()
   set(graze -D CMAKE_PREFIX_PATH=${PREFIX} -D CMAKE_DISABLE_FIND_PACKAGE_FastFloat=ON)
 endif()
