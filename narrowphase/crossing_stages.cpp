@@ -75,8 +75,8 @@ Canonical canonical(const Vertices& corners, int lone, Sign other_side) {
 }
 
 /// Two triangles, each with vertices strictly on both sides of the other's plane.
-std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b, const Sides& sides_a,
-                                          const Sides& sides_b) {
+std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b,
+                                          const Sides& sides_a, const Sides& sides_b) {
   const LoneVertex lone_a = find_lone_vertex(sides_a.sign);
   const LoneVertex lone_b = find_lone_vertex(sides_b.sign);
   return {canonical(a, lone_a.index, lone_b.side), canonical(b, lone_b.index, lone_a.side)};
