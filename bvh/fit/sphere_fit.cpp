@@ -91,6 +91,7 @@ Eigen::Vector3d minimal_centre(const LocalPoints& points, std::span<const Extrem
   for (const ExtremalPair& pair : extremal)
     indices.insert(indices.end(), {pair.low, pair.high});
   std::vector<Eigen::Vector3d> few;
+  few.reserve(indices.size());
   for (std::size_t i : indices)
     few.push_back(points.point(i));
   Eigen::Vector3d best = few[0];
