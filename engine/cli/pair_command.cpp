@@ -45,6 +45,7 @@ Exit codes:
 
 std::vector<std::string> volume_names() {
   std::vector<std::string> names;
+  names.reserve(kVolumes.size());
   for (const Volume volume : kVolumes)
     names.emplace_back(name_of(volume));
   return names;
