@@ -35,7 +35,7 @@ constexpr double kLargest = 0x1p+450;
 struct Vector {
   explicit Vector(Step step)
       : x(step.to[0] - step.from[0]), y(step.to[1] - step.from[1]), z(step.to[2] - step.from[2]) {}
-  Vector(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+  Vector(double along_x, double along_y, double along_z) : x(along_x), y(along_y), z(along_z) {}
 
   double size() const { return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)); }
 
