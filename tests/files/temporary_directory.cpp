@@ -8,7 +8,8 @@
 namespace graze::tests {
 
 TemporaryDirectory::TemporaryDirectory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "graze-XXXXXX").string();
+  std::string pattern =
+      (std::filesystem::temp_directory_path() / "graze-").string() + std::string(6, 'X');
   if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make " + pattern);
   path_ = pattern;
 }
