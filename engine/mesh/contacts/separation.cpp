@@ -21,12 +21,14 @@ Separation separation_of(double distance, const Eigen::Vector3d& direction, cons
   return separation;
 }
 
-/// The exact test has the last word: the bound covers all rounding, but is not trusted.
+/// The exact test has the last word: the bound covers all rounding, but is not trusted. Steps
+/// double, so that they end even where the first vanish in the pose's translation.
 Separation end_contact(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vector3d& direction,
                        double distance, Work& work) {
   Separation separation = separation_of(distance, direction, b.pose);
-  while (intersects(a, {b.mesh, separation.pose_b}, &work)) {
-    distance += 0x1p-48 * distance + std::numeric_limits<double>::denorm_min();
+  double step = 0x1p-48 * distance + std::numeric_limits<double>::denorm_min();
+  for (; intersects(a, {b.mesh, separation.pose_b}, &work); step *= 2) {
+    distance += step;
     separation = separation_of(distance, direction, b.pose);
   }
   return separation;
