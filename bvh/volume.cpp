@@ -6,6 +6,8 @@ namespace graze {
 
 const char* name_of(Volume volume) {
   switch (volume) {
+    case Volume::Wide:
+      return "wide";
     case Volume::Aabb:
       return "aabb";
     case Volume::Sphere:

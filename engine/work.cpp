@@ -5,6 +5,7 @@ namespace graze {
 Work& Work::operator+=(const Work& other) {
   volume_tests += other.volume_tests;
   volume_rejections += other.volume_rejections;
+  filter_tests += other.filter_tests;
   triangle_tests += other.triangle_tests;
   exact_tests += other.exact_tests;
   points_tested += other.points_tested;

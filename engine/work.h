@@ -9,11 +9,12 @@ namespace graze {
 struct Work {
   std::uint64_t volume_tests = 0;       ///< pairs of bounding volumes tested
   std::uint64_t volume_rejections = 0;  ///< of these, found apart: what lies below was skipped
-  std::uint64_t triangle_tests = 0;     ///< triangle/triangle or triangle/box pairs tested
-  std::uint64_t exact_tests = 0;    ///< of these, pairs that the floating-point stage left unsure
-  std::uint64_t points_tested = 0;  ///< points asked whether a closed mesh encloses them
-  std::uint64_t trees_built = 0;    ///< trees built because this query was the first to walk them
-  std::uint64_t skins_built = 0;    ///< volumes other than boxes fitted to a tree, likewise
+  std::uint64_t filter_tests = 0;  ///< triangle pairs in leaves, tested by float before any placing
+  std::uint64_t triangle_tests = 0;  ///< triangle/triangle or triangle/box pairs tested
+  std::uint64_t exact_tests = 0;     ///< of these, pairs that the floating-point stage left unsure
+  std::uint64_t points_tested = 0;   ///< points asked whether a closed mesh encloses them
+  std::uint64_t trees_built = 0;     ///< trees built because this query was the first to walk them
+  std::uint64_t skins_built = 0;     ///< volumes other than boxes fitted to a tree, likewise
 
   /// Adds counter by counter.
   Work& operator+=(const Work& other);

@@ -53,9 +53,9 @@ std::string to_json(const ContactsAnswer& answer) {
                    answer.separation->distance, json_of(answer.separation->translation));
   }
   fmt::format_to(end,
-                 ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"triangle_tests\":{},"
-                 "\"exact_tests\":{},\"trees_built\":{},\"skins_built\":{}}}",
-                 answer.work.volume_tests, answer.work.volume_rejections,
+                 ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
+                 "\"triangle_tests\":{},\"exact_tests\":{},\"trees_built\":{},\"skins_built\":{}}}",
+                 answer.work.volume_tests, answer.work.volume_rejections, answer.work.filter_tests,
                  answer.work.triangle_tests, answer.work.exact_tests, answer.work.trees_built,
                  answer.work.skins_built);
   return line + "}\n";

@@ -20,7 +20,7 @@ go through each other, and leaves out those that share a vertex or an edge or li
 
 With --json each pose gives one line:
   {"pose":0,"intersects":true,"pairs":2,"work":{"volume_tests":...,"volume_rejections":...,
-   "triangle_tests":...,"exact_tests":...,"points_tested":...,
+   "filter_tests":...,"triangle_tests":...,"exact_tests":...,"points_tested":...,
    "trees_built":...,"skins_built":...}}
 --list adds "list":[[a,b],...] after "pairs", triangles counted from 0 in the order of the files,
 and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b],"graze":...,
@@ -28,7 +28,7 @@ and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b
 With --touch exclude, "intersects", "pairs" and "list" speak of triangles that cross.
 With --solid, which needs closed meshes, "intersects" is true also where one is wholly inside the
 other; pairs stay pairs of triangles, and there may be none.
-Volumes are aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and sphere-kdop, which
+Volumes are wide, aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and sphere-kdop, which
 try the sphere first. Times are in microseconds; the first query's time includes building both
 trees and their volumes.
 
@@ -69,7 +69,7 @@ void add_pair_command(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"any", "pairs"}).description(""));
   command
       ->add_option("--volume", options->volume,
-                   "what prunes (default: aabb); changes the time, never the answer")
+                   "what prunes (default: wide); changes the time, never the answer")
       ->type_name("VOLUME")
       ->check(CLI::IsMember(volume_names()).description(""));
   command

@@ -13,7 +13,7 @@ struct PairOptions {
   std::string pose_b;
   std::optional<std::string> poses;  // given and empty is an error, not as if not given
   std::string query = "pairs";
-  std::string volume = "aabb";
+  std::string volume = "wide";
   std::string touch = "include";
   std::string check;
   bool is_solid = false;

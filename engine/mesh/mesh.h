@@ -14,6 +14,7 @@ namespace graze {
 
 namespace bvh {
 struct Tree;
+class WideTree;
 struct FloatSphere;
 struct FloatObb;
 struct FloatKDop;
@@ -69,6 +70,9 @@ class Mesh {
   /// The hierarchy over the triangles, built when first asked for, O(n log n). The call that builds
   /// it counts that in `work`.
   const bvh::Tree& tree(Work* work = nullptr) const;
+
+  /// The same hierarchy in wide nodes, whose parts are built when a query first walks them.
+  const bvh::WideTree& wide_tree(Work* work = nullptr) const;
 
   /// The skins of the tree: one volume for each of its nodes, in the tree's frame. Fitted when
   /// first asked for, O(n log n), which the call that does it counts in `work`.

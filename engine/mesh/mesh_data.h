@@ -4,9 +4,11 @@
 
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree.h>
+#include <graze/bvh/wide/wide_tree.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/vertex_fans.h>
 
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -29,6 +31,9 @@ struct Mesh::Data {
   mutable Skin<bvh::FloatSphere> spheres;
   mutable Skin<bvh::FloatObb> obbs;
   mutable Skin<bvh::FloatKDop> kdops;
+  mutable std::once_flag wide_flag;
+  mutable std::unique_ptr<bvh::CornerSource> corners;
+  mutable std::unique_ptr<bvh::WideTree> wide;
   mutable std::once_flag welded_flag;
   mutable std::vector<std::uint32_t> welded;
   mutable std::once_flag fans_flag;

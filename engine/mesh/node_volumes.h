@@ -35,6 +35,7 @@ void with_separation(Volume volume, const bvh::RelativeFrame& frame, const NodeV
   const auto obbs = [&] { return bvh::ObbSeparation(frame, a.obbs, b.obbs); };
   const auto kdops = [&] { return bvh::KDopSeparation(frame, a.kdops, b.kdops); };
   switch (volume) {
+    case Volume::Wide:  // for queries that have no wide trees
     case Volume::Aabb:
       return use(boxes());
     case Volume::Sphere:

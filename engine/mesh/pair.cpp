@@ -1,4 +1,5 @@
 #include <graze/bvh/traverse_pair.h>
+#include <graze/bvh/wide/wide_pair_walk.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/parity.h>
@@ -8,6 +9,8 @@
 #include <graze/engine/mesh/solid.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/triangle_pair_batch.h>
+
+#include <bit>
 
 namespace graze {
 namespace {
@@ -28,11 +31,16 @@ class Candidates {
   template <typename OnPair>
   bvh::Walk decide(OnPair&& on_pair) {
     const std::size_t size = batch_.size();
-    const std::uint32_t apart = narrowphase::find_apart(batch_);
+    const narrowphase::Verdicts verdicts = narrowphase::triage(batch_);
     batch_.clear();
     work_.triangle_tests += size;
-    for (std::size_t i = 0; i < size; ++i) {
-      if ((apart >> i & 1) != 0 || !meet(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
+    // Lanes of two that surely cross count as touching, too.
+    std::uint32_t open = ((1u << size) - 1) & ~verdicts.apart;
+    while (open != 0) {
+      const int i = std::countr_zero(open);
+      open &= open - 1;
+      const bool is_sure = (verdicts.touching >> i & 1) != 0;
+      if (!is_sure && !meet(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
       if (on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;
@@ -51,12 +59,60 @@ class Candidates {
   TrianglePair pairs_[narrowphase::TrianglePairBatch::kCapacity];
 };
 
-/// Calls `on_pair(a, b)` with the indices of each pair of triangles that meet, until it answers
+/// for_each_pair() by wide trees whose boxes as a whole are not apart.
+template <typename OnPair>
+void walk_wide_trees(const PlacedMesh& a, const PlacedMesh& b, const bvh::RelativeFrame& b_in_a,
+                     const bvh::RelativeFrame& a_in_b, Touch touch, Work& work, OnPair&& on_pair) {
+  const bvh::WideTree& tree_a = a.mesh.wide_tree();
+  const bvh::WideTree& tree_b = b.mesh.wide_tree();
+  bvh::WidePairWalk walk(tree_a, tree_b, b_in_a, a_in_b);
+  Candidates candidates(touch, work);
+  bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce + narrowphase::TrianglePairBatch::kCapacity];
+  bool is_stopped = false;
+  while (!is_stopped) {
+    const std::size_t count = walk.next(places);
+    if (count == 0) break;
+    for (std::size_t i = 0; i < count && !is_stopped; ++i) {
+      const std::uint32_t index_a = tree_a.primitive(places[i].a);
+      const std::uint32_t index_b = tree_b.primitive(places[i].b);
+      candidates.add({index_a, index_b}, place(a.pose, a.mesh.triangle(index_a)),
+                     place(b.pose, b.mesh.triangle(index_b)));
+      is_stopped = candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop;
+    }
+  }
+  if (!is_stopped) candidates.decide(on_pair);
+  work.volume_tests += walk.counts().box_tests;
+  work.volume_rejections += walk.counts().box_rejections;
+  work.filter_tests += walk.counts().primitive_tests;
+}
+
+/// for_each_pair() by wide trees. Far apart is the common case, which is over after one test.
+template <typename OnPair>
+void for_each_wide_pair(const PlacedMesh& a, const PlacedMesh& b, Touch touch, Work& work,
+                        OnPair&& on_pair) {
+  const double deviation_a = check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
+  const double deviation_b = check_placement(b.pose, b.mesh.bounds(), "pose of mesh B");
+  const bvh::WideTree& tree_a = a.mesh.wide_tree(&work);
+  const bvh::WideTree& tree_b = b.mesh.wide_tree(&work);
+  const PlacedFrame frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()};
+  const PlacedFrame frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()};
+  const bvh::RelativeFrame b_in_a = relative_frame(frame_a, frame_b);
+  ++work.volume_tests;
+  if (bvh::BoxSeparation(b_in_a).are_apart(tree_a.box(), tree_b.box())) {
+    ++work.volume_rejections;
+    return;
+  }
+  walk_wide_trees(a, b, b_in_a, relative_frame(frame_b, frame_a), touch, work, on_pair);
+}
+
+/// Calls `on_pair(pair)` with the indices of each pair of triangles that meet, until it answers
 /// Stop.
 template <typename OnPair>
 void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, const PairSettings& settings,
                    Work& work, OnPair&& on_pair) {
   narrowphase::check_touch(settings.touch);
+  if (settings.volume == Volume::Wide)
+    return for_each_wide_pair(a, b, settings.touch, work, on_pair);
   const double deviation_a = check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
   const double deviation_b = check_placement(b.pose, b.mesh.bounds(), "pose of mesh B");
   const NodeVolumes volumes_a = volumes_of(a.mesh, settings.volume, work);

@@ -39,7 +39,7 @@ struct TrianglePairs {
 /// How a query that answers yes or no goes about it.
 struct QuerySettings {
   /// What prunes: changes the time, never the answer.
-  Volume volume = Volume::Aabb;
+  Volume volume = Volume::Wide;
   /// Which pairs of triangles count, for two meshes. What asks for no two meshes refuses any other
   /// policy than Include by InputError.
   Touch touch = Touch::Include;
@@ -53,7 +53,7 @@ struct PairSettings {
   /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   /// What prunes: changes the time, never which pairs there are.
-  Volume volume = Volume::Aabb;
+  Volume volume = Volume::Wide;
   /// Which pairs count.
   Touch touch = Touch::Include;
 };

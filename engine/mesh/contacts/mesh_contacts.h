@@ -39,7 +39,7 @@ struct ContactSettings {
   /// At most so many contacts, the deepest ones. All are found, whatever the limit.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   /// What prunes: changes the time, never the contacts.
-  Volume volume = Volume::Aabb;
+  Volume volume = Volume::Wide;
 };
 
 /// One contact for each connected piece of find_intersection(): a loop, several loops and patches

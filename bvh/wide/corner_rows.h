@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Primitives that are the convex hulls of three points each, coordinate by coordinate, rounded to
+/// float.
+class CornerRows {
+ public:
+  static constexpr std::size_t kRows = 9;
+
+  explicit CornerRows(std::size_t size) : size_(size), values_(kRows * size) {}
+
+  std::size_t size() const { return size_; }
+
+  /// Coordinate k of corner c of all primitives.
+  float* row(std::size_t c, std::size_t k) { return values_.data() + (3 * c + k) * size_; }
+  const float* row(std::size_t c, std::size_t k) const {
+    return values_.data() + (3 * c + k) * size_;
+  }
+
+  /// The largest coordinate in size.
+  float reach() const;
+
+  /// The same primitives in another order: primitive i becomes what order[i] was.
+  CornerRows reordered(std::span<const std::uint32_t> order) const;
+
+ private:
+  std::size_t size_;
+  std::vector<float> values_;
+};
+
+}  // namespace graze::bvh

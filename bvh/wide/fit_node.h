@@ -1,0 +1,24 @@
+#pragma once
+
+#include <graze/bvh/wide/corner_rows.h>
+#include <graze/bvh/wide/range_moments.h>
+#include <graze/bvh/wide/wide_node.h>
+
+#include <cstdint>
+#include <span>
+
+namespace graze::bvh {
+
+/// Consecutive primitives, from `begin` to before `end`.
+struct PrimitiveRange {
+  std::uint32_t begin;
+  std::uint32_t end;
+};
+
+/// Sets the axes, the origin and the boxes of a node whose children hold these ranges, which stand
+/// one behind the other: along the coordinate axes or those of axes_of(), whichever makes the
+/// boxes' surfaces smaller.
+void fit_node(const CornerRows& rows, const MomentSums& sums,
+              std::span<const PrimitiveRange> children, WideNode& node);
+
+}  // namespace graze::bvh

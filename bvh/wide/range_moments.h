@@ -1,0 +1,30 @@
+#pragma once
+
+#include <graze/bvh/wide/corner_rows.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Sums over a range of primitives that tell how it lies in space.
+struct RangeMoments {
+  double normal[3] = {};    ///< sum of the cross products of two edges: twice the area vector
+  double area = 0;          ///< sum of the lengths of these
+  double sum[3] = {};       ///< of all corners
+  double products[6] = {};  ///< of all corners' coordinates: xx, yy, zz, xy, yz, zx
+};
+
+/// The moments of any range of consecutive primitives, as differences of running sums.
+class MomentSums {
+ public:
+  explicit MomentSums(const CornerRows& rows);
+
+  /// Of the primitives from `begin` to before `end`.
+  RangeMoments of(std::size_t begin, std::size_t end) const;
+
+ private:
+  std::vector<RangeMoments> sums_;  // of the first i primitives
+};
+
+}  // namespace graze::bvh

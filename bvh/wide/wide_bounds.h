@@ -1,0 +1,44 @@
+#pragma once
+
+// How far the float arithmetic of wide trees can be off. Private to bvh/wide. u = 2^-24, the unit
+// roundoff of float; |.| of a vector is its length where nothing else is said.
+//
+// Fitting. A node's axes f_i are unit vectors at right angles but for rounding: |f_i . f_j - [i =
+// j]| < 2 u. A corner p is known to u |p|; its coordinate f_i . (p - o) is computed with an error
+// of less than 4 u |p - o|; centre and half extent add 2 u. A box stands for the points o + sum s_i
+// f_i, although what was bounded is f_i . (p - o): exchanging the dual basis for the f_i themselves
+// costs 6 u |p - o|. All of it is below 22 u of S, the sum of the sizes of o, the centre and the
+// half extents, and kFitError S is added to each half extent.
+//
+// Comparing. Coordinates are those along the host node's axes, y = F (p - o), in which a host's box
+// is a box exactly and every vector is a direction to look along: no axis has to be a unit vector
+// at right angles to others but the guest's, and their deviation from that is part of the query's
+// slack (tripled, as for obb_separation.cpp). The guest's axes there, M_k = F R g_k, are off by 4 u
+// in each component after the rotation, which rounding R to float begins, and by 10 u in the end.
+// The way between the middles is off by 4 u (|c| + W) + u W, where c is the host box's centre and
+// W, for boxes that do meet, at most the sum of both half diagonals. Along a cross product, the
+// worst of the axes, the distance is off by 6 u |c| + 24 u W and the reach by 17 u W. All that a
+// host slot's children hold lies in the slot's box: with its half diagonal D, |c| <= 2.74 D and a
+// child's half diagonal is at most 1.74 D. In all less than 88 u D + 51 u times the guest's half
+// diagonal; a half diagonal is at most the sum of the half extents.
+//
+// Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
+// and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +
+// 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
+// twice as much. With delta for the error of a difference, slack included, and no component of any
+// difference above L, the determinant of three differences is off by 18 L^2 (delta + u L) in first
+// order, and its evaluation by 30 u L^3. Where delta is above 0.19 L nothing can be sure, for no
+// determinant exceeds 6 L^3; below, higher orders add 3.6 L^2 delta.
+
+namespace graze::bvh {
+
+inline constexpr float kFitError = 0x1p-19f;
+inline constexpr float kComparisonError = 0x1p-17f;
+inline constexpr float kCornerError = 0x1p-19f;
+inline constexpr float kPlaneError = 32;
+inline constexpr float kPlaneRounding = 0x1p-18f;
+
+/// Covers what underflows, where it is added to sums of products of at most three.
+inline constexpr float kWideUnderflow = 0x1p-120f;
+
+}  // namespace graze::bvh

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+namespace graze::bvh {
+
+/// Up to eight boxes along axes that they share, fitted to what lies in them: the children of a
+/// node of a WideTree. Lane j of each array speaks of child j.
+///
+/// A point p, in the coordinates of its treelet, of what child j holds, has |axis k . (p - origin)
+/// - centre[k][j]| <= half[k][j] for each k, with room for the rounding of what compares them (law
+/// 5: wide_separation.h).
+struct alignas(32) WideNode {
+  static constexpr std::uint32_t kWidth = 8;
+
+  float centre[3][kWidth];
+  float half[3][kWidth];
+  float axes[3][4];  // [component][axis]: unit vectors at right angles, but for rounding; then 0
+  float origin[3];
+  std::uint32_t child[kWidth];  // as ChildLink packs them
+  std::uint32_t count;          // of children, at least 1
+
+  /// The bits of the lanes that hold a child.
+  std::uint32_t lanes() const { return (1u << count) - 1; }
+};
+static_assert(sizeof(WideNode) == 288, "4.5 cache lines");
+
+/// What a lane of a node leads to: a node of the same treelet, another treelet, or a leaf, whose
+/// primitives are counted from the treelet's first on.
+struct ChildLink {
+  static constexpr std::uint32_t kMaxLeafSize = 4;
+
+  enum class Kind : std::uint32_t { Node, Treelet, Leaf };
+
+  static std::uint32_t to_node(std::uint32_t index) { return index; }
+  static std::uint32_t to_treelet(std::uint32_t index) { return kTreeletBit | index; }
+  static std::uint32_t to_leaf(std::uint32_t first, std::uint32_t count) {
+    return kLeafBit | (first << kCountBits) | (count - 1);
+  }
+
+  static bool is_leaf(std::uint32_t link) { return (link & kLeafBit) != 0; }
+  static bool is_node(std::uint32_t link) { return link < kTreeletBit; }
+  static bool is_treelet(std::uint32_t link) { return (link >> 30) == 1; }
+  static std::uint32_t index(std::uint32_t link) { return link & ~kTreeletBit; }
+  static std::uint32_t first(std::uint32_t link) { return (link & ~kLeafBit) >> kCountBits; }
+  static std::uint32_t count(std::uint32_t link) { return (link & (kMaxLeafSize - 1)) + 1; }
+
+ private:
+  static constexpr std::uint32_t kLeafBit = 1u << 31;
+  static constexpr std::uint32_t kTreeletBit = 1u << 30;
+  static constexpr std::uint32_t kCountBits = 2;
+};
+
+}  // namespace graze::bvh

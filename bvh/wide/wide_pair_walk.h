@@ -1,0 +1,63 @@
+#pragma once
+
+#include <graze/bvh/traversal.h>
+#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/wide/wide_way.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace graze::bvh {
+
+/// Two primitives that may meet, by their places in the orders of their trees.
+struct PlacePair {
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+/// What a walk did.
+struct WideWalkCounts {
+  std::uint64_t box_tests = 0;        ///< pairs of boxes, eight at most by one kernel
+  std::uint64_t box_rejections = 0;   ///< of these, found apart
+  std::uint64_t primitive_tests = 0;  ///< pairs of primitives in leaves that may meet
+};
+
+/// Finds the pairs of leaves of two trees that their boxes do not prove apart: a box of one tree
+/// against the eight children of a node of the other. Hands out a few at a time and goes on where
+/// it stopped, so that no callback stands in the loop. Which pairs it finds, but not their order,
+/// may differ between SIMD targets in what does not meet anyway.
+class WidePairWalk {
+ public:
+  /// One step may find as many pairs: next() stops when there might not be room for these.
+  static constexpr std::size_t kMostAtOnce =
+      WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+
+  /// How tree B lies in tree A and how A lies in B, each with its slack (law 5).
+  WidePairWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+               const RelativeFrame& a_in_b);
+
+  /// The next pairs; none when there are no more.
+  std::size_t next(std::span<PlacePair> found);
+
+  const WideWalkCounts& counts() const { return counts_; }
+
+  // What the kernels see.
+
+  struct Waiting {
+    WideSlot a;
+    WideSlot b;
+  };
+
+  struct State {
+    const WideTree* tree[2];
+    WideWay into[2];  // of guests from the other tree
+    TraversalStack<Waiting, 192> open;
+  };
+
+ private:
+  State state_;
+  WideWalkCounts counts_;
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,21 @@
+#include <graze/bvh/local_frame.h>
+#include <graze/bvh/wide/wide_bounds.h>
+#include <graze/bvh/wide/wide_way.h>
+
+namespace graze::bvh {
+
+WideWay::WideWay(const RelativeFrame& frame) {
+  const double per_unit = 1 / frame.units_a;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      rotation[i][j] = frame.rotation[i][j];
+      columns[j][i] = static_cast<float>(frame.rotation[i][j]);
+    }
+    columns[i][3] = 0;
+    translation[i] = frame.translation[i] * per_unit;
+  }
+  scale = frame.units_b * per_unit;
+  slack = rounded_up(3 * frame.slack * per_unit + kWideUnderflow);
+}
+
+}  // namespace graze::bvh
