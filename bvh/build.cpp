@@ -1,117 +1,90 @@
 #include <graze/bvh/boxes.h>
 #include <graze/bvh/build.h>
-#include <graze/bvh/sah_split.h>
+#include <graze/bvh/build_references.h>
+#include <graze/bvh/subtree.h>
+#include <graze/bvh/top_split.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
+
+#include <algorithm>
 
 namespace graze::bvh {
 namespace {
 
-/// Below this many primitives a subtree is built by one task.
-constexpr std::size_t kParallelSize = 4096;
+/// Below this many primitives a subtree is built by one task, in one core's cache.
+constexpr std::size_t kPartSize = 4096;
 
-/// From this depth on ranges are halved by count, whatever the heuristic says.
-constexpr int kMaxHeuristicDepth = 64;
+using Nodes = std::vector<Node>;
 
-/// Builds into slots that depend on the input alone. An inner node is the only one that splits the
-/// order at position m, so that its children may take the slots 2m - 1 and 2m without asking
-/// anyone: tasks need no lock and their number changes nothing. Leaves of several primitives leave
-/// holes, which compacted() closes.
-class Builder {
+/// The nodes of the top with those of the parts below it, depth first, the children of a node side
+/// by side behind it: the order that build_subtree() would give all of it.
+class Joined {
  public:
-  Builder(std::span<Reference> references, const BuildSettings& settings)
-      : references_(references), settings_(settings), slots_(2 * references.size() - 1) {}
-
-  std::vector<Node> run() {
-    tbb::task_group tasks;
-    build_range(0, 0, references_.size(), 0, tasks);
-    tasks.wait();
-    return compacted();
+  Joined(const TopTree& top, std::vector<Nodes>& subtrees) : top_(top), subtrees_(subtrees) {
+    std::size_t count = top.nodes.size() - top.parts.size();
+    for (const Nodes& subtree : subtrees)
+      count += subtree.size();
+    nodes_.reserve(count);
+    nodes_.push_back(top.nodes[0]);
+    join(0, top.nodes[0]);
   }
+
+  Nodes take() { return std::move(nodes_); }
 
  private:
-  void build_range(std::size_t slot, std::size_t begin, std::size_t end, int depth,
-                   tbb::task_group& tasks) {
-    const std::span<Reference> range = references_.subspan(begin, end - begin);
-    Node& node = slots_[slot];
-    node.box = bounds_of(range);
-    const std::size_t split = split_position(range, node.box, depth);
-    if (split == 0) {
-      node.first = static_cast<std::uint32_t>(begin);
-      node.count = static_cast<std::uint32_t>(end - begin);
+  void join(std::size_t at, const Node& node) {
+    if (node.is_leaf()) {
+      append(at, node.first);
       return;
     }
-    const std::size_t middle = begin + split;
-    const std::size_t children = 2 * middle - 1;
-    node.first = static_cast<std::uint32_t>(children);
-    node.count = 0;
-    if (end - begin >= kParallelSize) {
-      tasks.run([=, this, &tasks] { build_range(children, begin, middle, depth + 1, tasks); });
-    } else {
-      build_range(children, begin, middle, depth + 1, tasks);
-    }
-    build_range(children + 1, middle, end, depth + 1, tasks);
+    const std::size_t children = nodes_.size();
+    nodes_[at].first = static_cast<std::uint32_t>(children);
+    nodes_.push_back(top_.nodes[node.first]);
+    nodes_.push_back(top_.nodes[node.first + 1]);
+    join(children, top_.nodes[node.first]);
+    join(children + 1, top_.nodes[node.first + 1]);
   }
 
-  /// Partitions the range and returns the size of its first part, or 0 for a leaf.
-  std::size_t split_position(std::span<Reference> range, const FloatBox& box, int depth) const {
-    if (range.size() == 1) return 0;
-    if (depth < kMaxHeuristicDepth) {
-      const Split split = find_sah_split(range, box);
-      const float leaf_cost = settings_.primitive_cost * static_cast<float>(range.size());
-      const float split_cost = 1 + settings_.primitive_cost * split.cost;
-      const bool is_leaf_allowed = range.size() <= settings_.max_leaf_size;
-      if (is_leaf_allowed && !(split.axis >= 0 && split_cost < leaf_cost)) return 0;
-      if (split.axis >= 0) return partition_at(range, split);
-    }
-    return range.size() <= settings_.max_leaf_size ? 0 : partition_in_halves(range);
+  /// Puts the root of a subtree where its node of the top is, and the others at the end.
+  void append(std::size_t at, std::size_t part) {
+    Nodes& subtree = subtrees_[part];
+    const auto first_primitive = static_cast<std::uint32_t>(top_.parts[part].begin);
+    const auto first_node = static_cast<std::uint32_t>(nodes_.size() - 1);
+    for (Node& node : subtree)
+      node.first += node.is_leaf() ? first_primitive : first_node;
+    nodes_[at] = subtree[0];
+    nodes_.insert(nodes_.end(), subtree.begin() + 1, subtree.end());
+    Nodes().swap(subtree);
   }
 
-  /// The nodes without holes, depth first, the children of a node side by side behind it.
-  std::vector<Node> compacted() const {
-    std::vector<Node> nodes{slots_[0]};
-    nodes.reserve(slots_.size());
-    std::vector<std::uint32_t> open{0};
-    while (!open.empty()) {
-      const std::uint32_t parent = open.back();
-      open.pop_back();
-      if (nodes[parent].is_leaf()) continue;
-      const std::uint32_t slot = nodes[parent].first;
-      const auto children = static_cast<std::uint32_t>(nodes.size());
-      nodes[parent].first = children;
-      nodes.push_back(slots_[slot]);
-      nodes.push_back(slots_[slot + 1]);
-      open.push_back(children + 1);
-      open.push_back(children);
-    }
-    nodes.shrink_to_fit();
-    return nodes;
-  }
-
-  std::span<Reference> references_;
-  BuildSettings settings_;
-  std::vector<Node> slots_;
+  const TopTree& top_;
+  std::vector<Nodes>& subtrees_;
+  Nodes nodes_;
 };
 
 }  // namespace
 
+Tree build(References references, const LocalFrame& frame, const BuildSettings& settings) {
+  const std::span<Reference> all = references.all();
+  const TopTree top = split_top(all, kPartSize, settings);
+  Tree tree;
+  tree.frame = frame;
+  tree.primitives.resize(all.size());
+  std::vector<Nodes> subtrees(top.parts.size());
+  tbb::parallel_for(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
+    const Part& part = top.parts[i];
+    subtrees[i] = build_subtree(all, part, settings);
+    for (std::size_t k = part.begin; k < part.end; ++k)
+      tree.primitives[k] = all[k].index();
+  });
+  references.data.reset();
+  tree.nodes = Joined(top, subtrees).take();
+  return tree;
+}
+
 Tree build(std::span<const Aabb> boxes, const BuildSettings& settings) {
   check_boxes(boxes);
-  Tree tree;
-  tree.frame = LocalFrame::around(bounds_of(boxes));
-  std::vector<Reference> references(boxes.size());
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, boxes.size(), kParallelSize),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          references[i] = {tree.frame.to_local(boxes[i]), static_cast<std::uint32_t>(i)};
-        }
-      });
-  tree.nodes = Builder(references, settings).run();
-  tree.primitives.reserve(references.size());
-  for (const Reference& reference : references)
-    tree.primitives.push_back(reference.index);
-  return tree;
+  const LocalFrame frame = LocalFrame::around(bounds_of(boxes));
+  return build(references_to(boxes, frame), frame, settings);
 }
 
 }  // namespace graze::bvh
