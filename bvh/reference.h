@@ -3,6 +3,7 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
+#include <tbb/parallel_for.h>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -39,6 +40,19 @@ struct References {
       : data(std::make_unique_for_overwrite<Reference[]>(count)), size(count) {}
   std::span<Reference> all() { return {data.get(), size}; }
 };
+
+/// To `count` primitives, whose local box `box_of(i)` says. Parallel.
+template <typename BoxOf>
+References references_made(std::size_t count, const BoxOf& box_of) {
+  References references(count);
+  constexpr std::size_t kGrain = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
+                    });
+  return references;
+}
 
 /// To all boxes, in their order, rounded outward in the frame. Parallel.
 References references_to(std::span<const Aabb> boxes, const LocalFrame& frame);

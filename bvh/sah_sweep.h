@@ -27,11 +27,16 @@ static inline Lanes measured(Lanes x, Lanes y, Lanes z, Measure measure) {
 /// At most this many rows are swept at once.
 constexpr int kMostRows = 16;
 
-/// What lies at one place along each of the three axes, such as a bin of centroids.
-struct SweepRow {
+/// What lies at one place along each of the three axes, such as a bin of centroids. A power of two
+/// in size, so that finding one by its number is a shift.
+struct alignas(128) SweepRow {
   Bounds box[3];
-  Lanes count;  // of primitives, an axis per lane; without any, the box is empty_bounds()
+  IntLanes count;  // of primitives, an axis each; without any, the box is empty_bounds()
 };
+
+static inline SweepRow empty_row() {
+  return {{empty_bounds(), empty_bounds(), empty_bounds()}, IntLanes{}};
+}
 
 /// A cut before a row. `cost` is the sum over both sides of primitives times the measure of their
 /// box. axis is negative when none has primitives on both sides.

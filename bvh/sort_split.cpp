@@ -21,7 +21,7 @@ SortSplit find_sort_split(std::span<const Reference> references, Measure measure
   SortSplit split;
   SweepRow rows[kMostSorted];
   for (int i = 0; i < count; ++i) {
-    rows[i].count = all_lanes(1);
+    rows[i].count = IntLanes{1, 1, 1, 0};
     for (int k = 0; k < 3; ++k) {
       split.order[rank[i][k]][k] = static_cast<std::uint8_t>(i);
       rows[rank[i][k]].box[k] = references[i].box;

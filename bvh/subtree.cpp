@@ -1,3 +1,4 @@
+#include <graze/bvh/quartet.h>
 #include <graze/bvh/split.h>
 #include <graze/bvh/subtree.h>
 
@@ -7,33 +8,38 @@ namespace {
 class Builder {
  public:
   Builder(std::span<Reference> references, const Part& part, const BuildSettings& settings)
-      : references_(references), begin_(part.begin), settings_(settings), scratch_(part.size()) {
-    nodes_.reserve(part.size() + 1);
-    nodes_.push_back({float_box(part.box), 0, 0});
-    build(0, part);
+      : references_(references.subspan(part.begin, part.size())),
+        settings_(settings),
+        scratch_(part.size()) {
+    nodes_.reserve(part.size() + part.size() / 4 + 1);
+    nodes_.push_back(node_over(part.box, 0, 0));
+    build(0, {0, part.size(), part.depth, part.box, part.spread});
   }
 
   std::vector<Node> take() { return std::move(nodes_); }
 
  private:
   void build(std::size_t at, const Part& part) {
+    if (part.size() > 1 && part.size() <= kQuartet) {
+      build_quartet(references_, part, settings_, at, nodes_);
+      return;
+    }
     Part sides[2];
     if (part.size() == 1 ||
         split(references_, part, settings_, scratch_.data.get(), sides) == Verdict::Leaf) {
-      nodes_[at].first = static_cast<std::uint32_t>(part.begin - begin_);
+      nodes_[at].first = static_cast<std::uint32_t>(part.begin);
       nodes_[at].count = static_cast<std::uint32_t>(part.size());
       return;
     }
     const std::size_t children = nodes_.size();
     nodes_[at].first = static_cast<std::uint32_t>(children);
     for (const Part& side : sides)
-      nodes_.push_back({float_box(side.box), 0, 0});
+      nodes_.push_back(node_over(side.box, 0, 0));
     build(children, sides[0]);
     build(children + 1, sides[1]);
   }
 
   std::span<Reference> references_;
-  std::size_t begin_;
   BuildSettings settings_;
   References scratch_;
   std::vector<Node> nodes_;

@@ -21,7 +21,7 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
                   const BuildSettings& settings) {
   TopTree tree;
   std::vector<Open> level{{0, part_of(references, 0, references.size(), 0), Verdict::Leaf, {}}};
-  tree.nodes.push_back({float_box(level[0].part.box), 0, 0});
+  tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
   References scratch(references.size() > part_size ? references.size() : 0);
   while (!level.empty()) {
     tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) {
@@ -42,7 +42,7 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
       node.first = static_cast<std::uint32_t>(tree.nodes.size());
       for (const Part& side : open.sides) {
         next.push_back({tree.nodes.size(), side, Verdict::Leaf, {}});
-        tree.nodes.push_back({float_box(side.box), 0, 0});
+        tree.nodes.push_back(node_over(side.box, 0, 0));
       }
     }
     level = std::move(next);
