@@ -82,8 +82,7 @@ Tree build(References references, const LocalFrame& frame, const BuildSettings& 
 }
 
 Tree build(std::span<const Aabb> boxes, const BuildSettings& settings) {
-  check_boxes(boxes);
-  const LocalFrame frame = LocalFrame::around(bounds_of(boxes));
+  const LocalFrame frame = LocalFrame::around(checked_bounds(boxes));
   return build(references_to(boxes, frame), frame, settings);
 }
 

@@ -7,12 +7,12 @@
 namespace graze::bvh {
 
 void refit(Tree& tree, std::span<const Aabb> boxes) {
-  check_boxes(boxes);
+  const Aabb bounds = checked_bounds(boxes);
   if (boxes.size() != tree.primitives.size()) {
     throw InputError("refit: " + std::to_string(boxes.size()) + " boxes for a tree of " +
                      std::to_string(tree.primitives.size()));
   }
-  tree.frame = LocalFrame::around(bounds_of(boxes));
+  tree.frame = LocalFrame::around(bounds);
   // Children stand behind their parents.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     Node& node = tree.nodes[i];

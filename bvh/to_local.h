@@ -2,8 +2,8 @@
 
 #include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
+#include <graze/bvh/point_pairs.h>
 #include <cmath>
-#include <cstring>
 
 namespace graze::bvh {
 
@@ -11,45 +11,28 @@ namespace graze::bvh {
 class ToLocal {
  public:
   explicit ToLocal(const LocalFrame& frame)
-      : centre_(point(frame.centre)), scale_(std::ldexp(1.0, -frame.exponent)) {}
+      : centre_(load_point(frame.centre)), scale_(std::ldexp(1.0, -frame.exponent)) {}
 
   /// Of the box with these corners of three coordinates each.
-  Bounds box(const double* min, const double* max) const { return local(point(min), point(max)); }
+  Bounds box(const double* min, const double* max) const {
+    return local(load_point(min), load_point(max));
+  }
 
   /// Of the box around three points.
   Bounds box(const double* a, const double* b, const double* c) const {
-    const Point p = point(a);
-    const Point q = point(b);
-    const Point r = point(c);
-    return local({smaller(smaller(p.xy, q.xy), r.xy), smaller(smaller(p.yz, q.yz), r.yz)},
-                 {larger(larger(p.xy, q.xy), r.xy), larger(larger(p.yz, q.yz), r.yz)});
+    const PointPairs p = load_point(a);
+    const PointPairs q = load_point(b);
+    const PointPairs r = load_point(c);
+    return local(smaller(smaller(p, q), r), larger(larger(p, q), r));
   }
 
  private:
-  using Pair = double __attribute__((vector_size(16)));
-
-  /// y twice, so that both are loaded as they lie in memory.
-  struct Point {
-    Pair xy;
-    Pair yz;
-  };
-
-  static Point point(const double* coordinates) {
-    Point p;
-    std::memcpy(&p.xy, coordinates, sizeof(Pair));
-    std::memcpy(&p.yz, coordinates + 1, sizeof(Pair));
-    return p;
-  }
-
-  static Pair smaller(Pair a, Pair b) { return a < b ? a : b; }
-  static Pair larger(Pair a, Pair b) { return a > b ? a : b; }
-
   // Rounding to nearest is the same for a number and its negative.
-  Bounds local(const Point& min, const Point& max) const {
+  Bounds local(const PointPairs& min, const PointPairs& max) const {
     return {rounded_up(-nearest(min)), rounded_up(nearest(max))};
   }
 
-  Lanes nearest(const Point& p) const {
+  Lanes nearest(const PointPairs& p) const {
     const Pair xy = (p.xy - centre_.xy) * Pair{scale_, scale_};
     const Pair yz = (p.yz - centre_.yz) * Pair{scale_, scale_};
     using Floats = float __attribute__((vector_size(8)));
@@ -65,7 +48,7 @@ class ToLocal {
     return std::bit_cast<Lanes>(chosen(is_zero, one, bits + ((bits >> 31) | one)));
   }
 
-  Point centre_;
+  PointPairs centre_;
   double scale_;
 };
 
