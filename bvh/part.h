@@ -1,7 +1,6 @@
 #pragma once
 
 #include <graze/bvh/reference.h>
-#include <graze/bvh/tree.h>
 
 namespace graze::bvh {
 
@@ -35,18 +34,5 @@ struct Part {
 
 /// Of the references from begin to end, by looking at each.
 Part part_of(std::span<const Reference> references, std::size_t begin, std::size_t end, int depth);
-
-/// The node, made in registers.
-static inline Node node_over(const Bounds& box, std::uint32_t first, std::uint32_t count) {
-  struct TwoLanes {
-    Lanes low, high;
-  };
-  const Lanes min = -box.minus_min;
-  const Lanes across = __builtin_shufflevector(min, box.max, 2, 2, 4, 4);
-  const IntLanes rest = {static_cast<std::int32_t>(first), static_cast<std::int32_t>(count), 0, 0};
-  return std::bit_cast<Node>(
-      TwoLanes{__builtin_shufflevector(min, across, 0, 1, 4, 6),
-               __builtin_shufflevector(box.max, std::bit_cast<Lanes>(rest), 1, 2, 4, 5)});
-}
 
 }  // namespace graze::bvh

@@ -1,3 +1,4 @@
+#include <graze/bvh/node_lanes.h>
 #include <graze/bvh/quartet.h>
 #include <graze/bvh/split.h>
 #include <graze/bvh/subtree.h>

@@ -1,3 +1,4 @@
+#include <graze/bvh/node_lanes.h>
 #include <graze/bvh/split.h>
 #include <graze/bvh/top_split.h>
 #include <tbb/parallel_for.h>
@@ -18,9 +19,9 @@ struct Open {
 // Level by level, so that what tasks do to the parts of a level decides nothing about the order in
 // which nodes are made.
 TopTree split_top(std::span<Reference> references, std::size_t part_size,
-                  const BuildSettings& settings) {
+                  const BuildSettings& settings, int depth) {
   TopTree tree;
-  std::vector<Open> level{{0, part_of(references, 0, references.size(), 0), Verdict::Leaf, {}}};
+  std::vector<Open> level{{0, part_of(references, 0, references.size(), depth), Verdict::Leaf, {}}};
   tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
   References scratch(references.size() > part_size ? references.size() : 0);
   while (!level.empty()) {
