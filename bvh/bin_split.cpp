@@ -24,7 +24,7 @@ void fill(SweepRow* bins, std::span<const Reference> references, const BinSplit&
     const IntLanes bin = __builtin_convertvector(place, IntLanes);
     for (int k = 0; k < 3; ++k) {
       SweepRow& row = bins[static_cast<std::uint32_t>(bin[k])];
-      row.box[k] = merged(row.box[k], box);
+      row.box[k] = merged(box, row.box[k]);
       ++row.count[k];
     }
   }
@@ -47,9 +47,12 @@ void partition_along(std::span<Reference> range, const BinSplit& split, Referenc
     const Reference reference = from;
     const Lanes centroid = centroid_of(reference.box);
     const Lanes along = __builtin_shufflevector(centroid, centroid, kAxis, kAxis, kAxis, kAxis);
-    const IntLanes is_front = (along - low) * bins_per_unit < row;
+    // The sign of a difference, which is zero for equals only. A comparison would do; g++ 12 makes
+    // more of what follows it.
+    const IntLanes is_front = std::bit_cast<IntLanes>((along - low) * bins_per_unit - row) >> 31;
+    const IntLanes is_behind = ~is_front;
     const IntLanes of_centroid = std::bit_cast<IntLanes>(centroid);
-    extend(of_front, std::bit_cast<Lanes>(of_centroid | ~is_front));
+    extend(of_front, std::bit_cast<Lanes>(of_centroid | is_behind));
     extend(of_behind, std::bit_cast<Lanes>(of_centroid | is_front));
     *front = reference;
     *behind = reference;
