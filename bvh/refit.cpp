@@ -1,29 +1,48 @@
 #include <graze/bvh/boxes.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/node_lanes.h>
 #include <graze/bvh/refit.h>
+#include <graze/bvh/to_local.h>
+#include <tbb/parallel_for.h>
 
 #include <string>
 
 namespace graze::bvh {
+namespace {
+
+/// Nodes whose leaves one task fits.
+constexpr std::size_t kGrain = 2048;
+
+void fit_leaf(Tree& tree, Node& leaf, std::span<const Aabb> boxes, const ToLocal& to_local) {
+  Bounds bounds = empty_bounds();
+  for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
+    const Aabb& box = boxes[tree.primitives[k]];
+    bounds = merged(bounds, to_local.box(box.min.data(), box.max.data()));
+  }
+  leaf = node_over(bounds, leaf.first, leaf.count);
+}
+
+}  // namespace
 
 void refit(Tree& tree, std::span<const Aabb> boxes) {
-  check_boxes(boxes);
+  const Aabb bounds = checked_bounds(boxes);
   if (boxes.size() != tree.primitives.size()) {
     throw InputError("refit: " + std::to_string(boxes.size()) + " boxes for a tree of " +
                      std::to_string(tree.primitives.size()));
   }
-  tree.frame = LocalFrame::around(bounds_of(boxes));
+  tree.frame = LocalFrame::around(bounds);
+  const ToLocal to_local(tree.frame);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        if (tree.nodes[i].is_leaf()) fit_leaf(tree, tree.nodes[i], boxes, to_local);
+                      }
+                    });
   // Children stand behind their parents.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     Node& node = tree.nodes[i];
-    if (!node.is_leaf()) {
-      node.box = merged(tree.nodes[node.first].box, tree.nodes[node.first + 1].box);
-      continue;
-    }
-    node.box = empty_box();
-    for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
-      node.box = merged(node.box, tree.frame.to_local(boxes[tree.primitives[k]]));
-    }
+    if (!node.is_leaf())
+      node = node_around(tree.nodes[node.first], tree.nodes[node.first + 1], node.first);
   }
 }
 

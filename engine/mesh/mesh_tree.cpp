@@ -1,26 +1,24 @@
-#include <graze/bvh/build.h>
+#include <graze/bvh/build_references.h>
+#include <graze/bvh/to_local.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <graze/engine/work.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-
 namespace graze {
 namespace {
 
-std::vector<Aabb> triangle_boxes(std::span<const Eigen::Vector3d> vertices,
-                                 std::span<const TriangleIndices> triangles) {
-  std::vector<Aabb> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const double* a = vertices[triangles[i][0]].data();
-    const double* b = vertices[triangles[i][1]].data();
-    const double* c = vertices[triangles[i][2]].data();
-    for (int k = 0; k < 3; ++k) {
-      boxes[i].min.data()[k] = std::min(std::min(a[k], b[k]), c[k]);
-      boxes[i].max.data()[k] = std::max(std::max(a[k], b[k]), c[k]);
-    }
-  }
-  return boxes;
+bvh::Tree tree_over(std::span<const Eigen::Vector3d> vertices,
+                    std::span<const TriangleIndices> triangles, const Aabb& bounds) {
+  const auto frame = bvh::LocalFrame::around(bounds);
+  const bvh::ToLocal to_local(frame);
+  return bvh::build(bvh::references_made(triangles.size(),
+                                         [&](std::size_t i) {
+                                           const TriangleIndices& t = triangles[i];
+                                           return to_local.box(vertices[t[0]].data(),
+                                                               vertices[t[1]].data(),
+                                                               vertices[t[2]].data());
+                                         }),
+                    frame);
 }
 
 }  // namespace
@@ -31,7 +29,7 @@ const bvh::Tree& Mesh::tree(Work* work) const {
     // task, such as another query on this mesh, which would wait for the flag that this thread
     // holds.
     tbb::this_task_arena::isolate(
-        [&] { data_->tree = bvh::build(triangle_boxes(data_->vertices, data_->triangles)); });
+        [&] { data_->tree = tree_over(data_->vertices, data_->triangles, data_->bounds); });
     if (work != nullptr) ++work->trees_built;
   });
   return data_->tree;

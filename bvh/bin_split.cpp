@@ -1,0 +1,115 @@
+#include <graze/bvh/bin_split.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+/// Few references need few bins: most nodes are near the leaves, where sweeping costs the most.
+int bin_count(std::size_t references) {
+  return references <= 32 ? 8 : kMostRows;
+}
+
+/// Centroids closer together than this, in local units, are one: dividing by less could overflow.
+constexpr float kSmallestSpread = 1e-30f;
+
+void fill(SweepRow* bins, std::span<const Reference> references, const BinSplit& split, int count) {
+  std::fill_n(bins, count, empty_row());
+  const Lanes low = split.low;
+  const Lanes bins_per_unit = split.bins_per_unit;
+  const Lanes last = all_lanes(static_cast<float>(count - 1));
+  for (const Reference& reference : references) {
+    const Bounds box = reference.box;
+    const Lanes place = smaller((centroid_of(box) - low) * bins_per_unit, last);
+    const IntLanes bin = __builtin_convertvector(place, IntLanes);
+    for (int k = 0; k < 3; ++k) {
+      SweepRow& row = bins[static_cast<std::uint32_t>(bin[k])];
+      row.box[k] = merged(box, row.box[k]);
+      ++row.count[k];
+    }
+  }
+}
+
+/// Each reference is written to both sides, and the place on the wrong one is written again: a
+/// branch would be mispredicted every other time. In a mask all bits set are NaN, which adds
+/// nothing.
+template <int kAxis>
+void partition_along(std::span<Reference> range, const BinSplit& split, Reference* scratch,
+                     Spread (&spreads)[2]) {
+  const Lanes low = all_lanes(split.low[kAxis]);
+  const Lanes bins_per_unit = all_lanes(split.bins_per_unit[kAxis]);
+  const Lanes row = all_lanes(static_cast<float>(split.cut.row));
+  Reference* front = range.data();
+  Reference* behind = scratch;
+  Spread of_front = empty_spread();
+  Spread of_behind = empty_spread();
+  for (const Reference& from : range) {
+    const Reference reference = from;
+    const Lanes centroid = centroid_of(reference.box);
+    const Lanes along = __builtin_shufflevector(centroid, centroid, kAxis, kAxis, kAxis, kAxis);
+    // The sign of a difference, which is zero for equals only. A comparison would do; g++ 12 makes
+    // more of what follows it.
+    const IntLanes is_front = std::bit_cast<IntLanes>((along - low) * bins_per_unit - row) >> 31;
+    const IntLanes is_behind = ~is_front;
+    const IntLanes of_centroid = std::bit_cast<IntLanes>(centroid);
+    extend(of_front, std::bit_cast<Lanes>(of_centroid | is_behind));
+    extend(of_behind, std::bit_cast<Lanes>(of_centroid | is_front));
+    *front = reference;
+    *behind = reference;
+    front -= is_front[0];
+    behind += 1 + is_front[0];
+  }
+  std::copy(scratch, behind, front);
+  spreads[0] = of_front;
+  spreads[1] = of_behind;
+}
+
+}  // namespace
+
+BinSplit find_bin_split(std::span<const Reference> references, const Part& part, Measure measure) {
+  const std::span<const Reference> range = references.subspan(part.begin, part.size());
+  const int count = bin_count(range.size());
+  const Lanes width = part.spread.high + part.spread.minus_low;
+  const IntLanes is_wide = (width > all_lanes(kSmallestSpread)) & IntLanes{-1, -1, -1, 0};
+  const Lanes per_unit =
+      all_lanes(static_cast<float>(count)) / chosen(is_wide, width, all_lanes(1));
+  BinSplit split;
+  split.low = -part.spread.minus_low;
+  split.bins_per_unit = chosen(is_wide, per_unit, all_lanes(0));
+  SweepRow bins[kMostRows];
+  fill(bins, range, split, count);
+  split.cut = cheapest_cut(bins, count, measure);
+  if (split.cut.axis < 0) return split;
+  split.first_size = 0;
+  split.boxes[0] = split.boxes[1] = empty_bounds();
+  for (int i = 0; i < count; ++i) {
+    Bounds& side = split.boxes[i < split.cut.row ? 0 : 1];
+    side = merged(side, bins[i].box[split.cut.axis]);
+    if (i < split.cut.row)
+      split.first_size += static_cast<std::size_t>(bins[i].count[split.cut.axis]);
+  }
+  return split;
+}
+
+// A centroid falls in front of a bin if and only if its place, before it is rounded down to a whole
+// bin, is below that bin's number.
+void partition(std::span<Reference> references, const Part& part, const BinSplit& split,
+               Reference* scratch, Part (&sides)[2]) {
+  const std::span<Reference> range = references.subspan(part.begin, part.size());
+  Spread spreads[2];
+  switch (split.cut.axis) {
+    case 0:
+      partition_along<0>(range, split, scratch, spreads);
+      break;
+    case 1:
+      partition_along<1>(range, split, scratch, spreads);
+      break;
+    default:
+      partition_along<2>(range, split, scratch, spreads);
+  }
+  const std::size_t middle = part.begin + split.first_size;
+  sides[0] = {part.begin, middle, part.depth + 1, split.boxes[0], spreads[0]};
+  sides[1] = {middle, part.end, part.depth + 1, split.boxes[1], spreads[1]};
+}
+
+}  // namespace graze::bvh

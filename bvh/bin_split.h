@@ -1,0 +1,25 @@
+#pragma once
+
+#include <graze/bvh/part.h>
+#include <graze/bvh/sah_sweep.h>
+
+namespace graze::bvh {
+
+/// The cheapest plane between bins of centroids.
+struct BinSplit {
+  Cut cut;  // axis is negative when all centroids fall together
+  Lanes low;
+  Lanes bins_per_unit;
+  std::size_t first_size;  // references in front of the plane
+  Bounds boxes[2];         // around those in front, and behind
+};
+
+/// Of several references, along all three axes.
+BinSplit find_bin_split(std::span<const Reference> references, const Part& part, Measure measure);
+
+/// Reorders the part to both sides of the plane, keeping the order of each, and returns them.
+/// `scratch` has room for those behind.
+void partition(std::span<Reference> references, const Part& part, const BinSplit& split,
+               Reference* scratch, Part (&sides)[2]);
+
+}  // namespace graze::bvh

@@ -1,0 +1,56 @@
+#include <graze/bvh/node_lanes.h>
+#include <graze/bvh/quartet.h>
+#include <graze/bvh/split.h>
+#include <graze/bvh/subtree.h>
+
+namespace graze::bvh {
+namespace {
+
+class Builder {
+ public:
+  Builder(std::span<Reference> references, const Part& part, const BuildSettings& settings)
+      : references_(references.subspan(part.begin, part.size())),
+        settings_(settings),
+        scratch_(part.size()) {
+    nodes_.reserve(part.size() + part.size() / 4 + 1);
+    nodes_.push_back(node_over(part.box, 0, 0));
+    build(0, {0, part.size(), part.depth, part.box, part.spread});
+  }
+
+  std::vector<Node> take() { return std::move(nodes_); }
+
+ private:
+  void build(std::size_t at, const Part& part) {
+    if (part.size() > 1 && part.size() <= kQuartet) {
+      build_quartet(references_, part, settings_, at, nodes_);
+      return;
+    }
+    Part sides[2];
+    if (part.size() == 1 ||
+        split(references_, part, settings_, scratch_.data.get(), sides) == Verdict::Leaf) {
+      nodes_[at].first = static_cast<std::uint32_t>(part.begin);
+      nodes_[at].count = static_cast<std::uint32_t>(part.size());
+      return;
+    }
+    const std::size_t children = nodes_.size();
+    nodes_[at].first = static_cast<std::uint32_t>(children);
+    for (const Part& side : sides)
+      nodes_.push_back(node_over(side.box, 0, 0));
+    build(children, sides[0]);
+    build(children + 1, sides[1]);
+  }
+
+  std::span<Reference> references_;
+  BuildSettings settings_;
+  References scratch_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace
+
+std::vector<Node> build_subtree(std::span<Reference> references, const Part& part,
+                                const BuildSettings& settings) {
+  return Builder(references, part, settings).take();
+}
+
+}  // namespace graze::bvh
