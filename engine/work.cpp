@@ -10,6 +10,7 @@ Work& Work::operator+=(const Work& other) {
   exact_tests += other.exact_tests;
   points_tested += other.points_tested;
   trees_built += other.trees_built;
+  treelets_built += other.treelets_built;
   skins_built += other.skins_built;
   return *this;
 }

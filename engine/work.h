@@ -14,6 +14,7 @@ struct Work {
   std::uint64_t exact_tests = 0;     ///< of these, pairs that the floating-point stage left unsure
   std::uint64_t points_tested = 0;   ///< points asked whether a closed mesh encloses them
   std::uint64_t trees_built = 0;     ///< trees built because this query was the first to walk them
+  std::uint64_t treelets_built = 0;  ///< parts of wide trees, likewise
   std::uint64_t skins_built = 0;     ///< volumes other than boxes fitted to a tree, likewise
 
   /// Adds counter by counter.

@@ -12,15 +12,4 @@ float CornerRows::reach() const {
   return reach;
 }
 
-CornerRows CornerRows::reordered(std::span<const std::uint32_t> order) const {
-  CornerRows other(size_);
-  for (std::size_t r = 0; r < kRows; ++r) {
-    const float* from = values_.data() + r * size_;
-    float* to = other.values_.data() + r * size_;
-    for (std::size_t i = 0; i < size_; ++i)
-      to[i] = from[order[i]];
-  }
-  return other;
-}
-
 }  // namespace graze::bvh

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 namespace graze::bvh {
@@ -25,9 +23,6 @@ class CornerRows {
 
   /// The largest coordinate in size.
   float reach() const;
-
-  /// The same primitives in another order: primitive i becomes what order[i] was.
-  CornerRows reordered(std::span<const std::uint32_t> order) const;
 
  private:
   std::size_t size_;

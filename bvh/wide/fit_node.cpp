@@ -94,9 +94,9 @@ void choose_origin(const RangeMoments& moments, std::size_t primitives, float* o
     origin[k] = static_cast<float>(moments.sum[k] / (3.0 * static_cast<double>(primitives)));
 }
 
-void set_boxes(const ChildExtents& extents, WideNode& node) {
+void set_boxes(const ChildExtents& extents, const float* origin, WideNode& node) {
   for (std::size_t j = 0; j < node.count; ++j) {
-    float size = std::abs(node.origin[0]) + std::abs(node.origin[1]) + std::abs(node.origin[2]);
+    float size = std::abs(origin[0]) + std::abs(origin[1]) + std::abs(origin[2]);
     float half[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval& interval = extents.along[j][k];
@@ -121,15 +121,19 @@ void clear_empty_lanes(WideNode& node) {
 }  // namespace
 
 void fit_node(const CornerRows& rows, const MomentSums& sums,
-              std::span<const PrimitiveRange> children, WideNode& node) {
+              std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
+              WideNode& node) {
   const std::size_t begin = children.front().begin;
   const std::size_t end = children.back().end;
   node.count = static_cast<std::uint32_t>(children.size());
   const RangeMoments moments = sums.of(begin, end);
-  choose_origin(moments, end - begin, node.origin);
+  float origin[3];
+  choose_origin(moments, end - begin, origin);
+  for (int k = 0; k < 3; ++k)
+    node.origin[k] = rows_origin[k] + origin[k];
   NodeAxes axes = axes_of(moments, 3 * (end - begin));
-  ChildExtents extents = extents_along(rows, axes, node.origin, children);
-  const ChildExtents aligned = extents_along(rows, kCoordinateAxes, node.origin, children);
+  ChildExtents extents = extents_along(rows, axes, origin, children);
+  const ChildExtents aligned = extents_along(rows, kCoordinateAxes, origin, children);
   if (!(sum_of_surfaces(extents, node.count) < sum_of_surfaces(aligned, node.count))) {
     axes = kCoordinateAxes;
     extents = aligned;
@@ -139,7 +143,7 @@ void fit_node(const CornerRows& rows, const MomentSums& sums,
       node.axes[k][axis] = axes.rows[axis][k];
     node.axes[k][3] = 0;
   }
-  set_boxes(extents, node);
+  set_boxes(extents, origin, node);
   clear_empty_lanes(node);
 }
 

@@ -17,8 +17,9 @@ struct PrimitiveRange {
 
 /// Sets the axes, the origin and the boxes of a node whose children hold these ranges, which stand
 /// one behind the other: along the coordinate axes or those of axes_of(), whichever makes the
-/// boxes' surfaces smaller.
+/// boxes' surfaces smaller. Rows are coordinates less `rows_origin`.
 void fit_node(const CornerRows& rows, const MomentSums& sums,
-              std::span<const PrimitiveRange> children, WideNode& node);
+              std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
+              WideNode& node);
 
 }  // namespace graze::bvh

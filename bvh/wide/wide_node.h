@@ -7,7 +7,7 @@ namespace graze::bvh {
 /// Up to eight boxes along axes that they share, fitted to what lies in them: the children of a
 /// node of a WideTree. Lane j of each array speaks of child j.
 ///
-/// A point p, in the coordinates of its treelet, of what child j holds, has |axis k . (p - origin)
+/// A point p, in the tree's LocalFrame, of what child j holds, has |axis k . (p - origin)
 /// - centre[k][j]| <= half[k][j] for each k, with room for the rounding of what compares them (law
 /// 5: wide_separation.h).
 struct alignas(32) WideNode {
@@ -16,23 +16,23 @@ struct alignas(32) WideNode {
   float centre[3][kWidth];
   float half[3][kWidth];
   float axes[3][4];  // [component][axis]: unit vectors at right angles, but for rounding; then 0
-  float origin[3];
+  double origin[3];
   std::uint32_t child[kWidth];  // as ChildLink packs them
   std::uint32_t count;          // of children, at least 1
 
   /// The bits of the lanes that hold a child.
   std::uint32_t lanes() const { return (1u << count) - 1; }
 };
-static_assert(sizeof(WideNode) == 288, "4.5 cache lines");
+static_assert(sizeof(WideNode) == 320, "five cache lines");
 
-/// What a lane of a node leads to: a node of the same treelet, another treelet, or a leaf, whose
-/// primitives are counted from the treelet's first on.
+/// What a lane of a node leads to: a node so many behind this one, another treelet, or a leaf,
+/// whose primitives are counted from the treelet's first on.
 struct ChildLink {
   static constexpr std::uint32_t kMaxLeafSize = 4;
 
   enum class Kind : std::uint32_t { Node, Treelet, Leaf };
 
-  static std::uint32_t to_node(std::uint32_t index) { return index; }
+  static std::uint32_t to_node(std::uint32_t behind) { return behind; }
   static std::uint32_t to_treelet(std::uint32_t index) { return kTreeletBit | index; }
   static std::uint32_t to_leaf(std::uint32_t first, std::uint32_t count) {
     return kLeafBit | (first << kCountBits) | (count - 1);

@@ -64,8 +64,9 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& gue
   return near & host.lanes();
 }
 
-HWY_INLINE float size_of(const WideNode& node, std::uint32_t lane) {
-  return node.half[0][lane] + node.half[1][lane] + node.half[2][lane];
+HWY_INLINE float size_of(const WideSlot& slot) {
+  const WideNode& node = *slot.node;
+  return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
 }
 
 /// Asks for the memory of a node that is looked at soon.
@@ -91,71 +92,58 @@ class Walker {
   }
 
  private:
-  struct Side {
-    const WideTree::Treelet* treelet;
-    const WideNode* node;
-    std::uint32_t lane;
-    std::uint32_t link;
-    bool is_leaf() const { return ChildLink::is_leaf(link); }
-  };
-
-  HWY_INLINE Side side_of(int side, WideSlot slot) const {
-    const WideTree::Treelet& treelet = state_.tree[side]->treelet(slot.treelet);
-    const WideNode& node = treelet.nodes[slot.lane / WideNode::kWidth];
-    const std::uint32_t lane = slot.lane % WideNode::kWidth;
-    return {&treelet, &node, lane, node.child[lane]};
-  }
-
   HWY_INLINE void compare(const WidePairWalk::Waiting& pair) {
-    const Side a = side_of(0, pair.a);
-    const Side b = side_of(1, pair.b);
-    const bool is_a_host = b.is_leaf() || (!a.is_leaf() && size_of(*a.node, a.lane) >=
-                                                               size_of(*b.node, b.lane) * scale_b_);
-    if (is_a_host) {
-      open_host(0, a, pair.a, b, pair.b);
+    const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
+    const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
+    if (ChildLink::is_leaf(link_b) ||
+        (!ChildLink::is_leaf(link_a) && size_of(pair.a) >= size_of(pair.b) * scale_b_)) {
+      open_host(0, pair.a, link_a, pair.b, link_b);
     } else {
-      open_host(1, b, pair.b, a, pair.a);
+      open_host(1, pair.b, link_b, pair.a, link_a);
     }
   }
 
-  HWY_INLINE void open_host(int host_side, const Side& host, WideSlot host_slot, const Side& guest,
-                            WideSlot guest_slot) {
+  HWY_INLINE void open_host(int host_side, const WideSlot& host, std::uint32_t host_link,
+                            const WideSlot& guest, std::uint32_t guest_link) {
     const WideWay& way = state_.into[host_side];
-    if (guest_side_ != 1 - host_side || guest_slot_ != guest_slot) {
-      set_guest(guest_, *guest.node, guest.lane, *guest.treelet, way);
-      guest_slot_ = guest_slot;
+    if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
+      set_guest(guest_, *guest.node, guest.lane, way);
+      guest_slot_ = guest;
       guest_side_ = 1 - host_side;
     }
-    const WideTree::Treelet* treelet = host.treelet;
-    std::uint32_t index = ChildLink::index(host.link);
-    if (ChildLink::is_treelet(host.link)) {
-      host_slot.treelet = index;
-      treelet = &state_.tree[host_side]->treelet(index);
-      index = 0;
-    }
-    const WideNode& node = treelet->nodes[index];
-    set_guest_in_node(in_node_, guest_, node, *treelet,
-                      way.slack + kComparisonError * size_of(*host.node, host.lane));
+    const WideSlot below = first_below(host_side, host, host_link);
+    const WideNode& node = *below.node;
+    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     std::uint32_t near = near_lanes(node, in_node_, squared_ways_);
     counts_.box_tests += node.count;
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
+    const bool is_guest_leaf = ChildLink::is_leaf(guest_link);
     bool is_guest_leaf_set = false;
     while (near != 0) {
       const std::uint32_t lane = farthest(near);
       near &= ~(1u << lane);
       const std::uint32_t link = node.child[lane];
-      if (guest.is_leaf() && ChildLink::is_leaf(link)) {
+      if (is_guest_leaf && ChildLink::is_leaf(link)) {
+        const WideTree::Treelet& host_treelet = state_.tree[host_side]->treelet(below.treelet);
+        const WideTree::Treelet& guest_treelet = state_.tree[1 - host_side]->treelet(guest.treelet);
         if (!is_guest_leaf_set)
-          set_guest_leaf(guest_leaf_, *guest.treelet, guest.link, *treelet, way);
+          set_guest_leaf(guest_leaf_, guest_treelet, guest_link, host_treelet, way);
         is_guest_leaf_set = true;
-        compare_leaves(host_side, *treelet, link, *guest.treelet, guest.link);
+        compare_leaves(host_side, host_treelet, link, guest_treelet, guest_link);
         continue;
       }
-      if (ChildLink::is_node(link)) fetch_ahead(treelet->nodes[ChildLink::index(link)]);
-      const WideSlot child = {host_slot.treelet, index * WideNode::kWidth + lane};
-      state_.open.push(host_side == 0 ? WidePairWalk::Waiting{child, guest_slot}
-                                      : WidePairWalk::Waiting{guest_slot, child});
+      if (ChildLink::is_node(link)) fetch_ahead((&node)[ChildLink::index(link)]);
+      const WideSlot child = {&node, lane, below.treelet};
+      state_.open.push(host_side == 0 ? WidePairWalk::Waiting{child, guest}
+                                      : WidePairWalk::Waiting{guest, child});
     }
+  }
+
+  /// The first lane of the node that a link leads to.
+  HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
+    const std::uint32_t index = ChildLink::index(link);
+    if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
+    return {state_.tree[side]->entered(index, counts_.treelets_built).nodes.data(), 0, index};
   }
 
   /// Of these lanes. What is pushed last is looked at first: the nearest.
@@ -217,7 +205,7 @@ HWY_EXPORT(walk);
 WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
                            const RelativeFrame& b_in_a, const RelativeFrame& a_in_b)
     : state_{{&tree_a, &tree_b}, {WideWay(b_in_a), WideWay(a_in_b)}, {}} {
-  state_.open.push({WideTree::kRoot, WideTree::kRoot});
+  state_.open.push({tree_a.root(), tree_b.root()});
 }
 
 std::size_t WidePairWalk::next(std::span<PlacePair> found) {

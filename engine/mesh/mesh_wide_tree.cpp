@@ -1,5 +1,7 @@
+#include <graze/bvh/to_local.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <graze/engine/work.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 
@@ -11,6 +13,22 @@ class MeshCorners : public bvh::CornerSource {
  public:
   MeshCorners(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles)
       : vertices_(vertices), triangles_(triangles) {}
+
+  std::size_t size() const override { return triangles_.size(); }
+
+  bvh::References references(const bvh::LocalFrame& frame,
+                             std::span<const std::uint32_t> primitives) const override {
+    const bvh::ToLocal to_local(frame);
+    const auto box_of = [&](std::size_t index) {
+      const TriangleIndices& t = triangles_[index];
+      return to_local.box(vertices_[t[0]].data(), vertices_[t[1]].data(), vertices_[t[2]].data());
+    };
+    if (primitives.empty()) return bvh::references_made(triangles_.size(), box_of);
+    bvh::References references(primitives.size());
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+      references.data[i] = bvh::reference_to(box_of(primitives[i]), primitives[i]);
+    return references;
+  }
 
   void fill(std::span<const std::uint32_t> primitives, const bvh::LocalFrame& frame,
             const double (&origin)[3], bvh::CornerRows& rows) const override {
@@ -38,8 +56,9 @@ class MeshCorners : public bvh::CornerSource {
 const bvh::WideTree& Mesh::wide_tree(Work* work) const {
   std::call_once(data_->wide_flag, [&] {
     data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
-    data_->wide =
-        std::make_unique<bvh::WideTree>(data_->bounds, data_->triangles.size(), *data_->corners);
+    // Isolated, as the building of the tree is.
+    tbb::this_task_arena::isolate(
+        [&] { data_->wide = std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners); });
     if (work != nullptr) ++work->trees_built;
   });
   return *data_->wide;

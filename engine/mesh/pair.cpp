@@ -83,6 +83,7 @@ void walk_wide_trees(const PlacedMesh& a, const PlacedMesh& b, const bvh::Relati
   if (!is_stopped) candidates.decide(on_pair);
   work.volume_tests += walk.counts().box_tests;
   work.volume_rejections += walk.counts().box_rejections;
+  work.treelets_built += walk.counts().treelets_built;
   work.filter_tests += walk.counts().primitive_tests;
 }
 
