@@ -29,6 +29,12 @@
 // difference above L, the determinant of three differences is off by 18 L^2 (delta + u L) in first
 // order, and its evaluation by 30 u L^3. Where delta is above 0.19 L nothing can be sure, for no
 // determinant exceeds 6 L^3; below, higher orders add 3.6 L^2 delta.
+//
+// Distances. A gap along an axis is computed as the excess over a reach that has the margins above,
+// which cover what grows with the boxes; what grows with the gap itself is below 25 u of it, for
+// the way is at most the reaches and the gap. Axes are unit vectors at right angles but for 20 u,
+// squares and sums of three of them round by 5 u, the division by a normal's square by 10 u.
+// Squared bounds are too large by less than 2^-15 of themselves.
 
 namespace graze::bvh {
 
@@ -37,6 +43,10 @@ inline constexpr float kComparisonError = 0x1p-17f;
 inline constexpr float kCornerError = 0x1p-19f;
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;
+/// Products of three differences up to it cannot overflow.
+inline constexpr float kLargestPlaneExtent = 0x1p40f;
+
+inline constexpr double kBoundGrowth = 1 + 0x1p-15;
 
 /// Covers what underflows, where it is added to sums of products of at most three.
 inline constexpr float kWideUnderflow = 0x1p-120f;

@@ -1,6 +1,5 @@
-#include <graze/bvh/box_distance.h>
 #include <graze/bvh/error.h>
-#include <graze/bvh/traverse_distance.h>
+#include <graze/bvh/wide/wide_distance_walk.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
@@ -49,7 +48,7 @@ class Reach {
   }
 
   double square() const { return square_; }
-  bool is_beyond(double squared_bound) const { return squared_bound > square_; }
+  bvh::LengthMargins margins() const { return {growth_, margin_}; }
 
  private:
   double per_metre_;
@@ -90,7 +89,6 @@ class Search {
   void shrink_to(double metres) {
     limit_ = metres;
     reach_.shrink_to(share_ * metres);
-    boxes_.set_limit(reach_.square());
   }
 
   /// Looks first for what separates, as the nearest points found so far do.
@@ -98,10 +96,8 @@ class Search {
     gap_.set_direction(found);
     const double(&z)[3] = gap_.direction();
     const double* m = a_.pose.data();  // column-major 4x4
-    double in_a[3];
     for (int i = 0; i < 3; ++i)
-      in_a[i] = m[4 * i] * z[0] + m[4 * i + 1] * z[1] + m[4 * i + 2] * z[2];
-    boxes_.set_direction(in_a);
+      direction_in_a_[i] = m[4 * i] * z[0] + m[4 * i + 1] * z[1] + m[4 * i + 2] * z[2];
   }
 
   TriangleDistance distance_of(TrianglePair pair) const {
@@ -113,41 +109,42 @@ class Search {
   /// Stop.
   template <typename OnPair>
   void run(OnPair&& on_pair) {
-    bvh::traverse_distance(
-        tree_a_, tree_b_,
-        [&](const bvh::Node& node_a, const bvh::Node& node_b) {
-          ++work_.volume_tests;
-          return boxes_.gap(node_a.box, node_b.box);
-        },
-        [&](double squared_bound) {
-          const bool is_pruned = reach_.is_beyond(squared_bound);
-          work_.volume_rejections += is_pruned;
-          return is_pruned;
-        },
-        [&](const bvh::Node& node_a, const bvh::Node& node_b) {
-          return sizes_.is_first_larger(node_a.box, node_b.box);
-        },
-        [&](std::uint32_t leaf_a, std::uint32_t leaf_b) {
-          return visit(tree_a_.nodes[leaf_a], tree_b_.nodes[leaf_b], on_pair);
-        });
+    bvh::WideDistanceWalk walk(tree_a_, tree_b_, b_in_a_, a_in_b_, reach_.margins());
+    bvh::BoundedPlaces found[bvh::WideDistanceWalk::kMostAtOnce];
+    bool is_stopped = false;
+    while (!is_stopped) {
+      walk.aim_along(direction_in_a_);
+      const std::size_t count = walk.next(found, reach_.square());
+      if (count == 0) break;
+      std::sort(found, found + count, [](const auto& one, const auto& other) {
+        return one.squared_bound < other.squared_bound;
+      });
+      for (std::size_t i = 0; i < count && !is_stopped; ++i) {
+        if (walk.is_beyond(found[i], reach_.square())) break;
+        is_stopped = visit(found[i].places, on_pair) == bvh::Walk::Stop;
+      }
+    }
+    work_.volume_tests += walk.counts().box_tests;
+    work_.volume_rejections += walk.counts().box_rejections;
+    work_.filter_tests += walk.counts().primitive_tests;
+    work_.treelets_built += walk.counts().treelets_built;
   }
 
  private:
   Search(const PlacedMesh& a, const PlacedMesh& b, double deviation_a, double deviation_b,
          Work& work)
-      : Search(a, b, {a.pose, deviation_a, a.mesh.tree(&work).frame, a.mesh.bounds()},
-               {b.pose, deviation_b, b.mesh.tree(&work).frame, b.mesh.bounds()}, work) {}
+      : Search(a, b, {a.pose, deviation_a, a.mesh.wide_tree(&work).frame(), a.mesh.bounds()},
+               {b.pose, deviation_b, b.mesh.wide_tree(&work).frame(), b.mesh.bounds()}, work) {}
 
   Search(const PlacedMesh& a, const PlacedMesh& b, const PlacedFrame& frame_a,
          const PlacedFrame& frame_b, Work& work)
       : a_(a),
         b_(b),
-        tree_a_(a.mesh.tree()),
-        tree_b_(b.mesh.tree()),
-        relative_(relative_frame(frame_a, frame_b)),
-        boxes_(relative_),
-        sizes_(relative_),
-        reach_(frame_a, frame_b, relative_),
+        tree_a_(a.mesh.wide_tree()),
+        tree_b_(b.mesh.wide_tree()),
+        b_in_a_(relative_frame(frame_a, frame_b)),
+        a_in_b_(relative_frame(frame_b, frame_a)),
+        reach_(frame_a, frame_b, b_in_a_),
         gap_(std::max(largest_of(a), largest_of(b))),
         work_(work) {}
 
@@ -159,33 +156,24 @@ class Search {
   }
 
   template <typename OnPair>
-  bvh::Walk visit(const bvh::Node& leaf_a, const bvh::Node& leaf_b, OnPair&& on_pair) {
-    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-      const std::uint32_t index_a = tree_a_.primitives[i];
-      const Triangle triangle_a = place(a_.pose, a_.mesh.triangle(index_a));
-      double end = gap_.end_of(triangle_a);
-      for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
-        const std::uint32_t index_b = tree_b_.primitives[j];
-        const Triangle triangle_b = place(b_.pose, b_.mesh.triangle(index_b));
-        if (gap_.is_beyond(limit_, end, gap_.start_of(triangle_b))) continue;
-        const TrianglePair pair{index_a, index_b};
-        if (on_pair(pair, decide(triangle_a, triangle_b)) == bvh::Walk::Stop)
-          return bvh::Walk::Stop;
-        end = gap_.end_of(triangle_a);
-      }
-    }
-    return bvh::Walk::Continue;
+  bvh::Walk visit(bvh::PlacePair places, OnPair&& on_pair) {
+    const TrianglePair pair{tree_a_.primitive(places.a), tree_b_.primitive(places.b)};
+    const Triangle triangle_a = place(a_.pose, a_.mesh.triangle(pair.a));
+    const Triangle triangle_b = place(b_.pose, b_.mesh.triangle(pair.b));
+    if (gap_.is_beyond(limit_, gap_.end_of(triangle_a), gap_.start_of(triangle_b)))
+      return bvh::Walk::Continue;
+    return on_pair(pair, decide(triangle_a, triangle_b));
   }
 
   const PlacedMesh& a_;
   const PlacedMesh& b_;
-  const bvh::Tree& tree_a_;
-  const bvh::Tree& tree_b_;
-  bvh::RelativeFrame relative_;
-  bvh::BoxDistance boxes_;
-  bvh::BoxSeparation sizes_;
+  const bvh::WideTree& tree_a_;
+  const bvh::WideTree& tree_b_;
+  bvh::RelativeFrame b_in_a_;
+  bvh::RelativeFrame a_in_b_;
   Reach reach_;
   narrowphase::DirectedGap gap_;
+  double direction_in_a_[3] = {0, 0, 0};
   double limit_ = std::numeric_limits<double>::infinity();
   double share_ = 1;
   Work& work_;
