@@ -4,15 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "tests/narrowphase/derived/rational_triangles.h"
 #include "tests/shapes/random_meshes.h"
 
 // What find_contacts() says of two tetrahedra, against rational arithmetic: convex shapes, so that
-// there is one loop, what lies inside is behind four planes, and the last contact along a direction
-// is a minimum over the facets of the difference of the two.
+// what lies inside is behind four planes, and the last contact along a direction is a minimum over
+// the facets of the difference of the two.
 
 namespace graze {
 namespace {
@@ -105,9 +107,10 @@ mpq_class last_contact(const Solid& a, const Solid& b, const Point& n) {
   return least;
 }
 
-/// The loop in which two tetrahedra meet, if all of it is in general position.
-struct Loop {
-  Loop(const Solid& a, const Solid& b) {
+/// The loops in which two tetrahedra meet, if all of it is in general position; their area and
+/// length in all.
+struct Loops {
+  Loops(const Solid& a, const Solid& b) {
     for (std::size_t i = 0; i < 16; ++i) {
       const std::vector<Point> found =
           oracle::rational_intersection(a.faces[i / 4], b.faces[i % 4]);
@@ -115,6 +118,7 @@ struct Loop {
       is_generic &= found.size() == 2;
       corners.insert(corners.end(), found.begin(), found.end());
       if (found.size() != 2) continue;
+      segments.push_back({found[0], found[1]});
       const Point along = minus(found[1], found[0]);
       const bool is_forward = dot(along, cross(a.normals[i / 4], b.normals[i % 4])) > 0;
       const Point twice = cross(found[0], found[1]);
@@ -124,8 +128,25 @@ struct Loop {
     }
   }
 
+  /// Segments that share corners are one loop.
+  std::size_t count() const {
+    std::vector<std::size_t> loop_of(segments.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      loop_of[i] = i;
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto& [p, q] = segments[j];
+        const bool is_joined = segments[i][0] == p || segments[i][0] == q || segments[i][1] == p ||
+                               segments[i][1] == q;
+        const std::size_t from = loop_of[j], to = loop_of[i];
+        if (is_joined) std::replace(loop_of.begin(), loop_of.end(), from, to);
+      }
+    }
+    return std::set<std::size_t>(loop_of.begin(), loop_of.end()).size();
+  }
+
   bool is_generic = true;
   std::vector<Point> corners;
+  std::vector<std::array<Point, 2>> segments;
   Point area;  // twice
   mpq_class perimeter;
 };
@@ -136,7 +157,7 @@ bool is_one_of(const Eigen::Vector3d& found, const std::vector<Point>& exact,
                      [&](const Point& p) { return oracle::are_within(p, found, reach); });
 }
 
-std::vector<Point> with_inner(const Loop& loop, const Solid& solid, const Solid& other) {
+std::vector<Point> with_inner(const Loops& loop, const Solid& solid, const Solid& other) {
   std::vector<Point> points = loop.corners;
   for (const Point& p : solid.corners) {
     if (other.holds(p)) points.push_back(p);
@@ -144,7 +165,7 @@ std::vector<Point> with_inner(const Loop& loop, const Solid& solid, const Solid&
   return points;
 }
 
-void expect_points(const MeshContacts& found, const Loop& loop, const std::vector<Point>& part_a,
+void expect_points(const MeshContacts& found, const Loops& loop, const std::vector<Point>& part_a,
                    const std::vector<Point>& part_b, const mpq_class& ulp) {
   for (const Eigen::Vector3d& point : found.points)
     EXPECT_TRUE(is_one_of(point, loop.corners, 2 * ulp));
@@ -163,11 +184,11 @@ void expect_points(const MeshContacts& found, const Loop& loop, const std::vecto
 
 /// Of unit length, and the direction of the exact area vector: corners that are off by 2 ulp turn
 /// it by no more than that times the perimeter, and the products of coordinates round likewise.
-void expect_normal(const Point& normal, const Loop& loop, const mpq_class& ulp) {
-  EXPECT_LE(abs(dot(normal, normal) - 1), mpq_class(0x1p-50));
+void expect_normal(const Point& normal, const Loops& loop, const mpq_class& ulp) {
+  EXPECT_TRUE(abs(dot(normal, normal) - 1) <= 0x1p-50);
   const Point off = cross(normal, loop.area);
-  EXPECT_LE(dot(off, off), 64 * 64 * ulp * ulp * loop.perimeter * loop.perimeter);
-  EXPECT_GT(dot(normal, loop.area), 0);
+  EXPECT_TRUE(dot(off, off) <= 64 * 64 * ulp * ulp * loop.perimeter * loop.perimeter);
+  EXPECT_TRUE(dot(normal, loop.area) > 0);
 }
 
 TEST(Law7Contacts, TetrahedraAgreeWithRationalArithmetic) {
@@ -182,13 +203,14 @@ TEST(Law7Contacts, TetrahedraAgreeWithRationalArithmetic) {
     pose.translation() = scale * offset + 0.6 * scale * source.vector(-1, 1);
     const PlacedMesh a{mesh_a}, b{mesh_b, pose};
     const Solid solid_a(a), solid_b(b);
-    const Loop loop(solid_a, solid_b);
+    const Loops loop(solid_a, solid_b);
     const MeshContacts found = find_contacts(a, b);
     ASSERT_EQ(found.empty(), loop.corners.empty()) << n;
     if (found.empty() || !loop.is_generic) continue;
     SCOPED_TRACE(n);
+    ASSERT_EQ(found.size(), loop.count());
+    if (found.size() > 1) continue;  // an edge of one goes through the other
     ++contacts;
-    ASSERT_EQ(found.size(), 1u);
     const double largest = std::max(solid_a.largest, solid_b.largest);
     const mpq_class ulp = std::ldexp(1, std::ilogb(largest) - 52);
     const std::vector<Point> part_a = with_inner(loop, solid_a, solid_b);
@@ -198,13 +220,14 @@ TEST(Law7Contacts, TetrahedraAgreeWithRationalArithmetic) {
     expect_normal(normal, loop, ulp);
     const mpq_class width = furthest(part_a, normal) + furthest(part_b, negated(normal));
     const mpq_class depth = found[0].depth;
-    const double separated = separating_translation(a, b, found[0].normal).distance;
-    EXPECT_GE(depth, std::min(width, last_contact(solid_a, solid_b, normal)) - 16 * ulp);
-    EXPECT_LE(depth, width + 16 * ulp);
-    EXPECT_LE(depth, separated + 16 * ulp);
-    EXPECT_GE(separated, last_contact(solid_a, solid_b, normal));
+    const mpq_class last = last_contact(solid_a, solid_b, normal);
+    const mpq_class separated = separating_translation(a, b, found[0].normal).distance;
+    EXPECT_TRUE(depth >= std::min(width, last) - 16 * ulp);
+    EXPECT_TRUE(depth <= width + 16 * ulp);
+    EXPECT_TRUE(depth <= separated + 16 * ulp);
+    EXPECT_TRUE(separated >= last);
   }
-  EXPECT_GT(contacts, 60);
+  EXPECT_GT(contacts, 30);
 }
 
 }  // namespace
