@@ -1,3 +1,7 @@
+#include <graze/engine/mesh/contacts/mesh_contacts.h>
+#include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/contacts/separation.h>
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
@@ -37,6 +41,39 @@ TEST(MeshThreads, ConcurrentFirstUseBuildsOnceAndAnswersAlike) {
   EXPECT_FALSE(found[0].empty());
   for (const TrianglePairs& pairs : found)
     EXPECT_EQ(pairs.pairs, found[0].pairs);
+}
+
+// Distances, intersections and contacts of meshes that all threads share.
+TEST(MeshThreads, DistancesAndContactsAreAlikeOnAllThreads) {
+  const Mesh a = tests::make_sphere(1, 24, 24);
+  const Mesh b = tests::make_torus(1, 0.3, 24, 12);
+  Pose beside = Pose::Identity();
+  beside.translation() << 2.5, 0.1, 0.2;
+  std::vector<MeshDistance> distances(6);
+  std::vector<MeshContacts> contacts(distances.size());
+  std::vector<Separation> separations(distances.size());
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    threads.emplace_back([&, i] {
+      distances[i] = distance({a}, {b, beside});
+      EXPECT_TRUE(within({a}, {b, beside}, distances[i].distance, {.hint = distances[i].pair}));
+      contacts[i] = find_contacts({a}, {b});
+      separations[i] = separating_translation({a}, {b}, {0, 0, 1});
+      EXPECT_FALSE(find_intersection({a}, {b}).curves.empty());
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_GT(distances[0].distance, 0);
+  EXPECT_FALSE(contacts[0].empty());
+  for (std::size_t i = 1; i < distances.size(); ++i) {
+    EXPECT_EQ(distances[i].distance, distances[0].distance);
+    EXPECT_EQ(distances[i].pair, distances[0].pair);
+    EXPECT_EQ(contacts[i].points, contacts[0].points);
+    ASSERT_EQ(contacts[i].size(), contacts[0].size());
+    EXPECT_EQ(contacts[i][0].depth, contacts[0][0].depth);
+    EXPECT_EQ(separations[i].distance, separations[0].distance);
+  }
 }
 
 // Queries inside a user's parallel loop: a thread that waits for a tree being built must not take

@@ -23,6 +23,11 @@ constexpr double kStep = 0.01;  // radians
 // Metres: some hundred times less than the clearance of the thread, a million times the rounding.
 constexpr double kMargin = 1e-7;
 
+// A query of the whole nut takes milliseconds, too much for a million. A prime number of pieces, so
+// that each piece comes round at all angles, and at those at which the whole nut is asked about.
+constexpr std::size_t kPieces = 29;
+constexpr std::size_t kWholeEvery = 100;
+
 /// The step as float holds it. Its columns are not of length 1, and the thread follows its angle.
 struct FloatStep {
   double cosine = static_cast<double>(static_cast<float>(std::cos(kStep)));
@@ -46,17 +51,42 @@ Eigen::Matrix3d orthonormal(const Eigen::Matrix3d& m) {
   return result;
 }
 
-/// Queries of poses that come in blocks, by all processors.
+/// The mesh cut like a cake around the z axis, triangles whole: each is in one piece.
+std::vector<Mesh> pieces_of(const Mesh& mesh, std::size_t count) {
+  std::vector<std::vector<TriangleIndices>> triangles(count);
+  for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    const Eigen::Vector3d sum = t.a + t.b + t.c;
+    const double turn = 0.5 + std::atan2(sum.y(), sum.x()) / (2 * std::numbers::pi);
+    const auto piece = static_cast<std::size_t>(turn * static_cast<double>(count));
+    triangles[std::min(piece, count - 1)].push_back(mesh.triangles()[i]);
+  }
+  const std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<Mesh> pieces;
+  for (const std::vector<TriangleIndices>& piece : triangles)
+    pieces.emplace_back(vertices, piece);
+  return pieces;
+}
+
+/// Queries of poses that come in blocks, by all processors: of one piece of the nut at each step,
+/// the next one at the next, and of the whole nut now and then.
 class ParallelQueries {
  public:
-  ParallelQueries(const Mesh& bolt, const Mesh& nut) : bolt_(bolt), nut_(nut) {}
+  ParallelQueries(const Mesh& bolt, const Mesh& nut)
+      : bolt_(bolt), nut_(nut), pieces_(pieces_of(nut, kPieces)) {}
 
-  std::size_t count_hits(const std::vector<Pose>& poses) const {
+  static bool is_whole(std::size_t step) { return step % kWholeEvery == 0; }
+
+  /// `poses` are those of the steps from `first` on.
+  std::size_t count_hits(std::size_t first, const std::vector<Pose>& poses) const {
     std::atomic<std::size_t> next = 0;
     std::atomic<std::size_t> hits = 0;
     const auto work = [&] {
-      for (std::size_t i = next++; i < poses.size(); i = next++)
-        hits += intersects({bolt_}, {nut_, poses[i]}, {.volume = Volume::Obb});
+      for (std::size_t i = next++; i < poses.size(); i = next++) {
+        const std::size_t step = first + i;
+        const Mesh& nut = is_whole(step) ? nut_ : pieces_[step % kPieces];
+        hits += intersects({bolt_}, {nut, poses[i]}, {.volume = Volume::Obb});
+      }
     };
     std::vector<std::thread> threads(std::max(1u, std::thread::hardware_concurrency()));
     for (std::thread& thread : threads)
@@ -69,6 +99,7 @@ class ParallelQueries {
  private:
   const Mesh& bolt_;
   const Mesh& nut_;
+  std::vector<Mesh> pieces_;
 };
 
 bool is_right(const Mesh& bolt, const Mesh& nut, const Pose& pose) {
@@ -115,6 +146,7 @@ TurningReport turn_nut(const std::filesystem::path& data, std::size_t steps,
   std::vector<Pose> block;
   for (std::size_t i = 0; i < steps; ++i) {
     block.push_back(turning.next());
+    report.whole += ParallelQueries::is_whole(i);
     if (i % between == between / 2) {
       Pose shifted = block.back();
       shifted.translation().z() += kPitch / 8;
@@ -123,7 +155,7 @@ TurningReport turn_nut(const std::filesystem::path& data, std::size_t steps,
       ++report.spot_checks;
     }
     if (block.size() < 4096 && i + 1 < steps) continue;
-    report.hits += queries.count_hits(block);
+    report.hits += queries.count_hits(i + 1 - block.size(), block);
     block.clear();
   }
   report.steps = steps;

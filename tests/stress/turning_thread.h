@@ -34,7 +34,8 @@ class TurningNut {
 };
 
 struct TurningReport {
-  std::size_t steps = 0;
+  std::size_t steps = 0;          ///< each with a query of a piece of the nut, or of all of it
+  std::size_t whole = 0;          ///< of these, queries of the whole nut
   std::size_t renormalised = 0;   ///< how often the door asked for it
   double largest_deviation = 0;   ///< of a pose that was let in
   std::size_t hits = 0;           ///< of graze: each is wrong, the thread is clear
@@ -44,7 +45,8 @@ struct TurningReport {
 };
 
 /// Turns the bundled nut on the bundled bolt, asking at each step whether they touch, on as many
-/// threads as there are processors, and judging `spot_checks` steps.
+/// threads as there are processors, and judging `spot_checks` steps. The nut is cut into pieces
+/// around its axis, whose turns come one after the other: a million queries take minutes.
 TurningReport turn_nut(const std::filesystem::path& data, std::size_t steps,
                        std::size_t spot_checks);
 

@@ -28,6 +28,8 @@ struct Category {
 struct Sizes {
   std::size_t elements = 20000;  ///< of each category
   std::size_t refereed = 400;    ///< of these, checked by the exact referee
+  std::size_t distances = 1000;  ///< of each category of distances
+  std::size_t boxes = 4000;      ///< of each category of oriented boxes
 };
 
 /// How one contestant did in one category.
@@ -53,8 +55,8 @@ inline void count(Score& score, Answer answer, bool truth) {
 }
 
 /// Nanoseconds that all elements take.
-template <typename Element>
-double timed_run(Contestant<Element>& contestant, std::span<Answer> answers) {
+template <typename Element, typename Reply>
+double timed_run(Contestant<Element, Reply>& contestant, std::span<Reply> answers) {
   double nanoseconds = 0;
   for (std::size_t first = 0; first < answers.size(); first += kChunk) {
     const std::size_t size = std::min(kChunk, answers.size() - first);
@@ -78,30 +80,47 @@ inline std::vector<std::size_t> shuffled_indices(std::size_t size, std::uint64_t
   return order;
 }
 
-/// Scores in the order of the contestants, who take turns in each repetition, so that a slow moment
-/// of the machine hits all of them, and in another order each time, so that nobody always comes
-/// after the one who taught the branch predictor. The counts are of the first repetition.
-template <typename Element>
-std::vector<Score> contest(const Category<Element>& category,
-                           const Contestants<Element>& contestants, int repetitions) {
-  const std::size_t size = category.elements.size();
-  std::vector<Answer> answers(size);
-  std::vector<Score> scores(contestants.size());
+/// Nanoseconds per element of each contestant, medians of the repetitions. They take turns in each
+/// repetition, so that a slow moment of the machine hits all of them, and in another order each
+/// time, so that nobody always comes after the one who taught the branch predictor. `see(i,
+/// answers)` is called with what contestant i answers in the first repetition.
+template <typename Element, typename Reply, typename See>
+std::vector<double> take_turns(std::span<const Element> elements,
+                               const Contestants<Element, Reply>& contestants, int repetitions,
+                               const See& see) {
+  std::vector<Reply> answers(elements.size());
   std::vector<std::vector<double>> times(contestants.size());
   for (const auto& contestant : contestants)
-    contestant->prepare(category.elements);
+    contestant->prepare(elements);
   for (int repetition = 0; repetition < repetitions; ++repetition) {
     const auto seed = static_cast<std::uint64_t>(repetition) + 1;
     for (const std::size_t i : shuffled_indices(contestants.size(), seed)) {
-      times[i].push_back(timed_run(*contestants[i], answers) / static_cast<double>(size));
-      for (std::size_t k = 0; repetition == 0 && k < size; ++k)
-        count(scores[i], answers[k], category.truth[k]);
+      const double time = timed_run<Element, Reply>(*contestants[i], answers);
+      times[i].push_back(time / static_cast<double>(elements.size()));
+      if (repetition == 0) see(i, std::span<const Reply>(answers));
     }
   }
+  std::vector<double> medians;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     contestants[i]->release();
-    scores[i].nanoseconds = median(times[i]);
+    medians.push_back(median(times[i]));
   }
+  return medians;
+}
+
+/// Scores in the order of the contestants.
+template <typename Element>
+std::vector<Score> contest(const Category<Element>& category,
+                           const Contestants<Element>& contestants, int repetitions) {
+  std::vector<Score> scores(contestants.size());
+  const std::vector<double> times =
+      take_turns(std::span<const Element>(category.elements), contestants, repetitions,
+                 [&](std::size_t i, std::span<const Answer> answers) {
+                   for (std::size_t k = 0; k < answers.size(); ++k)
+                     count(scores[i], answers[k], category.truth[k]);
+                 });
+  for (std::size_t i = 0; i < contestants.size(); ++i)
+    scores[i].nanoseconds = times[i];
   return scores;
 }
 

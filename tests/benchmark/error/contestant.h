@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,8 +43,24 @@ struct Label {
   std::optional<double> epsilon;  ///< what is snapped to zero; of a family of the same name
 };
 
+/// What a reply looks like: an Answer where the question is yes or no, a number where it is how
+/// far.
+template <typename Reply>
+struct Replies {
+  template <typename Value>
+  static Reply of(const Value& value) {
+    return to_answer(value);
+  }
+  static Reply failed() { return Reply::Failed; }
+};
+template <>
+struct Replies<double> {
+  static double of(double value) { return value; }
+  static double failed() { return std::numeric_limits<double>::quiet_NaN(); }
+};
+
 /// A way to answer one question. What it wants of the elements it prepares untimed.
-template <typename Element>
+template <typename Element, typename Reply = Answer>
 class Contestant {
  public:
   explicit Contestant(Label label) : label_(std::move(label)) {}
@@ -58,14 +75,14 @@ class Contestant {
   virtual void warm(std::size_t first, std::size_t count) const = 0;
 
   /// answers[i] becomes the answer for element first + i.
-  virtual void answer(std::size_t first, std::span<Answer> answers) = 0;
+  virtual void answer(std::size_t first, std::span<Reply> answers) = 0;
 
  private:
   Label label_;
 };
 
-template <typename Element>
-using Contestants = std::vector<std::unique_ptr<Contestant<Element>>>;
+template <typename Element, typename Reply = Answer>
+using Contestants = std::vector<std::unique_ptr<Contestant<Element, Reply>>>;
 
 /// Reads one byte of each cache line.
 template <typename Input>
@@ -78,13 +95,13 @@ void touch(std::span<const Input> inputs) {
 }
 
 /// Converts each element by `convert` and answers it by `test`.
-template <typename Element, typename Convert, typename Test>
-class OneByOne final : public Contestant<Element> {
+template <typename Element, typename Reply, typename Convert, typename Test>
+class OneByOne final : public Contestant<Element, Reply> {
  public:
   using Input = std::remove_cvref_t<std::invoke_result_t<const Convert&, const Element&>>;
 
   OneByOne(Label label, Convert convert, Test test)
-      : Contestant<Element>(std::move(label)), convert_(convert), test_(std::move(test)) {}
+      : Contestant<Element, Reply>(std::move(label)), convert_(convert), test_(std::move(test)) {}
 
   void prepare(std::span<const Element> elements) override {
     inputs_.clear();
@@ -96,12 +113,12 @@ class OneByOne final : public Contestant<Element> {
   void warm(std::size_t first, std::size_t count) const override {
     touch(std::span<const Input>(inputs_).subspan(first, count));
   }
-  void answer(std::size_t first, std::span<Answer> answers) override {
+  void answer(std::size_t first, std::span<Reply> answers) override {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       try {
-        answers[i] = to_answer(test_(inputs_[first + i]));
+        answers[i] = Replies<Reply>::of(test_(inputs_[first + i]));
       } catch (const std::exception&) {
-        answers[i] = Answer::Failed;
+        answers[i] = Replies<Reply>::failed();
       }
     }
   }
@@ -112,9 +129,9 @@ class OneByOne final : public Contestant<Element> {
   std::vector<Input> inputs_;
 };
 
-template <typename Element, typename Convert, typename Test>
-void add(Contestants<Element>& contestants, Label label, Convert convert, Test test) {
-  contestants.push_back(std::make_unique<OneByOne<Element, Convert, Test>>(
+template <typename Element, typename Reply, typename Convert, typename Test>
+void add(Contestants<Element, Reply>& contestants, Label label, Convert convert, Test test) {
+  contestants.push_back(std::make_unique<OneByOne<Element, Reply, Convert, Test>>(
       std::move(label), std::move(convert), std::move(test)));
 }
 

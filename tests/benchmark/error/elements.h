@@ -6,6 +6,7 @@
 
 #include "tests/benchmark/error/contestant.h"
 #include "tests/benchmark/error/mesh_contestant.h"
+#include "tests/benchmark/error/mesh_distance_contestant.h"
 
 namespace graze::benchmark {
 
@@ -22,13 +23,28 @@ struct SpherePair {
   Sphere b;
 };
 
+struct ObbPair {
+  Obb a;
+  Obb b;
+};
+
+/// Two triangles whose k-DOPs are asked about: each contestant fits its own, untimed.
+struct KDopPair {
+  Triangle a;
+  Triangle b;
+};
+
 /// All contestants by question. An adaptor adds to those that its library can answer.
 struct Field {
   Contestants<TrianglePair> triangle_pairs;
   Contestants<TriangleAndBox> triangle_boxes;
   Contestants<SphereAndBox> sphere_boxes;
   Contestants<SpherePair> sphere_pairs;
+  Contestants<ObbPair> obb_pairs;
+  Contestants<KDopPair> kdop_pairs;
   MeshContestants meshes;
+  Contestants<TrianglePair, double> distances;  ///< of triangles, metres
+  MeshDistanceContestants mesh_distances;
 };
 
 }  // namespace graze::benchmark

@@ -111,6 +111,8 @@ void add_graze(Field& field) {
       [](const TriangleAndBox& pair) { return narrowphase::triage(pair.triangle, pair.box); });
   field.triangle_boxes.push_back(std::make_unique<BoxesInRows>());
   add_graze_spheres(field);
+  add_graze_volumes(field);
+  add_graze_distances(field);
   add_graze_meshes(field.meshes);
 }
 

@@ -22,4 +22,10 @@ inline std::span<std::uint8_t> as_hits(std::span<Answer> answers) {
 /// Its tests of spheres: part of add_graze().
 void add_graze_spheres(Field& field);
 
+/// Likewise of oriented boxes and k-DOPs, of which only "apart" is sure.
+void add_graze_volumes(Field& field);
+
+/// Likewise its distances, of triangles and of meshes.
+void add_graze_distances(Field& field);
+
 }  // namespace graze::benchmark

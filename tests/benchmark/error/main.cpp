@@ -14,11 +14,14 @@
 #include "tests/benchmark/error/baselines/add_baselines.h"
 #include "tests/benchmark/error/categories.h"
 #include "tests/benchmark/error/contest.h"
+#include "tests/benchmark/error/distances/distance_categories.h"
+#include "tests/benchmark/error/distances/distance_contest.h"
 #include "tests/benchmark/error/graze_contestants.h"
 #include "tests/benchmark/error/mesh_contest.h"
 #include "tests/benchmark/error/peers/peers.h"
 #include "tests/benchmark/error/report.h"
 #include "tests/benchmark/error/sphere_categories.h"
+#include "tests/benchmark/error/volume_categories.h"
 
 namespace graze::benchmark {
 namespace {
@@ -28,6 +31,7 @@ struct Options {
   std::string output;
   Sizes sizes;
   std::size_t poses = 12;
+  std::size_t distance_poses = 3;
   int repetitions = 5;
 };
 
@@ -41,6 +45,7 @@ QuestionResult ask(const char* question, const Contestants<Element>& contestants
   result.scores.resize(contestants.size());
   for (std::size_t i = 0; i < categories; ++i) {
     const Category<Element> category = make(i, options.sizes);
+    if (category.elements.empty()) continue;
     std::fprintf(stderr, "\r%s: %zu of %zu, %-40s", question, i + 1, categories,
                  category.name.c_str());
     const std::vector<Score> scores = contest(category, contestants, options.repetitions);
@@ -50,6 +55,35 @@ QuestionResult ask(const char* question, const Contestants<Element>& contestants
     result.categories.push_back({category.name, category.is_generic, category.has_only_floats,
                                  category.elements.size(), static_cast<std::size_t>(hits),
                                  category.refereed});
+  }
+  std::fputc('\n', stderr);
+  return result;
+}
+
+DistanceResult ask_distances(const Contestants<TrianglePair, double>& contestants,
+                             const Options& options) {
+  DistanceResult result{"distance of triangles", {}, {}, {}};
+  for (const auto& contestant : contestants)
+    result.labels.push_back(contestant->label());
+  result.scores.resize(contestants.size());
+  for (std::size_t i = 0; i < distance_category_count(); ++i) {
+    const DistanceCategory category = distance_category(i, options.sizes);
+    std::fprintf(stderr, "\r%s: %zu of %zu, %-40s", result.question.c_str(), i + 1,
+                 distance_category_count(), category.name.c_str());
+    std::vector<DistanceScore> scores(contestants.size());
+    const std::vector<double> times =
+        take_turns(std::span<const TrianglePair>(category.elements), contestants,
+                   options.repetitions, [&](std::size_t k, std::span<const double> answers) {
+                     for (std::size_t n = 0; n < answers.size(); ++n)
+                       count(scores[k], answers[n], category.truth[n], category.ulp[n]);
+                   });
+    for (std::size_t k = 0; k < scores.size(); ++k) {
+      scores[k].nanoseconds = times[k];
+      result.scores[k].push_back(std::move(scores[k]));
+    }
+    const auto touching = std::count(category.truth.begin(), category.truth.end(), 0.0);
+    result.categories.push_back({category.name, category.is_generic, category.elements.size(),
+                                 static_cast<std::size_t>(touching)});
   }
   std::fputc('\n', stderr);
   return result;
@@ -84,10 +118,22 @@ void run(const Options& options) {
            options));
   keep(ask("sphere and sphere", field.sphere_pairs, sphere_category_count(), sphere_pair_category,
            options));
+  for (QuestionResult result :
+       {ask("box and box, oriented", field.obb_pairs, obb_category_count(), obb_category, options),
+        ask("k-DOP and k-DOP", field.kdop_pairs, kdop_category_count(), kdop_category, options)}) {
+    result.is_one_sided = true;
+    keep(result);
+  }
   for (const QuestionResult& result : contest_of_meshes(
            field.meshes,
            {.data = options.data, .poses = options.poses, .repetitions = options.repetitions}))
     keep(result);
+  document["distances"] = Json::array();
+  document["distances"].push_back(to_json(ask_distances(field.distances, options)));
+  document["distances"].push_back(to_json(
+      contest_of_mesh_distances(field.mesh_distances, {.data = options.data,
+                                                       .poses = options.distance_poses,
+                                                       .repetitions = options.repetitions})));
   write(document, options.output);
 }
 
@@ -105,6 +151,18 @@ int main(int argc, char** argv) {
       .add_option("--refereed", options.sizes.refereed,
                   "of these, checked by the exact referee (default 400)")
       ->check(CLI::Range(1, 10000000));
+  program
+      .add_option("--distances", options.sizes.distances,
+                  "of each category of distances (default 1000)")
+      ->check(CLI::Range(1, 10000000));
+  program
+      .add_option("--boxes", options.sizes.boxes,
+                  "of each category of oriented boxes and k-DOPs (default 4000)")
+      ->check(CLI::Range(1, 10000000));
+  program
+      .add_option("--distance-poses", options.distance_poses,
+                  "of meshes, from each file, for distances (default 3)")
+      ->check(CLI::Range(1, 1000000));
   program.add_option("--poses", options.poses, "of meshes, from each file (default 12)")
       ->check(CLI::Range(1, 1000000));
   program.add_option("--repetitions", options.repetitions, "runs of each contestant (default 5)")

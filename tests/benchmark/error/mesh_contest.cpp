@@ -8,41 +8,13 @@
 #include <filesystem>
 #include <iterator>
 
+#include "tests/benchmark/error/bundled_meshes.h"
 #include "tests/benchmark/error/mesh_truth.h"
 
 namespace graze::benchmark {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct MeshFiles {
-  const char* name;  ///< what the files of poses begin with
-  const char* a;
-  const char* b;
-};
-
-constexpr MeshFiles kMeshFiles[] = {{"bolt-nut", "bolt.obj", "nut.stl"},
-                                    {"gear-pinion", "gear.ply", "pinion.off"},
-                                    {"link-link", "link.ply", "link.ply"},
-                                    {"rock-rock", "rock.ply", "rock.ply"},
-                                    {"terrain-rock", "terrain.ply", "rock.ply"}};
-
-std::vector<fs::path> pose_files(const fs::path& folder, const std::string& name) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().filename().string().starts_with(name + ".")) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::vector<Pose> spread(const std::vector<Pose>& all, std::size_t count) {
-  if (count >= all.size()) return all;
-  std::vector<Pose> some;
-  for (std::size_t i = 0; i < count; ++i)
-    some.push_back(all[i * all.size() / count]);
-  return some;
-}
 
 template <typename Query>
 double median_nanoseconds(int repetitions, const Query& query) {
@@ -142,7 +114,7 @@ class MeshContest {
 std::vector<QuestionResult> contest_of_meshes(const MeshContestants& contestants,
                                               const MeshSettings& settings) {
   MeshContest contest(contestants, settings);
-  for (const MeshFiles& files : kMeshFiles)
+  for (const MeshFiles& files : mesh_files())
     contest.run(files);
   return std::move(contest).results();
 }

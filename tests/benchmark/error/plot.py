@@ -13,10 +13,8 @@ matplotlib.rcParams["svg.hashsalt"] = "graze"
 import matplotlib.pyplot as plt
 
 from labels import Labels
+from marks import COLOURS, MARKERS
 
-# Shape and filling say who it is, so that the plot can be read without colour.
-MARKERS = {"graze": "*", "baseline": "o", "peer": "s"}
-COLOURS = {"graze": "#b3261e", "baseline": "#1b6ca8", "peer": "#3c3c3c"}
 LINES = {"double": "-", "float": ":"}
 
 
@@ -33,14 +31,18 @@ def exponent(epsilon):
     return f"{epsilon:.0e}".replace("e-0", "e-")
 
 
-def text_of(contestant, scope):
+def text_of(contestant, scope, is_one_sided):
     name = contestant["name"]
+    if contestant["epsilon"] is not None:
+        name += ", ε " + exponent(contestant["epsilon"])
     if contestant["precision"] == "float":
         name += ", float"
     if contestant[scope]["unsure"] == contestant[scope]["errors"] > 0:
         name += " (unsure, never wrong)"
     if contestant[scope]["failed"] * 2 > contestant[scope]["errors"]:
         name += " (mostly refused)"
+    if is_one_sided:
+        name += f" ({100 * contestant[scope]['false_positives'] / contestant[scope]['elements']:.2g} % needless overlaps)"
     return name
 
 
@@ -79,7 +81,8 @@ def draw_mark(axes, x, contestant, labels):
 def draw_panel(zero, axes, question, scope):
     contestants = [c for c in question["contestants"] if c[scope]]
     wrong = [c for c in contestants if c[scope]["errors"] > 0]
-    right = [c for c in contestants if c[scope]["errors"] == 0 and c["epsilon"] is None]
+    right = [c for c in contestants
+             if c[scope]["errors"] == 0 and (c["epsilon"] is None or question["is_one_sided"])]
     elements = max(c[scope]["elements"] for c in contestants)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -93,18 +96,19 @@ def draw_panel(zero, axes, question, scope):
     for contestant in wrong:
         if contestant["epsilon"] is None:
             draw_mark(axes, share(contestant, scope), contestant, labels)
-            labels.add(axes, share(contestant, scope), time_of(contestant), text_of(contestant, scope))
+            labels.add(axes, share(contestant, scope), time_of(contestant), text_of(contestant, scope, question["is_one_sided"]))
     draw_families(axes, wrong, scope, labels)
     zero.set_xlim(0, 1)
     zero.set_xticks([0.1], [f"0 of {elements:,}"])
     for contestant in right:
         draw_mark(zero, 0.1, contestant, labels)
-        labels.add(zero, 0.1, time_of(contestant), text_of(contestant, scope))
+        labels.add(zero, 0.1, time_of(contestant), text_of(contestant, scope, question["is_one_sided"]))
     break_axis(zero, axes)
     return labels
 
 
 def break_axis(zero, axes):
+    zero.set_zorder(axes.get_zorder() + 1)  # long labels reach over the break
     zero.spines["right"].set_visible(False)
     axes.spines["left"].set_visible(False)
     axes.tick_params(axis="y", which="both", left=False, labelleft=False)
@@ -125,7 +129,8 @@ def panel(figure, place, question, scope):
     axes = figure.add_subplot(grid[1], sharey=zero)
     labels = draw_panel(zero, axes, question, scope)
     zero.set_title(f"{question['question']}: {SCOPES[scope]}", loc="left", fontsize=10)
-    axes.set_xlabel("share of wrong or missing answers")
+    axes.set_xlabel("share of wrong answers “apart”" if question["is_one_sided"] else
+                    "share of wrong or missing answers")
     zero.set_ylabel("nanoseconds a query" if question["question"].startswith("meshes") else "nanoseconds each")
     return labels
 

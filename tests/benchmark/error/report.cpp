@@ -44,7 +44,7 @@ Json summary(const QuestionResult& result, const std::vector<Score>& scores, con
   }
   if (elements == 0) return nullptr;
   return {{"elements", elements},
-          {"errors", sum.errors()},
+          {"errors", sum.errors() - (result.is_one_sided ? sum.false_positives : 0)},
           {"false_positives", sum.false_positives},
           {"false_negatives", sum.false_negatives},
           {"unsure", sum.unsure},
@@ -61,9 +61,8 @@ Json column(const std::vector<Score>& scores, Member member) {
   return values;
 }
 
-Json to_json(const QuestionResult& result, const Label& label, const std::vector<Score>& scores) {
-  Json row{{"name", label.name}, {"origin", name_of(label.origin)}, {"precision", label.precision}};
-  row["epsilon"] = label.epsilon ? Json(*label.epsilon) : Json(nullptr);
+Json to_row(const QuestionResult& result, const Label& label, const std::vector<Score>& scores) {
+  Json row = to_json(label);
   row["all"] = summary(result, scores, [](const CategoryFacts&) { return true; });
   row["generic"] = summary(result, scores, [](const CategoryFacts& c) { return c.is_generic; });
   row["floats"] = summary(result, scores, [](const CategoryFacts& c) { return c.has_only_floats; });
@@ -95,6 +94,12 @@ void write_lines(std::ostream& out, const Json& value, const std::string& indent
 
 }  // namespace
 
+Json to_json(const Label& label) {
+  Json row{{"name", label.name}, {"origin", name_of(label.origin)}, {"precision", label.precision}};
+  row["epsilon"] = label.epsilon ? Json(*label.epsilon) : Json(nullptr);
+  return row;
+}
+
 Json to_json(const QuestionResult& result) {
   Json categories = Json::array();
   for (const CategoryFacts& category : result.categories) {
@@ -107,8 +112,9 @@ Json to_json(const QuestionResult& result) {
   }
   Json contestants = Json::array();
   for (std::size_t i = 0; i < result.labels.size(); ++i)
-    contestants.push_back(to_json(result, result.labels[i], result.scores[i]));
+    contestants.push_back(to_row(result, result.labels[i], result.scores[i]));
   return {{"question", result.question},
+          {"is_one_sided", result.is_one_sided},
           {"categories", std::move(categories)},
           {"contestants", std::move(contestants)}};
 }

@@ -27,7 +27,10 @@ struct QuestionResult {
   std::vector<CategoryFacts> categories;
   std::vector<Label> labels;
   std::vector<std::vector<Score>> scores;
+  bool is_one_sided = false;  ///< only "apart" can be wrong: of a volume around something else
 };
+
+Json to_json(const Label& label);
 
 Json to_json(const QuestionResult& result);
 

@@ -65,6 +65,7 @@ class Report {
   void add_turning(const TurningReport& report) {
     const std::size_t wrong = report.hits + report.spot_wrong + report.shifted_wrong;
     json_["turning"] = {{"steps", report.steps},
+                        {"whole_nut", report.whole},
                         {"renormalised", report.renormalised},
                         {"largest_deviation", report.largest_deviation},
                         {"spot_checks", report.spot_checks},

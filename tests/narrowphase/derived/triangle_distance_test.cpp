@@ -4,12 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "tests/crosscheck/corpus_run.h"
-#include "tests/crosscheck/permutations.h"
-#include "tests/narrowphase/derived/rational_triangles.h"
-#include "tests/oracle/case_text.h"
+#include "tests/narrowphase/derived/value_faults.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze {
@@ -17,23 +14,8 @@ namespace {
 
 using narrowphase::decide_distance;
 using narrowphase::Stage;
-using oracle::exactly;
 
 const Triangle kFlat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-
-bool are_bits_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-  return std::memcmp(p.data(), q.data(), 3 * sizeof(double)) == 0;
-}
-
-bool are_same(const TriangleDistance& x, const TriangleDistance& y) {
-  return x.distance == y.distance && are_bits_equal(x.point_a, y.point_a) &&
-         are_bits_equal(x.point_b, y.point_b) && x.feature_a == y.feature_a &&
-         x.feature_b == y.feature_b;
-}
-
-TriangleDistance mirrored(const TriangleDistance& x) {
-  return {x.distance, x.point_b, x.point_a, x.feature_b, x.feature_a};
-}
 
 TEST(TriangleDistance, EachKindOfFeature) {
   const auto expect = [](const Triangle& b, double expected, Feature feature_a, Feature feature_b) {
@@ -112,76 +94,14 @@ TEST(Law10TriangleDistance, CoordinatesThatAreNotFiniteAreRefused) {
   }
 }
 
-/// |value^2 - square| as far as a root that is off by `reach` explains.
-bool is_root(double value, const mpq_class& square, const mpq_class& reach) {
-  const mpq_class low = mpq_class(value) - reach;
-  const mpq_class high = mpq_class(value) + reach;
-  return square <= high * high && (low <= 0 || low * low <= square);
-}
-
-bool lies_on(const Eigen::Vector3d& point, const Triangle& t, const mpq_class& reach) {
-  return oracle::squared_distance(exactly(point), t) <= 3 * reach * reach;
-}
-
-const char* fault_of(const oracle::TrianglePair& pair, const TriangleDistance& found) {
-  const mpq_class ulp = oracle::ulp_of_coordinates(pair.a, pair.b);
-  if ((found.distance == 0) != intersects(pair.a, pair.b)) {
-    return "law 7: zero does not mean that they intersect";
-  }
-  if (!lies_on(found.point_a, pair.a, 2 * ulp) || !lies_on(found.point_b, pair.b, 2 * ulp)) {
-    return "law 7: a witness is off its triangle by more than 2 ulp";
-  }
-  if (found.distance == 0) {
-    return are_bits_equal(found.point_a, found.point_b) ? nullptr : "law 7: two witnesses of zero";
-  }
-  const oracle::RationalDistance exact = oracle::rational_distance(pair.a, pair.b);
-  if (std::isfinite(found.distance) &&
-      !is_root(found.distance, exact.square, 4 * oracle::ulp_of_differences(pair.a, pair.b))) {
-    return "law 7: the distance is off by more than 4 ulp";
-  }
-  if (exact.nearest.size() > 1) {
-    // Each of the witnesses is off by at most 2 ulp in each coordinate.
-    const mpq_class between =
-        oracle::squared_distance(exactly(found.point_a), exactly(found.point_b));
-    const mpq_class reach = 8 * ulp + 4 * oracle::ulp_of_differences(pair.a, pair.b);
-    return !std::isfinite(found.distance) || is_root(found.distance, between, reach)
-               ? nullptr
-               : "law 7: the witnesses disagree with the distance";
-  }
-  const bool are_near = oracle::are_within(exact.nearest[0].a, found.point_a, 2 * ulp) &&
-                        oracle::are_within(exact.nearest[0].b, found.point_b, 2 * ulp);
-  return are_near ? nullptr : "law 7: a witness is off by more than 2 ulp";
-}
-
-std::string fault_of(const oracle::TrianglePair& pair) {
-  const TriangleDistance found = distance(pair.a, pair.b);
-  const char* fault = fault_of(pair, found);
-  if (fault == nullptr) {
-    fault = fault_of(pair, narrowphase::distance_exactly(pair.a, pair.b));
-  }
-  const auto b_orders = crosscheck::permutations(pair.b);
-  for (const Triangle& a : crosscheck::permutations(pair.a)) {
-    for (int i = 1; i < 6; i += 2) {
-      if (!are_same(distance(a, b_orders[i]), found) ||
-          !are_same(mirrored(distance(b_orders[i], a)), found)) {
-        fault = "law 4: another order changes the result";
-      }
-    }
-  }
-  if (fault == nullptr) return "";
-  return std::string(fault) + ":\n" + to_text(pair, intersects(pair.a, pair.b));
-}
-
 class Law7TriangleDistance : public testing::TestWithParam<oracle::Corpus<oracle::TrianglePair>> {};
 class Law7TriangleDistanceSlow : public Law7TriangleDistance {};
 
 TEST_P(Law7TriangleDistance, AgreesWithRationalArithmetic) {
-  crosscheck::run_corpus(GetParam(), 40,
-                         [](const oracle::TrianglePair& pair) { return fault_of(pair); });
+  crosscheck::run_corpus(GetParam(), 40, oracle::distance_fault);
 }
 TEST_P(Law7TriangleDistanceSlow, AgreesWithRationalArithmetic) {
-  crosscheck::run_corpus(GetParam(), 1000,
-                         [](const oracle::TrianglePair& pair) { return fault_of(pair); });
+  crosscheck::run_corpus(GetParam(), 1000, oracle::distance_fault);
 }
 
 /// The corpus is about intersection; moved apart, its hard shapes are about distance.
@@ -195,7 +115,7 @@ std::string fault_when_apart(const oracle::TrianglePair& pair, std::uint64_t see
   const Eigen::Vector3d away = source.lattice_point(-3, 3) * (0.25 * size);
   const oracle::TrianglePair apart{pair.a, oracle::moved(pair.b, away)};
   const bool is_finite = apart.b.a.allFinite() && apart.b.b.allFinite() && apart.b.c.allFinite();
-  return is_finite ? fault_of(apart) : "";
+  return is_finite ? oracle::distance_fault(apart) : "";
 }
 
 void run_apart(const oracle::Corpus<oracle::TrianglePair>& corpus, int count) {

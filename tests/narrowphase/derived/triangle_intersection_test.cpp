@@ -4,27 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "tests/crosscheck/corpus_run.h"
-#include "tests/crosscheck/permutations.h"
-#include "tests/narrowphase/derived/rational_triangles.h"
-#include "tests/oracle/case_text.h"
+#include "tests/narrowphase/derived/value_faults.h"
 
 namespace graze {
 namespace {
 
-using oracle::RationalPoint;
-
 const Triangle kFlat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-
-bool are_same(const TriangleIntersection& x, const TriangleIntersection& y) {
-  if (x.kind != y.kind || x.count != y.count) return false;
-  for (int i = 0; i < x.count; ++i) {
-    if (std::memcmp(x.corner[i].data(), y.corner[i].data(), 3 * sizeof(double)) != 0) return false;
-  }
-  return true;
-}
 
 TEST(TriangleIntersection, APoint) {
   const TriangleIntersection found = intersection(kFlat, {{1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
@@ -79,54 +66,15 @@ TEST(Law10TriangleIntersection, CoordinatesThatAreNotFiniteAreRefused) {
   }
 }
 
-/// The corners are those of the exact intersection, in its order, one way round or the other.
-bool follow(const std::vector<RationalPoint>& exact, const TriangleIntersection& found,
-            const mpq_class& reach) {
-  const int n = found.count;
-  for (int first = 0; first < n; ++first) {
-    for (int step : {1, n - 1}) {
-      bool is_matching = true;
-      for (int i = 0; i < n; ++i) {
-        const RationalPoint& corner = exact[static_cast<std::size_t>((first + i * step) % n)];
-        is_matching &= oracle::are_within(corner, found.corner[i], reach);
-      }
-      if (is_matching) return true;
-    }
-  }
-  return n == 0;
-}
-
-std::string fault_of(const oracle::TrianglePair& pair) {
-  const std::vector<RationalPoint> exact = oracle::rational_intersection(pair.a, pair.b);
-  const TriangleIntersection found = intersection(pair.a, pair.b);
-  const mpq_class ulp = oracle::ulp_of_coordinates(pair.a, pair.b);
-  std::string fault;
-  if (found.count != static_cast<int>(exact.size())) {
-    fault =
-        "law 7: " + std::to_string(found.count) + " corners, not " + std::to_string(exact.size());
-  } else if ((found.kind == IntersectionKind::None) == intersects(pair.a, pair.b)) {
-    fault = "law 7: disagrees with intersects()";
-  } else if (!follow(exact, found, 2 * ulp)) {
-    fault = "law 7: a corner is off by more than 2 ulp";
-  }
-  for (const Triangle& a : crosscheck::permutations(pair.a)) {
-    for (const Triangle& b : crosscheck::permutations(pair.b)) {
-      if (!are_same(intersection(a, b), found) || !are_same(intersection(b, a), found))
-        fault = "law 4: another order changes the result";
-    }
-  }
-  return fault.empty() ? "" : fault + ":\n" + to_text(pair, !exact.empty());
-}
-
 class Law7TriangleIntersection
     : public testing::TestWithParam<oracle::Corpus<oracle::TrianglePair>> {};
 class Law7TriangleIntersectionSlow : public Law7TriangleIntersection {};
 
 TEST_P(Law7TriangleIntersection, AgreesWithRationalClipping) {
-  crosscheck::run_corpus(GetParam(), 50, fault_of);
+  crosscheck::run_corpus(GetParam(), 50, oracle::intersection_fault);
 }
 TEST_P(Law7TriangleIntersectionSlow, AgreesWithRationalClipping) {
-  crosscheck::run_corpus(GetParam(), 1000, fault_of);
+  crosscheck::run_corpus(GetParam(), 1000, oracle::intersection_fault);
 }
 
 INSTANTIATE_TEST_SUITE_P(Derived, Law7TriangleIntersection,

@@ -5,7 +5,9 @@
 #include "tests/benchmark/error/baselines/akenine_moeller.h"
 #include "tests/benchmark/error/baselines/guigue_devillers.h"
 #include "tests/benchmark/error/baselines/moeller.h"
+#include "tests/benchmark/error/baselines/segment_distance.h"
 #include "tests/benchmark/error/baselines/sphere_tests.h"
+#include "tests/benchmark/error/baselines/volume_tests.h"
 
 namespace graze::benchmark {
 namespace {
@@ -78,6 +80,45 @@ void add_spheres(Field& field) {
 }
 
 template <typename Real>
+struct PlainObbPair {
+  PlainObb<Real> a;
+  PlainObb<Real> b;
+};
+
+template <typename Real>
+struct PlainKDopPair {
+  PlainKDop<Real> a;
+  PlainKDop<Real> b;
+};
+
+double epsilon_of(NoSnap) {
+  return 0;
+}
+template <typename Number>
+Number epsilon_of(Snap<Number> snap) {
+  return snap.epsilon;
+}
+
+template <typename Real>
+void add_volumes(Field& field) {
+  using Boxes = PlainObbPair<Real>;
+  const auto to_boxes = [](const ObbPair& pair) {
+    return Boxes{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
+  };
+  add_family<Real>(field.obb_pairs, "15 axes", to_boxes, [](auto snap) {
+    return [epsilon = static_cast<Real>(epsilon_of(snap))](const Boxes& pair) {
+      return fifteen_axes(pair.a, pair.b, epsilon);
+    };
+  });
+  add(
+      field.kdop_pairs, {"plain", Origin::Baseline, precision_of<Real>(), std::nullopt},
+      [](const KDopPair& pair) {
+        return PlainKDopPair<Real>{plain_kdop<Real>(pair.a), plain_kdop<Real>(pair.b)};
+      },
+      [](const PlainKDopPair<Real>& pair) { return plain_kdops(pair.a, pair.b); });
+}
+
+template <typename Real>
 void add_in_precision(Field& field) {
   const auto to_pair = [](const TrianglePair& pair) {
     return PlainPair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
@@ -92,6 +133,10 @@ void add_in_precision(Field& field) {
       return moeller(corners_of(pair.a), corners_of(pair.b), snap);
     };
   });
+  add(field.distances, {"edges and vertices", Origin::Baseline, precision_of<Real>(), std::nullopt},
+      to_pair, [](const PlainPair<Real>& pair) {
+        return static_cast<double>(segment_distance(corners_of(pair.a), corners_of(pair.b)));
+      });
   const auto to_box = [](const TriangleAndBox& pair) {
     return PlainTriangleAndBox<Real>{to_plain<Real>(pair.triangle), to_plain<Real>(pair.box)};
   };
@@ -109,6 +154,8 @@ void add_baselines(Field& field) {
   add_in_precision<float>(field);
   add_spheres<double>(field);
   add_spheres<float>(field);
+  add_volumes<double>(field);
+  add_volumes<float>(field);
 }
 
 }  // namespace graze::benchmark

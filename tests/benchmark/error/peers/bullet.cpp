@@ -11,7 +11,9 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "tests/benchmark/error/peers/peers.h"
 
@@ -58,6 +60,19 @@ bool by_gimpact(const VertexPair& pair) {
 class Gjk {
  public:
   bool operator()(const VertexPair& pair) {
+    const btPointCollector result = collect(pair);
+    return result.m_hasResult && result.m_distance <= 0;
+  }
+
+  /// Metres; throws for a pair without a result.
+  double distance(const VertexPair& pair) {
+    const btPointCollector result = collect(pair);
+    if (!result.m_hasResult) throw std::runtime_error("no result");
+    return std::max(result.m_distance, 0.0);
+  }
+
+ private:
+  btPointCollector collect(const VertexPair& pair) {
     btTriangleShape a(pair.a.v[0], pair.a.v[1], pair.a.v[2]);
     btTriangleShape b(pair.b.v[0], pair.b.v[1], pair.b.v[2]);
     a.setMargin(0);
@@ -69,10 +84,9 @@ class Gjk {
     input.m_transformB.setIdentity();
     btPointCollector result;
     detector.getClosestPoints(input, result, nullptr);
-    return result.m_hasResult && result.m_distance <= 0;
+    return result;
   }
 
- private:
   btVoronoiSimplexSolver simplex_;
   btGjkEpaPenetrationDepthSolver depth_;
 };
@@ -99,6 +113,8 @@ void add_bullet(Field& field) {
   add(field.triangle_pairs, label("Bullet GImpact"), to_vertices, by_gimpact);
   add(field.triangle_pairs, label("Bullet GJK"), to_vertices,
       [gjk = std::make_shared<Gjk>()](const VertexPair& pair) { return (*gjk)(pair); });
+  add(field.distances, label("Bullet GJK"), to_vertices,
+      [gjk = std::make_shared<Gjk>()](const VertexPair& pair) { return gjk->distance(pair); });
   add(
       field.triangle_boxes, label("Bullet GImpact"),
       [](const TriangleAndBox& pair) {
@@ -108,6 +124,7 @@ void add_bullet(Field& field) {
         return result;
       },
       by_exact_box_test);
+  add_bullet_volumes(field);
 }
 
 }  // namespace graze::benchmark

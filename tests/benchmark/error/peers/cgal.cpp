@@ -1,12 +1,16 @@
 // CGAL: do_intersect() of three kernels. Simple_cartesian<double> rounds; EPICK decides by exact
 // predicates on doubles; EPECK also constructs exactly. Assertions are off, as in any release
 // build. Triangles without area are outside of its preconditions. A sphere has a squared radius
-// there, rounded by the first two kernels.
+// there, rounded by the first two kernels. A distance is the rounded root of what
+// squared_distance() says.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <cmath>
 
 #include "tests/benchmark/error/peers/peers.h"
 
@@ -50,6 +54,14 @@ void add_kernel(Field& field, const char* name, const char* precision) {
   add_pairs<CgalTriangle, CgalTriangle>(field.triangle_pairs, label, [](const TrianglePair& pair) {
     return std::pair(to_cgal<Kernel>(pair.a), to_cgal<Kernel>(pair.b));
   });
+  add(
+      field.distances, label,
+      [](const TrianglePair& pair) {
+        return std::pair(to_cgal<Kernel>(pair.a), to_cgal<Kernel>(pair.b));
+      },
+      [](const std::pair<CgalTriangle, CgalTriangle>& pair) {
+        return std::sqrt(CGAL::to_double(CGAL::squared_distance(pair.first, pair.second)));
+      });
   add_pairs<CgalTriangle, CgalBox>(field.triangle_boxes, label, [](const TriangleAndBox& pair) {
     return std::pair(to_cgal<Kernel>(pair.triangle), to_cgal<Kernel>(pair.box));
   });

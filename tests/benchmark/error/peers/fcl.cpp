@@ -125,6 +125,8 @@ void add_fcl(Field& field) {
   add_solver<fcl::detail::GJKSolver_libccdd>(field, "FCL libccd");
   add_solver<fcl::detail::GJKSolver_indepd>(field, "FCL indep");
   add_fcl_meshes(field.meshes);
+  add_fcl_volumes(field);
+  add_fcl_distances(field);
 }
 
 }  // namespace graze::benchmark

@@ -4,29 +4,14 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
-#include <graze/bvh/error.h>
-
 #include <limits>
 #include <optional>
 
+#include "tests/benchmark/error/peers/fcl_model.h"
 #include "tests/benchmark/error/peers/peers.h"
-
-static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
 
 namespace graze::benchmark {
 namespace {
-
-template <typename Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> to_fcl(const Mesh& mesh) {
-  auto model = std::make_shared<fcl::BVHModel<Volume>>();
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleIndices& t : mesh.triangles())
-    triangles.emplace_back(t[0], t[1], t[2]);
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices().size()));
-  model->addSubModel({mesh.vertices().begin(), mesh.vertices().end()}, triangles);
-  if (model->endModel() != fcl::BVH_OK) throw Error("FCL refuses a mesh");
-  return model;
-}
 
 template <typename Volume>
 class FclMeshes final : public MeshContestant {
@@ -35,8 +20,8 @@ class FclMeshes final : public MeshContestant {
       : MeshContestant({name, Origin::Peer, "double", std::nullopt}) {}
 
   void prepare(const Mesh& mesh_a, const Mesh& mesh_b) override {
-    mesh_a_ = to_fcl<Volume>(mesh_a);
-    mesh_b_ = to_fcl<Volume>(mesh_b);
+    mesh_a_ = to_fcl_model<Volume>(mesh_a);
+    mesh_b_ = to_fcl_model<Volume>(mesh_b);
   }
   bool any(const Pose& pose_b) override {
     collide(pose_b, 1);
@@ -54,13 +39,10 @@ class FclMeshes final : public MeshContestant {
 
  private:
   void collide(const Pose& pose_b, std::size_t most) {
-    fcl::Transform3d placed = fcl::Transform3d::Identity();
-    placed.linear() = pose_b.linear();
-    placed.translation() = pose_b.translation();
     const fcl::CollisionRequestd request(most, /*enable_contact=*/false);
     result_.clear();
-    fcl::collide(mesh_a_.get(), fcl::Transform3d::Identity(), mesh_b_.get(), placed, request,
-                 result_);
+    fcl::collide(mesh_a_.get(), fcl::Transform3d::Identity(), mesh_b_.get(), to_fcl_pose(pose_b),
+                 request, result_);
   }
 
   std::shared_ptr<fcl::BVHModel<Volume>> mesh_a_;

@@ -29,6 +29,16 @@ Geom to_ode(const Aabb& box) {
   return geom;
 }
 
+Geom to_ode(const Obb& box) {
+  const Eigen::Vector3d size = 2 * box.half_extents;
+  Geom geom(dCreateBox(nullptr, size.x(), size.y(), size.z()));
+  const double* m = box.pose.data();  // column-major 4x4, ODE's rows of 4
+  const dMatrix3 rotation = {m[0], m[4], m[8], 0, m[1], m[5], m[9], 0, m[2], m[6], m[10], 0};
+  dGeomSetRotation(geom.get(), rotation);
+  dGeomSetPosition(geom.get(), m[12], m[13], m[14]);
+  return geom;
+}
+
 struct Geoms {
   Geom a;
   Geom b;
@@ -57,6 +67,13 @@ void add_ode(Field& field) {
         return Geoms{to_ode(pair.a), to_ode(pair.b)};
       },
       meet);
+  add(
+      field.obb_pairs, label,
+      [](const ObbPair& pair) {
+        return Geoms{to_ode(pair.a), to_ode(pair.b)};
+      },
+      meet);
+  add_ode_triangles(field);
 }
 
 }  // namespace graze::benchmark

@@ -15,11 +15,16 @@ struct Peer {
 
 // One of these for each peer that was found.
 void add_bullet(Field& field);
+void add_bullet_volumes(Field& field);
 void add_ccd(Field& field);
 void add_cgal(Field& field);
+void add_embree(Field& field);
 void add_fcl(Field& field);
+void add_fcl_distances(Field& field);
 void add_fcl_meshes(MeshContestants& contestants);
+void add_fcl_volumes(Field& field);
 void add_ode(Field& field);
+void add_ode_triangles(Field& field);
 
 /// Those that were found when this was configured.
 std::vector<Peer> peers();
