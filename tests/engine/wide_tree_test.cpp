@@ -1,0 +1,193 @@
+#include <graze/bvh/wide/wide_tree.h>
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/pair.h>
+#include <gtest/gtest.h>
+#include "tests/narrowphase/simd_targets.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+namespace graze {
+namespace {
+
+using bvh::ChildLink;
+using bvh::WideNode;
+using bvh::WideTree;
+
+/// A corner in the tree's frame.
+Eigen::Vector3d local(const Eigen::Vector3d& p, const WideTree& tree) {
+  const double* c = tree.frame().centre;
+  return (p - Eigen::Vector3d(c[0], c[1], c[2])) * std::ldexp(1.0, -tree.frame().exponent);
+}
+
+bool holds(const WideNode& node, std::uint32_t lane, const Eigen::Vector3d& p) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double along = 0;
+    for (int k = 0; k < 3; ++k)
+      along += double{node.axes[k][axis]} * (p[k] - node.origin[k]);
+    if (std::abs(along - node.centre[axis][lane]) > node.half[axis][lane]) return false;
+  }
+  return true;
+}
+
+/// The places of all primitives below a lane; checks that its box holds their corners.
+std::vector<std::uint32_t> checked_places(const Mesh& mesh, const WideTree& tree,
+                                          std::uint32_t treelet, const WideNode& node,
+                                          std::uint32_t lane) {
+  const std::uint32_t link = node.child[lane];
+  std::vector<std::uint32_t> places;
+  if (ChildLink::is_leaf(link)) {
+    for (std::uint32_t i = 0; i < ChildLink::count(link); ++i)
+      places.push_back(tree.treelet(treelet).first + ChildLink::first(link) + i);
+  } else {
+    const bool is_entering = ChildLink::is_treelet(link);
+    const std::uint32_t index = ChildLink::index(link);
+    const std::uint32_t below = is_entering ? index : treelet;
+    const WideNode& child = is_entering ? tree.treelet(index).nodes[0] : (&node)[index];
+    for (std::uint32_t j = 0; j < child.count; ++j) {
+      const auto some = checked_places(mesh, tree, below, child, j);
+      places.insert(places.end(), some.begin(), some.end());
+    }
+  }
+  for (const std::uint32_t place : places) {
+    const Triangle triangle = mesh.triangle(tree.primitive(place));
+    for (const Eigen::Vector3d& p : {triangle.a, triangle.b, triangle.c})
+      EXPECT_TRUE(holds(node, lane, local(p, tree)));
+  }
+  return places;
+}
+
+void expect_sound(const Mesh& mesh) {
+  const WideTree& tree = mesh.wide_tree();
+  tree.build_all();
+  std::vector<std::uint32_t> places =
+      checked_places(mesh, tree, 0, *tree.root().node, tree.root().lane);
+  std::sort(places.begin(), places.end());
+  ASSERT_EQ(places.size(), mesh.triangles().size());
+  std::vector<bool> is_seen(places.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    ASSERT_EQ(places[i], i);
+    is_seen[tree.primitive(i)] = true;
+  }
+  EXPECT_EQ(std::count(is_seen.begin(), is_seen.end(), true), std::ssize(is_seen));
+}
+
+TEST(Law5WideTree, BoxesHoldAllCornersBelowThem) {
+  RandomSource source(501);
+  expect_sound(tests::make_sphere(1, 80, 80));
+  expect_sound(tests::make_torus(1, 0.01, 100, 40));
+  for (const double scale : {1e-310, 1e-160, 1.0, 1e150, 1e300}) {
+    expect_sound(tests::random_soup({.count = 1, .extent = scale, .size = scale}, source));
+    expect_sound(tests::random_soup({.count = 300, .extent = scale, .size = 0.1 * scale}, source));
+  }
+  for (const double offset : {1e6, 1e15})
+    expect_sound(tests::random_soup(
+        {.count = 200, .centre = Eigen::Vector3d(1, -0.7, 0.3) * offset}, source));
+}
+
+/// All nodes and corners, treelet by treelet.
+std::vector<unsigned char> bytes_of(const WideTree& tree) {
+  std::vector<unsigned char> bytes;
+  const auto append = [&](const auto& values) {
+    const auto* first = reinterpret_cast<const unsigned char*>(values.data());
+    bytes.insert(bytes.end(), first, first + values.size() * sizeof(values[0]));
+  };
+  for (std::uint32_t i = 0; i < tree.treelet_count(); ++i) {
+    append(tree.treelet(i).nodes);
+    append(tree.treelet(i).corners);
+  }
+  return bytes;
+}
+
+TEST(WideTree, IsTheSameInWhateverOrderItIsBuilt) {
+  const Mesh one = tests::make_sphere(1, 120, 120);
+  const Mesh other(one.vertices(), one.triangles());
+  one.wide_tree().build_all();
+  const WideTree& tree = other.wide_tree();
+  ASSERT_GT(tree.treelet_count(), 5u);
+  std::uint64_t built = 0;
+  for (auto i = static_cast<std::uint32_t>(tree.treelet_count()); i-- > 1;)
+    tree.entered(i, built);
+  EXPECT_EQ(built, tree.treelet_count() - 1);
+  EXPECT_EQ(tree.build_all(), 0u);
+  EXPECT_EQ(bytes_of(one.wide_tree()), bytes_of(tree));
+}
+
+TEST(WideTree, OnlyWhatIsWalkedIsBuilt) {
+  const Mesh a = tests::make_sphere(1, 200, 200);
+  const Mesh b(a.vertices(), a.triangles());
+  const auto built_at = [&](double distance) {
+    Work work;
+    Pose pose = Pose::Identity();
+    pose.translation() << 0.6 * distance, 0.8 * distance, 0;
+    intersects({a}, {b, pose}, &work);
+    return work.treelets_built;
+  };
+  EXPECT_EQ(built_at(10), 0u);
+  const std::uint64_t near = built_at(2.001);
+  EXPECT_GT(near, 0u);
+  EXPECT_LT(near, 20u);
+  EXPECT_EQ(built_at(2.001), 0u);
+  EXPECT_GT(a.wide_tree().treelet_count(), 30u);
+}
+
+TEST(WideTree, TakesAtMostSixtyBytesATriangle) {
+  const Mesh mesh = tests::make_sphere(1, 200, 200);
+  const WideTree& tree = mesh.wide_tree();
+  tree.build_all();
+  EXPECT_LE(static_cast<double>(tree.bytes()), 60.0 * static_cast<double>(mesh.triangles().size()));
+}
+
+// Planes and boxes of leaves are tried in float before anything is placed.
+TEST(WideTree, LeavesLetLittleThroughThatDoesNotMeet) {
+  const Mesh sphere = tests::make_sphere(1, 100, 100);
+  Pose pose = Pose::Identity();
+  pose.translation() << 0.7, 0.4, 0.3;
+  Work work;
+  const std::size_t pairs = find_triangle_pairs({sphere}, {sphere, pose}, {}, &work).size();
+  EXPECT_GT(pairs, 100u);
+  EXPECT_LT(work.triangle_tests, 3 * pairs);
+  EXPECT_GT(work.filter_tests, 3 * work.triangle_tests);
+}
+
+// Law 8: which pairs a limited query finds, too.
+TEST(Law8WideTree, EverySimdTargetFindsTheSame) {
+  RandomSource source(502);
+  const Mesh sphere = tests::make_sphere(1, 50, 50);
+  const Mesh soup = tests::random_soup({.count = 400, .extent = 1.2, .size = 0.2}, source);
+  std::vector<Pose> poses;
+  for (int n = 0; n < 10; ++n)
+    poses.push_back(tests::random_pose(0.5, source));
+  std::vector<std::vector<TrianglePair>> first;
+  std::vector<double> first_gaps;
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    std::vector<std::vector<TrianglePair>> found;
+    std::vector<double> gaps;
+    for (const Pose& pose : poses) {
+      found.push_back(find_triangle_pairs({sphere}, {soup, pose}, {.limit = 7}).pairs);
+      found.push_back(find_triangle_pairs({sphere}, {soup, pose}).pairs);
+      Pose apart = pose;
+      apart.translation().x() += 4;
+      const MeshDistance gap = distance({sphere}, {soup, apart});
+      gaps.insert(gaps.end(), {gap.distance, gap.point_a.x(), gap.point_b.z()});
+    }
+    if (first.empty()) {
+      first = found;
+      first_gaps = gaps;
+    }
+    EXPECT_EQ(found, first);
+    EXPECT_EQ(gaps, first_gaps);
+  }
+  narrowphase::force_simd_target(0);
+  ASSERT_FALSE(first.empty());
+  EXPECT_EQ(first[0].size(), 7u);
+}
+
+}  // namespace
+}  // namespace graze
