@@ -1,6 +1,9 @@
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 #include "tests/narrowphase/simd_targets.h"
 #include "tests/shapes/formula_meshes.h"
@@ -10,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 namespace graze {
@@ -153,6 +157,90 @@ TEST(WideTree, LeavesLetLittleThroughThatDoesNotMeet) {
   EXPECT_GT(pairs, 100u);
   EXPECT_LT(work.triangle_tests, 3 * pairs);
   EXPECT_GT(work.filter_tests, 3 * work.triangle_tests);
+}
+
+/// Two meshes of a few triangles, of which two touch to within rounding.
+struct TouchingPair {
+  Mesh a;
+  Mesh b;
+  Pose pose_a;
+  Pose pose_b;
+};
+
+Mesh mesh_of(const std::vector<Eigen::Vector3d>& corners) {
+  std::vector<TriangleIndices> triangles;
+  for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3)
+    triangles.push_back({i, i + 1, i + 2});
+  return Mesh(corners, triangles);
+}
+
+/// A point of the triangle: in its inside, on an edge or a corner.
+Eigen::Vector3d point_in(const Triangle& t, RandomSource& source) {
+  double u = source.uniform(0, 1);
+  double v = source.integer(0, 2) == 0 ? 0 : source.uniform(0, 1 - u);
+  if (source.integer(0, 3) == 0) u = v = 0;
+  return t.a + u * (t.b - t.a) + v * (t.c - t.a);
+}
+
+/// Corners within `size` of a point; flat and long now and then.
+std::vector<Eigen::Vector3d> corners_near(const Eigen::Vector3d& p, double size, int count,
+                                          RandomSource& source) {
+  const double thin = source.integer(0, 2) == 0 ? 1e-6 : 1;
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 3 * count; ++i) {
+    const Eigen::Vector3d way = source.vector(-size, size);
+    corners.push_back(p + Eigen::Vector3d(way.x(), way.y(), thin * way.z()));
+  }
+  return corners;
+}
+
+TouchingPair touching_pair(RandomSource& source) {
+  const double size_a = std::exp2(source.integer(-20, 20));
+  const double size_b = size_a * std::exp2(source.integer(-20, 20));
+  const double offset = source.integer(0, 1) * 1e3 * size_a;
+  TouchingPair pair{mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+                    mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), tests::random_pose(offset, source),
+                    tests::random_pose(offset, source)};
+  const int count = static_cast<int>(source.integer(1, 6));
+  pair.a = mesh_of(corners_near(source.vector(-offset, offset), size_a, count, source));
+  const Triangle touched = place(pair.pose_a, pair.a.triangle(0));
+  std::vector<Eigen::Vector3d> corners =
+      corners_near(Eigen::Vector3d::Zero(), size_b, count, source);
+  // The first corner of B comes to lie on A.
+  const Eigen::Vector3d target = point_in(touched, source);
+  pair.pose_b.translation() = target - pair.pose_b.linear() * corners[0];
+  pair.b = mesh_of(corners);
+  return pair;
+}
+
+// Law 9 where boxes, planes and triangles just touch, at all ratios of size: nothing that meets is
+// pruned, and no distance is lost.
+TEST(Law9WideTree, TrianglesThatJustTouch) {
+  RandomSource source(503);
+  int hits = 0;
+  constexpr int kPairs = 4000;
+  for (int n = 0; n < kPairs; ++n) {
+    const TouchingPair pair = touching_pair(source);
+    std::vector<TrianglePair> expected;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < pair.a.triangles().size(); ++i) {
+      const Triangle s = place(pair.pose_a, pair.a.triangle(i));
+      for (std::uint32_t j = 0; j < pair.b.triangles().size(); ++j) {
+        const Triangle t = place(pair.pose_b, pair.b.triangle(j));
+        if (intersects(s, t)) expected.push_back({i, j});
+        least = std::min(least, distance(s, t).distance);
+      }
+    }
+    const PlacedMesh a{pair.a, pair.pose_a};
+    const PlacedMesh b{pair.b, pair.pose_b};
+    ASSERT_EQ(find_triangle_pairs(a, b).pairs, expected) << n;
+    ASSERT_EQ(find_triangle_pairs(b, a).size(), expected.size()) << n;
+    ASSERT_EQ(intersects(a, b), !expected.empty()) << n;
+    ASSERT_EQ(distance(a, b).distance, least) << n;
+    hits += !expected.empty();
+  }
+  EXPECT_GT(hits, kPairs / 10);
+  EXPECT_LT(hits, kPairs);
 }
 
 // Law 8: which pairs a limited query finds, too.
