@@ -266,6 +266,15 @@ Eigen::Vector3d random_half(RandomSource& source) {
   return {x, y, std::exp2(source.integer(-5, 5))};
 }
 
+/// A point of that edge along an axis of a box that lies farthest in a direction at right angles.
+Eigen::Vector3d edge_point(const Eigen::Vector3d& half, int axis, const Eigen::Vector3d& direction,
+                           RandomSource& source) {
+  Eigen::Vector3d point;
+  for (int k = 0; k < 3; ++k)
+    point[k] = k == axis ? source.uniform(-1, 1) * half[k] : direction[k] < 0 ? -half[k] : half[k];
+  return point;
+}
+
 // Edges that cross in one point: what the fifteen axes make of boxes must hold along each of them.
 TEST(Law9WideTree, EdgesThatJustCross) {
   RandomSource source(504);
@@ -277,10 +286,14 @@ TEST(Law9WideTree, EdgesThatJustCross) {
     const Mesh a = frame_of_bars(half_a);
     const Mesh b = frame_of_bars(half_b);
     Pose pose = tests::random_pose(0, source);
-    // A point of an edge along x of A and one of an edge along y of B are brought together, from
-    // outside of A along the normal of both edges.
-    const Eigen::Vector3d on_a(source.uniform(-1, 1) * half_a.x(), half_a.y(), half_a.z());
-    const Eigen::Vector3d on_b(half_b.x(), source.uniform(-1, 1) * half_b.y(), half_b.z());
+    // Of the edges along one axis of each, those that face each other along their common normal are
+    // brought together: the boxes touch there, and nowhere else.
+    const auto axis_a = static_cast<int>(source.integer(0, 2));
+    const auto axis_b = static_cast<int>(source.integer(0, 2));
+    const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis_a).cross(pose.linear().col(axis_b));
+    const Eigen::Vector3d on_a = edge_point(half_a, axis_a, normal, source);
+    const Eigen::Vector3d on_b =
+        edge_point(half_b, axis_b, -(pose.linear().transpose() * normal), source);
     pose.translation() = on_a - pose.linear() * on_b;
     std::vector<TrianglePair> expected;
     for (std::uint32_t i = 0; i < a.triangles().size(); ++i) {
