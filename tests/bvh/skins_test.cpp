@@ -209,6 +209,33 @@ TEST(Law5Skins, NeverApartWithACommonPoint) {
   EXPECT_GT(found_apart[2], 2500);
 }
 
+// Along each axis and both ways: within the slack nothing is apart, well beyond it all is.
+TEST(Law5Skins, TheSlackIsAdded) {
+  constexpr double kSlack = 0.1;
+  const FloatBox cube{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<FloatSphere> spheres{sphere_around(cube)};
+  const std::vector<FloatObb> obbs{obb_around(cube)};
+  const std::vector<FloatKDop> kdops{kdop_around(cube)};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto frame_at = [&](double distance) {
+        Pose pose = Pose::Identity();
+        pose.translation()[axis] = sign * distance;
+        return frame_of(pose, kSlack);
+      };
+      const double touching = 2.0 * spheres[0].radius;
+      const RelativeFrame near = frame_at(touching + 0.09), far = frame_at(touching + 0.11);
+      EXPECT_FALSE(SphereSeparation(near, spheres, spheres).are_apart(0, 0));
+      EXPECT_TRUE(SphereSeparation(far, spheres, spheres).are_apart(0, 0));
+      const RelativeFrame close = frame_at(2.09), away = frame_at(2.5);
+      EXPECT_FALSE(ObbSeparation(close, obbs, obbs).are_apart(0, 0));
+      EXPECT_TRUE(ObbSeparation(away, obbs, obbs).are_apart(0, 0));
+      EXPECT_FALSE(KDopSeparation(close, kdops, kdops).are_apart(0, 0));
+      EXPECT_TRUE(KDopSeparation(away, kdops, kdops).are_apart(0, 0));
+    }
+  }
+}
+
 TEST(Law5Skins, NothingIsProvedByNanOrInfinity) {
   const FloatBox cube{{-1, -1, -1}, {1, 1, 1}};
   const std::vector<FloatSphere> spheres{sphere_around(cube)};
