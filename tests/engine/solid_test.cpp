@@ -269,6 +269,19 @@ TEST(Solid, ParityOfMeshesAFewDoublesAcross) {
   EXPECT_GT(inside, 50);
 }
 
+TEST(Solid, ABarThatIsTurnedReachesWhereItLies) {
+  const Mesh bar = tests::make_box({4, 1, 2});
+  Pose pose = Pose::Identity();
+  pose.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // x lies along y then, y along z, z along x
+  const Mesh small = tests::make_box({0.1, 0.1, 0.1});
+  for (const Eigen::Vector3d& end : {Eigen::Vector3d(0, 3.5, 0), Eigen::Vector3d(1.5, 0, 0)}) {
+    EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(end)}, kSolid));
+    EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(-end)}, kSolid));
+    EXPECT_TRUE(intersects({bar, pose}, Aabb{end, end}, kSolid));
+  }
+  EXPECT_FALSE(intersects({bar, pose}, {small, moved_by({3.5, 0, 0})}, kSolid));
+}
+
 TEST(Solid, BoxesAndBallsInsideAMesh) {
   const Mesh ball = tests::make_sphere(2, 30, 30);
   const PlacedMesh placed{ball, moved_by({5, 6, 7})};
