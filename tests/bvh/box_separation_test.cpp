@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -92,6 +93,61 @@ TEST(BoxSeparation, NeverApartWithACommonPoint) {
     found_apart += BoxSeparation(frame(rotation, away, 1e-13)).are_apart(a, b);
   }
   EXPECT_GT(found_apart, 10000);
+}
+
+/// How far two boxes are apart along an axis, in units of its length, negative where they overlap.
+/// The second one's axes are the columns of `rotation`.
+double gap_along(const Eigen::Vector3d& axis, const Eigen::Matrix3d& rotation,
+                 const Eigen::Vector3d& offset, const Eigen::Vector3d& half_a,
+                 const Eigen::Vector3d& half_b) {
+  const Eigen::Vector3d in_b = rotation.transpose() * axis;
+  return std::abs(axis.dot(offset)) - half_a.dot(axis.cwiseAbs()) - half_b.dot(in_b.cwiseAbs());
+}
+
+// Sharp: each of the fifteen axes separates boxes that no other separates, by more than the slack
+// or by less.
+TEST(BoxSeparation, EachOfTheFifteenAxesCountsByTheSlack) {
+  std::mt19937_64 random(6);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  constexpr double kSlack = 0.01;
+  int times_alone[15] = {}, times_within[15] = {};
+  for (int n = 0; n < 30000; ++n) {
+    const double w = uniform(-1, 1), x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+    const Eigen::Matrix3d rotation = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    Eigen::Vector3d half_a, half_b, offset;
+    FloatBox a, b;
+    for (int k = 0; k < 3; ++k) {
+      a.max[k] = static_cast<float>(uniform(0.01, 1));
+      b.max[k] = static_cast<float>(uniform(0.01, 1));
+      half_a[k] = a.max[k];
+      half_b[k] = b.max[k];
+      a.min[k] = -a.max[k];
+      b.min[k] = -b.max[k];
+      offset[k] = uniform(-2, 2);
+    }
+    double gaps[15];
+    for (int k = 0; k < 15; ++k) {
+      const Eigen::Vector3d axis =
+          k < 3   ? Eigen::Vector3d(Eigen::Vector3d::Unit(k))
+          : k < 6 ? Eigen::Vector3d(rotation.col(k - 3))
+                  : Eigen::Vector3d(Eigen::Vector3d::Unit(k / 3 - 2).cross(rotation.col(k % 3)));
+      gaps[k] = gap_along(axis, rotation, offset, half_a, half_b);
+    }
+    const auto widest = std::max_element(gaps, gaps + 15);
+    if (std::abs(*widest - kSlack) < 1e-9) continue;
+    const bool is_apart = *widest > kSlack;
+    ASSERT_EQ(BoxSeparation(frame(rotation, offset, kSlack)).are_apart(a, b), is_apart) << n;
+    const auto separating =
+        std::count_if(gaps, gaps + 15, [&](double gap) { return gap > kSlack; });
+    times_alone[widest - gaps] += is_apart && separating == 1;
+    times_within[widest - gaps] += !is_apart && *widest > 0;
+  }
+  for (int k = 0; k < 15; ++k) {
+    EXPECT_GT(times_alone[k], 5) << k;
+    EXPECT_GT(times_within[k], 0) << k;
+  }
 }
 
 TEST(BoxSeparation, UnitsScaleEachSide) {

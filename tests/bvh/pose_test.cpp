@@ -33,9 +33,11 @@ TEST(Law10Pose, ReflectionsScalingsAndProjectionsAreRefused) {
   Pose scaling = Pose::Identity();
   scaling.linear() *= 2;
   EXPECT_THROW(check_rigid(scaling, "pose"), PoseError);
-  Pose projection = Pose::Identity();
-  projection.matrix()(3, 0) = 1e-9;
-  EXPECT_THROW(check_rigid(projection, "pose"), PoseError);
+  for (int column = 0; column < 4; ++column) {
+    Pose projection = Pose::Identity();
+    projection.matrix()(3, column) += 1e-9;
+    EXPECT_THROW(check_rigid(projection, "pose"), PoseError) << column;
+  }
 }
 
 TEST(Law10Pose, EveryEntryMustBeFinite) {

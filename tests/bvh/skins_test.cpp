@@ -209,6 +209,75 @@ TEST(Law5Skins, NeverApartWithACommonPoint) {
   EXPECT_GT(found_apart[2], 2500);
 }
 
+// Along each axis and both ways: within the slack nothing is apart, well beyond it all is.
+TEST(Law5Skins, TheSlackIsAdded) {
+  constexpr double kSlack = 0.1;
+  const FloatBox cube{{-1, -1, -1}, {1, 1, 1}};
+  const std::vector<FloatSphere> spheres{sphere_around(cube)};
+  const std::vector<FloatObb> obbs{obb_around(cube)};
+  const std::vector<FloatKDop> kdops{kdop_around(cube)};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto frame_at = [&](double distance) {
+        Pose pose = Pose::Identity();
+        pose.translation()[axis] = sign * distance;
+        return frame_of(pose, kSlack);
+      };
+      const double touching = 2.0 * spheres[0].radius;
+      const RelativeFrame near = frame_at(touching + 0.09), far = frame_at(touching + 0.11);
+      EXPECT_FALSE(SphereSeparation(near, spheres, spheres).are_apart(0, 0));
+      EXPECT_TRUE(SphereSeparation(far, spheres, spheres).are_apart(0, 0));
+      const RelativeFrame close = frame_at(2.09), away = frame_at(2.5);
+      EXPECT_FALSE(ObbSeparation(close, obbs, obbs).are_apart(0, 0));
+      EXPECT_TRUE(ObbSeparation(away, obbs, obbs).are_apart(0, 0));
+      EXPECT_FALSE(KDopSeparation(close, kdops, kdops).are_apart(0, 0));
+      EXPECT_TRUE(KDopSeparation(away, kdops, kdops).are_apart(0, 0));
+    }
+  }
+}
+
+FloatKDop with_halves(float half) {
+  FloatKDop kdop;
+  for (int slab = 0; slab < KDop<18>::kSlabs; ++slab) {
+    kdop.min[slab] = -half;
+    kdop.max[slab] = half;
+  }
+  return kdop;
+}
+
+// Sharp: a k-DOP that is thin along one slab, beside one that is not, is found apart along that
+// slab alone, whichever of the two it is and whichever way.
+TEST(KDopSeparation, EachSlabOfEitherSideCounts) {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.35, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const std::vector<FloatKDop> wide{with_halves(1)};
+  for (int slab = 0; slab < KDop<18>::kSlabs; ++slab) {
+    const auto& d = kKDopDirections<18>[slab];
+    const Eigen::Vector3d direction(d[0], d[1], d[2]);
+    std::vector<FloatKDop> thin = wide;
+    thin[0].min[slab] = -0.1f;
+    thin[0].max[slab] = 0.1f;
+    // Just beyond the wide one's reach along a direction in its own frame.
+    const auto beyond = [&](const Eigen::Vector3d& in_wide) {
+      const KDopCombination combination = combination_of({in_wide[0], in_wide[1], in_wide[2]});
+      double reach = 0.15;
+      for (int term = 0; term < 3; ++term)
+        reach += combination.along[term] - combination.against[term];
+      return reach / direction.squaredNorm();
+    };
+    Pose pose = Pose::Identity();
+    pose.linear() = turn;
+    for (const double sign : {-1.0, 1.0}) {
+      pose.translation() = sign * beyond(turn.transpose() * direction) * direction;
+      EXPECT_TRUE(KDopSeparation(frame_of(pose, 1e-13), thin, wide).are_apart(0, 0)) << slab;
+      EXPECT_FALSE(KDopSeparation(frame_of(pose, 1e-13), wide, wide).are_apart(0, 0)) << slab;
+      pose.translation() = sign * beyond(turn * direction) * (turn * direction);
+      EXPECT_TRUE(KDopSeparation(frame_of(pose, 1e-13), wide, thin).are_apart(0, 0)) << slab;
+      EXPECT_FALSE(KDopSeparation(frame_of(pose, 1e-13), wide, wide).are_apart(0, 0)) << slab;
+    }
+  }
+}
+
 TEST(Law5Skins, NothingIsProvedByNanOrInfinity) {
   const FloatBox cube{{-1, -1, -1}, {1, 1, 1}};
   const std::vector<FloatSphere> spheres{sphere_around(cube)};
@@ -239,6 +308,41 @@ TEST(SkinOfOne, HoldsTheCornersOfItsBox) {
       ASSERT_TRUE(holds(sphere_around(box), exact));
       ASSERT_TRUE(holds(obb_around(box), exact));
       ASSERT_TRUE(holds(kdop_around(box), exact));
+    }
+  }
+}
+
+TEST(SkinOfOne, HoldsTheSphereExactly) {
+  RandomSource source(4);
+  for (int n = 0; n < 2000; ++n) {
+    const double scale = std::ldexp(1.0, static_cast<int>(source.integer(-30, 30)));
+    const Eigen::Vector3d p = source.vector(-2, 2) * scale, q = source.vector(-2, 2) * scale;
+    const LocalFrame frame = LocalFrame::around({p.cwiseMin(q), p.cwiseMax(q)});
+    const Eigen::Vector3d centre = source.vector(-2, 2) * scale;
+    const double radius = scale * std::pow(10.0, -source.uniform(0, 9));
+    const FloatSphere local = to_local(frame, {centre, radius});
+    const Exact exact(frame, centre);
+    const mpq_class spare =
+        mpq_class(local.radius) - mpq_class(std::ldexp(radius, -frame.exponent));
+    mpq_class square = 0;
+    for (int k = 0; k < 3; ++k) {
+      const mpq_class way = exact.x[k] - mpq_class(local.centre[k]);
+      square += way * way;
+    }
+    ASSERT_TRUE(spare > 0 && spare * spare >= square) << n;
+    const FloatKDop kdop = kdop_around(local);
+    for (int slab = 0; slab < KDop<18>::kSlabs; ++slab) {
+      mpq_class along = 0;
+      int ones = 0;
+      for (int k = 0; k < 3; ++k) {
+        along += mpq_class(local.centre[k]) * kKDopDirections<18>[slab][k];
+        ones += std::abs(kKDopDirections<18>[slab][k]);
+      }
+      const mpq_class above = mpq_class(kdop.max[slab]) - along;
+      const mpq_class below = along - mpq_class(kdop.min[slab]);
+      const mpq_class reach = mpq_class(local.radius) * local.radius * ones;
+      ASSERT_TRUE(above > 0 && above * above >= reach) << n << ", " << slab;
+      ASSERT_TRUE(below > 0 && below * below >= reach) << n << ", " << slab;
     }
   }
 }

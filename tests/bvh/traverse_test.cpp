@@ -1,5 +1,6 @@
 #include <graze/bvh/build.h>
 #include <graze/bvh/skins/node_separation.h>
+#include <graze/bvh/traverse_cut.h>
 #include <graze/bvh/traverse_pair.h>
 #include <graze/bvh/traverse_self.h>
 #include <graze/bvh/traverse_volume.h>
@@ -139,6 +140,14 @@ TEST(Traverse, StopsWhenTold) {
                 tree, [](std::uint32_t) { return false; },
                 [&](const Node&) { return ++leaves == 3 ? Walk::Stop : Walk::Continue; }),
             Walk::Stop);
+  EXPECT_EQ(leaves, 3);
+  leaves = 0;
+  const std::uint32_t root[] = {0};
+  const auto is_none = [](std::uint32_t) { return false; };
+  EXPECT_EQ(
+      traverse_cut(tree, root, is_none, is_none,
+                   [&](std::uint32_t) { return ++leaves == 3 ? Walk::Stop : Walk::Continue; }),
+      Walk::Stop);
   EXPECT_EQ(leaves, 3);
 }
 

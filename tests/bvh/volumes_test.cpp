@@ -46,7 +46,9 @@ TEST(FloatBox, EmptyIsNeutral) {
 
 TEST(FloatBox, OverlapIsClosed) {
   const bvh::FloatBox box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_TRUE(bvh::overlap(box, {{1, 1, 1}, {2, 2, 2}}));
+  const bvh::FloatBox at_its_corner{{1, 1, 1}, {2, 2, 2}};
+  EXPECT_TRUE(bvh::overlap(box, at_its_corner));
+  EXPECT_TRUE(bvh::overlap(at_its_corner, box));
   for (int k = 0; k < 3; ++k) {
     bvh::FloatBox beyond{{0, 0, 0}, {2, 2, 2}};
     beyond.min[k] = std::nextafter(1.0f, 2.0f);

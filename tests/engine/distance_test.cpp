@@ -137,6 +137,21 @@ TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
   }
 }
 
+// Lengths in the frame of the boxes are off by a part in a million, of a distance a million times
+// the meshes' size: by as much as one pair of triangles is nearer than another.
+TEST(Law9MeshDistance, FarApartInFramesThatAreNotQuiteRotations) {
+  RandomSource source(96);
+  for (int n = 0; n < 40; ++n) {
+    const Mesh a = random_soup({.count = 12, .extent = 1e-3, .size = 3e-4}, source);
+    const Mesh b = random_soup({.count = 12, .extent = 1e-3, .size = 3e-4}, source);
+    Pose pose_a = random_pose(0, source), pose_b = random_pose(0, source);
+    pose_a.linear() *= 1 + (n % 2 == 0 ? 0.49e-6 : -0.49e-6);
+    pose_b.linear() *= 1 + (n % 4 < 2 ? 0.49e-6 : -0.49e-6);
+    pose_b.translation() = 1000 * source.vector(-1, 1).normalized();
+    expect_brute_force({a, pose_a}, {b, pose_b});
+  }
+}
+
 TEST(MeshDistance, WorkFollowsTheNeed) {
   const Mesh sphere = tests::make_sphere(1, 60, 60);
   Pose pose = Pose::Identity();

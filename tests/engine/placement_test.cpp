@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/relative_frame.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -59,6 +60,57 @@ TEST(Law1, PosesUnderWhichTheBoundsCouldOverflowAreRefused) {
   } catch (const PoseError& error) {
     EXPECT_STREQ(error.what(), "pose of mesh A: coordinate x of the mesh could overflow");
   }
+}
+
+/// A mesh of half size 1 and unit 1, as relative_frame() sees it.
+struct Side {
+  double deviation = 0;
+  double translation = 0;  // along x, metres
+  double centre = 0;       // of the mesh, along y, metres
+};
+
+double slack_between(const Side& side_a, const Side& side_b) {
+  struct Placed {
+    explicit Placed(const Side& side)
+        : bounds{{-1, side.centre - 1, -1}, {1, side.centre + 1, 1}},
+          frame(bvh::LocalFrame::around(bounds)) {
+      pose.translation().x() = side.translation;
+    }
+    Pose pose = Pose::Identity();
+    Aabb bounds;
+    bvh::LocalFrame frame;
+  };
+  const Placed a(side_a), b(side_b);
+  return relative_frame({a.pose, side_a.deviation, a.frame, a.bounds},
+                        {b.pose, side_b.deviation, b.frame, b.bounds})
+      .slack;
+}
+
+/// At least what the derivation in relative_frame.cpp asks for, and hardly more.
+void expect_slack(double slack, double derived) {
+  EXPECT_GE(slack, derived);
+  EXPECT_LE(slack, 1.02 * derived);
+}
+
+// Where each part of the slack is nearly all of it. u, tau and the rest are those of
+// relative_frame.cpp; r is 2.
+TEST(Law5Slack, PaysForEachOfItsParts) {
+  constexpr double u = 0x1p-53;
+  const double alone_a = 3.0 * 8 * u * 2 + 3.5 * 8 * u;
+  const double alone_b = (3.0 * 8 + 28) * u * 2 + 3.5 * 8 * u;
+  const double axes = 18 * 2 * (3.01 * 8 + 8 + 12) * u;
+  expect_slack(slack_between({}, {}), 2 * (alone_a + alone_b) + axes + 128.0 * 16 * u);
+  constexpr double kDeviation = 1e-6;
+  expect_slack(slack_between({.deviation = kDeviation}, {}),
+               (2.0 * 3 * 2 + 18 * 3.01 * 2) * kDeviation);
+  expect_slack(slack_between({}, {.deviation = kDeviation}), (2.0 * 3 * 2 + 18.0 * 2) * kDeviation);
+  constexpr double kFar = 1e12;
+  const double placing = 2 * 3.5 * 8 * u * kFar;
+  expect_slack(slack_between({.translation = kFar}, {.translation = kFar}), 2 * placing);
+  expect_slack(slack_between({.centre = kFar}, {.centre = kFar}), 2 * placing);
+  const double between = (2.0 * 10 + 128) * u * kFar;
+  expect_slack(slack_between({.translation = kFar}, {}), placing + between);
+  expect_slack(slack_between({}, {.translation = kFar}), placing + between);
 }
 
 }  // namespace

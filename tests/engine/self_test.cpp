@@ -76,6 +76,9 @@ TEST(Self, KindsAreToldApartByWhatIsShared) {
       << "welded";
   EXPECT_EQ(kind_of({o, x, y, z}, {{0, 1, 2}, {0, 0, 1}}), SelfPairKind::Neighbour)
       << "an edge as a triangle";
+  EXPECT_EQ(kind_of({o, x}, {{0, 0, 1}, {0, 0, 1}}), SelfPairKind::Neighbour)
+      << "an edge twice: a vertex that both repeat is shared once";
+  EXPECT_EQ(kind_of({o, x}, {{0, 0, 0}, {0, 0, 0}}), SelfPairKind::Neighbour) << "a vertex twice";
 }
 
 TEST(Self, LimitsSaySo) {

@@ -237,6 +237,51 @@ TEST(Solid, ParityOfPlacedTrianglesBesideTheSurface) {
   EXPECT_GT(outside, 100);
 }
 
+// A few doubles across, far from the origin in both frames: placing moves vertices by as much as
+// the mesh is large, and the bounds that end the ray must hold them all the same.
+TEST(Solid, ParityOfMeshesAFewDoublesAcross) {
+  RandomSource source(8);
+  int inside = 0;
+  for (int n = 0; n < 150; ++n) {
+    const Eigen::Vector3d centre = source.vector(-1e9, 1e9);
+    // A box's corners fill the bounds of what is placed: these are as tight as can be.
+    const Mesh shape =
+        n % 3 == 0 ? tests::random_tetrahedra(1, 1, source) : tests::make_box({1, 1, 1});
+    const Mesh mesh = tests::mapped(shape, 1e-6, centre);
+    const Pose pose = tests::random_pose(1e9, source);
+    const PlacedMesh placed{mesh, pose};
+    const Mesh there = baked(placed);
+    for (int i = 0; i < 20; ++i) {
+      Eigen::Vector3d point;
+      for (int k = 0; k < 3; ++k) {
+        const auto vertex = static_cast<std::size_t>(source.integer(0, n % 3 == 0 ? 3 : 7));
+        const double on = there.vertices()[vertex][k];
+        const double side = source.integer(-1, 1);
+        point[k] = side == 0 ? on : std::nextafter(on, side * HUGE_VAL);
+      }
+      if (intersects({there}, Aabb{point, point})) continue;
+      Work work;
+      const bool expected = contains_by_slanted_ray(there, point);
+      inside += expected;
+      ASSERT_EQ(is_moved_point_enclosed(placed, point, work), expected) << n;
+    }
+  }
+  EXPECT_GT(inside, 50);
+}
+
+TEST(Solid, ABarThatIsTurnedReachesWhereItLies) {
+  const Mesh bar = tests::make_box({4, 1, 2});
+  Pose pose = Pose::Identity();
+  pose.linear() << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // x lies along y then, y along z, z along x
+  const Mesh small = tests::make_box({0.1, 0.1, 0.1});
+  for (const Eigen::Vector3d& end : {Eigen::Vector3d(0, 3.5, 0), Eigen::Vector3d(1.5, 0, 0)}) {
+    EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(end)}, kSolid));
+    EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(-end)}, kSolid));
+    EXPECT_TRUE(intersects({bar, pose}, Aabb{end, end}, kSolid));
+  }
+  EXPECT_FALSE(intersects({bar, pose}, {small, moved_by({3.5, 0, 0})}, kSolid));
+}
+
 TEST(Solid, BoxesAndBallsInsideAMesh) {
   const Mesh ball = tests::make_sphere(2, 30, 30);
   const PlacedMesh placed{ball, moved_by({5, 6, 7})};

@@ -136,10 +136,78 @@ TEST(OrientationStages, TheFilterIsUnsureWithinItsBound) {
                Sign::Zero);
 }
 
+// A few units in the last place inside the bound and outside, so that neither it nor the size that
+// it is multiplied by can shrink or grow unseen. The determinants here are exact.
+TEST(OrientationStages, TheFilterKnowsItsBoundToAFewUlps) {
+  constexpr double u = 0x1p-53;
+  for (const double sign : {-1.0, 1.0}) {
+    const auto filtered_2d = [&](double area) {  // products of 1 + area and of 1
+      return orientation_2d_filter({0, 0}, {1, 1}, {1, 1 + sign * area});
+    };
+    EXPECT_FALSE(filtered_2d(8 * u).has_value());
+    EXPECT_EQ(filtered_2d(12 * u), sign > 0 ? Sign::Positive : Sign::Negative);
+    const auto filtered_3d = [&](double volume) {  // in a box of 1 by 1 by 1 + volume
+      const Point3 a{0, 0, 0}, b{1, 0, 1}, c{0, 1, 0}, d{1, 0, 1 + sign * volume};
+      return orientation_3d_filter(a.data(), b.data(), c.data(), d.data());
+    };
+    EXPECT_FALSE(filtered_3d(48 * u).has_value());
+    EXPECT_EQ(filtered_3d(52 * u), sign > 0 ? Sign::Positive : Sign::Negative);
+  }
+}
+
+// Right angles with legs of powers of two: the products are known, and so is where the filter's
+// range ends.
+TEST(OrientationStages, TheFilterIsUnsureWhereProductsMayUnderflowOrOverflow) {
+  const auto filtered_2d = [](int x, int y) {
+    return orientation_2d_filter({0, 0}, {std::ldexp(1.0, x), 0}, {0, std::ldexp(1.0, y)});
+  };
+  EXPECT_EQ(filtered_2d(-499, -499), Sign::Positive);
+  EXPECT_EQ(filtered_2d(499, 499), Sign::Positive);
+  EXPECT_FALSE(filtered_2d(-501, -501).has_value());
+  EXPECT_FALSE(filtered_2d(501, 501).has_value());
+  const auto filtered_3d = [](int x, int y, int z) {
+    const Point3 a{0, 0, 0}, b{std::ldexp(1.0, x), 0, 0}, c{0, std::ldexp(1.0, y), 0},
+        d{0, 0, std::ldexp(1.0, z)};
+    return orientation_3d_filter(a.data(), b.data(), c.data(), d.data());
+  };
+  EXPECT_EQ(filtered_3d(10, -499, -499), Sign::Positive);
+  EXPECT_EQ(filtered_3d(-10, 499, 499), Sign::Positive);
+  EXPECT_FALSE(filtered_3d(10, -501, -501).has_value()) << "y z underflows";
+  EXPECT_FALSE(filtered_3d(-10, 501, 501).has_value()) << "y z overflows";
+  EXPECT_FALSE(filtered_3d(-10, -498, -498).has_value()) << "x y z underflows";
+  EXPECT_FALSE(filtered_3d(10, 498, 498).has_value()) << "x y z overflows";
+}
+
+// Inner products that overflow to infinities of either sign, beside an x that hides it.
+TEST(OrientationStages, OverflowIsNeverAnAnswer) {
+  const double y = 0x1p513, x = 0x1p-600;
+  const Point3 a{0, 0, 0}, b{x, y, y}, c{x, -y, y}, d{0, y, 2 * y};
+  const Sign big = orientation_3d_big(a.data(), b.data(), c.data(), d.data());
+  EXPECT_EQ(orientation_3d(a.data(), b.data(), c.data(), d.data()), big);
+  EXPECT_EQ(orientation_3d_filter(a.data(), b.data(), c.data(), d.data()).value_or(big), big);
+}
+
 TEST(OrientationStages, AxisAlignedPlanesAreCertifiedWithoutExactArithmetic) {
-  const Point3 a{0.1, 0.2, 5}, b{0.7, 0.1, 5}, c{0.2, 0.8, 5}, d{0.3, 0.3, 5};
-  EXPECT_EQ(orientation_3d_filter(a.data(), b.data(), c.data(), d.data()), Sign::Zero);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto in_plane = [&](double p, double q) {
+      Point3 point{p, p, p};
+      point[axis] = 5;
+      point[(axis + 1) % 3] = q;
+      return point;
+    };
+    const Point3 a = in_plane(0.1, 0.2), b = in_plane(0.7, 0.1), c = in_plane(0.2, 0.8),
+                 d = in_plane(0.3, 0.3);
+    EXPECT_EQ(orientation_3d_filter(a.data(), b.data(), c.data(), d.data()), Sign::Zero) << axis;
+  }
   EXPECT_EQ(orientation_2d_filter({0.1, 5}, {0.7, 5}, {0.2, 5}), Sign::Zero);
+  EXPECT_EQ(orientation_2d_filter({5, 0.1}, {5, 0.7}, {5, 0.2}), Sign::Zero);
+}
+
+// Denormal numbers have their unit's exponent, not one less: b is half of c.
+TEST(OrientationStages, DenormalAndNormalNumbersHaveOneUnit) {
+  const double x = std::ldexp(1.0, -1022);
+  EXPECT_EQ(orientation_2d_big({0, 0}, {x, x / 2}, {2 * x, x}), Sign::Zero);
+  EXPECT_EQ(orientation_2d_big({0, 0}, {x, x / 2}, {2 * x, x + kDenormal}), Sign::Positive);
 }
 
 // One step of the smallest double beside the largest: nothing but integers can see it.

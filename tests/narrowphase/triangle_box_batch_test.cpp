@@ -17,14 +17,31 @@ struct Element {
   Aabb box;
 };
 
-/// Elements of every sort: apart, crossing, touching, flat, degenerate, tiny, huge, disordered, not
-/// finite.
+void scale_by(Triangle& triangle, const Eigen::Vector3d& factors) {
+  for (Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c})
+    *corner = corner->cwiseProduct(factors);
+}
+
+/// Moves the box's lowest corner into the triangle's plane or onto the line of an edge, or next to
+/// it by as much as the bounds are.
+void put_near_triangle(Element& element, const Eigen::Vector3d& box_size, RandomSource& source) {
+  const auto& [a, b, c] = element.triangle;
+  const bool is_on_edge = source.integer(0, 1) == 0;
+  const double s = source.uniform(-0.5, 1.5);
+  const double t = is_on_edge ? 0 : source.uniform(-0.5, 1.5);
+  const double away = std::ldexp((b - a).norm(), -static_cast<int>(source.integer(40, 54)));
+  element.box.min = a + s * (b - a) + t * (c - a) + source.vector(-1, 1) * away;
+  element.box.max = element.box.min + box_size;
+}
+
+/// Elements of every sort: apart, crossing, touching, nearly so, flat, degenerate, tiny, huge,
+/// disordered, not finite.
 std::vector<Element> elements_of_every_sort(std::size_t count) {
   RandomSource source(2);
   std::vector<Element> elements;
   for (std::size_t n = 0; n < count; ++n) {
-    constexpr double kScales[] = {1, 1, 1e-40, 1e-160, 1e-310, 1e40, 1e150};
-    const double scale = kScales[n % 7];
+    constexpr double kScales[] = {1, 1, 1e-40, 1e-76, 1e-160, 1e-310, 1e40, 1e150};
+    const double scale = kScales[n % 8];
     const auto point = [&]() -> Eigen::Vector3d {
       return (n % 3 == 0 ? source.lattice_point(-2, 2) : source.vector(-1, 1)) * scale;
     };
@@ -32,7 +49,17 @@ std::vector<Element> elements_of_every_sort(std::size_t count) {
     const Eigen::Vector3d q = point();
     element.box.max = n % 19 == 0 ? q : element.box.min.cwiseMax(q);
     if (n % 11 == 0) element.triangle.c = element.triangle.b;
-    if (n % 17 == 0) element.triangle.b.y() = n % 2 == 0 ? std::nan("") : HUGE_VAL;
+    const Eigen::Vector3d size = source.vector(0, 1) * scale;
+    auto& [a, b, c] = element.triangle;
+    if (n % 10 == 1) b = 0.5 * (a + c) + 0.1 * b;  // the edge from c to a is the longest
+    if (n % 13 == 0) scale_by(element.triangle, {1, 1, 1e4});
+    if (n % 29 == 0) scale_by(element.triangle, {1e-100, 1e-100, 1e-100});
+    if (n % 5 < 2 || n % 29 == 0) put_near_triangle(element, size, source);
+    if (n % 17 == 0) {
+      Eigen::Vector3d* corners[3] = {&element.triangle.a, &element.triangle.b, &element.triangle.c};
+      (*corners[n % 3])[static_cast<Eigen::Index>(n / 51 % 3)] =
+          n % 2 == 0 ? std::nan("") : HUGE_VAL;
+    }
     if (n % 23 == 0) element.box.max.z() = n % 2 == 0 ? std::nan("") : HUGE_VAL;
     elements.push_back(element);
   }

@@ -19,17 +19,37 @@ struct Pair {
   Triangle b;
 };
 
-/// Pairs of every sort: apart, crossing, touching, coplanar, degenerate, tiny, huge, not finite.
+/// Moves B into A's plane, or next to it by as much as the bound of the determinants is.
+void put_near_plane(Pair& pair, RandomSource& source) {
+  const Eigen::Vector3d u = pair.a.b - pair.a.a, v = pair.a.c - pair.a.a;
+  const double away = std::ldexp(u.norm(), -static_cast<int>(source.integer(40, 54)));
+  for (Eigen::Vector3d* corner : {&pair.b.a, &pair.b.b, &pair.b.c}) {
+    const double s = source.uniform(-1, 2), t = source.uniform(-1, 2);
+    *corner = pair.a.a + s * u + t * v + source.vector(-1, 1) * away;
+  }
+}
+
+void stretch(Pair& pair, Eigen::Index axis, double factor) {
+  for (Triangle* triangle : {&pair.a, &pair.b}) {
+    for (Eigen::Vector3d* corner : {&triangle->a, &triangle->b, &triangle->c})
+      (*corner)[axis] *= factor;
+  }
+}
+
+/// Pairs of every sort: apart, crossing, touching, coplanar, nearly so, degenerate, tiny, huge,
+/// stretched, not finite.
 std::vector<Pair> pairs_of_every_sort(std::size_t count) {
   RandomSource source(1);
   std::vector<Pair> pairs;
   for (std::size_t n = 0; n < count; ++n) {
-    constexpr double kScales[] = {1, 1, 1e-80, 1e-160, 1e-310, 1e40, 1e150};
-    const double scale = kScales[n % 7];
+    constexpr double kScales[] = {1, 1, 1e-80, 1e-100, 1e-160, 1e-310, 1e40, 1e150};
+    const double scale = kScales[n % 8];
     const auto point = [&]() -> Eigen::Vector3d {
       return (n % 3 == 0 ? source.lattice_point(-2, 2) : source.vector(-1, 1)) * scale;
     };
     Pair pair{{point(), point(), point()}, {point(), point(), point()}};
+    if (n % 5 == 0) put_near_plane(pair, source);
+    if (n % 19 == 0) stretch(pair, static_cast<Eigen::Index>(n % 3), 1e50);
     if (n % 11 == 0) pair.b.c = pair.b.b;
     if (n % 13 == 0) pair.b.a = pair.a.a;
     if (n % 17 == 0) pair.a.b.y() = n % 2 == 0 ? std::nan("") : HUGE_VAL;

@@ -90,6 +90,10 @@ ObbPairs obb_pairs(std::size_t count) {
     if (n % 97 == 0) a.half_extents[0] = 0x1p1000;
     if (n % 89 == 0) b.pose.translation() *= 1e308;
     if (n % 83 == 0) b = a;
+    if (n % 79 == 0) {  // two points, apart by so little that they may not be called so
+      a = b = Obb{Pose::Identity(), {0, 0, 0}};
+      b.pose.translation().x() = 0x1p-1074 * random.integer(0, 3);
+    }
     if (!b.pose.matrix().allFinite()) b = a;
     n % 2 == 0 ? pairs.add(a, b) : pairs.add(b, a);
   }

@@ -139,6 +139,22 @@ TEST(Law8SphereBatch, EverySimdTargetAnswersAsOneByOne) {
   }
 }
 
+// Squares of about the smallest double: some vanish and others do not.
+TEST(Law6SphereBatch, SquaresThatUnderflowDecideNothing) {
+  RandomSource random(3);
+  const double scale = 0x1p-537;
+  Everything e;
+  for (int n = 0; n < 2000; ++n) {
+    const Eigen::Vector3d centre = random.vector(-1, 1) * scale;
+    e.spheres_a.add({centre, random.uniform(0, 1.2) * scale});
+    const Eigen::Vector3d other = random.vector(-1, 1) * scale;
+    e.spheres_b.add({other, random.uniform(0, 1.2) * scale});
+    const Eigen::Vector3d corner = random.vector(-1, 1) * scale;
+    e.boxes.add({corner, corner + random.vector(0, 1) * scale});
+  }
+  EXPECT_EQ(all_batches(e, 0), one_by_one(e, 0));
+}
+
 TEST(SphereBatch, AnyLengthAndAnyAlignment) {
   for (std::size_t count = 2; count < 42; ++count) {
     const Everything e = everything(count, count);
