@@ -10,6 +10,10 @@ Work& Work::operator+=(const Work& other) {
   points_tested += other.points_tested;
   trees_built += other.trees_built;
   skins_built += other.skins_built;
+  convex_tests += other.convex_tests;
+  convex_failures += other.convex_failures;
+  penetration_tests += other.penetration_tests;
+  penetration_failures += other.penetration_failures;
   return *this;
 }
 
