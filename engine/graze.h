@@ -33,6 +33,7 @@
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>

@@ -16,9 +16,9 @@ struct Work {
   std::uint64_t skins_built = 0;      ///< volumes other than boxes fitted to a tree, likewise
   std::uint64_t convex_tests = 0;     ///< distances of two convex cores
   std::uint64_t convex_failures = 0;  ///< of these, searches that proved neither answer: hits
-  std::uint64_t penetration_tests = 0;  ///< depths that libccd was asked for
+  std::uint64_t penetration_tests = 0;  ///< depths searched for by a polytope
   std::uint64_t penetration_failures =
-      0;  ///< of these, answered by MPR or fixed directions instead
+      0;  ///< of these, not proved to be the least, even with libccd
 
   /// Adds counter by counter.
   Work& operator+=(const Work& other);

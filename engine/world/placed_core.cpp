@@ -70,6 +70,7 @@ class CoreOf {
   Core operator()(const ConvexHull& hull) const {
     const narrowphase::Hull& data = hull.data();
     Core core = at(CoreKind::Points, data.reach);
+    core.hull = &data;
     core.points = data.corners.data();
     core.point_count = data.corners.size();
     return core;

@@ -8,6 +8,8 @@
 
 namespace graze::narrowphase {
 
+struct Hull;
+
 enum class CoreKind { Point, Segment, Box, Cylinder, Cone, Ellipsoid, Points, Triangle };
 
 /// The points of the set are those at most `radius` from the core. A sphere is a point with a
@@ -26,6 +28,7 @@ struct Core {
               ///< Cylinder, Cone: radius as x, half height as z; a cone's apex is at +z
   double radius = 0;
   double reach = 0;              ///< no point of the core is further than this from `at`
+  const Hull* hull = nullptr;    ///< Points: what they are the corners of
   const Vec3* points = nullptr;  ///< Points: the corners in the core's own frame
   std::size_t point_count = 0;
   Vec3 corner[3];  ///< Triangle: in the common frame; axes do not concern it, `at` is corner[0]

@@ -1,6 +1,8 @@
 #include <graze/narrowphase/convex/ccd.h>
+#include <graze/narrowphase/convex/expanding_polytope.h>
 #include <graze/narrowphase/convex/penetration.h>
 
+#include <initializer_list>
 #include <optional>
 
 namespace graze::narrowphase {
@@ -20,7 +22,7 @@ Penetration best_of_fixed(const Core& a, const Core& b) {
       offer(-axis);
     }
   }
-  best.source = PenetrationSource::Fallback;
+  best.source = PenetrationSource::Fixed;
   return best;
 }
 
@@ -36,16 +38,31 @@ Penetration along(const Core& a, const Core& b, const Vec3& unit_direction) {
 }
 
 Penetration penetration(const Core& a, const Core& b) {
-  Penetration result;
-  if (const std::optional<Vec3> epa = ask_ccd(a, b, CcdMethod::ExpandingPolytope)) {
-    result = along(a, b, *epa);
-    result.source = PenetrationSource::ExpandingPolytope;
-  } else if (const std::optional<Vec3> mpr = ask_ccd(a, b, CcdMethod::PortalRefinement)) {
-    result = along(a, b, *mpr);
-    result.source = PenetrationSource::PortalRefinement;
-  } else {
-    return best_of_fixed(a, b);
+  const double size_a = a.reach + a.radius;
+  const double size_b = b.reach + b.radius;
+  const double tolerance = kDepthTolerance * (size_a < size_b ? size_a : size_b);
+  const Expansion found = expand(a, b, tolerance);
+  if (found.is_closed) {
+    Penetration result = along(a, b, found.normal);
+    result.source = PenetrationSource::Expansion;
+    return result;
   }
+  Penetration result = best_of_fixed(a, b);
+  const auto offer = [&](const Vec3& normal, PenetrationSource source) {
+    Penetration offered = along(a, b, normal);
+    offered.source = source;
+    if (!(offered.depth < result.depth)) return;
+    result = offered;
+  };
+  if (largest(found.normal) > 0) offer(found.normal, PenetrationSource::Expansion);
+  if (const std::optional<Vec3> epa = ask_ccd(a, b, CcdMethod::ExpandingPolytope)) {
+    offer(*epa, PenetrationSource::CcdEpa);
+  }
+  if (const std::optional<Vec3> mpr = ask_ccd(a, b, CcdMethod::PortalRefinement)) {
+    offer(*mpr, PenetrationSource::CcdMpr);
+  }
+  // The polytope may be torn and its best plane still be good enough.
+  result.is_open = !(result.depth - found.lower <= tolerance);
   return result;
 }
 

@@ -6,9 +6,10 @@ namespace graze::narrowphase {
 
 /// Who found the direction of a penetration.
 enum class PenetrationSource {
-  ExpandingPolytope,  ///< libccd's EPA: near the least depth
-  PortalRefinement,   ///< libccd's MPR, because EPA failed: a depth that parts, maybe not the least
-  Fallback,           ///< both failed: the best of a few fixed directions
+  Fixed,      ///< the best of a few fixed directions
+  Expansion,  ///< the expanding polytope
+  CcdEpa,     ///< libccd, asked because the polytope ended open: its EPA
+  CcdMpr,     ///< and its MPR
 };
 
 /// How to part two sets that overlap: moving B by `depth` along `normal` leaves them touching at
@@ -20,20 +21,21 @@ struct Penetration {
   Vec3 point_a;  ///< the point of A farthest along the normal
   Vec3 point_b;  ///< and that of B farthest against it
   PenetrationSource source;
+  bool is_open = false;  ///< whether nobody proved the depth to be the least, to the tolerance
 };
 
 /// How many support points libccd may ask for in one attempt. Its loops of MPR and EPA have no end
 /// of their own when rounding keeps them from their tolerance.
 inline constexpr int kCcdBudget = 1000;
 
-/// The least way out, as libccd finds it, of two cores whose radii are added. The direction is off
-/// where EPA's polytope has flat faces over round ones: the depth exceeds the least one by at most
-/// about kDepthTolerance of the smaller core's reach where EPA succeeds.
+/// The least way out of two cores whose radii are added: to kDepthTolerance of the smaller one's
+/// size, proved from below by an expanding polytope. Where that ends open, libccd's EPA and MPR are
+/// asked, too, and the least of all is taken.
 /// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001);
 /// Snethen, "XenoCollide", Game Programming Gems 7 (2008).
 Penetration penetration(const Core& a, const Core& b);
 
-inline constexpr double kDepthTolerance = 1e-4;
+inline constexpr double kDepthTolerance = 1e-6;
 
 /// The width by which A reaches past B along a unit direction from A to B, from the supports:
 /// negative if that direction separates them.

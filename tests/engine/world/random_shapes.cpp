@@ -95,7 +95,9 @@ double outside_by(const Shape& shape, const Pose& pose, const Vector3d& point) {
   if (const auto* s = shape.as<Cone>()) {
     const double z = p.z() / s->half_height;
     const double wide = 0.5 * (1 - z) * s->radius;
-    return std::max(std::abs(p.z()) - s->half_height, beyond_disc(rho, std::max(wide, 0.0)));
+    const double steep = 2 * s->half_height / std::hypot(s->radius, 2 * s->half_height);
+    return std::max(std::abs(p.z()) - s->half_height,
+                    steep * beyond_disc(rho, std::max(wide, 0.0)));
   }
   if (const auto* s = shape.as<Ellipsoid>()) {
     return outside_of_ellipsoid(s->semi_axes, p - s->centre);

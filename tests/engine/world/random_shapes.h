@@ -12,8 +12,8 @@ namespace graze::tests {
 /// A shape of about the size, metres, each length within a factor of 4 of it.
 Shape random_shape(ShapeKind kind, double size, RandomSource& source);
 
-/// How far outside the placed shape the point is, at most; 0 or less inside. For curved shapes an
-/// upper bound that is 0 on the surface.
+/// How far outside the placed shape the point is, about: 0 on the surface, 0 or less inside, and
+/// near the surface the distance to it, or less where that is at an edge.
 double outside_by(const Shape& shape, const Pose& pose, const Eigen::Vector3d& point);
 
 /// The largest n . x over the placed shape, for a unit n. Infinite for most of a half-space.
