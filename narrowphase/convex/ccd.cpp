@@ -1,16 +1,18 @@
 #include <graze/narrowphase/convex/ccd.h>
-#include <graze/narrowphase/convex/penetration.h>
 
 #include <ccd/ccd.h>
 #include <cmath>
+#include <csetjmp>
 
 namespace graze::narrowphase {
 namespace {
 
-/// What both callbacks share. libccd's loops end as soon as a support point does not lie on the
-/// side that it was asked for: that is what they get once the budget is spent.
+/// What both callbacks share. Once the budget is spent, or a point is not finite, the callback
+/// leaves libccd for good: MPR holds no memory and no frame between here and there has anything to
+/// destroy, so that a jump is safe, and no arithmetic can loop on.
 struct Attempt {
   double to_units;
+  std::jmp_buf end;
   int budget = kCcdBudget;
 };
 
@@ -31,13 +33,12 @@ void to_ccd(const Vec3& v, ccd_vec3_t* out) {
 
 void support_of(const void* side, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const Side& s = *static_cast<const Side*>(side);
-  const Vec3 asked = from_ccd(*direction);
-  const Vec3 unit = unit_or(asked, {0, 0, 1});
-  if (--s.attempt->budget < 0) {
-    to_ccd(unit * -1e6, point);
-    return;
+  const Vec3 unit = unit_or(from_ccd(*direction), {0, 0, 1});
+  const Vec3 found = rounded_support(*s.core, unit) * s.attempt->to_units;
+  if (--s.attempt->budget < 0 || !std::isfinite(dot(found, found))) {
+    std::longjmp(s.attempt->end, 1);
   }
-  to_ccd(rounded_support(*s.core, unit) * s.attempt->to_units, point);
+  to_ccd(found, point);
 }
 
 void centre_of(const void* side, ccd_vec3_t* point) {
@@ -51,12 +52,13 @@ void centre_of(const void* side, ccd_vec3_t* point) {
 
 }  // namespace
 
-std::optional<Vec3> ask_ccd(const Core& a, const Core& b, CcdMethod method) {
+std::optional<Vec3> ask_ccd(const Core& a, const Core& b) {
   const double size_a = a.reach + a.radius;
   const double size_b = b.reach + b.radius;
   int exponent = 0;
   std::frexp(size_a < size_b ? size_a : size_b, &exponent);
-  Attempt attempt{.to_units = std::ldexp(1.0, -exponent)};
+  Attempt attempt;
+  attempt.to_units = std::ldexp(1.0, -exponent);
   const Side side_a{&a, &attempt};
   const Side side_b{&b, &attempt};
 
@@ -67,15 +69,15 @@ std::optional<Vec3> ask_ccd(const Core& a, const Core& b, CcdMethod method) {
   ccd.center1 = centre_of;
   ccd.center2 = centre_of;
   ccd.max_iterations = 100;
-  ccd.epa_tolerance = 1e-6;
   ccd.mpr_tolerance = 1e-6;
 
   double depth = 0;
   ccd_vec3_t direction{};
   ccd_vec3_t position{};
-  const auto solve = method == CcdMethod::ExpandingPolytope ? ccdGJKPenetration : ccdMPRPenetration;
-  const int code = solve(&side_a, &side_b, &ccd, &depth, &direction, &position);
-  if (code != 0 || attempt.budget < 0) return std::nullopt;
+  if (setjmp(attempt.end) != 0) return std::nullopt;
+  if (ccdMPRPenetration(&side_a, &side_b, &ccd, &depth, &direction, &position) != 0) {
+    return std::nullopt;
+  }
   const Vec3 found = from_ccd(direction);
   const double size = length(found);
   if (!(size > 0.5) || !(size < 2)) return std::nullopt;

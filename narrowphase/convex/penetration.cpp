@@ -55,11 +55,8 @@ Penetration penetration(const Core& a, const Core& b) {
     result = offered;
   };
   if (largest(found.normal) > 0) offer(found.normal, PenetrationSource::Expansion);
-  if (const std::optional<Vec3> epa = ask_ccd(a, b, CcdMethod::ExpandingPolytope)) {
-    offer(*epa, PenetrationSource::CcdEpa);
-  }
-  if (const std::optional<Vec3> mpr = ask_ccd(a, b, CcdMethod::PortalRefinement)) {
-    offer(*mpr, PenetrationSource::CcdMpr);
+  if (const std::optional<Vec3> direction = ask_ccd(a, b)) {
+    offer(*direction, PenetrationSource::Ccd);
   }
   // The polytope may be torn and its best plane still be good enough.
   result.is_open = !(result.depth - found.lower <= tolerance);

@@ -8,8 +8,7 @@ namespace graze::narrowphase {
 enum class PenetrationSource {
   Fixed,      ///< the best of a few fixed directions
   Expansion,  ///< the expanding polytope
-  CcdEpa,     ///< libccd, asked because the polytope ended open: its EPA
-  CcdMpr,     ///< and its MPR
+  Ccd,        ///< libccd's MPR, asked because the polytope ended open
 };
 
 /// How to part two sets that overlap: moving B by `depth` along `normal` leaves them touching at
@@ -24,15 +23,10 @@ struct Penetration {
   bool is_open = false;  ///< whether nobody proved the depth to be the least, to the tolerance
 };
 
-/// How many support points libccd may ask for in one attempt. Its loops of MPR and EPA have no end
-/// of their own when rounding keeps them from their tolerance.
-inline constexpr int kCcdBudget = 1000;
-
 /// The least way out of two cores whose radii are added: to kDepthTolerance of the smaller one's
-/// size, proved from below by an expanding polytope. Where that ends open, libccd's EPA and MPR are
-/// asked, too, and the least of all is taken.
-/// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001);
-/// Snethen, "XenoCollide", Game Programming Gems 7 (2008).
+/// size, proved from below by an expanding polytope. Where that ends open, libccd's MPR is asked,
+/// too, and a few fixed directions, and the least of all is taken.
+/// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
 Penetration penetration(const Core& a, const Core& b);
 
 inline constexpr double kDepthTolerance = 1e-6;
