@@ -28,19 +28,12 @@ class TriangleTouches {
   TriangleTouches(const Core& core, Work& work) : core_(core), work_(work) {}
 
   void add(std::uint32_t index, const Core& triangle) {
-    const CoreGap gap = narrowphase::nearest(core_, triangle);
+    PairStatus status{};
     ++work_.convex_tests;
-    const double radii = core_.radius;
-    if (gap.upper < nearest_gap_) {
-      nearest_gap_ = gap.upper;
-      nearest_index_ = index;
-    }
-    if (gap.lower - radii - gap.slack > 0) return;
-    offer(index, triangle, gap);
+    if (are_apart(core_, triangle, status)) return;
+    offer(index, triangle);
   }
 
-  /// The triangles of an exact hit that rounding keeps apart: the nearest one touches.
-  std::uint32_t nearest_index() const { return nearest_index_; }
   void offer(std::uint32_t index, const Core& triangle) {
     offer(index, triangle, narrowphase::nearest(core_, triangle));
   }
@@ -112,8 +105,6 @@ class TriangleTouches {
   Work& work_;
   std::vector<ContactPoint> front_;
   std::vector<ContactPoint> back_;
-  double nearest_gap_ = std::numeric_limits<double>::infinity();
-  std::uint32_t nearest_index_ = 0;
 };
 
 /// The lowest triangle of the mesh that comes as near to the point as rounding has moved it.
@@ -141,10 +132,18 @@ Touches touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& w
     return bvh::Walk::Continue;
   });
   touches.list = found.take();
-  if (touches.list.empty()) {
-    found.offer(found.nearest_index(), descent.triangle(found.nearest_index()));
-    touches.list = found.take();
-  }
+  if (!touches.list.empty()) return touches;
+  // An exact hit that rounding keeps apart: the nearest triangle touches.
+  std::uint32_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  descent.for_each_within([&] { return least; },
+                          [&](std::uint32_t index) {
+                            const SetGap gap = gap_of_sets(core, descent.triangle(index), least);
+                            if (gap.distance < least) least = gap.distance, nearest = index;
+                            return bvh::Walk::Continue;
+                          });
+  found.offer(nearest, descent.triangle(nearest));
+  touches.list = found.take();
   return touches;
 }
 

@@ -39,15 +39,34 @@ MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::
   }
 }
 
-double MeshDescent::bound(std::uint32_t node) const {
-  ++work_.volume_tests;
-  const bvh::FloatBox& box = tree_.nodes[node].box;
+double MeshDescent::bound_of(const double (&low)[3], const double (&high)[3]) const {
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double gap = std::max(box.min[k] - max_[k], min_[k] - box.max[k]);
+    const double gap = std::max(low[k] - max_[k], min_[k] - high[k]);
     if (gap > 0) square += gap * gap;
   }
   return std::sqrt(square) * unit_ * shrink_;
+}
+
+double MeshDescent::bound(std::uint32_t node) const {
+  ++work_.volume_tests;
+  const bvh::FloatBox& box = tree_.nodes[node].box;
+  return bound_of({box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]});
+}
+
+// In the tree's units a corner is off by an ulp of the mesh's size, which the slack covers.
+double MeshDescent::triangle_bound(std::uint32_t index) const {
+  const Triangle triangle = mesh_.mesh.triangle(index);
+  double low[3];
+  double high[3];
+  for (int k = 0; k < 3; ++k) {
+    const double a = triangle.a.data()[k];
+    const double b = triangle.b.data()[k];
+    const double c = triangle.c.data()[k];
+    low[k] = (std::min(a, std::min(b, c)) - tree_.frame.centre[k]) / unit_;
+    high[k] = (std::max(a, std::max(b, c)) - tree_.frame.centre[k]) / unit_;
+  }
+  return bound_of(low, high);
 }
 
 bool MeshDescent::is_beyond(double bound, double limit) const {

@@ -27,7 +27,10 @@ class MeshDescent {
   void for_each_near(OnTriangle&& on_triangle) {
     bvh::traverse_volume(
         tree_, [&](std::uint32_t node) { return is_beyond(bound(node), 0); },
-        [&](const bvh::Node& leaf) { return visit(leaf, on_triangle); });
+        [&](const bvh::Node& leaf) {
+          return visit(
+              leaf, [] { return 0.0; }, on_triangle);
+        });
   }
 
   /// Calls `on_triangle(index)`, nearer nodes first, for the triangles that may be within
@@ -45,7 +48,7 @@ class MeshDescent {
       if (is_beyond(top.bound, limit())) continue;
       const bvh::Node& node = tree_.nodes[top.node];
       if (node.is_leaf()) {
-        if (visit(node, on_triangle) == bvh::Walk::Stop) return;
+        if (visit(node, limit, on_triangle) == bvh::Walk::Stop) return;
         continue;
       }
       Waiting near{node.first, bound(node.first)};
@@ -60,14 +63,18 @@ class MeshDescent {
   narrowphase::Core triangle(std::uint32_t index) const;
 
  private:
-  /// Of the distance between what is in the node and the set, metres.
+  /// Of the distance between what is in the node, or the triangle, and the set, metres.
   double bound(std::uint32_t node) const;
+  double triangle_bound(std::uint32_t index) const;
+  double bound_of(const double (&low)[3], const double (&high)[3]) const;
   bool is_beyond(double bound, double limit) const;
 
-  template <typename OnTriangle>
-  bvh::Walk visit(const bvh::Node& leaf, OnTriangle&& on_triangle) const {
+  template <typename Limit, typename OnTriangle>
+  bvh::Walk visit(const bvh::Node& leaf, Limit&& limit, OnTriangle&& on_triangle) const {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      if (on_triangle(tree_.primitives[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      const std::uint32_t index = tree_.primitives[i];
+      if (triangle_bound(index) > limit()) continue;
+      if (on_triangle(index) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;
   }

@@ -39,7 +39,8 @@ ShapeDistance distance_of_mesh_core(const PlacedShape& a, const PlacedShape& b, 
   PairStatus status = PairStatus::Converged;
   descent.for_each_within([&] { return best.distance; },
                           [&](std::uint32_t index) {
-                            const SetGap gap = gap_of_sets(core, descent.triangle(index));
+                            const SetGap gap =
+                                gap_of_sets(core, descent.triangle(index), best.distance);
                             ++work.convex_tests;
                             lower = std::min(lower, gap.lower);
                             if (gap.status == PairStatus::NotConverged) {

@@ -113,9 +113,10 @@ void check_poses(const Pose& pose_a, const Pose& pose_b) {
   check_pose(pose_b, "pose of B");
 }
 
-SetGap gap_of_sets(const Core& a, const Core& b) {
-  const CoreGap gap = narrowphase::nearest(a, b);
+SetGap gap_of_sets(const Core& a, const Core& b, double limit) {
   const double radii = a.radius + b.radius;
+  const double slack = 0x1p-46 * pair_scale(a, b);  // not less than any gap.slack
+  const CoreGap gap = narrowphase::nearest(a, b, {.apart_beyond = limit + radii + slack});
   SetGap result{};
   result.lower = std::max(gap.lower - radii - gap.slack, 0.0);
   result.is_apart = result.lower > 0;

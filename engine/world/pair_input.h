@@ -9,6 +9,8 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/convex/core_gap.h>
 
+#include <limits>
+
 namespace graze {
 
 /// One side of a pair.
@@ -37,7 +39,9 @@ struct SetGap {
   narrowphase::Vec3 normal;
   PairStatus status;
 };
-SetGap gap_of_sets(const narrowphase::Core& a, const narrowphase::Core& b);
+/// Sets that are further apart than `limit`, metres, need no more than that proved.
+SetGap gap_of_sets(const narrowphase::Core& a, const narrowphase::Core& b,
+                   double limit = std::numeric_limits<double>::infinity());
 bool are_apart(const narrowphase::Core& a, const narrowphase::Core& b, PairStatus& status);
 
 }  // namespace graze
