@@ -17,8 +17,7 @@ using narrowphase::Vec3;
 
 // The tables' booleans have been asked before: what comes here touches.
 
-Touches touches_of_cores(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  Touches touches;
+void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
   const Core core_b = core_of(b.shape, b.pose, touches.origin);
@@ -28,11 +27,9 @@ Touches touches_of_cores(const PlacedShape& a, const PlacedShape& b, Work& work)
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
   add_touches(core_a, core_b, parting, touches.list);
-  return touches;
 }
 
-Touches touches_with_plane(const PlacedShape& a, const PlacedShape& b) {
-  Touches touches;
+void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, touches.origin);
@@ -56,7 +53,6 @@ Touches touches_with_plane(const PlacedShape& a, const PlacedShape& b) {
   constexpr double kSameDepth = 1e-6;
   constexpr std::uint64_t kPoint = 0x30000;
   if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius)) add(lowest, kPoint);
-  return touches;
 }
 
 }  // namespace graze

@@ -10,15 +10,24 @@
 
 namespace graze {
 
+/// What is offered. Kept from one question to the next, so that no step of a simulation allocates.
 struct Touches {
   Eigen::Vector3d origin;
   std::vector<narrowphase::ContactPoint> list;
+  std::vector<narrowphase::ContactPoint> from_behind;  ///< of a mesh, its triangles seen so
+  std::vector<narrowphase::ContactPoint> found;        ///< what is at hand
+
+  void clear() {
+    list.clear();
+    from_behind.clear();
+  }
 };
 
-Touches touches_of_cores(const PlacedShape& a, const PlacedShape& b, Work& work);
-Touches touches_with_plane(const PlacedShape& a, const PlacedShape& b);
-Touches touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Work& work);
-Touches touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& work);
-Touches touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work);
+void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches);
+void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                           Work& work);
+void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
 
 }  // namespace graze

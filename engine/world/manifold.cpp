@@ -12,23 +12,23 @@ namespace {
 using enum PairMethod;
 using narrowphase::ContactPoint;
 
-Touches touches_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
+void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
     case BoxAxes:
     case ClosedForm:
     case Cores:
-      return touches_of_cores(a, b, work);
+      return touches_of_cores(a, b, touches, work);
     case Plane:
-      return touches_with_plane(a, b);
+      return touches_with_plane(a, b, touches);
     case MeshPlane:
-      return touches_of_mesh_plane(a, b, work);
+      return touches_of_mesh_plane(a, b, touches, work);
     case MeshVolume:
     case MeshCore:
-      return touches_of_mesh_core(a, b, work);
+      return touches_of_mesh_core(a, b, touches, work);
     case Meshes:
-      return touches_of_meshes(a, b, work);
+      return touches_of_meshes(a, b, touches, work);
     case Planes:
       break;
   }
@@ -50,7 +50,7 @@ void make_unique(Manifold& manifold) {
   }
 }
 
-Manifold manifold_of(Touches touches, bool is_mirrored) {
+Manifold manifold_of(Touches& touches, bool is_mirrored) {
   narrowphase::reduce(touches.list, 4);
   Manifold manifold;
   for (const ContactPoint& touch : touches.list) {
@@ -78,8 +78,11 @@ Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  if (is_swapped(a, b)) return manifold_of(touches_in_order(b, a, counted.work()), true);
-  return manifold_of(touches_in_order(a, b, counted.work()), false);
+  static thread_local Touches touches;  // no question is asked within another
+  touches.clear();
+  const bool is_mirrored = is_swapped(a, b);
+  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, counted.work());
+  return manifold_of(touches, is_mirrored);
 }
 
 }  // namespace graze

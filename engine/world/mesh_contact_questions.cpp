@@ -25,7 +25,8 @@ namespace {
 /// What one triangle offers.
 class TriangleTouches {
  public:
-  TriangleTouches(const Core& core, Work& work) : core_(core), work_(work) {}
+  TriangleTouches(const Core& core, Touches& touches, Work& work)
+      : core_(core), touches_(touches), work_(work) {}
 
   void add(std::uint32_t index, const Core& triangle) {
     PairStatus status{};
@@ -38,8 +39,10 @@ class TriangleTouches {
     offer(index, triangle, narrowphase::nearest(core_, triangle));
   }
 
-  /// Of triangles seen from outside, or else of those seen from behind.
-  std::vector<ContactPoint> take() { return front_.empty() ? std::move(back_) : std::move(front_); }
+  /// Leaves those of triangles seen from outside, or else of those seen from behind.
+  void settle() {
+    if (touches_.list.empty()) std::swap(touches_.list, touches_.from_behind);
+  }
 
  private:
   void offer(std::uint32_t index, const Core& triangle, const CoreGap& gap) {
@@ -48,7 +51,8 @@ class TriangleTouches {
     const Vec3 normal = unit_or(outward, gap.normal);
     const bool is_front = dot(normal, core_.at - triangle.corner[0]) >= 0;
     const bool has_area = largest(outward) > 0;
-    std::vector<ContactPoint> found;
+    std::vector<ContactPoint>& found = touches_.found;
+    found.clear();
     if (is_front && has_area) {
       Parting parting;
       parting.way = along(core_, triangle, -normal);
@@ -61,7 +65,7 @@ class TriangleTouches {
       work_.penetration_failures += parting.is_failed;
       add_touches(core_, triangle, parting, found);
     }
-    std::vector<ContactPoint>& list = is_front || !has_area ? front_ : back_;
+    std::vector<ContactPoint>& list = is_front || !has_area ? touches_.list : touches_.from_behind;
     for (ContactPoint& touch : found) {
       touch.feature_b = (static_cast<std::uint64_t>(index) << 32) | (touch.feature_b & 0xffffffff);
       list.push_back(touch);
@@ -102,9 +106,8 @@ class TriangleTouches {
   }
 
   const Core& core_;
+  Touches& touches_;
   Work& work_;
-  std::vector<ContactPoint> front_;
-  std::vector<ContactPoint> back_;
 };
 
 /// The lowest triangle of the mesh that comes as near to the point as rounding has moved it.
@@ -120,19 +123,19 @@ std::uint32_t triangle_at(const PlacedMesh& mesh, const Eigen::Vector3d& point) 
 
 }  // namespace
 
-Touches touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& work) {
+void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                          Work& work) {
   const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
-  Touches touches;
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   MeshDescent descent(mesh, core, touches.origin, work);
-  TriangleTouches found(core, work);
+  TriangleTouches found(core, touches, work);
   descent.for_each_near([&](std::uint32_t index) {
     found.add(index, descent.triangle(index));
     return bvh::Walk::Continue;
   });
-  touches.list = found.take();
-  if (!touches.list.empty()) return touches;
+  found.settle();
+  if (!touches.list.empty()) return;
   // An exact hit that rounding keeps apart: the nearest triangle touches.
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -143,14 +146,13 @@ Touches touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& w
                             return bvh::Walk::Continue;
                           });
   found.offer(nearest, descent.triangle(nearest));
-  touches.list = found.take();
-  return touches;
+  found.settle();
 }
 
-Touches touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Work& work) {
+void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                           Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
-  Touches touches;
   touches.origin = Eigen::Vector3d(m[12], m[13], m[14]);
   const PlacedHalfSpace plane = placed_half_space(*a.shape.as<HalfSpace>(), a.pose, touches.origin);
   const Aabb& box = mesh.bounds();
@@ -173,13 +175,11 @@ Touches touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Work& 
   }
   if (touches.list.empty()) touches.list.push_back(deepest);
   ++work.convex_tests;
-  return touches;
 }
 
-Touches touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
-  Touches touches;
   touches.origin = middle_of(a.shape, a.pose);
   const Vec3 origin = to_vec3(touches.origin);
   const MeshContacts contacts = find_contacts(mesh_a, mesh_b, {}, &work);
@@ -197,7 +197,6 @@ Touches touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work
     touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
     touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
   }
-  return touches;
 }
 
 }  // namespace graze

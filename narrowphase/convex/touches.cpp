@@ -211,26 +211,34 @@ void reduce(std::vector<ContactPoint>& touches, std::size_t most) {
       deepest = std::max(deepest, touch.depth);
       spread = std::max(spread, square_between(touch, touches[0]));
     }
-    std::vector<double> away(touches.size(), std::numeric_limits<double>::infinity());
     const double deep_enough = deepest - kSame * std::sqrt(spread);
     std::size_t next = 0;
     while (touches[next].depth < deep_enough)
       ++next;
-    std::vector<ContactPoint> kept;
-    for (;;) {
-      kept.push_back(touches[next]);
-      if (kept.size() == most) break;
-      for (std::size_t i = 0; i < touches.size(); ++i)
-        away[i] = std::min(away[i], square_between(touches[i], kept.back()));
-      next = 0;
-      for (std::size_t i = 1; i < touches.size(); ++i) {
-        if (away[i] > away[next] * (1 + kSame)) next = i;
+    // Those that are kept move to the front; the others stay in the order of their features.
+    for (std::size_t kept = 0;;) {
+      std::rotate(touches.begin() + static_cast<std::ptrdiff_t>(kept),
+                  touches.begin() + static_cast<std::ptrdiff_t>(next),
+                  touches.begin() + static_cast<std::ptrdiff_t>(next + 1));
+      if (++kept == most) break;
+      const auto away = [&](std::size_t i) {
+        double least = square_between(touches[i], touches[0]);
+        for (std::size_t j = 1; j < kept; ++j)
+          least = std::min(least, square_between(touches[i], touches[j]));
+        return least;
+      };
+      next = kept;
+      double farthest = away(kept);
+      for (std::size_t i = kept + 1; i < touches.size(); ++i) {
+        const double square = away(i);
+        if (square > farthest * (1 + kSame)) farthest = square, next = i;
       }
     }
-    touches = kept;
+    touches.resize(most);
   }
-  std::stable_sort(touches.begin(), touches.end(),
-                   [](const ContactPoint& s, const ContactPoint& t) { return s.depth > t.depth; });
+  std::sort(touches.begin(), touches.end(), [](const ContactPoint& s, const ContactPoint& t) {
+    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
+  });
 }
 
 }  // namespace graze::narrowphase

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/engine/mesh_io/allocated_bytes.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
@@ -281,6 +282,30 @@ TEST(Manifold, MeshesRestOnTheCornersOfTheirPatch) {
     features.insert(contact.feature);
   }
   EXPECT_EQ(features.size(), 4u);
+}
+
+TEST(Manifold, AllocatesNothingOnceItHasRun) {
+  RandomSource source(24);
+  const Mesh terrain(std::vector<Vector3d>{{-20, -20, 0}, {20, -25, 0}, {1, 30, 0}},
+                     std::vector<TriangleIndices>{{0, 1, 2}});
+  for (std::size_t i = 0; i < 7; ++i) {
+    for (std::size_t j = 0; j < 7; ++j) {
+      const Shape a = random_shape(kShapeKinds[i], 1, source);
+      const Shape b = random_shape(kShapeKinds[j], 1, source);
+      const Shape floor = terrain;
+      const Pose pose_a = random_pose(0.2, source), pose_b = random_pose(0.2, source);
+      const auto ask = [&] {
+        distance(a, pose_a, b, pose_b);
+        find_contacts(a, pose_a, b, pose_b);
+        find_contacts(floor, at({0, 0, 0}), b, pose_b);
+      };
+      ask();
+      const std::size_t before = mesh_io::allocated_bytes();
+      ask();
+      EXPECT_EQ(mesh_io::allocated_bytes(), before)
+          << name_of(kShapeKinds[i]) << "/" << name_of(kShapeKinds[j]);
+    }
+  }
 }
 
 TEST(Manifold, TwoHalfSpacesAreRefusedByName) {
