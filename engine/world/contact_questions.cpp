@@ -21,8 +21,10 @@ void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touch
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
   const Core core_b = core_of(b.shape, b.pose, touches.origin);
-  const CoreGap gap = narrowphase::nearest(core_a, core_b);
-  ++work.convex_tests;
+  // Two boxes are known to touch, and part by their axes alone.
+  const bool are_boxes = core_a.kind == narrowphase::CoreKind::Box && core_b.kind == core_a.kind;
+  const CoreGap gap = are_boxes ? CoreGap{} : narrowphase::nearest(core_a, core_b);
+  work.convex_tests += !are_boxes;
   const Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;

@@ -103,25 +103,51 @@ bool has_distance(const Shape& shape) {
 
 }  // namespace
 
-FclOpinion ask_fcl(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+struct FclPair::Objects {
+  fcl::CollisionObjectd a;
+  fcl::CollisionObjectd b;
+};
+
+FclPair::FclPair(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
   const auto convert = [](const auto& shape) { return converted(shape); };
   const FclShape fcl_a = std::visit(convert, a.value());
   const FclShape fcl_b = std::visit(convert, b.value());
-  fcl::CollisionObjectd object_a(fcl_a.geometry, transform_of(pose_a, fcl_a.centre));
-  fcl::CollisionObjectd object_b(fcl_b.geometry, transform_of(pose_b, fcl_b.centre));
+  objects_ = std::make_unique<Objects>(
+      Objects{fcl::CollisionObjectd(fcl_a.geometry, transform_of(pose_a, fcl_a.centre)),
+              fcl::CollisionObjectd(fcl_b.geometry, transform_of(pose_b, fcl_b.centre))});
+}
 
+FclPair::~FclPair() = default;
+FclPair::FclPair(FclPair&&) noexcept = default;
+
+bool FclPair::intersects() const {
+  const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  return fcl::collide(&objects_->a, &objects_->b, request, result) > 0;
+}
+
+FclOpinion FclPair::contacts() const {
   const fcl::CollisionRequestd request(4, true);
   fcl::CollisionResultd result;
   FclOpinion opinion{};
-  opinion.is_hit = fcl::collide(&object_a, &object_b, request, result) > 0;
+  opinion.is_hit = fcl::collide(&objects_->a, &objects_->b, request, result) > 0;
   for (std::size_t i = 0; i < result.numContacts(); ++i)
     opinion.depth = std::max(opinion.depth, result.getContact(i).penetration_depth);
-  // FCL 0.7 asks a half-space for a support function that it does not have, and crashes.
-  if (!has_distance(a) || !has_distance(b)) return opinion;
+  return opinion;
+}
+
+double FclPair::distance() const {
   fcl::DistanceRequestd asked(true);
   asked.distance_tolerance = 1e-10;
   fcl::DistanceResultd found;
-  opinion.distance = fcl::distance(&object_a, &object_b, asked, found);
+  return fcl::distance(&objects_->a, &objects_->b, asked, found);
+}
+
+FclOpinion ask_fcl(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+  const FclPair pair(a, pose_a, b, pose_b);
+  FclOpinion opinion = pair.contacts();
+  // FCL 0.7 asks a half-space for a support function that it does not have, and crashes.
+  if (has_distance(a) && has_distance(b)) opinion.distance = pair.distance();
   return opinion;
 }
 
