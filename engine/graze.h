@@ -32,6 +32,11 @@
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>

@@ -12,6 +12,10 @@ Work& Work::operator+=(const Work& other) {
   trees_built += other.trees_built;
   treelets_built += other.treelets_built;
   skins_built += other.skins_built;
+  convex_tests += other.convex_tests;
+  convex_failures += other.convex_failures;
+  penetration_tests += other.penetration_tests;
+  penetration_failures += other.penetration_failures;
   return *this;
 }
 

@@ -16,6 +16,16 @@ struct Work {
   std::uint64_t trees_built = 0;     ///< trees built because this query was the first to walk them
   std::uint64_t treelets_built = 0;  ///< parts of wide trees, likewise
   std::uint64_t skins_built = 0;     ///< volumes other than boxes fitted to a tree, likewise
+  std::uint64_t triangle_tests = 0;     ///< triangle/triangle or triangle/box pairs tested
+  std::uint64_t exact_tests = 0;      ///< of these, pairs that the floating-point stage left unsure
+  std::uint64_t points_tested = 0;    ///< points asked whether a closed mesh encloses them
+  std::uint64_t trees_built = 0;      ///< trees built because this query was the first to walk them
+  std::uint64_t skins_built = 0;      ///< volumes other than boxes fitted to a tree, likewise
+  std::uint64_t convex_tests = 0;     ///< distances of two convex cores
+  std::uint64_t convex_failures = 0;  ///< of these, searches that proved neither answer: hits
+  std::uint64_t penetration_tests = 0;  ///< depths searched for by a polytope
+  std::uint64_t penetration_failures =
+      0;  ///< of these, not proved to be the least, even with libccd
 
   /// Adds counter by counter.
   Work& operator+=(const Work& other);

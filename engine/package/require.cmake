@@ -33,6 +33,7 @@ endfunction()
 graze_require(Eigen3 VERSION 3.4 DEBIAN libeigen3-dev)
 graze_require(TBB DEBIAN libtbb-dev)
 graze_require(hwy DEBIAN libhwy-dev)
+graze_require(ccd DEBIAN libccd-dev)
 find_package(Threads REQUIRED)
 
 if(GRAZE_WITH_MESH_FILES)

@@ -1,0 +1,60 @@
+#include <graze/engine/world/contact_questions.h>
+#include <graze/engine/world/placed_core.h>
+#include <graze/narrowphase/convex/closed_gap.h>
+#include <graze/narrowphase/convex/contact_face.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze {
+
+using narrowphase::ContactFace;
+using narrowphase::ContactPoint;
+using narrowphase::Core;
+using narrowphase::CoreGap;
+using narrowphase::Parting;
+using narrowphase::Vec3;
+
+// The tables' booleans have been asked before: what comes here touches.
+
+void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  touches.origin = middle_of(a.shape, a.pose);
+  const Core core_a = core_of(a.shape, a.pose, touches.origin);
+  const Core core_b = core_of(b.shape, b.pose, touches.origin);
+  // Two boxes are known to touch, and part by their axes alone.
+  const bool are_boxes = core_a.kind == narrowphase::CoreKind::Box && core_b.kind == core_a.kind;
+  const CoreGap gap = are_boxes ? CoreGap{} : narrowphase::nearest(core_a, core_b);
+  work.convex_tests += !are_boxes;
+  const Parting parting = part(core_a, core_b, gap);
+  work.penetration_tests += parting.is_asked;
+  work.penetration_failures += parting.is_failed;
+  add_touches(core_a, core_b, parting, touches.list);
+}
+
+void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
+  touches.origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, touches.origin);
+  const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, touches.origin);
+  const Vec3 down = -plane.normal;
+  const auto add = [&](const Vec3& point, std::uint64_t feature) {
+    const double depth = std::max(plane.offset - dot(plane.normal, point), 0.0);
+    touches.list.push_back({point - down * (0.5 * depth), down, depth, feature, 0});
+  };
+  const Vec3 lowest = rounded_support(core, down);
+  const double deepest = plane.offset - dot(plane.normal, lowest);
+  const ContactFace face = face_along(core, down);
+  const double tolerance = kTouchTolerance * (core.reach + core.radius + std::abs(plane.offset));
+  double found = -1;
+  for (int i = 0; i < face.count; ++i) {
+    const double depth = plane.offset - dot(plane.normal, face.corner[i]);
+    if (depth < -tolerance) continue;
+    found = std::max(found, depth);
+    add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
+  }
+  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  constexpr double kSameDepth = 1e-6;
+  constexpr std::uint64_t kPoint = 0x30000;
+  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius)) add(lowest, kPoint);
+}
+
+}  // namespace graze

@@ -1,0 +1,59 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/shape.h>
+#include <graze/narrowphase/convex/hull.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace graze {
+namespace {
+
+const char* name_of(narrowphase::HullDefect defect) {
+  switch (defect) {
+    case narrowphase::HullDefect::Point:
+      return "all points are equal";
+    case narrowphase::HullDefect::Line:
+      return "all points lie on a line";
+    default:
+      return "all points lie in a plane";
+  }
+}
+
+}  // namespace
+
+ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
+  if (points.empty()) throw InputError("convex hull: no points");
+  std::vector<narrowphase::Vec3> copied;
+  copied.reserve(points.size());
+  for (const Eigen::Vector3d& point : points) {
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(point.data()[i]) <= kLargestLength) continue;
+      throw InputError("convex hull: point " + std::to_string(copied.size()) + ": coordinate " +
+                       "xyz"[i] + " is not finite or beyond the largest length");
+    }
+    copied.push_back({point.data()[0], point.data()[1], point.data()[2]});
+  }
+  narrowphase::Hull hull;
+  const narrowphase::HullDefect defect = narrowphase::build_hull(copied, hull);
+  if (defect != narrowphase::HullDefect::None) {
+    throw InputError(std::string("convex hull: no volume, ") + name_of(defect));
+  }
+  hull_ = std::make_shared<const narrowphase::Hull>(std::move(hull));
+}
+
+std::size_t ConvexHull::vertex_count() const {
+  return hull_->corners.size();
+}
+
+Eigen::Vector3d ConvexHull::vertex(std::size_t index) const {
+  const narrowphase::Vec3 corner = hull_->corners.at(index) + hull_->middle;
+  return {corner.x, corner.y, corner.z};
+}
+
+std::size_t ConvexHull::face_count() const {
+  return hull_->faces.size();
+}
+
+}  // namespace graze

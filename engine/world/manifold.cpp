@@ -1,0 +1,88 @@
+#include <graze/engine/mesh/query_results.h>
+#include <graze/engine/world/contact_questions.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/pair_questions.h>
+#include <graze/engine/world/placed_core.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+using enum PairMethod;
+using narrowphase::ContactPoint;
+
+void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  switch (pair_method(a.shape.kind(), b.shape.kind())) {
+    case ExactSpheres:
+    case ExactSphereBox:
+    case BoxAxes:
+    case ClosedForm:
+    case Cores:
+      return touches_of_cores(a, b, touches, work);
+    case Plane:
+      return touches_with_plane(a, b, touches);
+    case MeshPlane:
+      return touches_of_mesh_plane(a, b, touches, work);
+    case MeshVolume:
+    case MeshCore:
+      return touches_of_mesh_core(a, b, touches, work);
+    case Meshes:
+      return touches_of_meshes(a, b, touches, work);
+    case Planes:
+      break;
+  }
+  throw UnsupportedPairError(std::string("contacts of a ") + name_of(a.shape.kind()) + " and a " +
+                             name_of(b.shape.kind()) + ": no finite translation parts them");
+}
+
+/// Two contacts of one pair of features, as where an edge enters a face and leaves it again, are
+/// told apart by their order.
+void make_unique(Manifold& manifold) {
+  constexpr std::uint64_t kNext = 1ull << 28;
+  for (std::size_t i = 1; i < manifold.count; ++i) {
+    ContactFeature& feature = manifold.contacts[i].feature;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (manifold.contacts[j].feature != feature) continue;
+      feature.b += kNext;
+      j = 0;
+    }
+  }
+}
+
+Manifold manifold_of(Touches& touches, bool is_mirrored) {
+  narrowphase::reduce(touches.list, 4);
+  Manifold manifold;
+  for (const ContactPoint& touch : touches.list) {
+    ShapeContact& contact = manifold.contacts[manifold.count++];
+    contact.point = to_eigen(touch.point + to_vec3(touches.origin));
+    contact.normal = to_eigen(touch.normal);
+    contact.depth = touch.depth;
+    contact.feature = {touch.feature_a, touch.feature_b};
+  }
+  make_unique(manifold);
+  if (!is_mirrored) return manifold;
+  for (std::size_t i = 0; i < manifold.count; ++i) {
+    ShapeContact& contact = manifold.contacts[i];
+    contact.normal = to_eigen(-to_vec3(contact.normal));
+    std::swap(contact.feature.a, contact.feature.b);
+  }
+  return manifold;
+}
+
+}  // namespace
+
+Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
+                       const Pose& pose_b, Work* work) {
+  if (!intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
+  CountedWork counted(work);
+  const PlacedShape a{shape_a, pose_a};
+  const PlacedShape b{shape_b, pose_b};
+  static thread_local Touches touches;  // no question is asked within another
+  touches.clear();
+  const bool is_mirrored = is_swapped(a, b);
+  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, counted.work());
+  return manifold_of(touches, is_mirrored);
+}
+
+}  // namespace graze

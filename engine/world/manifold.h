@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+
+#include <graze/engine/world/shape_pairs.h>
+
+namespace graze {
+
+/// Which parts of two shapes meet in a contact: corners, edges and faces by numbers of the shape's
+/// own, the same in every pose. Where the same parts meet in the next step, the feature is the
+/// same, so that a solver can start from what it found before. Unique within a manifold.
+struct ContactFeature {
+  std::uint64_t a;
+  std::uint64_t b;
+  auto operator<=>(const ContactFeature&) const = default;
+};
+
+struct ShapeContact {
+  Eigen::Vector3d point;   ///< midway between the two surfaces, metres, in the world's frame
+  Eigen::Vector3d normal;  ///< unit, from A to B
+  double depth;            ///< metres, >= 0: how far the two reach past each other here
+  ContactFeature feature;
+};
+
+/// Up to four contacts that stand for all of a pair, the deepest first.
+struct Manifold {
+  std::array<ShapeContact, 4> contacts;
+  std::size_t count = 0;
+
+  std::size_t size() const { return count; }
+  bool empty() const { return count == 0; }
+  auto begin() const { return contacts.begin(); }
+  auto end() const { return contacts.begin() + static_cast<std::ptrdiff_t>(count); }
+  const ShapeContact& operator[](std::size_t index) const { return contacts[index]; }
+};
+
+/// Where two placed shapes meet; empty exactly when intersects() is false.
+///
+/// **Convex shapes.** All contacts share one normal. Moving B by the greatest depth along it parts
+/// the two, to 1e-4 of how far the contacts are spread, but for rounding. That depth is the least
+/// there is to kDepthTolerance (1e-6) of the smaller shape's size; for two boxes to a twentieth,
+/// where two edges would be nearer than a face is; and if Work::penetration_failures counts the
+/// pair, to what was found. A cylinder's cap and a cone's base count as octagons.
+///
+/// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
+/// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the
+/// shape's middle is outside its plane and the common area is not empty, else along the least way
+/// out. Triangles that the middle is behind count only if there are no others. Two meshes offer
+/// their find_contacts(), each of its points with the normal and depth of its piece.
+///
+/// Of all that is offered four remain: the deepest, and then whichever is farthest from those.
+/// Swapping A and B mirrors the result. Throws as intersects() does, and UnsupportedPairError for
+/// two half-spaces that intersect: no finite translation parts them.
+Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
+                       const Pose& pose_b, Work* work = nullptr);
+
+}  // namespace graze

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <variant>
+
+#include <graze/bvh/error.h>
+#include <graze/bvh/sphere.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/world/convex_hull.h>
+#include <graze/narrowphase/volumes/ellipsoid.h>
+#include <Eigen/Core>
+
+namespace graze {
+
+// Value types in a body's own frame, metres, closed and solid. Sphere and Ellipsoid have a centre
+// in it; the others are centred at its origin, with z as their axis.
+
+/// [-half_extents, half_extents].
+struct Box {
+  Eigen::Vector3d half_extents;
+};
+
+/// The points at most `radius` from the segment between z = -half_length and z = half_length.
+struct Capsule {
+  double radius;
+  double half_length;  ///< 0 is a sphere
+};
+
+struct Cylinder {
+  double radius;
+  double half_height;
+};
+
+/// The apex is at z = half_height, the base, of that radius, at z = -half_height.
+struct Cone {
+  double radius;
+  double half_height;
+};
+
+/// The points x with normal . x <= offset.
+struct HalfSpace {
+  Eigen::Vector3d normal;  ///< outward; of any length but 0, and scaled to 1 by Shape
+  double offset = 0;       ///< for the normal as it is given
+};
+
+enum class ShapeKind {
+  Sphere,
+  Box,
+  Capsule,
+  Cylinder,
+  Cone,
+  Ellipsoid,
+  ConvexHull,
+  HalfSpace,
+  Mesh
+};
+
+inline constexpr std::array kShapeKinds{
+    ShapeKind::Sphere,     ShapeKind::Box,       ShapeKind::Capsule,
+    ShapeKind::Cylinder,   ShapeKind::Cone,      ShapeKind::Ellipsoid,
+    ShapeKind::ConvexHull, ShapeKind::HalfSpace, ShapeKind::Mesh};
+
+/// "sphere", "box", ... as error messages call it.
+const char* name_of(ShapeKind kind);
+
+/// Lengths of shapes are at least the smallest and at most the largest, and so are, at most,
+/// coordinates of their poses: squares and products of six stay within double.
+inline constexpr double kSmallestLength = 1e-100;
+inline constexpr double kLargestLength = 1e100;
+
+/// Any shape that a body can have; a value, and cheap to copy: hulls and meshes are handles. The
+/// constructors are the door: they throw InputError, which names the shape and the member, for what
+/// is not finite, not positive, or beyond the lengths above.
+class Shape {
+ public:
+  using Value =
+      std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace, Mesh>;
+
+  Shape(const Sphere& sphere);      // NOLINT(google-explicit-constructor): a shape is any of these
+  Shape(const Box& box);            // NOLINT(google-explicit-constructor)
+  Shape(const Capsule& capsule);    // NOLINT(google-explicit-constructor)
+  Shape(const Cylinder& cylinder);  // NOLINT(google-explicit-constructor)
+  Shape(const Cone& cone);          // NOLINT(google-explicit-constructor)
+  Shape(const Ellipsoid& ellipsoid);   // NOLINT(google-explicit-constructor)
+  Shape(ConvexHull hull);              // NOLINT(google-explicit-constructor)
+  Shape(const HalfSpace& half_space);  // NOLINT(google-explicit-constructor)
+  Shape(Mesh mesh);                    // NOLINT(google-explicit-constructor)
+
+  ShapeKind kind() const { return static_cast<ShapeKind>(value_.index()); }
+  const Value& value() const { return value_; }
+
+  /// The shape as one of the value types, or nullptr if it is another.
+  template <typename T>
+  const T* as() const {
+    return std::get_if<T>(&value_);
+  }
+
+ private:
+  Value value_;
+};
+
+/// Two shapes of kinds for which a question has no answer; what() names both.
+class UnsupportedPairError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace graze

@@ -1,0 +1,96 @@
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/placed_core.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace graze {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+double below(double value) {
+  return std::nextafter(value, -kLargest);
+}
+
+double above(double value) {
+  return std::nextafter(value, kLargest);
+}
+
+// A support point along an axis is off by less than 20 u of its shape's size (core_gap.cpp); with
+// its own rounding the sum with the middle is one step outward.
+Aabb bounds_of_core(const Shape& shape, const Pose& pose) {
+  const Eigen::Vector3d middle = middle_of(shape, pose);
+  const narrowphase::Core core = core_of(shape, pose, middle);
+  const double pad =
+      core.kind == narrowphase::CoreKind::Point ? 0 : 0x20p-53 * (core.reach + core.radius);
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    narrowphase::Vec3 axis{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+    const double high = dot(rounded_support(core, axis), axis) + pad;
+    const double low = dot(rounded_support(core, -axis), axis) - pad;
+    box.max.data()[i] = above(middle.data()[i] + above(high));
+    box.min.data()[i] = below(middle.data()[i] + below(low));
+  }
+  return box;
+}
+
+Aabb bounds_of_half_space(const HalfSpace& half_space, const Pose& pose) {
+  const PlacedHalfSpace placed = placed_half_space(half_space, pose, Eigen::Vector3d::Zero());
+  Aabb box{Eigen::Vector3d::Constant(-kLargest), Eigen::Vector3d::Constant(kLargest)};
+  const double normal[3] = {placed.normal.x, placed.normal.y, placed.normal.z};
+  for (int i = 0; i < 3; ++i) {
+    if (normal[(i + 1) % 3] != 0 || normal[(i + 2) % 3] != 0) continue;
+    const double reach = above(placed.offset + placed.slack);
+    if (normal[i] > 0) box.max.data()[i] = reach;
+    if (normal[i] < 0) box.min.data()[i] = -reach;
+  }
+  return box;
+}
+
+// A placed coordinate is a sum of four terms with at most 4 roundings of what placed_reach()
+// bounds.
+Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
+  const Aabb& own = mesh.bounds();
+  const std::array<double, 3> reach = placed_reach(pose, own);
+  const double* m = pose.data();  // column-major 4x4
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    double low = m[12 + i];
+    double high = m[12 + i];
+    for (int j = 0; j < 3; ++j) {
+      const double at_min = m[4 * j + i] * own.min.data()[j];
+      const double at_max = m[4 * j + i] * own.max.data()[j];
+      low += std::min(at_min, at_max);
+      high += std::max(at_min, at_max);
+    }
+    const double pad = 0x10p-53 * reach[i];
+    box.min.data()[i] = below(low - pad);
+    box.max.data()[i] = above(high + pad);
+  }
+  return box;
+}
+
+}  // namespace
+
+void check_pose(const Pose& pose, const char* what) {
+  check_rigid(pose, what);
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(pose.data()[12 + i]) <= kLargestLength) continue;
+    throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +
+                    " of the translation is beyond the largest length");
+  }
+}
+
+Aabb bounds_of(const Shape& shape, const Pose& pose) {
+  check_pose(pose, "pose");
+  if (const auto* half_space = shape.as<HalfSpace>())
+    return bounds_of_half_space(*half_space, pose);
+  if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(*mesh, pose);
+  return bounds_of_core(shape, pose);
+}
+
+}  // namespace graze

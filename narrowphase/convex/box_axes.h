@@ -1,0 +1,17 @@
+#pragma once
+
+#include <graze/narrowphase/convex/penetration.h>
+
+namespace graze::narrowphase {
+
+/// The least way out of two boxes, by their 15 axes: exact but for rounding. A product of edges
+/// must save more than a twentieth of the depth over the best face, so that boxes that rest on one
+/// another do not change their axis from step to step.
+/// Gottschalk, Lin, Manocha, "OBBTree" (1996).
+Penetration least_axis(const Core& box_a, const Core& box_b);
+
+/// The least way out of a box and a point with a radius whose middle is inside the box: by the
+/// nearest face. The normal leads from the box.
+Penetration nearest_face(const Core& box, const Core& point);
+
+}  // namespace graze::narrowphase

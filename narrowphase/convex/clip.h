@@ -1,0 +1,28 @@
+#pragma once
+
+#include <graze/narrowphase/convex/contact_face.h>
+
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// What is left of a face between the sides of another.
+struct ClippedFace {
+  static constexpr int kMostCorners = 2 * ContactFace::kMostCorners;
+  struct Corner {
+    Vec3 point;
+    std::uint32_t own;  ///< the corner, or the edge (kEdge + its first corner), of the clipped face
+    std::uint32_t other;  ///< 0, or the edge (kEdge + its first corner) that cut it there
+  };
+  static constexpr std::uint32_t kEdge = 0x10000;
+  Corner corner[kMostCorners];
+  int count = 0;
+};
+
+/// The part of `face`, a polygon, segment or point, that lies between the planes through the edges
+/// of `sides` at right angles to its face; of a segment, the planes through its ends at right
+/// angles to it.
+/// Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
+ClippedFace clip(const ContactFace& face, const ContactFace& sides);
+
+}  // namespace graze::narrowphase

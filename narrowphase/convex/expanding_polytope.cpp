@@ -1,0 +1,160 @@
+#include <graze/narrowphase/convex/expanding_polytope.h>
+
+#include <initializer_list>
+#include <limits>
+
+namespace graze::narrowphase {
+namespace {
+
+struct Face {
+  int corner[3];  // counter-clockwise from outside
+  Vec3 normal;    // unit
+  double height;  // of its plane above the origin along the normal
+};
+
+struct Edge {
+  int from;
+  int to;
+};
+
+class Polytope {
+ public:
+  Polytope(const Core& a, const Core& b, double tolerance)
+      : a_(a), b_(b), tolerance_(tolerance), noise_(0x1p-46 * pair_scale(a, b)) {}
+
+  Expansion run() {
+    if (!start()) return result(false);
+    for (;;) {
+      const Face nearest = faces_[nearest_face()];
+      lower_ = nearest.height;
+      const Vec3 corner = look_along(nearest.normal);
+      if (upper_ - lower_ <= tolerance_) return result(true);
+      if (!(dot(nearest.normal, corner) - nearest.height > noise_)) return result(false);
+      if (!grow(corner)) return result(false);
+    }
+  }
+
+ private:
+  /// The corner of the difference A - B farthest along a direction; remembers the least plane.
+  Vec3 look_along(const Vec3& direction) {
+    const Vec3 corner = rounded_support(a_, direction) - rounded_support(b_, -direction);
+    const double height = dot(corner, direction);
+    if (height < upper_) upper_ = height, normal_ = direction;
+    return corner;
+  }
+
+  int add_corner(const Vec3& corner) {
+    corners_[corner_count_] = corner;
+    return corner_count_++;
+  }
+
+  Vec3 farther_along(const Vec3& direction, const Vec3& from) {
+    const Vec3 ahead = look_along(direction);
+    const Vec3 behind = look_along(-direction);
+    const bool is_ahead = dot(ahead - from, direction) >= -dot(behind - from, direction);
+    return is_ahead ? ahead : behind;
+  }
+
+  /// Four support points with a volume.
+  bool start() {
+    const Vec3 first = unit_or(b_.at - a_.at, {1, 0, 0});
+    const Vec3 p0 = look_along(first);
+    const Vec3 p1 = look_along(-first);
+    const Vec3 line = unit_or(p1 - p0, first);
+    const Vec3 p2 = farther_along(any_normal_to(line), p0);
+    const Vec3 out = unit_or(cross(p1 - p0, p2 - p0), {});
+    if (!(largest(out) > 0)) return false;
+    const Vec3 p3 = farther_along(out, p0);
+    const bool is_above = dot(p3 - p0, out) > 0;
+    for (const Vec3* p : {&p0, is_above ? &p2 : &p1, is_above ? &p1 : &p2, &p3})
+      add_corner(*p);
+    return add_face(0, 1, 2) && add_face(0, 3, 1) && add_face(1, 3, 2) && add_face(2, 3, 0);
+  }
+
+  /// A face that is narrower than rounding has no normal worth asking: it keeps the surface closed
+  /// and is never the nearest nor seen. Its neighbours, which share its long edges, stand for it.
+  bool add_face(int i, int j, int k) {
+    if (face_count_ == kMostFaces) return false;
+    const Vec3& p = corners_[i];
+    const Vec3 u = corners_[j] - p;
+    const Vec3 v = corners_[k] - p;
+    const Vec3 product = cross(u, v);
+    const double longest = largest(u) + largest(v);
+    Face& face = faces_[face_count_++];
+    face = {{i, j, k}, {}, std::numeric_limits<double>::infinity()};
+    if (!(largest(product) > kNarrowest * noise_ * longest)) return true;
+    face.normal = unit_or(product, {});
+    // The mean of three heights is nearer to the truth than one.
+    face.height = dot(face.normal, (p + corners_[j] + corners_[k]) * (1.0 / 3));
+    return true;
+  }
+
+  int nearest_face() const {
+    int nearest = 0;
+    for (int i = 1; i < face_count_; ++i) {
+      if (faces_[i].height < faces_[nearest].height) nearest = i;
+    }
+    return nearest;
+  }
+
+  /// Replaces all faces that see the corner by a fan from their horizon, one closed loop.
+  bool grow(const Vec3& corner) {
+    if (corner_count_ == kMostPolytopeCorners) return false;
+    Edge horizon[kMostFaces];
+    int edges = 0;
+    int kept = 0;
+    for (int i = 0; i < face_count_; ++i) {
+      const Face face = faces_[i];
+      if (!(dot(face.normal, corner) - face.height > noise_)) {
+        faces_[kept++] = face;
+        continue;
+      }
+      for (int k = 0; k < 3; ++k) {
+        if (!toggle(horizon, edges, {face.corner[k], face.corner[(k + 1) % 3]})) return false;
+      }
+    }
+    face_count_ = kept;
+    const int apex = add_corner(corner);
+    for (int i = 0; i < edges; ++i) {
+      if (!add_face(horizon[i].from, horizon[i].to, apex)) return false;
+    }
+    return edges >= 3;
+  }
+
+  /// An edge whose other side was seen, too, is none of the horizon.
+  static bool toggle(Edge (&horizon)[kMostPolytopeCorners * 2], int& edges, const Edge& edge) {
+    for (int i = 0; i < edges; ++i) {
+      if (horizon[i].from != edge.to || horizon[i].to != edge.from) continue;
+      horizon[i] = horizon[--edges];
+      return true;
+    }
+    if (edges == kMostFaces) return false;
+    horizon[edges++] = edge;
+    return true;
+  }
+
+  Expansion result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
+
+  static constexpr double kNarrowest = 4;
+  static constexpr int kMostFaces = 2 * kMostPolytopeCorners;
+
+  const Core& a_;
+  const Core& b_;
+  double tolerance_;
+  double noise_;
+  Vec3 corners_[kMostPolytopeCorners];
+  Face faces_[kMostFaces];
+  int corner_count_ = 0;
+  int face_count_ = 0;
+  double upper_ = std::numeric_limits<double>::infinity();
+  double lower_ = 0;
+  Vec3 normal_;
+};
+
+}  // namespace
+
+Expansion expand(const Core& a, const Core& b, double tolerance) {
+  return Polytope(a, b, tolerance).run();
+}
+
+}  // namespace graze::narrowphase

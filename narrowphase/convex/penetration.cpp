@@ -1,0 +1,66 @@
+#include <graze/narrowphase/convex/ccd.h>
+#include <graze/narrowphase/convex/expanding_polytope.h>
+#include <graze/narrowphase/convex/penetration.h>
+
+#include <initializer_list>
+#include <optional>
+
+namespace graze::narrowphase {
+namespace {
+
+/// Of fixed directions, that of the least width: the way between the middles and the axes of both.
+Penetration best_of_fixed(const Core& a, const Core& b) {
+  const Vec3 between = unit_or(b.at - a.at, {0, 0, 1});
+  Penetration best = along(a, b, between);
+  const auto offer = [&](const Vec3& direction) {
+    const Penetration found = along(a, b, unit_or(direction, between));
+    if (found.depth < best.depth) best = found;
+  };
+  for (const Core* core : {&a, &b}) {
+    for (const Vec3& axis : core->axis) {
+      offer(axis);
+      offer(-axis);
+    }
+  }
+  best.source = PenetrationSource::Fixed;
+  return best;
+}
+
+}  // namespace
+
+Penetration along(const Core& a, const Core& b, const Vec3& unit_direction) {
+  Penetration result{};
+  result.normal = unit_direction;
+  result.point_a = rounded_support(a, unit_direction);
+  result.point_b = rounded_support(b, -unit_direction);
+  result.depth = dot(result.point_a - result.point_b, unit_direction);
+  return result;
+}
+
+Penetration penetration(const Core& a, const Core& b) {
+  const double size_a = a.reach + a.radius;
+  const double size_b = b.reach + b.radius;
+  const double tolerance = kDepthTolerance * (size_a < size_b ? size_a : size_b);
+  const Expansion found = expand(a, b, tolerance);
+  if (found.is_closed) {
+    Penetration result = along(a, b, found.normal);
+    result.source = PenetrationSource::Expansion;
+    return result;
+  }
+  Penetration result = best_of_fixed(a, b);
+  const auto offer = [&](const Vec3& normal, PenetrationSource source) {
+    Penetration offered = along(a, b, normal);
+    offered.source = source;
+    if (!(offered.depth < result.depth)) return;
+    result = offered;
+  };
+  if (largest(found.normal) > 0) offer(found.normal, PenetrationSource::Expansion);
+  if (const std::optional<Vec3> direction = ask_ccd(a, b)) {
+    offer(*direction, PenetrationSource::Ccd);
+  }
+  // The polytope may be torn and its best plane still be good enough.
+  result.is_open = !(result.depth - found.lower <= tolerance);
+  return result;
+}
+
+}  // namespace graze::narrowphase

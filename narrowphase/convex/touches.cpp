@@ -1,0 +1,244 @@
+#include <graze/narrowphase/convex/box_axes.h>
+
+#include <graze/narrowphase/convex/clip.h>
+#include <graze/narrowphase/convex/closed_gap.h>
+#include <graze/narrowphase/convex/touches.h>
+#include <initializer_list>
+
+#include <algorithm>
+#include <limits>
+
+namespace graze::narrowphase {
+namespace {
+
+// Below this share of the smaller set's size a difference of depth is of no account: far more than
+// EPA's tolerance, far less than anything modelled.
+constexpr double kSameDepth = 1e-6;
+
+// Points of a clipped face that are this share of the scale short of touching still touch: what
+// kTouchTolerance of engine/world allows a hit to be.
+constexpr double kTouching = 0x1p-34;
+
+// A face takes part if its normal is within 8 degrees of the contact's.
+constexpr double kFacing = 0.99;
+
+// Segments are one line where the sine between them is below this.
+constexpr double kOneLine = 0.02;
+
+double smaller_size(const Core& a, const Core& b) {
+  return std::min(a.reach + a.radius, b.reach + b.radius);
+}
+
+Core shifted(Core core, const Vec3& by) {
+  core.at = core.at + by;
+  for (Vec3& corner : core.corner)
+    corner = corner + by;
+  return core;
+}
+
+/// Takes a face's normal instead, if it costs no more depth: EPA comes only near it.
+void settle_on_faces(const Core& a, const Core& b, Penetration& way) {
+  const double allowance = kSameDepth * smaller_size(a, b);
+  const Vec3 found = way.normal;
+  double limit = way.depth + allowance;
+  for (const Vec3& normal : {face_along(a, found).normal, -face_along(b, -found).normal}) {
+    if (dot(normal, found) < kFacing) continue;
+    Penetration settled = along(a, b, normal);
+    if (settled.depth > limit || settled.depth < 0) continue;
+    settled.source = way.source;
+    settled.is_open = way.is_open;
+    way = settled;
+    limit = settled.depth - allowance;  // the second face must be better than the first
+  }
+}
+
+enum class Reference { A, B, None };
+
+/// Which face cuts the other: the one that is more nearly at right angles to the normal; of equals
+/// the larger set's, so that it stays the same from step to step.
+Reference choose(const ContactFace& face_a, const ContactFace& face_b, const Core& a, const Core& b,
+                 const Vec3& normal) {
+  const double of_a = face_a.count > 2 ? dot(face_a.normal, normal) : -1;
+  const double of_b = face_b.count > 2 ? -dot(face_b.normal, normal) : -1;
+  if (of_a >= kFacing || of_b >= kFacing) {
+    constexpr double kEqual = 1e-3;
+    if (std::abs(of_a - of_b) < kEqual) return b.reach > a.reach ? Reference::B : Reference::A;
+    return of_a > of_b ? Reference::A : Reference::B;
+  }
+  if (face_a.count != 2 || face_b.count != 2) return Reference::None;
+  if (dot(face_a.normal, normal) < kFacing || -dot(face_b.normal, normal) < kFacing) {
+    return Reference::None;
+  }
+  const Vec3 line_a = unit_or(face_a.corner[1] - face_a.corner[0], normal);
+  const Vec3 line_b = unit_or(face_b.corner[1] - face_b.corner[0], normal);
+  if (length(cross(line_a, line_b)) > kOneLine) return Reference::None;
+  return b.reach > a.reach ? Reference::B : Reference::A;
+}
+
+std::uint64_t feature(std::uint32_t face, std::uint32_t part) {
+  return (static_cast<std::uint64_t>(face) << 32) | part;
+}
+
+// What stands for a whole face, and for a point that is of no face in particular.
+constexpr std::uint32_t kWhole = 0x20000;
+constexpr std::uint64_t kPoint = 0x30000;
+
+/// The clipped corners of `incident` that are behind `reference`, whose outward sense along the
+/// normal is `sign`: 1 if it is A's.
+void add_clipped(const ContactFace& incident, const ContactFace& reference, const Penetration& way,
+                 double sign, double tolerance, std::vector<ContactPoint>& touches) {
+  const Vec3& normal = way.normal;
+  const ClippedFace clipped = clip(incident, reference);
+  const double facing = dot(reference.normal, normal) * sign;
+  for (int i = 0; i < clipped.count; ++i) {
+    const ClippedFace::Corner& corner = clipped.corner[i];
+    const double depth = dot(reference.normal, reference.corner[0] - corner.point) / facing;
+    if (depth < -tolerance) continue;
+    ContactPoint touch;
+    // Faces that are not quite at right angles to the normal are not met where it leads.
+    touch.depth = std::clamp(depth, 0.0, std::max(way.depth, 0.0));
+    touch.normal = normal;
+    touch.point = corner.point + normal * (0.5 * sign * touch.depth);
+    const std::uint64_t of_incident = feature(incident.id, corner.own);
+    const std::uint64_t of_reference =
+        feature(reference.id, corner.other != 0 ? corner.other : kWhole);
+    touch.feature_a = sign > 0 ? of_reference : of_incident;
+    touch.feature_b = sign > 0 ? of_incident : of_reference;
+    touches.push_back(touch);
+  }
+}
+
+/// Where the sets meet once B is moved out along the way, and a little further.
+void add_single(const Core& a, const Core& b, const Parting& parting,
+                std::vector<ContactPoint>& touches) {
+  const Penetration& way = parting.way;
+  Vec3 on_a = way.point_a;
+  Vec3 on_b = way.point_b;
+  if (!parting.has_witnesses) {
+    constexpr double kClearance = 0x1p-20;
+    const Vec3 out = way.normal * (way.depth + kClearance * smaller_size(a, b));
+    const CoreGap gap = nearest(a, shifted(b, out));
+    on_a = gap.point_a + way.normal * a.radius;
+    on_b = gap.point_b - way.normal * b.radius - out;
+  }
+  touches.push_back({(on_a + on_b) * 0.5, way.normal, way.depth, kPoint, kPoint});
+}
+
+}  // namespace
+
+Parting part(const Core& a, const Core& b, const CoreGap& gap) {
+  Parting parting;
+  Penetration& way = parting.way;
+  if (gap.upper > 0x1p-40 * pair_scale(a, b) || (a.radius + b.radius == 0 && gap.upper > 0)) {
+    const Vec3 between = unit_or(gap.point_b - gap.point_a, gap.normal);
+    way.normal = gap.lower > 0 ? gap.normal : between;
+    way.depth = std::max((a.radius + b.radius) - gap.upper, 0.0);
+    way.point_a = gap.point_a + between * a.radius;
+    way.point_b = gap.point_b - between * b.radius;
+    parting.has_witnesses = true;
+  } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
+    way = least_axis(a, b);
+  } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
+    way = nearest_face(a, b);
+  } else if (a.kind == CoreKind::Point && b.kind == CoreKind::Box) {
+    const Penetration found = nearest_face(b, a);
+    way = {-found.normal, found.depth, found.point_b, found.point_a, found.source, false};
+  } else {
+    way = penetration(a, b);
+    parting.is_asked = true;
+    parting.is_failed = way.is_open;
+    settle_on_faces(a, b, way);
+  }
+  way.depth = std::max(way.depth, 0.0);
+  return parting;
+}
+
+void add_face_touches(const Core& a, const Core& b, const Penetration& way,
+                      std::vector<ContactPoint>& touches) {
+  const Vec3& normal = way.normal;
+  const ContactFace face_a = face_along(a, normal);
+  const ContactFace face_b = face_along(b, -normal);
+  if (face_a.count == 1 || face_b.count == 1) return;
+  const double tolerance = kTouching * pair_scale(a, b);
+  switch (choose(face_a, face_b, a, b, normal)) {
+    case Reference::A:
+      add_clipped(face_b, face_a, way, 1, tolerance, touches);
+      break;
+    case Reference::B:
+      add_clipped(face_a, face_b, way, -1, tolerance, touches);
+      break;
+    case Reference::None:
+      break;
+  }
+}
+
+void add_touches(const Core& a, const Core& b, const Parting& parting,
+                 std::vector<ContactPoint>& touches) {
+  const std::size_t before = touches.size();
+  add_face_touches(a, b, parting.way, touches);
+  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  double deepest = -1;
+  for (std::size_t i = before; i < touches.size(); ++i)
+    deepest = std::max(deepest, touches[i].depth);
+  const double missed = parting.way.depth - deepest;
+  if (deepest < 0 || missed > kSameDepth * smaller_size(a, b)) add_single(a, b, parting, touches);
+}
+
+namespace {
+
+bool comes_before(const ContactPoint& s, const ContactPoint& t) {
+  if (s.feature_a != t.feature_a) return s.feature_a < t.feature_a;
+  if (s.feature_b != t.feature_b) return s.feature_b < t.feature_b;
+  return s.depth > t.depth;
+}
+
+double square_between(const ContactPoint& s, const ContactPoint& t) {
+  const Vec3 way = s.point - t.point;
+  return dot(way, way);
+}
+
+}  // namespace
+
+// Depths and distances that are nearly equal count as equal, and then the lower feature is taken:
+// otherwise which four of the corners of a round cap are left would change with every rounding.
+void reduce(std::vector<ContactPoint>& touches, std::size_t most) {
+  constexpr double kSame = 1e-4;
+  std::sort(touches.begin(), touches.end(), comes_before);
+  if (touches.size() > most) {
+    double deepest = 0;
+    double spread = 0;
+    for (const ContactPoint& touch : touches) {
+      deepest = std::max(deepest, touch.depth);
+      spread = std::max(spread, square_between(touch, touches[0]));
+    }
+    const double deep_enough = deepest - kSame * std::sqrt(spread);
+    std::size_t next = 0;
+    while (touches[next].depth < deep_enough)
+      ++next;
+    // Those that are kept move to the front; the others stay in the order of their features.
+    for (std::size_t kept = 0;;) {
+      std::rotate(touches.begin() + static_cast<std::ptrdiff_t>(kept),
+                  touches.begin() + static_cast<std::ptrdiff_t>(next),
+                  touches.begin() + static_cast<std::ptrdiff_t>(next + 1));
+      if (++kept == most) break;
+      const auto away = [&](std::size_t i) {
+        double least = square_between(touches[i], touches[0]);
+        for (std::size_t j = 1; j < kept; ++j)
+          least = std::min(least, square_between(touches[i], touches[j]));
+        return least;
+      };
+      next = kept;
+      double farthest = away(kept);
+      for (std::size_t i = kept + 1; i < touches.size(); ++i) {
+        const double square = away(i);
+        if (square > farthest * (1 + kSame)) farthest = square, next = i;
+      }
+    }
+    touches.resize(most);
+  }
+  std::sort(touches.begin(), touches.end(), [](const ContactPoint& s, const ContactPoint& t) {
+    return s.depth != t.depth ? s.depth > t.depth : comes_before(s, t);
+  });
+}
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <graze/narrowphase/convex/core_gap.h>
+#include <graze/narrowphase/convex/penetration.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace graze::narrowphase {
+
+/// One point of a contact of two sets.
+struct ContactPoint {
+  Vec3 point;               ///< midway between the two boundaries
+  Vec3 normal;              ///< unit, from A to B
+  double depth;             ///< metres, >= 0, along the normal at this point
+  std::uint64_t feature_a;  ///< which corner, edge or face of A: the same from step to step
+  std::uint64_t feature_b;
+};
+
+/// How two sets that touch part soonest, and at what cost.
+struct Parting {
+  Penetration way;
+  bool has_witnesses = false;  ///< whether the way's points are where the two meet
+  bool is_asked = false;       ///< whether penetration() was
+  bool is_failed = false;      ///< and did not prove its depth to be the least
+};
+
+/// For sets whose cores have this gap. Rounded parts: along the way between the cores. Two boxes,
+/// and a point in a box, by their faces; all others by penetration(), and then by the faces at hand
+/// if one is as good.
+Parting part(const Core& a, const Core& b, const CoreGap& gap);
+
+/// The points of contact along that way, added to `touches`; one at least. Where faces face each
+/// other along the normal, the one is clipped by the other's sides, else there is one point.
+void add_touches(const Core& a, const Core& b, const Parting& parting,
+                 std::vector<ContactPoint>& touches);
+
+/// Of these, only those where faces face each other: none, if none do.
+void add_face_touches(const Core& a, const Core& b, const Penetration& way,
+                      std::vector<ContactPoint>& touches);
+
+/// Leaves at most `most` of the touches, the deepest first: the deepest, to 1e-4 of their spread,
+/// and then whichever is farthest from all that are left. Ties, to 1e-4, go to the lower features.
+void reduce(std::vector<ContactPoint>& touches, std::size_t most);
+
+}  // namespace graze::narrowphase

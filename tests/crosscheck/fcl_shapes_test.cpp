@@ -1,0 +1,116 @@
+// Every pair of shapes against FCL, thousands of poses each time. FCL decides by tolerances of its
+// own: what is demanded of the two, and why, stands with each constant.
+
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/crosscheck/fcl_shape_opinion.h"
+#include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+// FCL's yes or no ends at 1e-6 of a length of about 1.
+constexpr double kFclTouch = 2e-6;
+
+// Its distances are asked for to 1e-10, of which round shapes keep about 1e-8.
+constexpr double kFclDistance = 1e-6;
+
+// Its depths are those of whichever way out it took, MPR's for most pairs: not less than the least
+// one, which is ours, but for this.
+constexpr double kFclDepth = 1e-4;
+
+// For two boxes ours may be a twentieth more than the least: an edge must save that to be taken.
+constexpr double kBoxDepth = 1.06;
+
+struct Counts {
+  int hits = 0;
+  int apart = 0;
+  int hit_differs = 0;
+  int distance_differs = 0;
+  int fcl_is_less_deep = 0;
+};
+
+/// FCL 0.7 is wrong about cones and half-spaces, deep ones included. There the definition decides:
+/// how far a cone reaches below a plane is a formula.
+bool is_fcl_wrong(ShapeKind a, ShapeKind b) {
+  return a == ShapeKind::Cone && b == ShapeKind::HalfSpace;
+}
+
+double height_above(const Shape& shape, const Pose& pose, const HalfSpace& plane,
+                    const Pose& plane_pose) {
+  const Eigen::Vector3d normal = plane_pose.linear() * plane.normal;
+  return -tests::reach_along(shape, pose, -normal) -
+         (normal.dot(plane_pose.translation()) + plane.offset);
+}
+
+Counts compare(ShapeKind kind_a, ShapeKind kind_b, int poses, RandomSource& source) {
+  Counts counts;
+  for (int n = 0; n < poses; ++n) {
+    const Shape a = tests::random_shape(kind_a, 1, source);
+    const Shape b = tests::random_shape(kind_b, 1, source);
+    const Pose pose_a = tests::random_pose(1, source);
+    Pose pose_b = tests::random_pose(1, source);
+    const double away = source.uniform(0.2, 0.9) * (tests::size_of(a) + tests::size_of(b));
+    pose_b.translation() = pose_a.translation() + source.vector(-1, 1).normalized() * away;
+
+    const ShapeDistance found = distance(a, pose_a, b, pose_b);
+    const Manifold manifold = find_contacts(a, pose_a, b, pose_b);
+    const bool is_hit = found.distance == 0;
+    const double depth = manifold.empty() ? 0 : manifold[0].depth;
+    ++(is_hit ? counts.hits : counts.apart);
+    tests::FclOpinion fcl = tests::ask_fcl(a, pose_a, b, pose_b);
+    if (is_fcl_wrong(kind_a, kind_b)) {
+      const double height = height_above(a, pose_a, *b.as<HalfSpace>(), pose_b);
+      fcl = {height <= 0, std::max(-height, 0.0), std::max(height, 0.0)};
+    }
+    // Of a mesh, a graze of which is not deep, the yes or no is exact, and settled elsewhere.
+    const bool is_mesh = kind_b == ShapeKind::Mesh;
+    const bool is_clear = is_hit ? depth > kFclTouch : found.distance > kFclTouch;
+    counts.hit_differs += is_hit != fcl.is_hit && is_clear;
+    if (is_mesh || is_hit != fcl.is_hit) continue;
+    if (!is_hit && kind_b != ShapeKind::HalfSpace) {
+      counts.distance_differs += std::abs(fcl.distance - found.distance) > kFclDistance;
+    }
+    const bool are_boxes = kind_a == ShapeKind::Box && kind_b == ShapeKind::Box;
+    const double least = are_boxes ? depth / kBoxDepth : depth;
+    counts.fcl_is_less_deep += is_hit && fcl.depth < least - kFclDepth;
+  }
+  return counts;
+}
+
+TEST(FclShapes, AllPairsOfConvexShapesAndHalfSpaces) {
+  RandomSource source(41);
+  for (std::size_t i = 0; i < 7; ++i) {
+    for (std::size_t j = i; j < 8; ++j) {
+      const std::string label =
+          std::string(name_of(kShapeKinds[i])) + "/" + name_of(kShapeKinds[j]);
+      const Counts counts = compare(kShapeKinds[i], kShapeKinds[j], 300, source);
+      EXPECT_GT(counts.hits, 20) << label;
+      EXPECT_GT(counts.apart, 20) << label;
+      EXPECT_EQ(counts.hit_differs, 0) << label;
+      EXPECT_EQ(counts.distance_differs, 0) << label;
+      EXPECT_EQ(counts.fcl_is_less_deep, 0) << label;
+    }
+  }
+}
+
+TEST(FclShapes, MeshesWithConvexShapes) {
+  RandomSource source(42);
+  for (std::size_t i = 0; i < 7; ++i) {
+    const Counts counts = compare(kShapeKinds[i], ShapeKind::Mesh, 100, source);
+    EXPECT_GT(counts.hits, 5) << name_of(kShapeKinds[i]);
+    EXPECT_GT(counts.apart, 5) << name_of(kShapeKinds[i]);
+    EXPECT_EQ(counts.hit_differs, 0) << name_of(kShapeKinds[i]);
+  }
+}
+
+}  // namespace
+}  // namespace graze

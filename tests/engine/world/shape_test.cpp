@@ -1,0 +1,157 @@
+#include <graze/engine/world/shape.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/narrowphase/convex/hull.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using Eigen::Vector3d;
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+template <typename T>
+void expect_refused(const T& value, const std::string& says) {
+  try {
+    const Shape shape(value);
+    ADD_FAILURE() << "taken, but should say: " << says;
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), says);
+  }
+}
+
+TEST(Law10Shape, TheDoorNamesShapeAndMember) {
+  expect_refused(Sphere{{0, kNan, 0}, 1},
+                 "sphere: coordinate y of the centre is not finite or beyond the largest length");
+  expect_refused(Sphere{{0, 0, 0}, 0}, "sphere: the radius is not positive");
+  expect_refused(Sphere{{0, 0, 0}, kInfinity}, "sphere: the radius is not finite");
+  expect_refused(Box{{1, 0, 1}}, "box: half extent y is not positive");
+  expect_refused(Box{{1, 1, -2}}, "box: half extent z is not positive");
+  expect_refused(Capsule{-1, 1}, "capsule: the radius is not positive");
+  expect_refused(Capsule{1, kNan}, "capsule: the half length is not finite");
+  expect_refused(Cylinder{1, 0}, "cylinder: the half height is not positive");
+  expect_refused(Cylinder{1e101, 1}, "cylinder: the radius is beyond the largest length");
+  expect_refused(Cone{1e-101, 1}, "cone: the radius is below the smallest length");
+  expect_refused(Ellipsoid{{0, 0, 0}, {1, kNan, 1}}, "ellipsoid: semi-axis y is not finite");
+  expect_refused(HalfSpace{{0, 0, 0}, 1}, "half-space: the normal is zero");
+  expect_refused(HalfSpace{{0, 0, 1}, kNan},
+                 "half-space: the offset is not finite or beyond the largest length");
+  EXPECT_NO_THROW(Shape(Capsule{1, 0}));
+}
+
+TEST(Law10Shape, HullsWithoutVolumeAreRefused) {
+  const auto refusal = [](std::vector<Vector3d> points) -> std::string {
+    try {
+      const ConvexHull hull(points);
+      return "taken";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal({}), "convex hull: no points");
+  EXPECT_EQ(refusal({{1, 1, 1}, {1, 1, 1}}), "convex hull: no volume, all points are equal");
+  EXPECT_EQ(refusal({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}),
+            "convex hull: no volume, all points lie on a line");
+  EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+            "convex hull: no volume, all points lie in a plane");
+  EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, kNan}}),
+            "convex hull: point 1: coordinate z is not finite or beyond the largest length");
+  EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-300}}), "taken");
+}
+
+TEST(ConvexHull, ACubeOfLatticePointsHasEightCornersAndSixFaces) {
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 125; ++i)
+    points.emplace_back(i % 5, i / 5 % 5, i / 25);
+  const ConvexHull hull(points);
+  EXPECT_EQ(hull.vertex_count(), 8u);
+  EXPECT_EQ(hull.face_count(), 6u);
+  for (const auto& face : hull.data().faces)
+    EXPECT_EQ(face.count, 4u);
+}
+
+TEST(ConvexHull, HoldsItsPointsAndSatisfiesEuler) {
+  RandomSource source(5);
+  for (int n = 0; n < 200; ++n) {
+    std::vector<Vector3d> points;
+    const int count = static_cast<int>(source.integer(5, 60));
+    for (int i = 0; i < count; ++i)
+      points.push_back(n % 2 == 0 ? source.vector(-1, 1) : source.lattice_point(-2, 2));
+    points.insert(points.end(), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    const Shape shape{ConvexHull(points)};
+    for (const Vector3d& p : points)
+      ASSERT_LE(tests::outside_by(shape, Pose::Identity(), p), 1e-14) << n;
+    const narrowphase::Hull& hull = shape.as<ConvexHull>()->data();
+    ASSERT_EQ(hull.corners.size() + hull.faces.size(), hull.loops.size() / 2 + 2) << n;
+  }
+}
+
+TEST(ShapeBounds, OutwardAndTight) {
+  RandomSource source(6);
+  for (int n = 0; n < 2000; ++n) {
+    const ShapeKind kind = kShapeKinds[n % kShapeKinds.size()];
+    if (kind == ShapeKind::HalfSpace) continue;
+    const double size = std::pow(10.0, source.integer(-6, 6));
+    const Shape shape = tests::random_shape(kind, size, source);
+    const Pose pose = tests::random_pose(n % 3 == 0 ? 1e7 : size, source);
+    const Aabb box = bounds_of(shape, pose);
+    const double rounding = 1e-15 * pose.translation().cwiseAbs().maxCoeff() + 1e-14 * size;
+    for (int i = 0; i < 3; ++i) {
+      const double high = tests::reach_along(shape, pose, Vector3d::Unit(i));
+      const double low = -tests::reach_along(shape, pose, -Vector3d::Unit(i));
+      ASSERT_GE(box.max[i], high - rounding) << n;
+      ASSERT_LE(box.min[i], low + rounding) << n;
+      if (kind == ShapeKind::Mesh) continue;
+      ASSERT_LE(box.max[i], high + rounding) << n << name_of(kind);
+      ASSERT_GE(box.min[i], low - rounding) << n << name_of(kind);
+    }
+  }
+}
+
+TEST(ShapeBounds, OutwardToTheLastBit) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Vector3d(0.1, 1e9, -0.3);
+  const Aabb box = bounds_of(Sphere{{0, 0, 0}, 0.1}, pose);
+  // In long double these sums are exact enough to tell the side.
+  for (int i = 0; i < 3; ++i) {
+    const long double t = pose.translation()[i];
+    EXPECT_GE(static_cast<long double>(box.max[i]), t + 0.1L);
+    EXPECT_LE(static_cast<long double>(box.min[i]), t - 0.1L);
+  }
+}
+
+TEST(ShapeBounds, OfHalfSpacesReachToTheLargestDoubles) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Aabb floor = bounds_of(HalfSpace{{0, 0, 2}, 3}, Pose::Identity());
+  EXPECT_GE(floor.max.z(), 1.5);
+  EXPECT_LE(floor.max.z(), 1.5 + 1e-14);
+  EXPECT_EQ(floor.min.z(), -kLargest);
+  EXPECT_EQ(floor.max.x(), kLargest);
+  const Aabb tilted = bounds_of(HalfSpace{{0, 1, 1}, 0}, Pose::Identity());
+  EXPECT_EQ(tilted.max.z(), kLargest);
+  EXPECT_NO_THROW(check_box(tilted, "tilted"));
+}
+
+TEST(Law10Shape, PosesAreChecked) {
+  Pose pose = Pose::Identity();
+  pose.translation().x() = 1e101;
+  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+  pose.translation().x() = kNan;
+  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+  pose = Pose::Identity();
+  pose.linear() *= 1.1;
+  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+}
+
+}  // namespace
+}  // namespace graze
