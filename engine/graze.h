@@ -32,6 +32,7 @@
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/broad_phase.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>

@@ -1,0 +1,176 @@
+#include <graze/bvh/box_set/box_set.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+// From here on refitting the paths of single blocks costs more than refitting all.
+constexpr std::size_t kTouchedShare = 4;
+
+// Crowds that a set without searches for all pairs puts up with before it sorts.
+constexpr std::size_t kFewNewcomers = 256;
+constexpr std::size_t kNewcomerShare = 64;
+constexpr std::size_t kHoleShare = 8;
+
+}  // namespace
+
+std::size_t BoxSet::layer_of(std::uint32_t block) const {
+  std::size_t layer = layers_.size() - 1;
+  while (layers_[layer].first_block > block)
+    --layer;
+  return layer;
+}
+
+OrderedBox BoxSet::box(std::uint32_t owner) const {
+  const std::uint32_t place = place_[owner];
+  return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+}
+
+TreeView BoxSet::view(int layer) const {
+  const Layer& of = layers_[static_cast<std::size_t>(layer)];
+  TreeView tree{};
+  tree.level[0] = high_.data() + of.first_block;
+  for (int level = 1; level <= of.top; ++level)
+    tree.level[level] = of.upper[level].data();
+  tree.low = low_.data() + of.first_block;
+  tree.owner = owner_.data() + std::size_t{of.first_block} * kLanes;
+  tree.top = of.top;
+  return tree;
+}
+
+void BoxSet::touch(std::uint32_t block) {
+  if (all_touched_) return;
+  touched_.push_back(block);
+  all_touched_ = touched_.size() > high_.size() / kTouchedShare + kLanes;
+}
+
+void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
+  if (layers_.empty()) layers_.emplace_back();
+  Layer& last = layers_.back();
+  if (newcomers_ % kLanes == 0) {
+    high_.push_back(empty_block());
+    low_.emplace_back();
+    owner_.resize(owner_.size() + kLanes, kNobody);
+    last.reshape(last.first_block, last.block_count + 1);
+  }
+  const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers_++);
+  if (owner >= place_.size()) place_.resize(owner + std::size_t{1}, kNobody);
+  place_[owner] = place;
+  owner_[place] = owner;
+  set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), box);
+  touch(place >> kLaneBits);
+  ++size_;
+}
+
+void BoxSet::erase(std::uint32_t owner) {
+  const std::uint32_t place = place_[owner];
+  clear_lane(high_[place >> kLaneBits], place & (kLanes - 1));
+  owner_[place] = kNobody;
+  place_[owner] = kNobody;
+  touch(place >> kLaneBits);
+  ++holes_;
+  --size_;
+}
+
+void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
+  const std::uint32_t place = place_[owner];
+  const std::uint32_t block = place >> kLaneBits;
+  const std::size_t number = layer_of(block);
+  if (!all_touched_ && number + 1 != layers_.size()) {
+    // A box that leaves its neighbours for good would make their block span the way between.
+    const Layer& layer = layers_[number];
+    const std::uint32_t here = block - layer.first_block;
+    Block spanned = empty_block();
+    const Block& parent = layer.upper[1][here >> kLaneBits];
+    const std::uint32_t lane = here & (kLanes - 1);
+    for (std::size_t c = 0; c < 3; ++c) {
+      spanned.row[c][0] = std::min(parent.row[c][lane], high_half(box[c]));
+      spanned.row[c + 3][0] = std::max(parent.row[c + 3][lane], high_half(box[c + 3]));
+      spanned.row[c][1] = high_half(box[c]);
+      spanned.row[c + 3][1] = high_half(box[c + 3]);
+    }
+    const double usual = layer.sorted_girth[here] + girth(spanned, 1);
+    if (girth(spanned, 0) > 2 * usual) {
+      erase(owner);
+      insert(owner, box);
+      return;
+    }
+  }
+  set_lane(high_[block], low_[block], place & (kLanes - 1), box);
+  touch(block);
+}
+
+void BoxSet::refit() {
+  if (all_touched_) {
+    inflation_ = 0;
+    for (Layer& layer : layers_) {
+      layer.refit_all(high_.data());
+      const double limit = layer.block_count;
+      for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b) {
+        const double now = girth(layer.upper[1][b >> kLaneBits], b & (kLanes - 1));
+        inflation_ += inflation(now, layer.sorted_girth[b], limit);
+      }
+    }
+    all_touched_ = false;
+    touched_.clear();
+    return;
+  }
+  if (touched_.empty()) return;
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  std::size_t next = 0;
+  for (Layer& layer : layers_) {
+    touched_here_.clear();
+    while (next < touched_.size() && touched_[next] < layer.first_block + layer.block_count)
+      touched_here_.push_back(touched_[next++] - layer.first_block);
+    const auto inflation_here = [&](double sign) {
+      for (const std::uint32_t b : touched_here_) {
+        if (b >= layer.sorted_girth.size()) continue;
+        const double now = girth(layer.upper[1][b >> kLaneBits], b & (kLanes - 1));
+        inflation_ += sign * inflation(now, layer.sorted_girth[b], layer.block_count);
+      }
+    };
+    const std::size_t first = next - touched_here_.size();
+    inflation_here(-1);
+    layer.refit_paths(high_.data(), touched_here_);
+    touched_here_.clear();
+    for (std::size_t i = first; i < next; ++i)
+      touched_here_.push_back(touched_[i] - layer.first_block);
+    inflation_here(1);
+  }
+  touched_.clear();
+}
+
+void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const {
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
+      bvh::find_overlapping(view(layer), box, out);
+  }
+}
+
+void BoxSet::sort_if_crowded() {
+  const double blocks = static_cast<double>(high_.size());
+  if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||
+      holes_ > kFewNewcomers + size_ / kHoleShare || inflation_ > blocks) {
+    sort();
+  }
+}
+
+std::size_t BoxSet::bytes() const {
+  std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
+                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4;
+  for (const Layer& layer : layers_) {
+    for (const std::vector<Block>& level : layer.upper)
+      sum += level.capacity() * sizeof(Block);
+    sum += layer.sorted_girth.capacity() * sizeof(float);
+  }
+  sum += scratch_.items.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
+         scratch_.size_class.capacity() * 4 + scratch_.high.capacity() * sizeof(Block) +
+         scratch_.low.capacity() * sizeof(LowBlock) + scratch_.owner.capacity() * 4;
+  for (const PairBuffer& found : scratch_.found)
+    sum += found.capacity() * sizeof(BoxPair);
+  return sum;
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <graze/bvh/box_set/kd_order.h>
+#include <graze/bvh/box_set/layer.h>
+#include <graze/bvh/box_set/pair_kernels.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Many boxes that move, each known by a number of its owner's, in blocks of 16 under implicit
+/// trees: one tree for each class of sizes, the factor from class to class being 4, and one for
+/// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
+///
+/// After insert(), move(), erase() or set_all() call refit() before finding anything.
+class BoxSet {
+ public:
+  /// `threads` share the work; no result depends on their number.
+  explicit BoxSet(int threads) : threads_(threads) {}
+
+  std::size_t size() const { return size_; }
+  bool contains(std::uint32_t owner) const {
+    return owner < place_.size() && place_[owner] != kNobody;
+  }
+  OrderedBox box(std::uint32_t owner) const;
+  /// All owners so far are below this.
+  std::uint32_t owner_limit() const { return static_cast<std::uint32_t>(place_.size()); }
+
+  void insert(std::uint32_t owner, const OrderedBox& box);
+  void move(std::uint32_t owner, const OrderedBox& box);
+  void erase(std::uint32_t owner);
+
+  /// Moves many: boxes[i] belongs to owners[i], of equal owners the last counts. Checks nothing.
+  void move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
+
+  /// Makes the bounds fit the boxes again. Costs what was touched.
+  void refit();
+
+  /// Puts all boxes into a new order, if the old one has cost more by now than that does.
+  /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.
+  void sort_if_worthwhile();
+  void sort_if_crowded();
+  void sort();
+
+  /// All pairs that overlap, each once, in an order that the history of the set decides.
+  void find_all_pairs(PairBuffer& out);
+
+  /// Appends the owners of all boxes that overlap `box`.
+  void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
+
+  std::uint64_t sorts() const { return sorts_; }
+  std::uint64_t blocks_met() const { return met_; }
+  std::size_t bytes() const;
+  int layer_count() const { return static_cast<int>(layers_.size()); }
+  TreeView view(int layer) const;
+
+ private:
+  struct Scratch {
+    std::vector<KdItem> items;
+    std::vector<std::uint32_t> input;
+    std::vector<std::int32_t> size_class;
+    std::vector<BlockPair> tasks, next_tasks;
+    std::vector<PairBuffer> found;
+    std::vector<std::uint64_t> met;
+    std::vector<Block> high;
+    std::vector<LowBlock> low;
+    std::vector<std::uint32_t> owner;
+  };
+
+  std::size_t layer_of(std::uint32_t block) const;
+  void touch(std::uint32_t block);
+  void list_tasks(std::size_t wanted);
+  void find_in_parallel(PairBuffer& out);
+  double predicted_excess() const;
+  void collect_items();
+  void place_items();
+  void measure_sorted();
+
+  std::vector<Block> high_;
+  std::vector<LowBlock> low_;
+  std::vector<std::uint32_t> owner_;  // by position: 16 times the block plus the lane
+  std::vector<std::uint32_t> place_;  // by owner: the position
+  std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> touched_here_;
+  std::size_t size_ = 0;
+  std::size_t newcomers_ = 0;  // positions of the last layer that are or were taken
+  std::size_t holes_ = 0;
+  bool all_touched_ = false;
+  int threads_;
+
+  std::uint64_t sorts_ = 0;
+  std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs
+  std::uint64_t met_sorted_ = 0;  // the same, in the first search after the last sort
+  double excess_ = 0;             // pairs of blocks met since then beyond that number
+  double inflation_ = 0;          // summed over blocks, kept up by refit() of paths
+  Scratch scratch_;
+};
+
+}  // namespace graze::bvh

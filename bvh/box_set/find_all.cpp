@@ -1,0 +1,116 @@
+// Searches for all pairs, and moves of all boxes: the parts of the box set that share their work
+// among threads.
+
+#include <graze/bvh/box_set/box_set.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+constexpr std::size_t kTasks = 192;       // at least so many, where there are enough blocks
+constexpr std::size_t kChunks = 64;       // of tasks, each with a list of its own
+constexpr std::uint32_t kBlocksPerTask = 64;
+constexpr std::uint32_t kTreeBits = 8;
+
+bool is_leaf(const BlockPair& pair) {
+  return pair.level_a == 0 && pair.level_b == 0;
+}
+
+}  // namespace
+
+/// The search as pairs of blocks, in an order that no number of threads changes.
+void BoxSet::list_tasks(std::size_t wanted) {
+  std::vector<BlockPair>& tasks = scratch_.tasks;
+  tasks.clear();
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    for (std::size_t j = i; j < layers_.size(); ++j) {
+      if (layers_[i].block_count == 0 || layers_[j].block_count == 0) continue;
+      tasks.push_back({0, 0, static_cast<std::uint8_t>(layers_[i].top - 1),
+                       static_cast<std::uint8_t>(layers_[j].top - 1),
+                       static_cast<std::uint16_t>(i << kTreeBits | j)});
+    }
+  }
+  while (tasks.size() < wanted && !std::all_of(tasks.begin(), tasks.end(), is_leaf)) {
+    scratch_.next_tasks.clear();
+    for (const BlockPair& task : tasks) {
+      if (is_leaf(task)) {
+        scratch_.next_tasks.push_back(task);
+      } else {
+        split_pair(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
+                   scratch_.next_tasks);
+      }
+    }
+    tasks.swap(scratch_.next_tasks);
+  }
+}
+
+void BoxSet::find_in_parallel(PairBuffer& out) {
+  const std::vector<BlockPair>& tasks = scratch_.tasks;
+  scratch_.found.resize(kChunks);
+  scratch_.met.assign(kChunks, 0);
+  tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t chunk) {
+    PairBuffer& found = scratch_.found[chunk];
+    found.clear();
+    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks; ++i) {
+      scratch_.met[chunk] += find_pairs(view(tasks[i].trees >> kTreeBits),
+                                        view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
+    }
+  });
+  std::size_t starts[kChunks + 1] = {};
+  for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
+    starts[chunk + 1] = starts[chunk] + scratch_.found[chunk].size();
+    met_ += scratch_.met[chunk];
+  }
+  out.resize(starts[kChunks]);
+  tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t chunk) {
+    const PairBuffer& found = scratch_.found[chunk];
+    std::copy_n(found.data(), found.size(), out.data() + starts[chunk]);
+  });
+}
+
+void BoxSet::find_all_pairs(PairBuffer& out) {
+  out.clear();
+  met_ = 0;
+  list_tasks(kTasks);
+  if (threads_ == 1) {
+    for (const BlockPair& task : scratch_.tasks) {
+      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
+                         out);
+    }
+  } else {
+    tbb::task_arena(threads_).execute([&] { find_in_parallel(out); });
+  }
+  if (met_sorted_ == 0 && sorts_ != 0) met_sorted_ = met_;
+  if (met_ > met_sorted_) excess_ += static_cast<double>(met_ - met_sorted_);
+}
+
+void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
+  std::vector<std::uint32_t>& input = scratch_.input;
+  input.assign(owner_.size(), kNobody);
+  for (std::size_t i = 0; i < owners.size(); ++i)
+    input[place_[owners[i]]] = static_cast<std::uint32_t>(i);
+  const auto fill = [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t block = first; block < last; ++block) {
+      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        const std::uint32_t i = input[block * kLanes + lane];
+        if (i != kNobody) set_lane(high_[block], low_[block], lane, ordered_box(boxes[i]));
+      }
+    }
+  };
+  const auto blocks = static_cast<std::uint32_t>(high_.size());
+  if (threads_ == 1) {
+    fill(0, blocks);
+  } else {
+    tbb::task_arena(threads_).execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, blocks, kBlocksPerTask),
+                        [&](const auto& range) { fill(range.begin(), range.end()); });
+    });
+  }
+  all_touched_ = true;
+}
+
+}  // namespace graze::bvh
