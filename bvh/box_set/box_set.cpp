@@ -13,6 +13,13 @@ constexpr std::size_t kFewNewcomers = 256;
 constexpr std::size_t kNewcomerShare = 64;
 constexpr std::size_t kHoleShare = 8;
 
+// A block is looked at for strays when its girth has grown by this factor, unless one block in so
+// many has; a box is one if the block without it has at most this share of its girth.
+constexpr double kStretched = 2;
+constexpr std::size_t kFewStretched = 4;
+constexpr std::size_t kStretchedShare = 32;
+constexpr double kWorthMoving = 0.75;
+
 }  // namespace
 
 std::size_t BoxSet::layer_of(std::uint32_t block) const {
@@ -103,43 +110,100 @@ void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
 
 void BoxSet::refit() {
   if (all_touched_) {
-    inflation_ = 0;
-    for (Layer& layer : layers_) {
-      layer.refit_all(high_.data());
-      const double limit = layer.block_count;
-      for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b) {
-        const double now = girth(layer.upper[1][b >> kLaneBits], b & (kLanes - 1));
-        inflation_ += inflation(now, layer.sorted_girth[b], limit);
-      }
-    }
     all_touched_ = false;
     touched_.clear();
-    return;
+    refit_every_layer();
+    move_strays();
   }
+  refit_touched();
+}
+
+void BoxSet::refit_every_layer() {
+  inflation_ = 0;
+  for (Layer& layer : layers_) {
+    layer.refit_all(high_.data());
+    const double limit = layer.block_count;
+    for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b)
+      inflation_ += inflation(layer.girth_of(b), layer.sorted_girth[b], limit);
+  }
+}
+
+void BoxSet::refit_touched() {
   if (touched_.empty()) return;
   std::sort(touched_.begin(), touched_.end());
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   std::size_t next = 0;
   for (Layer& layer : layers_) {
-    touched_here_.clear();
+    const std::size_t first = next;
     while (next < touched_.size() && touched_[next] < layer.first_block + layer.block_count)
-      touched_here_.push_back(touched_[next++] - layer.first_block);
-    const auto inflation_here = [&](double sign) {
-      for (const std::uint32_t b : touched_here_) {
-        if (b >= layer.sorted_girth.size()) continue;
-        const double now = girth(layer.upper[1][b >> kLaneBits], b & (kLanes - 1));
-        inflation_ += sign * inflation(now, layer.sorted_girth[b], layer.block_count);
-      }
-    };
-    const std::size_t first = next - touched_here_.size();
-    inflation_here(-1);
-    layer.refit_paths(high_.data(), touched_here_);
+      ++next;
     touched_here_.clear();
     for (std::size_t i = first; i < next; ++i)
       touched_here_.push_back(touched_[i] - layer.first_block);
-    inflation_here(1);
+    const auto count_inflation = [&](double sign) {
+      for (std::size_t i = first; i < next; ++i) {
+        const std::uint32_t b = touched_[i] - layer.first_block;
+        if (b < layer.sorted_girth.size())
+          inflation_ += sign * inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+      }
+    };
+    count_inflation(-1);
+    layer.refit_paths(high_.data(), touched_here_);
+    count_inflation(1);
   }
   touched_.clear();
+}
+
+/// Finds blocks that single boxes have stretched by leaving their neighbours, and moves those boxes
+/// to the last layer; not if there are many such blocks, which a sort will see to.
+void BoxSet::move_strays() {
+  std::vector<BlockPair>& stretched = scratch_.tasks;  // a: the block, trees: its layer
+  stretched.clear();
+  for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
+    const Layer& layer = layers_[l];
+    for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b) {
+      if (layer.girth_of(b) > kStretched * layer.sorted_girth[b])
+        stretched.push_back({b, 0, 0, 0, static_cast<std::uint16_t>(l)});
+    }
+  }
+  if (stretched.size() > kFewStretched + high_.size() / kStretchedShare) return;
+  for (const BlockPair& of : stretched) {
+    while (move_stray(of.trees, of.a)) {
+    }
+  }
+}
+
+/// Moves the box without which the block shrinks most, if that is worth it.
+bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
+  const std::uint32_t block = layers_[l].first_block + b;
+  Block around = empty_block();  // lane i: the bounds of all lanes but i
+  Block all = empty_block();
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t low = high_[block].row[c][lane], high = high_[block].row[c + 3][lane];
+      for (std::uint32_t i = 0; i < kLanes; ++i) {
+        Block& to = i == lane ? all : around;
+        to.row[c][i] = std::min(to.row[c][i], low);
+        to.row[c + 3][i] = std::max(to.row[c + 3][i], high);
+      }
+    }
+  }
+  Block whole = empty_block();
+  for (int c = 0; c < 3; ++c) {
+    whole.row[c][0] = *std::min_element(all.row[c], all.row[c] + kLanes);
+    whole.row[c + 3][0] = *std::max_element(all.row[c + 3], all.row[c + 3] + kLanes);
+  }
+  std::uint32_t best = 0;
+  for (std::uint32_t lane = 1; lane < kLanes; ++lane) {
+    if (girth(around, lane) < girth(around, best)) best = lane;
+  }
+  const double now = girth(whole, 0);
+  if (now <= kStretched * layers_[l].sorted_girth[b] || girth(around, best) > kWorthMoving * now) return false;
+  const std::uint32_t owner = owner_[block * kLanes + best];
+  const OrderedBox box = this->box(owner);
+  erase(owner);
+  insert(owner, box);
+  return true;
 }
 
 void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const {
@@ -154,6 +218,8 @@ void BoxSet::sort_if_crowded() {
   if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||
       holes_ > kFewNewcomers + size_ / kHoleShare || inflation_ > blocks) {
     sort();
+  } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {
+    sort_newcomers();
   }
 }
 

@@ -64,6 +64,7 @@ class BoxSet {
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
+    std::vector<OrderedBox> boxes;
     std::vector<Block> high;
     std::vector<LowBlock> low;
     std::vector<std::uint32_t> owner;
@@ -74,6 +75,11 @@ class BoxSet {
   void list_tasks(std::size_t wanted);
   void find_in_parallel(PairBuffer& out);
   double predicted_excess() const;
+  void refit_every_layer();
+  void refit_touched();
+  void move_strays();
+  bool move_stray(std::size_t layer, std::uint32_t block);
+  void sort_newcomers();
   void collect_items();
   void place_items();
   void measure_sorted();
@@ -87,6 +93,7 @@ class BoxSet {
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
   std::size_t newcomers_ = 0;  // positions of the last layer that are or were taken
+  std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
   bool all_touched_ = false;
   int threads_;

@@ -15,6 +15,7 @@ constexpr std::size_t kTasks = 192;       // at least so many, where there are e
 constexpr std::size_t kChunks = 64;       // of tasks, each with a list of its own
 constexpr std::uint32_t kBlocksPerTask = 64;
 constexpr std::uint32_t kTreeBits = 8;
+constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
 
 bool is_leaf(const BlockPair& pair) {
   return pair.level_a == 0 && pair.level_b == 0;
@@ -94,8 +95,15 @@ void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aa
   for (std::size_t i = 0; i < owners.size(); ++i)
     input[place_[owners[i]]] = static_cast<std::uint32_t>(i);
   const auto fill = [&](std::uint32_t first, std::uint32_t last) {
+    const std::size_t end = std::size_t{last} * kLanes;
     for (std::uint32_t block = first; block < last; ++block) {
       for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        // The boxes come in an order of their own: without this every one is waited for.
+        const std::uint32_t later = input[std::min<std::size_t>(block * kLanes + lane + kAhead, end - 1)];
+        if (later != kNobody) {
+          __builtin_prefetch(boxes[later].min.data());
+          __builtin_prefetch(boxes[later].max.data() + 2);
+        }
         const std::uint32_t i = input[block * kLanes + lane];
         if (i != kNobody) set_lane(high_[block], low_[block], lane, ordered_box(boxes[i]));
       }

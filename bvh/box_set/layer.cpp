@@ -71,6 +71,10 @@ void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched)
   touched.clear();
 }
 
+double Layer::girth_of(std::uint32_t block) const {
+  return girth(upper[1][block >> kLaneBits], block & (kLanes - 1));
+}
+
 double girth(const Block& block, std::uint32_t lane) {
   if (block.row[0][lane] > block.row[3][lane]) return 0;
   double sum = 0;

@@ -21,6 +21,9 @@ struct Layer {
   /// Makes the levels fit `count` blocks from `first` on; new lanes are empty.
   void reshape(std::uint32_t first, std::uint32_t count);
 
+  /// girth() of all boxes of a block, as of the last refit.
+  double girth_of(std::uint32_t block) const;
+
   /// Bounds of all blocks on all levels.
   void refit_all(const Block* boxes);
 

@@ -87,52 +87,144 @@ HWY_INLINE Spread bounds(const TreeView& tree, int level, std::uint32_t block) {
   return Spread(tree.level[level + 1][block >> kLaneBits], block & (kLanes - 1));
 }
 
-/// Block i of this side of a pair of trees.
-struct Side {
-  const Block* high;
-  const LowBlock* low;
-  const std::uint32_t* owner;
-  HWY_INLINE Side(const TreeView& tree, std::uint32_t block)
-      : high(tree.level[0] + block), low(tree.low + block), owner(tree.owner + block * kLanes) {}
+/// Pairs of blocks of boxes, met a batch at a time. Each stage runs over plain queues, because what a
+/// pair of blocks holds cannot be foreseen: a branch on it costs more than comparing in vain.
+class LeafBatch {
+ public:
+  HWY_INLINE LeafBatch(const TreeView& a, const TreeView& b, PairBuffer& out)
+      : tree_{&a, &b}, out_(out) {}
+
+  HWY_INLINE void add(std::uint32_t a, std::uint32_t b) {
+    pairs_[pair_count_++] = {a, b};
+    if (pair_count_ == kPairs) flush();
+  }
+
+  HWY_NOINLINE void flush() {
+    row_count_ = 0;
+    for (std::size_t i = 0; i < pair_count_; ++i) {
+      prefetch(pairs_[std::min(i + kAhead, pair_count_ - 1)]);
+      list_rows(pairs_[i]);
+    }
+    met_ += pair_count_;
+    pair_count_ = 0;
+    find_hits();
+    emit();
+  }
+
+  std::uint64_t met() const { return met_; }
+
+ private:
+  static constexpr std::size_t kPairs = 128;
+  static constexpr std::size_t kAhead = 4;
+
+  struct LeafPair {
+    std::uint32_t block[2];
+  };
+  /// A box of one block, and lanes of the other block that it may overlap.
+  struct Row {
+    std::uint32_t block;
+    std::uint32_t columns;
+    std::uint16_t mask;
+    std::uint8_t lane;
+    std::uint8_t side;  // 0: the box is in tree a
+  };
+
+  HWY_INLINE const Block& high(int side, std::uint32_t block) const {
+    return tree_[side]->level[0][block];
+  }
+
+  HWY_INLINE void prefetch(const LeafPair& pair) const {
+    for (int side = 0; side < 2; ++side) {
+      for (const auto& row : high(side, pair.block[side]).row)
+        __builtin_prefetch(row);
+      __builtin_prefetch(tree_[side]->owner + pair.block[side] * kLanes);
+    }
+  }
+
+  /// Which boxes of the block with fewer of them reach the other block; all, within one block.
+  HWY_INLINE void list_rows(const LeafPair& pair) {
+    const Block& a = high(0, pair.block[0]);
+    const Block& b = high(1, pair.block[1]);
+    if (&a == &b) {
+      const std::uint32_t taken = near_lanes(a, bounds(*tree_[0], 0, pair.block[0]));
+      for (std::uint32_t i = 0; i + 1 < kLanes; ++i) {
+        rows_[row_count_++] = {pair.block[0], pair.block[0],
+                               static_cast<std::uint16_t>(taken & (0xfffeu << i)),
+                               static_cast<std::uint8_t>(i), 0};
+      }
+      return;
+    }
+    const std::uint32_t mask_a = near_lanes(a, bounds(*tree_[1], 0, pair.block[1]));
+    const std::uint32_t mask_b = near_lanes(b, bounds(*tree_[0], 0, pair.block[0]));
+    const auto side = static_cast<std::uint8_t>(std::popcount(mask_a) > std::popcount(mask_b));
+    std::uint32_t lanes = side == 0 ? mask_a : mask_b;
+    Row row = {pair.block[side], pair.block[1 - side], static_cast<std::uint16_t>(side == 0 ? mask_b : mask_a), 0, side};
+    // Four are written whether they are there or not.
+    const std::size_t count = static_cast<std::size_t>(std::popcount(lanes));
+    std::size_t end = row_count_;
+    for (int i = 0; i < 4; ++i, lanes &= lanes - 1) {
+      row.lane = static_cast<std::uint8_t>(std::countr_zero(lanes));
+      rows_[end++] = row;
+    }
+    for (; HWY_UNLIKELY(lanes != 0); lanes &= lanes - 1) {
+      row.lane = static_cast<std::uint8_t>(std::countr_zero(lanes));
+      rows_[end++] = row;
+    }
+    row_count_ += count;
+  }
+
+  /// Keeps the rows that overlap anything, exactly.
+  HWY_INLINE void find_hits() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < row_count_; ++i) {
+      Row row = rows_[i];
+      const Block& columns = high(1 - row.side, row.columns);
+      const Spread box(high(row.side, row.block), row.lane);
+      std::uint32_t hits = near_lanes(columns, box) & row.mask;
+      const std::uint32_t unsure = hits & ~sure_lanes(columns, box);
+      if (HWY_UNLIKELY(unsure != 0)) {
+        const LowBlock* low[2] = {tree_[0]->low, tree_[1]->low};
+        hits &= ~unsure;
+        hits |= settle(columns, low[1 - row.side][row.columns],
+                       lane_box(high(row.side, row.block), low[row.side][row.block], row.lane), unsure);
+      }
+      row.mask = static_cast<std::uint16_t>(hits);
+      rows_[kept] = row;
+      kept += hits != 0;
+    }
+    row_count_ = kept;
+  }
+
+  HWY_INLINE void emit() {
+    BoxPair* end = out_.room_for(row_count_ * kLanes + 2);
+    for (std::size_t i = 0; i < row_count_; ++i) {
+      const Row& row = rows_[i];
+      const std::uint32_t mine = tree_[row.side]->owner[row.block * kLanes + row.lane];
+      const std::uint32_t* others = tree_[1 - row.side]->owner + row.columns * kLanes;
+      std::uint32_t hits = row.mask;
+      // Two are written whether they are there or not.
+      const std::uint32_t first = others[std::countr_zero(hits)];
+      const std::uint32_t second = others[std::countr_zero((hits & (hits - 1)) | 0x8000u)];
+      end[0] = {std::min(mine, first), std::max(mine, first)};
+      end[1] = {std::min(mine, second), std::max(mine, second)};
+      hits &= hits - 1;
+      end += 1 + (hits != 0);
+      for (hits &= hits - 1; HWY_UNLIKELY(hits != 0); hits &= hits - 1) {
+        const std::uint32_t other = others[std::countr_zero(hits)];
+        *end++ = {std::min(mine, other), std::max(mine, other)};
+      }
+    }
+    out_.set_end(end);
+  }
+
+  const TreeView* tree_[2];
+  PairBuffer& out_;
+  std::size_t pair_count_ = 0;
+  std::size_t row_count_ = 0;
+  std::uint64_t met_ = 0;
+  LeafPair pairs_[kPairs];
+  Row rows_[kPairs * kLanes + 4];
 };
-
-/// For each lane of `rows` in the mask the lanes among `columns` of the other side that it
-/// overlaps, where the pair `is_within` one block only those after itself.
-HWY_INLINE void meet(const Side& rows, std::uint32_t row_mask, const Side& columns,
-                     std::uint32_t column_mask, std::uint32_t within, PairBuffer& out) {
-  BoxPair* end = out.room_for(kLanes * kLanes);
-  for (; row_mask != 0; row_mask &= row_mask - 1) {
-    const auto i = static_cast<std::uint32_t>(std::countr_zero(row_mask));
-    const Spread box(*rows.high, i);
-    const std::uint32_t mask = column_mask & ~(within & ((2u << i) - 1));
-    std::uint32_t hits = near_lanes(*columns.high, box) & mask;
-    if (hits == 0) continue;
-    const std::uint32_t sure = hits & sure_lanes(*columns.high, box);
-    if (sure != hits) {
-      hits = sure | settle(*columns.high, *columns.low, lane_box(*rows.high, *rows.low, i), hits & ~sure);
-    }
-    const std::uint32_t mine = rows.owner[i];
-    for (; hits != 0; hits &= hits - 1) {
-      const std::uint32_t other = columns.owner[std::countr_zero(hits)];
-      *end++ = {std::min(mine, other), std::max(mine, other)};
-    }
-  }
-  out.set_end(end);
-}
-
-HWY_INLINE void meet_leaves(const TreeView& a, const TreeView& b, BlockPair pair, PairBuffer& out) {
-  const Side side_a(a, pair.a);
-  const Side side_b(b, pair.b);
-  if (side_a.high == side_b.high) {
-    meet(side_a, 0xffff, side_a, 0xffff, 0xffff, out);
-    return;
-  }
-  const std::uint32_t mask_a = near_lanes(*side_a.high, bounds(b, 0, pair.b));
-  const std::uint32_t mask_b = near_lanes(*side_b.high, bounds(a, 0, pair.a));
-  const bool a_has_fewer = std::popcount(mask_a) <= std::popcount(mask_b);
-  meet(a_has_fewer ? side_a : side_b, a_has_fewer ? mask_a : mask_b,
-       a_has_fewer ? side_b : side_a, a_has_fewer ? mask_b : mask_a, 0, out);
-}
 
 /// Hands the pairs of blocks one step down from `pair` to `push`. Of blocks on different levels the
 /// higher one is opened.
@@ -173,20 +265,23 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
 }
 
 std::uint64_t find_pairs(const TreeView& a, const TreeView& b, BlockPair start, PairBuffer& out) {
+  LeafBatch leaves(a, b, out);
+  if (start.level_a == 0 && start.level_b == 0) leaves.add(start.a, start.b);
   BlockPair stack[kStackSize];
   BlockPair* end = stack;
-  *end++ = start;
-  std::uint64_t met = 0;
+  if (start.level_a != 0 || start.level_b != 0) *end++ = start;
   while (end != stack) {
     const BlockPair pair = *--end;
-    if (pair.level_a == 0 && pair.level_b == 0) {
-      ++met;
-      meet_leaves(a, b, pair, out);
-      continue;
-    }
-    open(a, b, pair, [&](const BlockPair& next) { *end++ = next; });
+    open(a, b, pair, [&](const BlockPair& next) {
+      if (next.level_a == 0 && next.level_b == 0) {
+        leaves.add(next.a, next.b);
+      } else {
+        *end++ = next;
+      }
+    });
   }
-  return met;
+  leaves.flush();
+  return leaves.met();
 }
 
 void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out) {

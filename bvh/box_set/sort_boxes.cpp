@@ -11,7 +11,7 @@ namespace graze::bvh {
 namespace {
 
 // What sorting costs, in pairs of blocks that a search could have met instead, per block.
-constexpr double kSortCost = 64;
+constexpr double kSortCost = 40;
 
 constexpr std::size_t kMostLayers = 24;
 
@@ -34,29 +34,33 @@ float centre(std::int64_t low, std::int64_t high, double origin) {
 
 double BoxSet::predicted_excess() const {
   const double blocks = static_cast<double>(high_.size());
-  const double new_blocks = static_cast<double>(newcomers_ / kLanes);
-  return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks) + 0.5 * new_blocks * blocks;
+  if (sorts_ == 0) return 0.5 * blocks * blocks;
+  return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
 }
 
 void BoxSet::sort_if_worthwhile() {
   const double cost = kSortCost * static_cast<double>(high_.size());
-  if (excess_ + predicted_excess() > cost || holes_ > kLanes + size_ / 8) sort();
+  if (excess_ + predicted_excess() > cost || holes_ > kLanes + size_ / 8) {
+    sort();
+  } else if (newcomers_ > sorted_newcomers_) {
+    sort_newcomers();
+  }
 }
 
 /// Lists the boxes class by class, and makes a layer for each class.
 void BoxSet::collect_items() {
   std::vector<KdItem>& items = scratch_.items;
   std::vector<std::int32_t>& classes = scratch_.size_class;
-  classes.assign(place_.size(), 0);
+  classes.resize(owner_.size());
   constexpr int kClasses = 1024, kShift = 512;
   std::vector<std::uint32_t> count(kClasses + 1);
   double origin[3] = {0, 0, 0};
   bool is_first = true;
-  for (std::uint32_t owner = 0; owner < place_.size(); ++owner) {
-    if (place_[owner] == kNobody) continue;
-    const OrderedBox of = box(owner);
-    classes[owner] = size_class(of) + kShift;
-    ++count[static_cast<std::size_t>(classes[owner])];
+  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    classes[place] = size_class(of) + kShift;
+    ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
       origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
     is_first = false;
@@ -76,13 +80,13 @@ void BoxSet::collect_items() {
   start.push_back(sum);
   items.resize(size_);
   std::vector<std::uint32_t> next(start.begin(), start.end());
-  for (std::uint32_t owner = 0; owner < place_.size(); ++owner) {
-    if (place_[owner] == kNobody) continue;
-    const OrderedBox of = box(owner);
-    KdItem& item = items[next[static_cast<std::size_t>(layer_of_class[static_cast<std::size_t>(classes[owner])])]++];
+  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    KdItem& item = items[next[static_cast<std::size_t>(layer_of_class[static_cast<std::size_t>(classes[place])])]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
-    item.owner = owner;
+    item.owner = owner_[place];
   }
   layers_.resize(start.size());
   std::uint32_t block = 0;
@@ -132,8 +136,44 @@ void BoxSet::measure_sorted() {
     if (layer.block_count == 0) continue;
     layer.refit_all(high_.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
-      layer.sorted_girth.push_back(static_cast<float>(girth(layer.upper[1][b >> kLaneBits], b & (kLanes - 1))));
+      layer.sorted_girth.push_back(static_cast<float>(layer.girth_of(b)));
   }
+}
+
+/// Puts the boxes that came since the last sort in order among themselves.
+void BoxSet::sort_newcomers() {
+  Layer& last = layers_.back();
+  std::vector<KdItem>& items = scratch_.items;
+  std::vector<OrderedBox>& boxes = scratch_.boxes;
+  items.clear();
+  const std::uint32_t first = last.first_block * kLanes;
+  for (std::uint32_t place = first; place < first + newcomers_; ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = box(owner_[place]);
+    items.push_back({{}, owner_[place]});
+    for (std::size_t c = 0; c < 3; ++c)
+      items.back().centre[c] = centre(of[c], of[c + 3], 0);
+  }
+  kd_order(items);
+  boxes.clear();
+  for (const KdItem& item : items)
+    boxes.push_back(box(item.owner));
+  holes_ -= newcomers_ - items.size();
+  newcomers_ = sorted_newcomers_ = items.size();
+  const auto blocks = static_cast<std::uint32_t>((newcomers_ + kLanes - 1) / kLanes);
+  high_.resize(last.first_block);
+  high_.resize(last.first_block + blocks, empty_block());
+  low_.resize(last.first_block + blocks);
+  owner_.resize(first);
+  owner_.resize(first + blocks * kLanes, kNobody);
+  last.reshape(last.first_block, blocks);
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    const std::uint32_t place = first + i;
+    set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), boxes[i]);
+    owner_[place] = items[i].owner;
+    place_[items[i].owner] = place;
+  }
+  if (blocks != 0) last.refit_all(high_.data());
 }
 
 void BoxSet::sort() {
@@ -145,7 +185,7 @@ void BoxSet::sort() {
   });
   place_items();
   measure_sorted();
-  newcomers_ = holes_ = 0;
+  newcomers_ = sorted_newcomers_ = holes_ = 0;
   all_touched_ = false;
   touched_.clear();
   met_sorted_ = 0;

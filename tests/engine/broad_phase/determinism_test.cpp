@@ -89,9 +89,9 @@ struct Golden {
 };
 
 constexpr Golden kGolden[] = {
-    {Habitat::Uniform, 7592609919676425895u, 6247608111659979354u},
-    {Habitat::Far, 7080151976843791583u, 15497133138417783065u},
-    {Habitat::Sizes, 2406683564027944886u, 4635039447768114159u},
+    {Habitat::Uniform, 10736579620082358911u, 6247608111659979354u},
+    {Habitat::Far, 3470426230762277747u, 15497133138417783065u},
+    {Habitat::Sizes, 13736097342854926506u, 4635039447768114159u},
 };
 
 class BroadPhaseDeterminism : public testing::TestWithParam<Golden> {};
