@@ -34,6 +34,13 @@ OrderedBox BoxSet::box(std::uint32_t owner) const {
   return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
 }
 
+void BoxSet::prefetch(std::uint32_t place) const {
+  for (int c = 0; c < 6; ++c) {
+    __builtin_prefetch(high_[place >> kLaneBits].row[c]);
+    __builtin_prefetch(low_[place >> kLaneBits].row[c]);
+  }
+}
+
 TreeView BoxSet::view(int layer) const {
   const Layer& of = layers_[static_cast<std::size_t>(layer)];
   TreeView tree{};
@@ -210,6 +217,14 @@ void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>&
   for (int layer = 0; layer < layer_count(); ++layer) {
     if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
       bvh::find_overlapping(view(layer), box, out);
+  }
+}
+
+void BoxSet::find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+                                     std::vector<MoverHit>& out) const {
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
+      bvh::find_overlapping_either(view(layer), before, after, out);
   }
 }
 

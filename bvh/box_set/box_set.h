@@ -25,6 +25,11 @@ class BoxSet {
     return owner < place_.size() && place_[owner] != kNobody;
   }
   OrderedBox box(std::uint32_t owner) const;
+  /// Near boxes have near places. kNobody for an owner without a box.
+  std::uint32_t place(std::uint32_t owner) const {
+    return owner < place_.size() ? place_[owner] : kNobody;
+  }
+  void prefetch(std::uint32_t place) const;
   /// All owners so far are below this.
   std::uint32_t owner_limit() const { return static_cast<std::uint32_t>(place_.size()); }
 
@@ -49,6 +54,10 @@ class BoxSet {
 
   /// Appends the owners of all boxes that overlap `box`.
   void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
+
+  /// Appends what overlaps a mover where it was or where it is.
+  void find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+                               std::vector<MoverHit>& out) const;
 
   std::uint64_t sorts() const { return sorts_; }
   std::uint64_t blocks_met() const { return met_; }

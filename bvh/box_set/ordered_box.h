@@ -62,6 +62,11 @@ static inline Aabb box_of_keys(const OrderedBox& keys) {
   return box;
 }
 
+/// What overlaps nothing.
+static inline OrderedBox no_box() {
+  return {INT64_MAX, INT64_MAX, INT64_MAX, INT64_MIN, INT64_MIN, INT64_MIN};
+}
+
 /// True exactly when the closed boxes share a point.
 static inline bool overlap(const OrderedBox& a, const OrderedBox& b) {
   bool is_overlapping = true;

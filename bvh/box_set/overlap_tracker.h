@@ -13,8 +13,8 @@ namespace graze::bvh {
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
 /// With few changes the list is edited: a box that changed is looked up where it was and where it
-/// is, and the difference of the two answers is what began and what ended. With many, all pairs are
-/// searched anew, and what changed is worked out if somebody asks.
+/// is. The difference is what began and what ended. With many changes all pairs are searched anew, and
+/// what changed is worked out if somebody asks.
 class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
@@ -41,15 +41,19 @@ class OverlapTracker {
 
  private:
   struct Mover {
-    std::uint32_t change;     // which entry of the changes
-    std::size_t partners[4];  // [0, 1) before, [2, 3) after
+    std::uint32_t place;        // where the box lies in the set: neighbours are looked up together
+    std::uint32_t change;       // which entry of the changes
+    std::uint32_t partners[4];  // [0] to [1] before, [2] to [3] after
   };
 
   void apply(const BoxChanges& changes);
   void search_all(BoxChanges& changes);
   void search_movers(const BoxChanges& changes);
+  void compare_lookups(const BoxChanges& changes);
+  void compare_at_once(const BoxChanges& changes);
+  void end_pairs_of_movers();
   void list_movers(const BoxChanges& changes);
-  void list_partners(std::uint32_t owner, Mover& mover, int when);
+  void list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover, int when);
   void note_difference(std::uint32_t owner, const Mover& mover);
   void work_out_difference();
 
@@ -67,6 +71,8 @@ class OverlapTracker {
   std::vector<std::uint32_t> partners_;
   std::vector<Mover> movers_;
   std::vector<std::uint8_t> is_mover_;  // by owner
+  std::vector<OrderedBox> boxes_before_;  // by mover
+  std::vector<MoverHit> hits_;
   std::uint64_t searches_for_all_ = 0;
   std::uint64_t searches_for_movers_ = 0;
 };

@@ -25,14 +25,16 @@ class PairIndex {
   /// The last of the list takes the place of the pair, which must be in it.
   void remove(PairBuffer& list, BoxPair pair);
 
-  bool contains(const PairBuffer& list, BoxPair pair) const {
-    return entries_[find(list, pair)] != kFree;
+  /// Where in the list the pair is, kNowhere if it is not.
+  std::uint32_t position(const PairBuffer& list, BoxPair pair) const {
+    return entries_[find(list, pair)];
   }
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
   std::size_t bytes() const { return entries_.capacity() * sizeof(std::uint32_t); }
 
  private:
-  static constexpr std::uint32_t kFree = 0xffffffffu;
+  static constexpr std::uint32_t kFree = kNowhere;
 
   std::size_t home(BoxPair pair) const;
   std::size_t find(const PairBuffer& list, BoxPair pair) const;

@@ -303,8 +303,10 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
     std::uint32_t hits = near_lanes(block, high);
     if (entry.level != 0) {
       for (; hits != 0; hits &= hits - 1) {
-        *end++ = {entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits)),
-                  entry.level - 1};
+        const std::uint32_t next = entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+        for (const auto& row : tree.level[entry.level - 1][next].row)
+          __builtin_prefetch(row);
+        *end++ = {next, entry.level - 1};
       }
       continue;
     }
@@ -313,6 +315,47 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
     if (sure != hits) hits = sure | settle(block, tree.low[entry.block], box, hits & ~sure);
     for (; hits != 0; hits &= hits - 1)
       out.push_back(tree.owner[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
+  }
+}
+
+HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low, const Spread& high,
+                                     const OrderedBox& box) {
+  const std::uint32_t near = near_lanes(block, high);
+  const std::uint32_t unsure = near & ~sure_lanes(block, high);
+  return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | settle(block, low, box, unsure) : near;
+}
+
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
+                             std::vector<MoverHit>& out) {
+  OrderedBox both;
+  for (std::size_t c = 0; c < 3; ++c) {
+    both[c] = std::min(before[c], after[c]);
+    both[c + 3] = std::max(before[c + 3], after[c + 3]);
+  }
+  const Spread high(both), high_before(before), high_after(after);
+  std::uint32_t blocks[kMaxLevels * kLanes], levels[kMaxLevels * kLanes];
+  std::size_t end = 1;
+  blocks[0] = 0, levels[0] = static_cast<std::uint32_t>(tree.top);
+  while (end != 0) {
+    --end;
+    const std::uint32_t level = levels[end], at = blocks[end];
+    const Block& block = tree.level[level][at];
+    if (level != 0) {
+      for (std::uint32_t hits = near_lanes(block, high); hits != 0; hits &= hits - 1) {
+        const std::uint32_t next = at * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+        for (const auto& row : tree.level[level - 1][next].row)
+          __builtin_prefetch(row);
+        blocks[end] = next, levels[end++] = level - 1;
+      }
+      continue;
+    }
+    const std::uint32_t was = exact_lanes(block, tree.low[at], high_before, before);
+    const std::uint32_t is = exact_lanes(block, tree.low[at], high_after, after);
+    for (std::uint32_t hits = was | is; hits != 0; hits &= hits - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
+      out.push_back({tree.owner[at * kLanes + lane], static_cast<std::uint16_t>(was >> lane & 1),
+                     static_cast<std::uint16_t>(is >> lane & 1)});
+    }
   }
 }
 
@@ -352,6 +395,7 @@ namespace graze::bvh {
 HWY_EXPORT(find_pairs);
 HWY_EXPORT(split_pair);
 HWY_EXPORT(find_overlapping);
+HWY_EXPORT(find_overlapping_either);
 HWY_EXPORT(refit_blocks);
 
 std::uint64_t find_pairs(const TreeView& a, const TreeView& b, BlockPair start, PairBuffer& out) {
@@ -364,6 +408,11 @@ void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vect
 
 void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out) {
   HWY_DYNAMIC_DISPATCH(find_overlapping)(tree, box, out);
+}
+
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
+                             std::vector<MoverHit>& out) {
+  HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, out);
 }
 
 void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above) {

@@ -31,6 +31,18 @@ void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vect
 /// Appends the owners of the boxes that overlap `box`, exactly.
 void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out);
 
+/// A box that overlaps a mover where it was, where it is, or both.
+struct MoverHit {
+  std::uint32_t owner;
+  std::uint16_t was;
+  std::uint16_t is;
+};
+
+/// Appends what overlaps `before` or `after`, exactly, both looked up at once. no_box() overlaps
+/// nothing.
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
+                             std::vector<MoverHit>& out);
+
 /// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
 void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);
 
