@@ -16,6 +16,8 @@ constexpr std::size_t kHoleShare = 8;
 // A block is looked at for strays when its girth has grown by this factor, unless one block in so
 // many has; a box is one if the block without it has at most this share of its girth.
 constexpr double kStretched = 2;
+constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
+
 constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
 constexpr double kWorthMoving = 0.75;
@@ -128,10 +130,21 @@ void BoxSet::refit() {
 void BoxSet::refit_every_layer() {
   inflation_ = 0;
   for (Layer& layer : layers_) {
-    layer.refit_all(high_.data());
-    const double limit = layer.block_count;
-    for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b)
-      inflation_ += inflation(layer.girth_of(b), layer.sorted_girth[b], limit);
+    if (layer.block_count == 0) continue;
+    const std::size_t chunks = (layer.block_count + kRefitChunk - 1) / kRefitChunk;
+    std::vector<double>& sums = scratch_.sums;
+    sums.assign(chunks, 0);
+    layer.clear_above_boxes();
+    workers_.for_each(chunks, [&](std::size_t chunk) {
+      const auto first = static_cast<std::uint32_t>(chunk * kRefitChunk);
+      const std::uint32_t last = std::min(first + kRefitChunk, layer.block_count);
+      refit_blocks(high_.data() + layer.first_block, first, last, layer.upper[1].data());
+      for (std::uint32_t b = first; b < last && b < layer.sorted_girth.size(); ++b)
+        sums[chunk] += inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+    });
+    for (const double sum : sums)
+      inflation_ += sum;
+    layer.refit_above(1, high_.data());
   }
 }
 

@@ -3,6 +3,7 @@
 #include <graze/bvh/box_set/kd_order.h>
 #include <graze/bvh/box_set/layer.h>
 #include <graze/bvh/box_set/pair_kernels.h>
+#include <graze/bvh/box_set/workers.h>
 
 #include <cstdint>
 #include <span>
@@ -18,7 +19,9 @@ namespace graze::bvh {
 class BoxSet {
  public:
   /// `threads` share the work; no result depends on their number.
-  explicit BoxSet(int threads) : threads_(threads) {}
+  explicit BoxSet(int threads) : workers_(threads) {}
+
+  const Workers& workers() const { return workers_; }
 
   std::size_t size() const { return size_; }
   bool contains(std::uint32_t owner) const {
@@ -73,6 +76,7 @@ class BoxSet {
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
+    std::vector<double> sums;
     std::vector<OrderedBox> boxes;
     std::vector<Block> high;
     std::vector<LowBlock> low;
@@ -105,7 +109,7 @@ class BoxSet {
   std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
   bool all_touched_ = false;
-  int threads_;
+  Workers workers_;
 
   std::uint64_t sorts_ = 0;
   std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs

@@ -2,9 +2,6 @@
 // among threads.
 
 #include <graze/bvh/box_set/box_set.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -13,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTasks = 192;       // at least so many, where there are enough blocks
 constexpr std::size_t kChunks = 64;       // of tasks, each with a list of its own
-constexpr std::uint32_t kBlocksPerTask = 64;
+constexpr std::size_t kBlocksPerTask = 512;
 constexpr std::uint32_t kTreeBits = 8;
 constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
 
@@ -53,7 +50,7 @@ void BoxSet::find_in_parallel(PairBuffer& out) {
   const std::vector<BlockPair>& tasks = scratch_.tasks;
   scratch_.found.resize(kChunks);
   scratch_.met.assign(kChunks, 0);
-  tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t chunk) {
+  workers_.for_each(kChunks, [&](std::size_t chunk) {
     PairBuffer& found = scratch_.found[chunk];
     found.clear();
     for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks; ++i) {
@@ -67,7 +64,7 @@ void BoxSet::find_in_parallel(PairBuffer& out) {
     met_ += scratch_.met[chunk];
   }
   out.resize(starts[kChunks]);
-  tbb::parallel_for(std::size_t{0}, kChunks, [&](std::size_t chunk) {
+  workers_.for_each(kChunks, [&](std::size_t chunk) {
     const PairBuffer& found = scratch_.found[chunk];
     std::copy_n(found.data(), found.size(), out.data() + starts[chunk]);
   });
@@ -77,13 +74,13 @@ void BoxSet::find_all_pairs(PairBuffer& out) {
   out.clear();
   met_ = 0;
   list_tasks(kTasks);
-  if (threads_ == 1) {
+  if (!workers_.share(size_)) {
     for (const BlockPair& task : scratch_.tasks) {
       met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
                          out);
     }
   } else {
-    tbb::task_arena(threads_).execute([&] { find_in_parallel(out); });
+    find_in_parallel(out);
   }
   if (met_sorted_ == 0 && sorts_ != 0) met_sorted_ = met_;
   if (met_ > met_sorted_) excess_ += static_cast<double>(met_ - met_sorted_);
@@ -109,15 +106,11 @@ void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aa
       }
     }
   };
-  const auto blocks = static_cast<std::uint32_t>(high_.size());
-  if (threads_ == 1) {
-    fill(0, blocks);
-  } else {
-    tbb::task_arena(threads_).execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, blocks, kBlocksPerTask),
-                        [&](const auto& range) { fill(range.begin(), range.end()); });
-    });
-  }
+  const std::size_t blocks = high_.size();
+  workers_.for_each((blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kBlocksPerTask;
+    fill(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(first + kBlocksPerTask, blocks)));
+  });
   all_touched_ = true;
 }
 

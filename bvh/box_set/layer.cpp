@@ -42,12 +42,19 @@ void Layer::reshape(std::uint32_t first, std::uint32_t count) {
 }
 
 void Layer::refit_all(const Block* boxes) {
+  clear_above_boxes();
+  refit_above(0, boxes);
+}
+
+void Layer::clear_above_boxes() {
   needs_refit_of_all = false;
-  for (int level = 0; level < top; ++level) {
-    std::fill(upper[level + 1].begin(), upper[level + 1].end(), empty_block());
-    refit_blocks(blocks_below(*this, boxes, level), 0, count_on(*this, level),
-                 upper[level + 1].data());
-  }
+  for (int level = 1; level <= top; ++level)
+    std::fill(upper[level].begin(), upper[level].end(), empty_block());
+}
+
+void Layer::refit_above(int level, const Block* boxes) {
+  for (; level < top; ++level)
+    refit_blocks(blocks_below(*this, boxes, level), 0, count_on(*this, level), upper[level + 1].data());
 }
 
 void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched) {

@@ -27,6 +27,10 @@ struct Layer {
   /// Bounds of all blocks on all levels.
   void refit_all(const Block* boxes);
 
+  /// The same in parts: empties the levels above the boxes; bounds of all blocks from a level up.
+  void clear_above_boxes();
+  void refit_above(int level, const Block* boxes);
+
   /// Bounds of the blocks in `touched`, numbers within the layer, and of what lies above them. The
   /// list is used up.
   void refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched);

@@ -1,7 +1,6 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/box_set.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,7 +178,7 @@ void BoxSet::sort_newcomers() {
 void BoxSet::sort() {
   collect_items();
   const std::vector<std::uint32_t>& start = scratch_.input;
-  tbb::task_arena(threads_).execute([&] {
+  workers_.run([&] {
     for (std::size_t l = 0; l + 1 < start.size(); ++l)
       kd_order(std::span(scratch_.items).subspan(start[l], start[l + 1] - start[l]));
   });

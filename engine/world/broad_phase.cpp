@@ -2,6 +2,8 @@
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -9,6 +11,8 @@ namespace graze {
 namespace {
 
 using bvh::BoxChanges;
+
+constexpr std::size_t kChunk = 4096;  // boxes of a span that are checked at a time
 
 bool is_box(const Aabb& box) {
   const double* low = box.min.data();
@@ -86,13 +90,17 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
                      " boxes");
   }
   state.indices.resize(ids.size());
-  bool is_valid = true, is_known = true;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    is_valid &= is_box(boxes[i]);
-    is_known &= state.ids.is_live(ids[i].index, ids[i].generation);
-    state.indices[i] = ids[i].index;
-  }
-  for (std::size_t i = 0; !(is_valid && is_known) && i < ids.size(); ++i) {
+  const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
+  std::atomic<bool> is_valid{true};
+  state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
+    bool is_good = true;
+    for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
+      is_good &= is_box(boxes[i]) & state.ids.is_live(ids[i].index, ids[i].generation);
+      state.indices[i] = ids[i].index;
+    }
+    if (!is_good) is_valid = false;
+  });
+  for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
     const std::string what = "move, element " + std::to_string(i);
     state.check(ids[i], what.c_str());
     check_box(boxes[i], what.c_str());
