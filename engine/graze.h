@@ -32,7 +32,10 @@
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/body.h>
 #include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/stale_id_error.h>
+#include <graze/engine/world/world.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>

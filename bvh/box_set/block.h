@@ -45,7 +45,7 @@ static inline Block empty_block() {
   return block;
 }
 
-static inline void set_lane(Block& high, LowBlock& low, std::uint32_t lane, const OrderedBox& box) {
+static inline void set_lane(Block& high, LowBlock& low, std::size_t lane, const OrderedBox& box) {
   for (std::size_t c = 0; c < 6; ++c) {
     high.row[c][lane] = high_half(box[c]);
     low.row[c][lane] = low_half(box[c]);

@@ -259,9 +259,8 @@ std::size_t BoxSet::bytes() const {
       sum += level.capacity() * sizeof(Block);
     sum += layer.sorted_girth.capacity() * sizeof(float);
   }
-  sum += scratch_.items.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
-         scratch_.size_class.capacity() * 4 + scratch_.high.capacity() * sizeof(Block) +
-         scratch_.low.capacity() * sizeof(LowBlock) + scratch_.owner.capacity() * 4;
+  sum += scratch_.newcomers.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
+         scratch_.boxes.capacity() * sizeof(OrderedBox);
   for (const PairBuffer& found : scratch_.found)
     sum += found.capacity() * sizeof(BoxPair);
   return sum;

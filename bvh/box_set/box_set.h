@@ -43,6 +43,9 @@ class BoxSet {
   /// Moves many: boxes[i] belongs to owners[i], of equal owners the last counts. Checks nothing.
   void move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
 
+  /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
+  void move_first(std::span<const Aabb> boxes);
+
   /// Makes the bounds fit the boxes again. Costs what was touched.
   void refit();
 
@@ -70,17 +73,19 @@ class BoxSet {
 
  private:
   struct Scratch {
-    std::vector<KdItem> items;
     std::vector<std::uint32_t> input;
-    std::vector<std::int32_t> size_class;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
     std::vector<double> sums;
+    std::vector<KdItem> newcomers;
     std::vector<OrderedBox> boxes;
-    std::vector<Block> high;
-    std::vector<LowBlock> low;
-    std::vector<std::uint32_t> owner;
+  };
+
+  /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
+  struct SortSpace {
+    std::vector<KdItem> items;
+    std::vector<std::uint32_t> starts;  // of the layers' items, and the end
   };
 
   std::size_t layer_of(std::uint32_t block) const;
@@ -93,8 +98,10 @@ class BoxSet {
   void move_strays();
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
-  void collect_items();
-  void place_items();
+  void collect_items(SortSpace& space);
+  void place_items(const SortSpace& space);
+  template <typename InputOf>
+  void fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of);
   void measure_sorted();
 
   std::vector<Block> high_;

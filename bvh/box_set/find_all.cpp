@@ -86,32 +86,39 @@ void BoxSet::find_all_pairs(PairBuffer& out) {
   if (met_ > met_sorted_) excess_ += static_cast<double>(met_ - met_sorted_);
 }
 
+/// Writes blocks one after the other, each with the boxes that `input_of` its places names.
+template <typename InputOf>
+void BoxSet::fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of) {
+  const std::size_t blocks = high_.size();
+  workers_.for_each((blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kBlocksPerTask * kLanes;
+    const std::size_t last = std::min(first + kBlocksPerTask * kLanes, blocks * kLanes);
+    for (std::size_t place = first; place < last; ++place) {
+      // The boxes come in an order of their own: without this every one is waited for.
+      const std::size_t later = input_of(std::min(place + kAhead, last - 1));
+      if (later < boxes.size()) {
+        __builtin_prefetch(boxes[later].min.data());
+        __builtin_prefetch(boxes[later].max.data() + 2);
+      }
+      const std::size_t i = input_of(place);
+      if (i >= boxes.size()) continue;
+      const std::size_t block = place >> kLaneBits;
+      set_lane(high_[block], low_[block], place & (kLanes - 1), ordered_box(boxes[i]));
+    }
+  });
+  all_touched_ = true;
+}
+
 void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
   std::vector<std::uint32_t>& input = scratch_.input;
   input.assign(owner_.size(), kNobody);
   for (std::size_t i = 0; i < owners.size(); ++i)
     input[place_[owners[i]]] = static_cast<std::uint32_t>(i);
-  const auto fill = [&](std::uint32_t first, std::uint32_t last) {
-    const std::size_t end = std::size_t{last} * kLanes;
-    for (std::uint32_t block = first; block < last; ++block) {
-      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-        // The boxes come in an order of their own: without this every one is waited for.
-        const std::uint32_t later = input[std::min<std::size_t>(block * kLanes + lane + kAhead, end - 1)];
-        if (later != kNobody) {
-          __builtin_prefetch(boxes[later].min.data());
-          __builtin_prefetch(boxes[later].max.data() + 2);
-        }
-        const std::uint32_t i = input[block * kLanes + lane];
-        if (i != kNobody) set_lane(high_[block], low_[block], lane, ordered_box(boxes[i]));
-      }
-    }
-  };
-  const std::size_t blocks = high_.size();
-  workers_.for_each((blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](std::size_t chunk) {
-    const std::size_t first = chunk * kBlocksPerTask;
-    fill(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(first + kBlocksPerTask, blocks)));
-  });
-  all_touched_ = true;
+  fill_blocks(boxes, [&](std::size_t place) { return input[place]; });
+}
+
+void BoxSet::move_first(std::span<const Aabb> boxes) {
+  fill_blocks(boxes, [&](std::size_t place) { return owner_[place]; });
 }
 
 }  // namespace graze::bvh

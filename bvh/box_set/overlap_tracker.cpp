@@ -30,6 +30,12 @@ void OverlapTracker::move_now(std::span<const std::uint32_t> owners, std::span<c
   all_moved_ = true;
 }
 
+void OverlapTracker::move_first_now(std::span<const Aabb> boxes) {
+  set_.move_first(boxes);
+  set_.refit();
+  all_moved_ = true;
+}
+
 bool OverlapTracker::update(BoxChanges& changes) {
   begun_.clear();
   ended_.clear();
@@ -42,6 +48,8 @@ bool OverlapTracker::update(BoxChanges& changes) {
   } else {
     search_movers(changes);
   }
+  // A crowd of newcomers comes once; movers come again in each step.
+  if (2 * changes.moves < changes.size() && are_many(changes.size())) changes = {};
   changes.clear();
   return true;
 }
@@ -85,7 +93,7 @@ void OverlapTracker::list_movers(const BoxChanges& changes) {
     const std::uint32_t owner = changes.owner[i];
     if (owner >= is_mover_.size()) is_mover_.resize(owner + std::size_t{1});
     if (is_mover_[owner]) continue;
-    is_mover_[owner] = 1;
+    is_mover_[owner] = true;
     movers_.push_back({set_.place(owner), static_cast<std::uint32_t>(i), {}});
   }
   std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
@@ -176,7 +184,7 @@ void OverlapTracker::end_pairs_of_movers() {
   const BoxPair* pairs = pairs_.data();
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto [a, b] = pairs[i];
-    if ((is_mover_[a] & is_mover_[b]) == 0) continue;
+    if (!is_mover_[a] || !is_mover_[b]) continue;
     const bool is_over = !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
     if (is_over) ended_.push_back(pairs[i]);
   }
@@ -192,7 +200,7 @@ void OverlapTracker::search_movers(const BoxChanges& changes) {
     compare_lookups(changes);
   }
   for (const Mover& mover : movers_)
-    is_mover_[changes.owner[mover.change]] = 0;
+    is_mover_[changes.owner[mover.change]] = false;
   for (const BoxPair& pair : ended_.pairs())
     index_.remove(pairs_, pair);
   for (const BoxPair& pair : begun_.pairs())

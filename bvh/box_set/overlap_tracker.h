@@ -23,6 +23,7 @@ class OverlapTracker {
 
   /// Moves boxes now; the pairs follow with the next update. All must be in the set.
   void move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
+  void move_first_now(std::span<const Aabb> boxes);
 
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
@@ -70,7 +71,7 @@ class OverlapTracker {
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> partners_;
   std::vector<Mover> movers_;
-  std::vector<std::uint8_t> is_mover_;  // by owner
+  std::vector<bool> is_mover_;  // by owner
   std::vector<OrderedBox> boxes_before_;  // by mover
   std::vector<MoverHit> hits_;
   std::uint64_t searches_for_all_ = 0;

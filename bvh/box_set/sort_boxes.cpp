@@ -14,6 +14,8 @@ constexpr double kSortCost = 40;
 
 constexpr std::size_t kMostLayers = 24;
 
+constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
+
 /// The class of a box by its longest side, in steps of 4; points and what is nearly one are in the
 /// lowest class.
 int size_class(const OrderedBox& box) {
@@ -47,10 +49,9 @@ void BoxSet::sort_if_worthwhile() {
 }
 
 /// Lists the boxes class by class, and makes a layer for each class.
-void BoxSet::collect_items() {
-  std::vector<KdItem>& items = scratch_.items;
-  std::vector<std::int32_t>& classes = scratch_.size_class;
-  classes.resize(owner_.size());
+void BoxSet::collect_items(SortSpace& space) {
+  std::vector<KdItem>& items = space.items;
+  std::vector<std::int16_t> classes(owner_.size());
   constexpr int kClasses = 1024, kShift = 512;
   std::vector<std::uint32_t> count(kClasses + 1);
   double origin[3] = {0, 0, 0};
@@ -58,7 +59,7 @@ void BoxSet::collect_items() {
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    classes[place] = size_class(of) + kShift;
+    classes[place] = static_cast<std::int16_t>(size_class(of) + kShift);
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
       origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
@@ -94,36 +95,42 @@ void BoxSet::collect_items() {
     layers_[i].block_count = (start[i + 1] - start[i] + kLanes - 1) / kLanes;
     block += layers_[i].block_count;
   }
-  scratch_.input.assign(start.begin(), start.end());
+  space.starts = start;
 }
 
 /// Writes the boxes in the order of the items.
-void BoxSet::place_items() {
-  const std::vector<KdItem>& items = scratch_.items;
-  const std::vector<std::uint32_t>& start = scratch_.input;
+void BoxSet::place_items(const SortSpace& space) {
+  const std::vector<KdItem>& items = space.items;
+  const std::vector<std::uint32_t>& start = space.starts;
   const std::size_t blocks = layers_.size() == 1 ? 0 : layers_[layers_.size() - 2].first_block +
                                                            layers_[layers_.size() - 2].block_count;
-  scratch_.high.assign(blocks, empty_block());
-  scratch_.low.resize(blocks);
-  scratch_.owner.assign(blocks * kLanes, kNobody);
+  // With room for newcomers, so that the first of them does not double the memory.
+  const std::size_t room = blocks + blocks / kRoomShare + kLanes;
+  std::vector<Block> to_high;
+  std::vector<LowBlock> to_low;
+  std::vector<std::uint32_t> to_owner;
+  to_high.reserve(room), to_low.reserve(room), to_owner.reserve(room * kLanes);
+  to_high.assign(blocks, empty_block());
+  to_low.resize(blocks);
+  to_owner.assign(blocks * kLanes, kNobody);
   for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
     std::uint32_t place = layers_[l].first_block * kLanes;
     for (std::uint32_t i = start[l]; i < start[l + 1]; ++i, ++place) {
       const std::uint32_t owner = items[i].owner;
       const std::uint32_t from = place_[owner];
-      Block& high = scratch_.high[place >> kLaneBits];
-      LowBlock& low = scratch_.low[place >> kLaneBits];
+      Block& high = to_high[place >> kLaneBits];
+      LowBlock& low = to_low[place >> kLaneBits];
       for (int c = 0; c < 6; ++c) {
         high.row[c][place & (kLanes - 1)] = high_[from >> kLaneBits].row[c][from & (kLanes - 1)];
         low.row[c][place & (kLanes - 1)] = low_[from >> kLaneBits].row[c][from & (kLanes - 1)];
       }
-      scratch_.owner[place] = owner;
+      to_owner[place] = owner;
       place_[owner] = place;
     }
   }
-  high_.swap(scratch_.high);
-  low_.swap(scratch_.low);
-  owner_.swap(scratch_.owner);
+  high_.swap(to_high);
+  low_.swap(to_low);
+  owner_.swap(to_owner);
   layers_.back().first_block = static_cast<std::uint32_t>(blocks);
   layers_.back().block_count = 0;
 }
@@ -142,7 +149,7 @@ void BoxSet::measure_sorted() {
 /// Puts the boxes that came since the last sort in order among themselves.
 void BoxSet::sort_newcomers() {
   Layer& last = layers_.back();
-  std::vector<KdItem>& items = scratch_.items;
+  std::vector<KdItem>& items = scratch_.newcomers;
   std::vector<OrderedBox>& boxes = scratch_.boxes;
   items.clear();
   const std::uint32_t first = last.first_block * kLanes;
@@ -176,19 +183,21 @@ void BoxSet::sort_newcomers() {
 }
 
 void BoxSet::sort() {
-  collect_items();
-  const std::vector<std::uint32_t>& start = scratch_.input;
+  SortSpace space;
+  collect_items(space);
+  const std::vector<std::uint32_t>& start = space.starts;
   workers_.run([&] {
     for (std::size_t l = 0; l + 1 < start.size(); ++l)
-      kd_order(std::span(scratch_.items).subspan(start[l], start[l + 1] - start[l]));
+      kd_order(std::span(space.items).subspan(start[l], start[l + 1] - start[l]));
   });
-  place_items();
+  place_items(space);
   measure_sorted();
   newcomers_ = sorted_newcomers_ = holes_ = 0;
   all_touched_ = false;
   touched_.clear();
   met_sorted_ = 0;
   excess_ = inflation_ = 0;
+  place_.shrink_to_fit();
   ++sorts_;
 }
 

@@ -30,8 +30,8 @@ struct BroadPhase::State {
   IdTable ids;
   bvh::OverlapTracker tracker;
   BoxChanges changes;                   // asked for since the last update
-  std::vector<std::uint8_t> is_staged;  // by index: named in the changes
-  std::vector<std::uint32_t> indices;   // of a span of ids
+  std::vector<bool> is_staged;          // by index: named in the changes
+  std::vector<std::uint32_t> indices;   // of a span of ids that are not 0, 1, 2 ...
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
@@ -42,7 +42,7 @@ struct BroadPhase::State {
 
   void stage(std::uint32_t index, const Aabb& box, BoxChanges::Kind kind) {
     changes.add(index, box, kind);
-    is_staged[index] = 1;
+    is_staged[index] = true;
   }
 
   /// The last change that names the index. O(changes).
@@ -72,7 +72,7 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 BoxId BroadPhase::add(const Aabb& box) {
   check_box(box, "add");
   const std::uint32_t index = state_->ids.take();
-  if (index >= state_->is_staged.size()) state_->is_staged.push_back(0);
+  if (index >= state_->is_staged.size()) state_->is_staged.push_back(false);
   state_->stage(index, box, BoxChanges::Kind::Insert);
   return {index, state_->ids.generation(index)};
 }
@@ -89,16 +89,16 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
     throw InputError("move: " + std::to_string(ids.size()) + " ids, but " + std::to_string(boxes.size()) +
                      " boxes");
   }
-  state.indices.resize(ids.size());
   const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
-  std::atomic<bool> is_valid{true};
+  std::atomic<bool> is_valid{true}, is_in_order{true};
   state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
-    bool is_good = true;
+    bool is_good = true, is_own_number = true;
     for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
       is_good &= is_box(boxes[i]) & state.ids.is_live(ids[i].index, ids[i].generation);
-      state.indices[i] = ids[i].index;
+      is_own_number &= ids[i].index == i;
     }
     if (!is_good) is_valid = false;
+    if (!is_own_number) is_in_order = false;
   });
   for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
     const std::string what = "move, element " + std::to_string(i);
@@ -106,7 +106,14 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
     check_box(boxes[i], what.c_str());
   }
   if (state.changes.size() == 0 && state.tracker.are_many(ids.size())) {
-    state.tracker.move_now(state.indices, boxes);
+    if (is_in_order) {
+      state.tracker.move_first_now(boxes);
+    } else {
+      state.indices.clear();
+      for (const BoxId id : ids)
+        state.indices.push_back(id.index);
+      state.tracker.move_now(state.indices, boxes);
+    }
     return;
   }
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -123,7 +130,7 @@ void BroadPhase::update() {
   State& state = *state_;
   ++state.work.updates;
   for (const std::uint32_t index : state.changes.owner)
-    state.is_staged[index] = 0;
+    state.is_staged[index] = false;
   if (!state.tracker.update(state.changes)) {
     state.ids.next_round();
     return;
@@ -197,7 +204,7 @@ const BroadPhaseWork& BroadPhase::work() const {
 
 std::size_t BroadPhase::bytes_for_boxes() const {
   const State& state = *state_;
-  return state.tracker.set().bytes() + state.ids.bytes() + state.is_staged.capacity() +
+  return state.tracker.set().bytes() + state.ids.bytes() + state.is_staged.capacity() / 8 +
          state.indices.capacity() * 4 + state.changes.box.capacity() * (sizeof(Aabb) + 5);
 }
 

@@ -2,7 +2,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/box_set/box_pair.h>
-#include <graze/bvh/error.h>
+#include <graze/engine/world/stale_id_error.h>
 
 #include <compare>
 #include <cstddef>
@@ -20,12 +20,6 @@ struct BoxId {
   std::uint32_t index = 0xffffffffu;
   std::uint32_t generation = 0;
   friend auto operator<=>(const BoxId&, const BoxId&) = default;
-};
-
-/// An id whose box was removed, or which was never given out.
-class StaleIdError : public Error {
- public:
-  using Error::Error;
 };
 
 /// What an update did.

@@ -14,7 +14,7 @@ std::uint32_t IdTable::take() {
   return index;
 }
 
-/// An index whose generations are used up is not given out again.
+/// An index whose generations are used up, after 32,768 users, is not given out again.
 void IdTable::free(std::uint32_t index) {
   --live_count_;
   ++generation_[index];
@@ -29,7 +29,7 @@ void IdTable::next_round() {
 }
 
 std::size_t IdTable::bytes() const {
-  return (generation_.capacity() + free_.capacity() + resting_[0].capacity() + resting_[1].capacity()) * 4;
+  return generation_.capacity() * 2 + (free_.capacity() + resting_[0].capacity() + resting_[1].capacity()) * 4;
 }
 
 }  // namespace graze

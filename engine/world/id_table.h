@@ -27,7 +27,7 @@ class IdTable {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint32_t> generation_;  // odd while the index is in use
+  std::vector<std::uint16_t> generation_;  // odd while the index is in use
   std::vector<std::uint32_t> free_;        // may be taken, the last first
   std::vector<std::uint32_t> resting_[2];
   std::size_t live_count_ = 0;
