@@ -32,11 +32,15 @@
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/stale_id_error.h>
+#include <graze/engine/world/world.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>

@@ -1,0 +1,269 @@
+#include <graze/bvh/box_set/box_set.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+// From here on refitting the paths of single blocks costs more than refitting all.
+constexpr std::size_t kTouchedShare = 4;
+
+// Crowds that a set without searches for all pairs puts up with before it sorts.
+constexpr std::size_t kFewNewcomers = 256;
+constexpr std::size_t kNewcomerShare = 64;
+constexpr std::size_t kHoleShare = 8;
+
+// A block is looked at for strays when its girth has grown by this factor, unless one block in so
+// many has; a box is one if the block without it has at most this share of its girth.
+constexpr double kStretched = 2;
+constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
+
+constexpr std::size_t kFewStretched = 4;
+constexpr std::size_t kStretchedShare = 32;
+constexpr double kWorthMoving = 0.75;
+
+}  // namespace
+
+std::size_t BoxSet::layer_of(std::uint32_t block) const {
+  std::size_t layer = layers_.size() - 1;
+  while (layers_[layer].first_block > block)
+    --layer;
+  return layer;
+}
+
+OrderedBox BoxSet::box(std::uint32_t owner) const {
+  const std::uint32_t place = place_[owner];
+  return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+}
+
+void BoxSet::prefetch(std::uint32_t place) const {
+  for (int c = 0; c < 6; ++c) {
+    __builtin_prefetch(high_[place >> kLaneBits].row[c]);
+    __builtin_prefetch(low_[place >> kLaneBits].row[c]);
+  }
+}
+
+TreeView BoxSet::view(int layer) const {
+  const Layer& of = layers_[static_cast<std::size_t>(layer)];
+  TreeView tree{};
+  tree.level[0] = high_.data() + of.first_block;
+  for (int level = 1; level <= of.top; ++level)
+    tree.level[level] = of.upper[level].data();
+  tree.low = low_.data() + of.first_block;
+  tree.owner = owner_.data() + std::size_t{of.first_block} * kLanes;
+  tree.top = of.top;
+  return tree;
+}
+
+void BoxSet::touch(std::uint32_t block) {
+  if (all_touched_) return;
+  touched_.push_back(block);
+  all_touched_ = touched_.size() > high_.size() / kTouchedShare + kLanes;
+}
+
+void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
+  if (layers_.empty()) layers_.emplace_back();
+  Layer& last = layers_.back();
+  if (newcomers_ % kLanes == 0) {
+    high_.push_back(empty_block());
+    low_.emplace_back();
+    owner_.resize(owner_.size() + kLanes, kNobody);
+    last.reshape(last.first_block, last.block_count + 1);
+  }
+  const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers_++);
+  if (owner >= place_.size()) place_.resize(owner + std::size_t{1}, kNobody);
+  place_[owner] = place;
+  owner_[place] = owner;
+  set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), box);
+  touch(place >> kLaneBits);
+  ++size_;
+}
+
+void BoxSet::erase(std::uint32_t owner) {
+  const std::uint32_t place = place_[owner];
+  clear_lane(high_[place >> kLaneBits], place & (kLanes - 1));
+  owner_[place] = kNobody;
+  place_[owner] = kNobody;
+  touch(place >> kLaneBits);
+  ++holes_;
+  --size_;
+}
+
+void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
+  const std::uint32_t place = place_[owner];
+  const std::uint32_t block = place >> kLaneBits;
+  const std::size_t number = layer_of(block);
+  if (!all_touched_ && number + 1 != layers_.size()) {
+    // A box that leaves its neighbours for good would make their block span the way between.
+    const Layer& layer = layers_[number];
+    const std::uint32_t here = block - layer.first_block;
+    Block spanned = empty_block();
+    const Block& parent = layer.upper[1][here >> kLaneBits];
+    const std::uint32_t lane = here & (kLanes - 1);
+    for (std::size_t c = 0; c < 3; ++c) {
+      spanned.row[c][0] = std::min(parent.row[c][lane], high_half(box[c]));
+      spanned.row[c + 3][0] = std::max(parent.row[c + 3][lane], high_half(box[c + 3]));
+      spanned.row[c][1] = high_half(box[c]);
+      spanned.row[c + 3][1] = high_half(box[c + 3]);
+    }
+    const double usual = layer.sorted_girth[here] + girth(spanned, 1);
+    if (girth(spanned, 0) > 2 * usual) {
+      erase(owner);
+      insert(owner, box);
+      return;
+    }
+  }
+  set_lane(high_[block], low_[block], place & (kLanes - 1), box);
+  touch(block);
+}
+
+void BoxSet::refit() {
+  if (all_touched_) {
+    all_touched_ = false;
+    touched_.clear();
+    refit_every_layer();
+    move_strays();
+  }
+  refit_touched();
+}
+
+void BoxSet::refit_every_layer() {
+  inflation_ = 0;
+  for (Layer& layer : layers_) {
+    if (layer.block_count == 0) continue;
+    const std::size_t chunks = (layer.block_count + kRefitChunk - 1) / kRefitChunk;
+    std::vector<double>& sums = scratch_.sums;
+    sums.assign(chunks, 0);
+    layer.clear_above_boxes();
+    workers_.for_each(chunks, [&](std::size_t chunk) {
+      const auto first = static_cast<std::uint32_t>(chunk * kRefitChunk);
+      const std::uint32_t last = std::min(first + kRefitChunk, layer.block_count);
+      refit_blocks(high_.data() + layer.first_block, first, last, layer.upper[1].data());
+      for (std::uint32_t b = first; b < last && b < layer.sorted_girth.size(); ++b)
+        sums[chunk] += inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+    });
+    for (const double sum : sums)
+      inflation_ += sum;
+    layer.refit_above(1, high_.data());
+  }
+}
+
+void BoxSet::refit_touched() {
+  if (touched_.empty()) return;
+  std::sort(touched_.begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  std::size_t next = 0;
+  for (Layer& layer : layers_) {
+    const std::size_t first = next;
+    while (next < touched_.size() && touched_[next] < layer.first_block + layer.block_count)
+      ++next;
+    touched_here_.clear();
+    for (std::size_t i = first; i < next; ++i)
+      touched_here_.push_back(touched_[i] - layer.first_block);
+    const auto count_inflation = [&](double sign) {
+      for (std::size_t i = first; i < next; ++i) {
+        const std::uint32_t b = touched_[i] - layer.first_block;
+        if (b < layer.sorted_girth.size())
+          inflation_ += sign * inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+      }
+    };
+    count_inflation(-1);
+    layer.refit_paths(high_.data(), touched_here_);
+    count_inflation(1);
+  }
+  touched_.clear();
+}
+
+/// Finds blocks that single boxes have stretched by leaving their neighbours, and moves those boxes
+/// to the last layer; not if there are many such blocks, which a sort will see to.
+void BoxSet::move_strays() {
+  std::vector<BlockPair>& stretched = scratch_.tasks;  // a: the block, trees: its layer
+  stretched.clear();
+  for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
+    const Layer& layer = layers_[l];
+    for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b) {
+      if (layer.girth_of(b) > kStretched * layer.sorted_girth[b])
+        stretched.push_back({b, 0, 0, 0, static_cast<std::uint16_t>(l)});
+    }
+  }
+  if (stretched.size() > kFewStretched + high_.size() / kStretchedShare) return;
+  for (const BlockPair& of : stretched) {
+    while (move_stray(of.trees, of.a)) {
+    }
+  }
+}
+
+/// Moves the box without which the block shrinks most, if that is worth it.
+bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
+  const std::uint32_t block = layers_[l].first_block + b;
+  Block around = empty_block();  // lane i: the bounds of all lanes but i
+  Block all = empty_block();
+  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+    for (int c = 0; c < 3; ++c) {
+      const std::int32_t low = high_[block].row[c][lane], high = high_[block].row[c + 3][lane];
+      for (std::uint32_t i = 0; i < kLanes; ++i) {
+        Block& to = i == lane ? all : around;
+        to.row[c][i] = std::min(to.row[c][i], low);
+        to.row[c + 3][i] = std::max(to.row[c + 3][i], high);
+      }
+    }
+  }
+  Block whole = empty_block();
+  for (int c = 0; c < 3; ++c) {
+    whole.row[c][0] = *std::min_element(all.row[c], all.row[c] + kLanes);
+    whole.row[c + 3][0] = *std::max_element(all.row[c + 3], all.row[c + 3] + kLanes);
+  }
+  std::uint32_t best = 0;
+  for (std::uint32_t lane = 1; lane < kLanes; ++lane) {
+    if (girth(around, lane) < girth(around, best)) best = lane;
+  }
+  const double now = girth(whole, 0);
+  if (now <= kStretched * layers_[l].sorted_girth[b] || girth(around, best) > kWorthMoving * now) return false;
+  const std::uint32_t owner = owner_[block * kLanes + best];
+  const OrderedBox box = this->box(owner);
+  erase(owner);
+  insert(owner, box);
+  return true;
+}
+
+void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const {
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
+      bvh::find_overlapping(view(layer), box, out);
+  }
+}
+
+void BoxSet::find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+                                     std::vector<MoverHit>& out) const {
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
+      bvh::find_overlapping_either(view(layer), before, after, out);
+  }
+}
+
+void BoxSet::sort_if_crowded() {
+  const double blocks = static_cast<double>(high_.size());
+  if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||
+      holes_ > kFewNewcomers + size_ / kHoleShare || inflation_ > blocks) {
+    sort();
+  } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {
+    sort_newcomers();
+  }
+}
+
+std::size_t BoxSet::bytes() const {
+  std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
+                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4;
+  for (const Layer& layer : layers_) {
+    for (const std::vector<Block>& level : layer.upper)
+      sum += level.capacity() * sizeof(Block);
+    sum += layer.sorted_girth.capacity() * sizeof(float);
+  }
+  sum += scratch_.newcomers.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
+         scratch_.boxes.capacity() * sizeof(OrderedBox);
+  for (const PairBuffer& found : scratch_.found)
+    sum += found.capacity() * sizeof(BoxPair);
+  return sum;
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <graze/bvh/box_set/kd_order.h>
+#include <graze/bvh/box_set/layer.h>
+#include <graze/bvh/box_set/pair_kernels.h>
+#include <graze/bvh/box_set/workers.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Many boxes that move, each known by a number of its owner's, in blocks of 16 under implicit
+/// trees: one tree for each class of sizes, the factor from class to class being 4, and one for
+/// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
+///
+/// After insert(), move(), erase() or set_all() call refit() before finding anything.
+class BoxSet {
+ public:
+  /// `threads` share the work; no result depends on their number.
+  explicit BoxSet(int threads) : workers_(threads) {}
+
+  const Workers& workers() const { return workers_; }
+
+  std::size_t size() const { return size_; }
+  bool contains(std::uint32_t owner) const {
+    return owner < place_.size() && place_[owner] != kNobody;
+  }
+  OrderedBox box(std::uint32_t owner) const;
+  /// Near boxes have near places. kNobody for an owner without a box.
+  std::uint32_t place(std::uint32_t owner) const {
+    return owner < place_.size() ? place_[owner] : kNobody;
+  }
+  void prefetch(std::uint32_t place) const;
+  /// All owners so far are below this.
+  std::uint32_t owner_limit() const { return static_cast<std::uint32_t>(place_.size()); }
+
+  void insert(std::uint32_t owner, const OrderedBox& box);
+  void move(std::uint32_t owner, const OrderedBox& box);
+  void erase(std::uint32_t owner);
+
+  /// Moves many: boxes[i] belongs to owners[i], of equal owners the last counts. Checks nothing.
+  void move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
+
+  /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
+  void move_first(std::span<const Aabb> boxes);
+
+  /// Makes the bounds fit the boxes again. Costs what was touched.
+  void refit();
+
+  /// Puts all boxes into a new order, if the old one has cost more by now than that does.
+  /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.
+  void sort_if_worthwhile();
+  void sort_if_crowded();
+  void sort();
+
+  /// All pairs that overlap, each once, in an order that the history of the set decides.
+  void find_all_pairs(PairBuffer& out);
+
+  /// Appends the owners of all boxes that overlap `box`.
+  void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
+
+  /// Appends what overlaps a mover where it was or where it is.
+  void find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+                               std::vector<MoverHit>& out) const;
+
+  std::uint64_t sorts() const { return sorts_; }
+  std::uint64_t blocks_met() const { return met_; }
+  std::size_t bytes() const;
+  int layer_count() const { return static_cast<int>(layers_.size()); }
+  TreeView view(int layer) const;
+
+ private:
+  struct Scratch {
+    std::vector<std::uint32_t> input;
+    std::vector<BlockPair> tasks, next_tasks;
+    std::vector<PairBuffer> found;
+    std::vector<std::uint64_t> met;
+    std::vector<double> sums;
+    std::vector<KdItem> newcomers;
+    std::vector<OrderedBox> boxes;
+  };
+
+  /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
+  struct SortSpace {
+    std::vector<KdItem> items;
+    std::vector<std::uint32_t> starts;  // of the layers' items, and the end
+  };
+
+  std::size_t layer_of(std::uint32_t block) const;
+  void touch(std::uint32_t block);
+  void list_tasks(std::size_t wanted);
+  void find_in_parallel(PairBuffer& out);
+  double predicted_excess() const;
+  void refit_every_layer();
+  void refit_touched();
+  void move_strays();
+  bool move_stray(std::size_t layer, std::uint32_t block);
+  void sort_newcomers();
+  void collect_items(SortSpace& space);
+  void place_items(const SortSpace& space);
+  template <typename InputOf>
+  void fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of);
+  void measure_sorted();
+
+  std::vector<Block> high_;
+  std::vector<LowBlock> low_;
+  std::vector<std::uint32_t> owner_;  // by position: 16 times the block plus the lane
+  std::vector<std::uint32_t> place_;  // by owner: the position
+  std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
+  std::vector<std::uint32_t> touched_;
+  std::vector<std::uint32_t> touched_here_;
+  std::size_t size_ = 0;
+  std::size_t newcomers_ = 0;  // positions of the last layer that are or were taken
+  std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
+  std::size_t holes_ = 0;
+  bool all_touched_ = false;
+  Workers workers_;
+
+  std::uint64_t sorts_ = 0;
+  std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs
+  std::uint64_t met_sorted_ = 0;  // the same, in the first search after the last sort
+  double excess_ = 0;             // pairs of blocks met since then beyond that number
+  double inflation_ = 0;          // summed over blocks, kept up by refit() of paths
+  Scratch scratch_;
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,124 @@
+// Searches for all pairs, and moves of all boxes: the parts of the box set that share their work
+// among threads.
+
+#include <graze/bvh/box_set/box_set.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+constexpr std::size_t kTasks = 192;       // at least so many, where there are enough blocks
+constexpr std::size_t kChunks = 64;       // of tasks, each with a list of its own
+constexpr std::size_t kBlocksPerTask = 512;
+constexpr std::uint32_t kTreeBits = 8;
+constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
+
+bool is_leaf(const BlockPair& pair) {
+  return pair.level_a == 0 && pair.level_b == 0;
+}
+
+}  // namespace
+
+/// The search as pairs of blocks, in an order that no number of threads changes.
+void BoxSet::list_tasks(std::size_t wanted) {
+  std::vector<BlockPair>& tasks = scratch_.tasks;
+  tasks.clear();
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    for (std::size_t j = i; j < layers_.size(); ++j) {
+      if (layers_[i].block_count == 0 || layers_[j].block_count == 0) continue;
+      tasks.push_back({0, 0, static_cast<std::uint8_t>(layers_[i].top - 1),
+                       static_cast<std::uint8_t>(layers_[j].top - 1),
+                       static_cast<std::uint16_t>(i << kTreeBits | j)});
+    }
+  }
+  while (tasks.size() < wanted && !std::all_of(tasks.begin(), tasks.end(), is_leaf)) {
+    scratch_.next_tasks.clear();
+    for (const BlockPair& task : tasks) {
+      if (is_leaf(task)) {
+        scratch_.next_tasks.push_back(task);
+      } else {
+        split_pair(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
+                   scratch_.next_tasks);
+      }
+    }
+    tasks.swap(scratch_.next_tasks);
+  }
+}
+
+void BoxSet::find_in_parallel(PairBuffer& out) {
+  const std::vector<BlockPair>& tasks = scratch_.tasks;
+  scratch_.found.resize(kChunks);
+  scratch_.met.assign(kChunks, 0);
+  workers_.for_each(kChunks, [&](std::size_t chunk) {
+    PairBuffer& found = scratch_.found[chunk];
+    found.clear();
+    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks; ++i) {
+      scratch_.met[chunk] += find_pairs(view(tasks[i].trees >> kTreeBits),
+                                        view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
+    }
+  });
+  std::size_t starts[kChunks + 1] = {};
+  for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
+    starts[chunk + 1] = starts[chunk] + scratch_.found[chunk].size();
+    met_ += scratch_.met[chunk];
+  }
+  out.resize(starts[kChunks]);
+  workers_.for_each(kChunks, [&](std::size_t chunk) {
+    const PairBuffer& found = scratch_.found[chunk];
+    std::copy_n(found.data(), found.size(), out.data() + starts[chunk]);
+  });
+}
+
+void BoxSet::find_all_pairs(PairBuffer& out) {
+  out.clear();
+  met_ = 0;
+  list_tasks(kTasks);
+  if (!workers_.share(size_)) {
+    for (const BlockPair& task : scratch_.tasks) {
+      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
+                         out);
+    }
+  } else {
+    find_in_parallel(out);
+  }
+  if (met_sorted_ == 0 && sorts_ != 0) met_sorted_ = met_;
+  if (met_ > met_sorted_) excess_ += static_cast<double>(met_ - met_sorted_);
+}
+
+/// Writes blocks one after the other, each with the boxes that `input_of` its places names.
+template <typename InputOf>
+void BoxSet::fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of) {
+  const std::size_t blocks = high_.size();
+  workers_.for_each((blocks + kBlocksPerTask - 1) / kBlocksPerTask, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kBlocksPerTask * kLanes;
+    const std::size_t last = std::min(first + kBlocksPerTask * kLanes, blocks * kLanes);
+    for (std::size_t place = first; place < last; ++place) {
+      // The boxes come in an order of their own: without this every one is waited for.
+      const std::size_t later = input_of(std::min(place + kAhead, last - 1));
+      if (later < boxes.size()) {
+        __builtin_prefetch(boxes[later].min.data());
+        __builtin_prefetch(boxes[later].max.data() + 2);
+      }
+      const std::size_t i = input_of(place);
+      if (i >= boxes.size()) continue;
+      const std::size_t block = place >> kLaneBits;
+      set_lane(high_[block], low_[block], place & (kLanes - 1), ordered_box(boxes[i]));
+    }
+  });
+  all_touched_ = true;
+}
+
+void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
+  std::vector<std::uint32_t>& input = scratch_.input;
+  input.assign(owner_.size(), kNobody);
+  for (std::size_t i = 0; i < owners.size(); ++i)
+    input[place_[owners[i]]] = static_cast<std::uint32_t>(i);
+  fill_blocks(boxes, [&](std::size_t place) { return input[place]; });
+}
+
+void BoxSet::move_first(std::span<const Aabb> boxes) {
+  fill_blocks(boxes, [&](std::size_t place) { return owner_[place]; });
+}
+
+}  // namespace graze::bvh

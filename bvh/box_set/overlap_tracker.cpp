@@ -1,0 +1,250 @@
+#include <graze/bvh/box_set/overlap_tracker.h>
+#include <graze/bvh/box_set/sorted_pairs.h>
+
+#include <algorithm>
+
+namespace graze::bvh {
+namespace {
+
+// One box in so many may change before searching for all pairs is the cheaper way.
+constexpr std::size_t kFewShare = 16;
+constexpr std::size_t kAlwaysFew = 2;
+
+constexpr std::size_t kPairsPerLookup = 512;  // of the list are read in the time of a lookup
+
+constexpr std::size_t kAhead = 4;  // movers whose blocks are fetched before they are needed
+
+BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
+  return {std::min(s, t), std::max(s, t)};
+}
+
+}  // namespace
+
+bool OverlapTracker::are_many(std::size_t changes) const {
+  return changes > kAlwaysFew + set_.size() / kFewShare;
+}
+
+void OverlapTracker::move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
+  set_.move_many(owners, boxes);
+  set_.refit();
+  all_moved_ = true;
+}
+
+void OverlapTracker::move_first_now(std::span<const Aabb> boxes) {
+  set_.move_first(boxes);
+  set_.refit();
+  all_moved_ = true;
+}
+
+bool OverlapTracker::update(BoxChanges& changes) {
+  begun_.clear();
+  ended_.clear();
+  if (!all_moved_ && changes.size() == 0) {
+    has_difference_ = true;
+    return false;
+  }
+  if (all_moved_ || are_many(changes.size())) {
+    search_all(changes);
+  } else {
+    search_movers(changes);
+  }
+  // A crowd of newcomers comes once; movers come again in each step.
+  if (2 * changes.moves < changes.size() && are_many(changes.size())) changes = {};
+  changes.clear();
+  return true;
+}
+
+void OverlapTracker::apply(const BoxChanges& changes) {
+  if (changes.moves == changes.size() && are_many(changes.size())) {
+    set_.move_many(changes.owner, changes.box);
+    return;
+  }
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const std::uint32_t owner = changes.owner[i];
+    if (changes.kind[i] == BoxChanges::Kind::Erase) {
+      if (set_.contains(owner)) set_.erase(owner);
+    } else if (set_.contains(owner)) {
+      set_.move(owner, ordered_box(changes.box[i]));
+    } else {
+      set_.insert(owner, ordered_box(changes.box[i]));
+    }
+  }
+}
+
+void OverlapTracker::search_all(BoxChanges& changes) {
+  apply(changes);
+  set_.refit();
+  set_.sort_if_worthwhile();
+  std::swap(pairs_, before_);
+  std::swap(sorted_, sorted_before_);
+  is_before_sorted_ = is_sorted_;
+  is_sorted_ = false;
+  set_.find_all_pairs(pairs_);
+  index_.reset();
+  has_difference_ = false;
+  all_moved_ = false;
+  ++searches_for_all_;
+}
+
+/// One mover for each box that changes, by the last entry that names it.
+void OverlapTracker::list_movers(const BoxChanges& changes) {
+  movers_.clear();
+  for (std::size_t i = changes.size(); i-- > 0;) {
+    const std::uint32_t owner = changes.owner[i];
+    if (owner >= is_mover_.size()) is_mover_.resize(owner + std::size_t{1});
+    if (is_mover_[owner]) continue;
+    is_mover_[owner] = true;
+    movers_.push_back({set_.place(owner), static_cast<std::uint32_t>(i), {}});
+  }
+  std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
+    return s.place != t.place ? s.place < t.place : s.change < t.change;
+  });
+}
+
+/// What a box overlaps now, in ascending order; of two movers the smaller one lists the pair.
+void OverlapTracker::list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover, int when) {
+  const std::size_t first = partners_.size();
+  set_.find_overlapping(box, partners_);
+  std::size_t kept = first;
+  for (std::size_t i = first; i < partners_.size(); ++i) {
+    const std::uint32_t other = partners_[i];
+    const bool is_mine = other > owner || (other < owner && !(other < is_mover_.size() && is_mover_[other]));
+    if (is_mine) partners_[kept++] = other;
+  }
+  partners_.resize(kept);
+  std::sort(partners_.begin() + static_cast<std::ptrdiff_t>(first), partners_.end());
+  mover.partners[when] = static_cast<std::uint32_t>(first);
+  mover.partners[when + 1] = static_cast<std::uint32_t>(kept);
+}
+
+void OverlapTracker::note_difference(std::uint32_t owner, const Mover& mover) {
+  std::uint32_t was = mover.partners[0], is = mover.partners[2];
+  while (was != mover.partners[1] || is != mover.partners[3]) {
+    if (was != mover.partners[1] && is != mover.partners[3] && partners_[was] == partners_[is]) {
+      ++was, ++is;
+    } else if (is == mover.partners[3] || (was != mover.partners[1] && partners_[was] < partners_[is])) {
+      ended_.push_back(ordered_pair(owner, partners_[was++]));
+    } else {
+      begun_.push_back(ordered_pair(owner, partners_[is++]));
+    }
+  }
+}
+
+/// What movers overlapped is looked up before they move: nothing is read but what lies near them.
+void OverlapTracker::compare_lookups(const BoxChanges& changes) {
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    Mover& mover = movers_[i];
+    const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
+    if (later.place != kNobody) set_.prefetch(later.place);
+    if (mover.place == kNobody) continue;
+    const std::uint32_t owner = changes.owner[mover.change];
+    list_partners(owner, set_.box(owner), mover, 0);
+  }
+  apply(changes);
+  set_.refit();
+  for (Mover& mover : movers_) {
+    const std::uint32_t owner = changes.owner[mover.change];
+    if (set_.contains(owner)) list_partners(owner, ordered_box(changes.box[mover.change]), mover, 2);
+    note_difference(owner, mover);
+  }
+}
+
+/// Both places of a mover are looked up at once, after all have moved. That tells what began and
+/// ended with boxes that did not move. What began between two movers the list does not know yet;
+/// what ended between two takes a pass over the list to find.
+void OverlapTracker::compare_at_once(const BoxChanges& changes) {
+  boxes_before_.resize(movers_.size());
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
+    if (later.place != kNobody) set_.prefetch(later.place);
+    boxes_before_[i] = movers_[i].place == kNobody ? no_box() : set_.box(changes.owner[movers_[i].change]);
+  }
+  apply(changes);
+  set_.refit();
+  is_mover_.resize(std::max<std::size_t>(is_mover_.size(), set_.owner_limit()));
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    const std::uint32_t owner = changes.owner[movers_[i].change];
+    const OrderedBox after = set_.contains(owner) ? ordered_box(changes.box[movers_[i].change]) : no_box();
+    hits_.clear();
+    set_.find_overlapping_either(boxes_before_[i], after, hits_);
+    for (const MoverHit& hit : hits_) {
+      const BoxPair pair = ordered_pair(owner, hit.owner);
+      if (!is_mover_[hit.owner]) {
+        if (hit.is > hit.was) begun_.push_back(pair);
+        if (hit.is < hit.was) ended_.push_back(pair);
+      } else if (hit.is && owner < hit.owner && index_.position(pairs_, pair) == PairIndex::kNowhere) {
+        begun_.push_back(pair);
+      }
+    }
+  }
+  end_pairs_of_movers();
+}
+
+void OverlapTracker::end_pairs_of_movers() {
+  const BoxPair* pairs = pairs_.data();
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    if (!is_mover_[a] || !is_mover_[b]) continue;
+    const bool is_over = !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
+    if (is_over) ended_.push_back(pairs[i]);
+  }
+}
+
+void OverlapTracker::search_movers(const BoxChanges& changes) {
+  if (!index_.is_built()) index_.build(pairs_);
+  list_movers(changes);
+  partners_.clear();
+  if (movers_.size() * kPairsPerLookup > pairs_.size()) {
+    compare_at_once(changes);
+  } else {
+    compare_lookups(changes);
+  }
+  for (const Mover& mover : movers_)
+    is_mover_[changes.owner[mover.change]] = false;
+  for (const BoxPair& pair : ended_.pairs())
+    index_.remove(pairs_, pair);
+  for (const BoxPair& pair : begun_.pairs())
+    index_.add(pairs_, pair);
+  std::sort(begun_.data(), begun_.data() + begun_.size());
+  std::sort(ended_.data(), ended_.data() + ended_.size());
+  if (begun_.size() + ended_.size() != 0) is_sorted_ = false;
+  has_difference_ = true;
+  ++searches_for_movers_;
+  set_.sort_if_crowded();
+}
+
+std::span<const BoxPair> OverlapTracker::sorted_pairs() {
+  if (!is_sorted_) {
+    sort_pairs(pairs_.pairs(), set_.owner_limit(), starts_, sorted_);
+    is_sorted_ = true;
+  }
+  return sorted_.pairs();
+}
+
+void OverlapTracker::work_out_difference() {
+  if (has_difference_) return;
+  if (!is_before_sorted_) sort_pairs(before_.pairs(), set_.owner_limit(), starts_, sorted_before_);
+  is_before_sorted_ = true;
+  append_difference(sorted_pairs(), sorted_before_.pairs(), begun_);
+  append_difference(sorted_before_.pairs(), sorted_pairs(), ended_);
+  has_difference_ = true;
+}
+
+std::span<const BoxPair> OverlapTracker::begun() {
+  work_out_difference();
+  return begun_.pairs();
+}
+
+std::span<const BoxPair> OverlapTracker::ended() {
+  work_out_difference();
+  return ended_.pairs();
+}
+
+std::size_t OverlapTracker::bytes_for_pairs() const {
+  const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
+                            sorted_before_.capacity() + begun_.capacity() + ended_.capacity();
+  return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 + partners_.capacity() * 4 +
+         movers_.capacity() * sizeof(Mover);
+}
+
+}  // namespace graze::bvh

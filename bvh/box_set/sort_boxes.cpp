@@ -1,0 +1,204 @@
+// Putting the boxes of a set into a new order.
+
+#include <graze/bvh/box_set/box_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graze::bvh {
+namespace {
+
+// What sorting costs, in pairs of blocks that a search could have met instead, per block.
+constexpr double kSortCost = 40;
+
+constexpr std::size_t kMostLayers = 24;
+
+constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
+
+/// The class of a box by its longest side, in steps of 4; points and what is nearly one are in the
+/// lowest class.
+int size_class(const OrderedBox& box) {
+  double longest = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    longest = std::max(longest, 0.5 * value_of_key(box[c + 3]) - 0.5 * value_of_key(box[c]));
+  return longest > 0x1p-1000 ? std::ilogb(longest) >> 1 : -501;
+}
+
+float centre(std::int64_t low, std::int64_t high, double origin) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  const double value = 0.5 * value_of_key(low) + 0.5 * value_of_key(high) - origin;
+  return static_cast<float>(std::clamp(value, -kLargest, kLargest));
+}
+
+}  // namespace
+
+double BoxSet::predicted_excess() const {
+  const double blocks = static_cast<double>(high_.size());
+  if (sorts_ == 0) return 0.5 * blocks * blocks;
+  return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
+}
+
+void BoxSet::sort_if_worthwhile() {
+  const double cost = kSortCost * static_cast<double>(high_.size());
+  if (excess_ + predicted_excess() > cost || holes_ > kLanes + size_ / 8) {
+    sort();
+  } else if (newcomers_ > sorted_newcomers_) {
+    sort_newcomers();
+  }
+}
+
+/// Lists the boxes class by class, and makes a layer for each class.
+void BoxSet::collect_items(SortSpace& space) {
+  std::vector<KdItem>& items = space.items;
+  std::vector<std::int16_t> classes(owner_.size());
+  constexpr int kClasses = 1024, kShift = 512;
+  std::vector<std::uint32_t> count(kClasses + 1);
+  double origin[3] = {0, 0, 0};
+  bool is_first = true;
+  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    classes[place] = static_cast<std::int16_t>(size_class(of) + kShift);
+    ++count[static_cast<std::size_t>(classes[place])];
+    for (std::size_t c = 0; c < 3; ++c)
+      origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
+    is_first = false;
+  }
+  // Where there are more classes than layers, the lowest ones share one.
+  std::vector<int> layer_of_class(kClasses, 0);
+  std::size_t left = static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n != 0; }));
+  std::vector<std::uint32_t> start;
+  std::uint32_t sum = 0;
+  for (std::size_t k = 0; k < kClasses; ++k) {
+    if (count[k] == 0) continue;
+    if (start.empty() || left < kMostLayers) start.push_back(sum);
+    layer_of_class[k] = static_cast<int>(start.size()) - 1;
+    sum += count[k];
+    --left;
+  }
+  start.push_back(sum);
+  items.resize(size_);
+  std::vector<std::uint32_t> next(start.begin(), start.end());
+  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    KdItem& item = items[next[static_cast<std::size_t>(layer_of_class[static_cast<std::size_t>(classes[place])])]++];
+    for (std::size_t c = 0; c < 3; ++c)
+      item.centre[c] = centre(of[c], of[c + 3], origin[c]);
+    item.owner = owner_[place];
+  }
+  layers_.resize(start.size());
+  std::uint32_t block = 0;
+  for (std::size_t i = 0; i + 1 < start.size(); ++i) {
+    layers_[i].first_block = block;
+    layers_[i].block_count = (start[i + 1] - start[i] + kLanes - 1) / kLanes;
+    block += layers_[i].block_count;
+  }
+  space.starts = start;
+}
+
+/// Writes the boxes in the order of the items.
+void BoxSet::place_items(const SortSpace& space) {
+  const std::vector<KdItem>& items = space.items;
+  const std::vector<std::uint32_t>& start = space.starts;
+  const std::size_t blocks = layers_.size() == 1 ? 0 : layers_[layers_.size() - 2].first_block +
+                                                           layers_[layers_.size() - 2].block_count;
+  // With room for newcomers, so that the first of them does not double the memory.
+  const std::size_t room = blocks + blocks / kRoomShare + kLanes;
+  std::vector<Block> to_high;
+  std::vector<LowBlock> to_low;
+  std::vector<std::uint32_t> to_owner;
+  to_high.reserve(room), to_low.reserve(room), to_owner.reserve(room * kLanes);
+  to_high.assign(blocks, empty_block());
+  to_low.resize(blocks);
+  to_owner.assign(blocks * kLanes, kNobody);
+  for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
+    std::uint32_t place = layers_[l].first_block * kLanes;
+    for (std::uint32_t i = start[l]; i < start[l + 1]; ++i, ++place) {
+      const std::uint32_t owner = items[i].owner;
+      const std::uint32_t from = place_[owner];
+      Block& high = to_high[place >> kLaneBits];
+      LowBlock& low = to_low[place >> kLaneBits];
+      for (int c = 0; c < 6; ++c) {
+        high.row[c][place & (kLanes - 1)] = high_[from >> kLaneBits].row[c][from & (kLanes - 1)];
+        low.row[c][place & (kLanes - 1)] = low_[from >> kLaneBits].row[c][from & (kLanes - 1)];
+      }
+      to_owner[place] = owner;
+      place_[owner] = place;
+    }
+  }
+  high_.swap(to_high);
+  low_.swap(to_low);
+  owner_.swap(to_owner);
+  layers_.back().first_block = static_cast<std::uint32_t>(blocks);
+  layers_.back().block_count = 0;
+}
+
+void BoxSet::measure_sorted() {
+  for (Layer& layer : layers_) {
+    layer.sorted_girth.clear();
+    layer.reshape(layer.first_block, layer.block_count);
+    if (layer.block_count == 0) continue;
+    layer.refit_all(high_.data());
+    for (std::uint32_t b = 0; b < layer.block_count; ++b)
+      layer.sorted_girth.push_back(static_cast<float>(layer.girth_of(b)));
+  }
+}
+
+/// Puts the boxes that came since the last sort in order among themselves.
+void BoxSet::sort_newcomers() {
+  Layer& last = layers_.back();
+  std::vector<KdItem>& items = scratch_.newcomers;
+  std::vector<OrderedBox>& boxes = scratch_.boxes;
+  items.clear();
+  const std::uint32_t first = last.first_block * kLanes;
+  for (std::uint32_t place = first; place < first + newcomers_; ++place) {
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = box(owner_[place]);
+    items.push_back({{}, owner_[place]});
+    for (std::size_t c = 0; c < 3; ++c)
+      items.back().centre[c] = centre(of[c], of[c + 3], 0);
+  }
+  kd_order(items);
+  boxes.clear();
+  for (const KdItem& item : items)
+    boxes.push_back(box(item.owner));
+  holes_ -= newcomers_ - items.size();
+  newcomers_ = sorted_newcomers_ = items.size();
+  const auto blocks = static_cast<std::uint32_t>((newcomers_ + kLanes - 1) / kLanes);
+  high_.resize(last.first_block);
+  high_.resize(last.first_block + blocks, empty_block());
+  low_.resize(last.first_block + blocks);
+  owner_.resize(first);
+  owner_.resize(first + blocks * kLanes, kNobody);
+  last.reshape(last.first_block, blocks);
+  for (std::uint32_t i = 0; i < items.size(); ++i) {
+    const std::uint32_t place = first + i;
+    set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), boxes[i]);
+    owner_[place] = items[i].owner;
+    place_[items[i].owner] = place;
+  }
+  if (blocks != 0) last.refit_all(high_.data());
+}
+
+void BoxSet::sort() {
+  SortSpace space;
+  collect_items(space);
+  const std::vector<std::uint32_t>& start = space.starts;
+  workers_.run([&] {
+    for (std::size_t l = 0; l + 1 < start.size(); ++l)
+      kd_order(std::span(space.items).subspan(start[l], start[l + 1] - start[l]));
+  });
+  place_items(space);
+  measure_sorted();
+  newcomers_ = sorted_newcomers_ = holes_ = 0;
+  all_touched_ = false;
+  touched_.clear();
+  met_sorted_ = 0;
+  excess_ = inflation_ = 0;
+  place_.shrink_to_fit();
+  ++sorts_;
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/pose.h>
+
+#include <compare>
+#include <cstdint>
+
+namespace graze {
+
+/// A body of a World, by value. An index is used again when its body is gone; the generation tells
+/// its users apart.
+struct BodyId {
+  std::uint32_t index = 0xffffffffu;
+  std::uint32_t generation = 0;
+  friend auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+
+/// Two bodies, the one with the smaller index first.
+struct BodyPair {
+  BodyId a;
+  BodyId b;
+  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// What a world asks of a shape. Shapes are immutable and may be shared by bodies and threads.
+class BodyShape {
+ public:
+  virtual ~BodyShape() = default;
+
+  /// A box in world coordinates, metres, that holds the shape placed by the pose.
+  virtual Aabb bounds(const Pose& pose) const = 0;
+
+  /// True if the placed shapes share a point. A world asks the body with the smaller index.
+  virtual bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const = 0;
+};
+
+enum class Motion : std::uint8_t {
+  Static,     // does not move by itself; meets only dynamic bodies
+  Kinematic,  // moved by its user, as by rails; meets only dynamic bodies
+  Dynamic     // moved by a solver; meets all
+};
+
+/// Who meets whom: two bodies do if each one's category is in the other's mask; of one group other
+/// than 0, if the group is positive whatever the masks say, and if it is negative never.
+struct Filter {
+  std::uint32_t category = 1;
+  std::uint32_t mask = 0xffffffffu;
+  std::int32_t group = 0;
+};
+
+bool lets_pass(const Filter& a, const Filter& b);
+
+}  // namespace graze

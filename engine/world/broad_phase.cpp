@@ -1,0 +1,215 @@
+#include <graze/bvh/box_set/overlap_tracker.h>
+#include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/id_table.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+namespace graze {
+namespace {
+
+using bvh::BoxChanges;
+
+constexpr std::size_t kChunk = 4096;  // boxes of a span that are checked at a time
+
+bool is_box(const Aabb& box) {
+  const double* low = box.min.data();
+  const double* high = box.max.data();
+  const bool is_finite = std::isfinite(low[0]) & std::isfinite(low[1]) & std::isfinite(low[2]) &
+                         std::isfinite(high[0]) & std::isfinite(high[1]) & std::isfinite(high[2]);
+  return is_finite & (low[0] <= high[0]) & (low[1] <= high[1]) & (low[2] <= high[2]);
+}
+
+}  // namespace
+
+struct BroadPhase::State {
+  explicit State(int threads) : tracker(threads) {}
+
+  IdTable ids;
+  bvh::OverlapTracker tracker;
+  BoxChanges changes;                   // asked for since the last update
+  std::vector<bool> is_staged;          // by index: named in the changes
+  std::vector<std::uint32_t> indices;   // of a span of ids that are not 0, 1, 2 ...
+  BroadPhaseWork work;
+
+  void check(BoxId id, const char* what) const {
+    if (ids.is_live(id.index, id.generation)) return;
+    throw StaleIdError(std::string(what) + ": there is no box with index " + std::to_string(id.index) +
+                       " and generation " + std::to_string(id.generation));
+  }
+
+  void stage(std::uint32_t index, const Aabb& box, BoxChanges::Kind kind) {
+    changes.add(index, box, kind);
+    is_staged[index] = true;
+  }
+
+  /// The last change that names the index. O(changes).
+  std::size_t staged(std::uint32_t index) const {
+    std::size_t i = changes.size();
+    while (changes.owner[--i] != index) {
+    }
+    return i;
+  }
+
+  Aabb box(std::uint32_t index) const {
+    return is_staged[index] ? changes.box[staged(index)] : bvh::box_of_keys(tracker.set().box(index));
+  }
+};
+
+BroadPhase::BroadPhase(const BroadPhaseSettings& settings) {
+  if (settings.threads < 1) {
+    throw InputError("BroadPhase: threads is " + std::to_string(settings.threads) + ", must be at least 1");
+  }
+  state_ = std::make_unique<State>(settings.threads);
+}
+
+BroadPhase::~BroadPhase() = default;
+BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
+BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
+
+BoxId BroadPhase::add(const Aabb& box) {
+  check_box(box, "add");
+  const std::uint32_t index = state_->ids.take();
+  if (index >= state_->is_staged.size()) state_->is_staged.push_back(false);
+  state_->stage(index, box, BoxChanges::Kind::Insert);
+  return {index, state_->ids.generation(index)};
+}
+
+void BroadPhase::move(BoxId id, const Aabb& box) {
+  state_->check(id, "move");
+  check_box(box, "move");
+  state_->stage(id.index, box, BoxChanges::Kind::Move);
+}
+
+void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
+  State& state = *state_;
+  if (ids.size() != boxes.size()) {
+    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " + std::to_string(boxes.size()) +
+                     " boxes");
+  }
+  const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
+  std::atomic<bool> is_valid{true}, is_in_order{true};
+  state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
+    bool is_good = true, is_own_number = true;
+    for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
+      is_good &= is_box(boxes[i]) & state.ids.is_live(ids[i].index, ids[i].generation);
+      is_own_number &= ids[i].index == i;
+    }
+    if (!is_good) is_valid = false;
+    if (!is_own_number) is_in_order = false;
+  });
+  for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
+    const std::string what = "move, element " + std::to_string(i);
+    state.check(ids[i], what.c_str());
+    check_box(boxes[i], what.c_str());
+  }
+  if (state.changes.size() == 0 && state.tracker.are_many(ids.size())) {
+    if (is_in_order) {
+      state.tracker.move_first_now(boxes);
+    } else {
+      state.indices.clear();
+      for (const BoxId id : ids)
+        state.indices.push_back(id.index);
+      state.tracker.move_now(state.indices, boxes);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    state.stage(ids[i].index, boxes[i], BoxChanges::Kind::Move);
+}
+
+void BroadPhase::remove(BoxId id) {
+  state_->check(id, "remove");
+  state_->stage(id.index, Aabb{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}, BoxChanges::Kind::Erase);
+  state_->ids.free(id.index);
+}
+
+void BroadPhase::update() {
+  State& state = *state_;
+  ++state.work.updates;
+  for (const std::uint32_t index : state.changes.owner)
+    state.is_staged[index] = false;
+  if (!state.tracker.update(state.changes)) {
+    state.ids.next_round();
+    return;
+  }
+  state.ids.next_round();
+  state.work.searches_for_all = state.tracker.searches_for_all();
+  state.work.searches_for_movers = state.tracker.searches_for_movers();
+  state.work.sorts = state.tracker.set().sorts();
+  state.work.blocks_met = state.tracker.set().blocks_met();
+}
+
+std::size_t BroadPhase::size() const {
+  return state_->ids.live_count();
+}
+
+bool BroadPhase::contains(BoxId id) const {
+  return state_->ids.is_live(id.index, id.generation);
+}
+
+Aabb BroadPhase::box(BoxId id) const {
+  state_->check(id, "box");
+  return state_->box(id.index);
+}
+
+BoxId BroadPhase::id(std::uint32_t index) const {
+  if (!state_->ids.is_live(index)) {
+    throw StaleIdError("id: there is no box with index " + std::to_string(index));
+  }
+  return {index, state_->ids.generation(index)};
+}
+
+std::span<const BoxPair> BroadPhase::pairs() const {
+  return state_->tracker.pairs();
+}
+
+std::span<const BoxPair> BroadPhase::sorted_pairs() {
+  return state_->tracker.sorted_pairs();
+}
+
+std::span<const BoxPair> BroadPhase::begun() {
+  return state_->tracker.begun();
+}
+
+std::span<const BoxPair> BroadPhase::ended() {
+  return state_->tracker.ended();
+}
+
+void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
+  check_box(box, "find_overlapping");
+  const State& state = *state_;
+  const bvh::OrderedBox keys = bvh::ordered_box(box);
+  const std::size_t first = indices.size();
+  state.tracker.set().find_overlapping(keys, indices);
+  if (state.changes.size() == 0) return;
+  // What was asked for since the last update is not in the trees yet.
+  std::size_t kept = first;
+  for (std::size_t i = first; i < indices.size(); ++i) {
+    if (!state.is_staged[indices[i]]) indices[kept++] = indices[i];
+  }
+  indices.resize(kept);
+  for (std::size_t i = 0; i < state.changes.size(); ++i) {
+    const std::uint32_t index = state.changes.owner[i];
+    if (!state.ids.is_live(index) || !bvh::overlap(keys, bvh::ordered_box(state.changes.box[i]))) continue;
+    if (state.staged(index) == i) indices.push_back(index);
+  }
+}
+
+const BroadPhaseWork& BroadPhase::work() const {
+  return state_->work;
+}
+
+std::size_t BroadPhase::bytes_for_boxes() const {
+  const State& state = *state_;
+  return state.tracker.set().bytes() + state.ids.bytes() + state.is_staged.capacity() / 8 +
+         state.indices.capacity() * 4 + state.changes.box.capacity() * (sizeof(Aabb) + 5);
+}
+
+std::size_t BroadPhase::bytes_for_pairs() const {
+  return state_->tracker.bytes_for_pairs();
+}
+
+}  // namespace graze

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/box_set/box_pair.h>
+#include <graze/engine/world/stale_id_error.h>
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// A box of a BroadPhase, by value. Indices are small numbers that are used again when a box is
+/// gone; the generation tells its users apart.
+struct BoxId {
+  std::uint32_t index = 0xffffffffu;
+  std::uint32_t generation = 0;
+  friend auto operator<=>(const BoxId&, const BoxId&) = default;
+};
+
+/// What an update did.
+struct BroadPhaseWork {
+  std::uint64_t updates = 0;
+  std::uint64_t searches_for_all = 0;   // updates that looked for all pairs anew
+  std::uint64_t searches_for_movers = 0;  // updates that looked at movers only
+  std::uint64_t sorts = 0;              // times that the boxes were put into a new order
+  std::uint64_t blocks_met = 0;         // pairs of 16 boxes in the last search for all pairs
+};
+
+struct BroadPhaseSettings {
+  int threads = 1;  // at least 1; no result depends on it
+};
+
+/// Which of many moving boxes overlap: exactly, on their own doubles, touching included.
+///
+///   BroadPhase boxes;
+///   BoxId a = boxes.add(box_a), b = boxes.add(box_b);
+///   boxes.move(a, elsewhere);
+///   boxes.update();
+///   for (BoxPair pair : boxes.pairs()) ...
+///
+/// `add`, `move` and `remove` are seen by queries at once and by pairs(), begun() and ended() from
+/// the next update() on. An update costs what moved and what that changed: nothing if nothing did.
+/// All lists are the same for any number of threads and on any SIMD target. Spans are valid until
+/// the next call that is not const. Const functions may run at the same time.
+class BroadPhase {
+ public:
+  explicit BroadPhase(const BroadPhaseSettings& settings = {});
+  ~BroadPhase();
+  BroadPhase(BroadPhase&&) noexcept;
+  BroadPhase& operator=(BroadPhase&&) noexcept;
+
+  /// Throws InputError for a box that is not finite or whose minimum exceeds its maximum.
+  BoxId add(const Aabb& box);
+
+  /// Gives boxes a new place. Throws StaleIdError, InputError; of a span that throws no box has
+  /// moved. The last of equal ids counts. One call with many is cheaper than many calls.
+  void move(BoxId id, const Aabb& box);
+  void move(std::span<const BoxId> ids, std::span<const Aabb> boxes);
+
+  /// Throws StaleIdError. The index is not given out again before two more updates.
+  void remove(BoxId id);
+
+  std::size_t size() const;
+  bool contains(BoxId id) const;
+  Aabb box(BoxId id) const;               // throws StaleIdError
+  BoxId id(std::uint32_t index) const;    // of the box with this index; throws StaleIdError
+
+  /// Finds which pairs overlap now.
+  void update();
+
+  /// All pairs that overlap, each once, by index, smaller first. The order is the same for the same
+  /// history of calls.
+  std::span<const BoxPair> pairs() const;
+
+  /// The same in ascending order. O(pairs) when first asked after an update that changed any.
+  std::span<const BoxPair> sorted_pairs();
+
+  /// Pairs that overlap since the last update, and that do not any more, each list in ascending
+  /// order. A removed box is still known by its index here. After an update that searched all, the
+  /// first call costs O(pairs).
+  std::span<const BoxPair> begun();
+  std::span<const BoxPair> ended();
+
+  /// Appends the indices of all boxes that share a point with `box`, in an order of no meaning.
+  void find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const;
+
+  const BroadPhaseWork& work() const;
+
+  /// Memory in use, bytes: for the boxes, and for lists of pairs and what finds pairs in them.
+  std::size_t bytes_for_boxes() const;
+  std::size_t bytes_for_pairs() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace graze

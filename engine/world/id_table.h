@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace graze {
+
+/// Which indices are in use, and by which generation. A freed index rests for two rounds before it
+/// is given out again, so that no list of the last round can name two different things by it.
+class IdTable {
+ public:
+  std::uint32_t take();
+  void free(std::uint32_t index);
+
+  /// Begins a round.
+  void next_round();
+
+  bool is_live(std::uint32_t index) const {
+    return index < generation_.size() && (generation_[index] & 1) != 0;
+  }
+  bool is_live(std::uint32_t index, std::uint32_t generation) const {
+    return is_live(index) && generation_[index] == generation;
+  }
+  std::uint32_t generation(std::uint32_t index) const { return generation_[index]; }
+  std::size_t live_count() const { return live_count_; }
+  std::size_t bytes() const;
+
+ private:
+  std::vector<std::uint16_t> generation_;  // odd while the index is in use
+  std::vector<std::uint32_t> free_;        // may be taken, the last first
+  std::vector<std::uint32_t> resting_[2];
+  std::size_t live_count_ = 0;
+};
+
+}  // namespace graze

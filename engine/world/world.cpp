@@ -1,0 +1,209 @@
+#include <graze/engine/world/world_state.h>
+
+#include <algorithm>
+#include <string>
+
+namespace graze {
+namespace {
+
+std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
+  return static_cast<std::uint64_t>(std::min(s, t)) << 32 | std::max(s, t);
+}
+
+Aabb bounds_of(const BodyShape& shape, const Pose& pose, const char* what) {
+  const Aabb box = shape.bounds(pose);
+  check_box(box, what);
+  return box;
+}
+
+}  // namespace
+
+const Bodies::Body& World::State::body(BodyId id, const char* what) const {
+  if (!all.ids.is_live(id.index, id.generation)) {
+    throw StaleIdError(std::string(what) + ": there is no body with index " + std::to_string(id.index) +
+                       " and generation " + std::to_string(id.generation));
+  }
+  return all.bodies[id.index];
+}
+
+void World::State::note_change(std::uint32_t index) {
+  if (all.bodies[index].has_changed) return;
+  all.bodies[index].has_changed = true;
+  changed.push_back(index);
+}
+
+void World::State::note_other_filter(std::uint32_t index) {
+  all.bodies[index].has_other_filter = true;
+  note_change(index);
+}
+
+void World::State::insert_box(std::uint32_t index) {
+  Bodies::Body& body = all.bodies[index];
+  body.box = broad.add(body.shape->bounds(body.pose)).index;
+  if (body.box >= body_of_box.size()) body_of_box.resize(body.box + std::size_t{1});
+  body_of_box[body.box] = index;
+}
+
+World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings.threads)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose, const BodySettings& settings) {
+  if (shape == nullptr) throw InputError("add: no shape");
+  check_rigid(pose, "add");
+  bounds_of(*shape, pose, "add");
+  State& state = *state_;
+  const std::uint32_t index = state.all.ids.take();
+  if (index >= state.all.bodies.size()) state.all.bodies.emplace_back();
+  Bodies::Body& body = state.all.bodies[index];
+  body = {};
+  body.shape = std::move(shape);
+  body.pose = pose;
+  body.motion = settings.motion;
+  body.filter = settings.filter;
+  body.user_data = settings.user_data;
+  state.insert_box(index);
+  state.note_change(index);
+  return state.all.id(index);
+}
+
+void World::remove(BodyId id) {
+  State& state = *state_;
+  Bodies::Body& body = state.body(id, "remove");
+  state.broad.remove(state.broad.id(body.box));
+  if (body.exclusions != 0) {
+    std::erase_if(state.all.excluded, [&](std::uint64_t key) {
+      const bool is_its = key >> 32 == id.index || static_cast<std::uint32_t>(key) == id.index;
+      const std::uint32_t other = static_cast<std::uint32_t>((key >> 32) ^ key) ^ id.index;
+      if (is_its) --state.all.bodies[other].exclusions;
+      return is_its;
+    });
+  }
+  body.shape.reset();
+  state.all.ids.free(id.index);
+  ++state.removed;
+}
+
+void World::move(BodyId id, const Pose& pose) {
+  move({&id, 1}, {&pose, 1});
+}
+
+void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  State& state = *state_;
+  if (ids.size() != poses.size()) {
+    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " + std::to_string(poses.size()) + " poses");
+  }
+  state.boxes_to_move.clear();
+  state.places.clear();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const Bodies::Body& body = state.body(ids[i], "move");
+    check_rigid(poses[i], "move");
+    state.places.push_back(bounds_of(*body.shape, poses[i], "move"));
+    state.boxes_to_move.push_back(state.broad.id(body.box));
+  }
+  state.broad.move(state.boxes_to_move, state.places);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    Bodies::Body& body = state.all.bodies[ids[i].index];
+    body.pose = poses[i];
+    body.is_awake = true;
+    state.note_change(ids[i].index);
+  }
+}
+
+void World::set_filter(BodyId id, const Filter& filter) {
+  state_->body(id, "set_filter").filter = filter;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_motion(BodyId id, Motion motion) {
+  state_->body(id, "set_motion").motion = motion;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_user_data(BodyId id, std::uint64_t data) {
+  state_->body(id, "set_user_data").user_data = data;
+}
+
+void World::sleep(BodyId id) {
+  state_->body(id, "sleep").is_awake = false;
+}
+
+void World::wake(BodyId id) {
+  state_->body(id, "wake").is_awake = true;
+}
+
+void World::exclude(BodyId a, BodyId b) {
+  Bodies::Body& body_a = state_->body(a, "exclude");
+  Bodies::Body& body_b = state_->body(b, "exclude");
+  if (a == b) throw InputError("exclude: a body and itself");
+  if (!state_->all.excluded.insert(pair_key(a.index, b.index)).second) return;
+  ++body_a.exclusions, ++body_b.exclusions;
+  state_->note_other_filter(a.index);
+}
+
+void World::include(BodyId a, BodyId b) {
+  Bodies::Body& body_a = state_->body(a, "include");
+  Bodies::Body& body_b = state_->body(b, "include");
+  if (state_->all.excluded.erase(pair_key(a.index, b.index)) == 0) return;
+  --body_a.exclusions, --body_b.exclusions;
+  state_->note_other_filter(a.index);
+}
+
+void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
+  state_->all.pair_filter = std::move(filter);
+  for (std::uint32_t index = 0; index < state_->all.bodies.size(); ++index) {
+    if (state_->all.ids.is_live(index)) state_->note_other_filter(index);
+  }
+}
+
+bool World::contains(BodyId id) const {
+  return state_->all.ids.is_live(id.index, id.generation);
+}
+
+std::size_t World::size() const {
+  return state_->all.ids.live_count();
+}
+
+const Pose& World::pose(BodyId id) const {
+  return state_->body(id, "pose").pose;
+}
+
+Motion World::motion(BodyId id) const {
+  return state_->body(id, "motion").motion;
+}
+
+const Filter& World::filter(BodyId id) const {
+  return state_->body(id, "filter").filter;
+}
+
+std::uint64_t World::user_data(BodyId id) const {
+  return state_->body(id, "user_data").user_data;
+}
+
+bool World::is_awake(BodyId id) const {
+  const Bodies::Body& body = state_->body(id, "is_awake");
+  return body.is_awake && body.motion != Motion::Static;
+}
+
+std::vector<BodyPair> World::pairs() const {
+  const State& state = *state_;
+  std::vector<BodyPair> pairs;
+  for (std::uint32_t at = 0; at < state.candidates.list().size(); ++at) {
+    if (state.candidates.touches(at)) pairs.push_back(state.all.id_pair(state.candidates.list()[at]));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::vector<BodyId> World::find_in_box(const Aabb& box) const {
+  std::vector<std::uint32_t> found;
+  state_->broad.find_overlapping(box, found);
+  std::vector<BodyId> bodies;
+  for (const std::uint32_t index : found)
+    bodies.push_back(state_->all.id(state_->body_of_box[index]));
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
+}
+
+}  // namespace graze

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/stale_id_error.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+struct BodySettings {
+  Motion motion = Motion::Dynamic;
+  Filter filter = {};
+  std::uint64_t user_data = 0;
+};
+
+struct WorldSettings {
+  int threads = 1;  // at least 1; no result depends on it
+};
+
+/// What an update did, and what it could leave out.
+struct WorldWork {
+  std::uint64_t pairs_filtered = 0;    // boxes that began to overlap, of bodies that do not meet
+  std::uint64_t pairs_at_rest = 0;     // pairs with overlapping boxes in which nothing moved
+  std::uint64_t shape_tests = 0;
+};
+
+/// What changed between two updates, each list in ascending order. The spans are valid until the
+/// world is next changed.
+struct WorldUpdate {
+  std::span<const BodyPair> begun;  // touch now and did not
+  std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
+  std::span<const BodyPair> moved;  // touch now, and one of them moved or came or changed its filter
+  WorldWork work;
+};
+
+/// A copy of a world's state, for World::restore().
+class WorldSnapshot {
+ public:
+  WorldSnapshot(const WorldSnapshot&) = default;
+  WorldSnapshot& operator=(const WorldSnapshot&) = default;
+
+ private:
+  friend class World;
+  struct State;
+  explicit WorldSnapshot(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+  std::shared_ptr<const State> state_;
+};
+
+/// Bodies that move, and which of them touch. It looks only at what moved: a step costs what the
+/// movers and the pairs around them do.
+class World {
+ public:
+  explicit World(const WorldSettings& settings = {});
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
+  BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose, const BodySettings& settings = {});
+
+  /// All of these throw StaleIdError for the id of a body that is gone.
+  void remove(BodyId id);
+  void move(BodyId id, const Pose& pose);  // wakes the body
+  void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  void set_filter(BodyId id, const Filter& filter);
+  void set_motion(BodyId id, Motion motion);
+  void set_user_data(BodyId id, std::uint64_t data);
+
+  /// Pairs of bodies none of which is awake are not looked at. A static body sleeps always.
+  void sleep(BodyId id);
+  void wake(BodyId id);
+
+  /// Two bodies never meet, or may meet again. An exclusion ends with either body.
+  void exclude(BodyId a, BodyId b);
+  void include(BodyId a, BodyId b);
+
+  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass; it
+  /// must not change the world.
+  void set_pair_filter(std::function<bool(BodyId, BodyId)> filter);
+
+  bool contains(BodyId id) const;
+  std::size_t size() const;
+  const Pose& pose(BodyId id) const;
+  Motion motion(BodyId id) const;
+  const Filter& filter(BodyId id) const;
+  std::uint64_t user_data(BodyId id) const;
+  bool is_awake(BodyId id) const;
+
+  /// Brings all pairs up to date.
+  WorldUpdate update();
+
+  /// All pairs that touch, in ascending order. O(pairs log pairs).
+  std::vector<BodyPair> pairs() const;
+
+  /// The bodies whose boxes share a point with `box`, in ascending order.
+  std::vector<BodyId> find_in_box(const Aabb& box) const;
+
+  /// A copy of all there is, and the world as it was. Throws InputError while changes wait for an
+  /// update. From a restored world on, all is as it was from there the first time, bit for bit.
+  WorldSnapshot snapshot() const;
+  void restore(const WorldSnapshot& snapshot);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace graze

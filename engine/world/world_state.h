@@ -1,0 +1,103 @@
+#pragma once
+
+#include <graze/bvh/box_set/pair_index.h>
+#include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/id_table.h>
+#include <graze/engine/world/world.h>
+
+#include <unordered_set>
+
+namespace graze {
+
+/// The part of a world that a snapshot copies.
+struct Bodies {
+  struct Body {
+    std::shared_ptr<const BodyShape> shape;
+    Pose pose;
+    Filter filter;
+    std::uint64_t user_data = 0;
+    std::uint32_t box = 0;  // its index in the broad phase
+    std::uint32_t exclusions = 0;
+    Motion motion = Motion::Dynamic;
+    bool is_awake = true;
+    bool has_changed = false;       // came, moved or changed its filter since the last update
+    bool has_other_filter = false;  // its filter, motion or exclusions changed
+  };
+
+  IdTable ids;
+  std::vector<Body> bodies;                    // by index
+  std::unordered_set<std::uint64_t> excluded;  // pairs, the smaller index in the high half
+  std::function<bool(BodyId, BodyId)> pair_filter;
+
+  /// The id of a body that is there, or was until the last update.
+  BodyId id(std::uint32_t index) const {
+    const std::uint32_t generation = ids.generation(index);
+    return {index, ids.is_live(index) ? generation : (generation - 1) & 0xffff};
+  }
+  BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
+  bool meet(std::uint32_t a, std::uint32_t b) const;
+};
+
+/// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them touch.
+class Candidates {
+ public:
+  void add(BoxPair pair);
+  void remove(std::uint32_t at);
+  std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
+  static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
+
+  std::span<const BoxPair> list() const { return list_.pairs(); }
+  bool touches(std::uint32_t at) const { return touches_[at] != 0; }
+  void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
+  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches);
+  std::span<const std::uint8_t> all_touches() const { return touches_; }
+
+ private:
+  bvh::PairBuffer list_;
+  bvh::PairIndex index_;
+  std::vector<std::uint8_t> touches_;
+
+ public:
+  Candidates() { index_.build(list_); }
+};
+
+struct WorldSnapshot::State {
+  Bodies all;
+  std::vector<BoxPair> candidates;
+  std::vector<std::uint8_t> touches;
+};
+
+struct World::State {
+  explicit State(int threads) : settings{threads}, broad({.threads = threads}) {}
+
+  WorldSettings settings;
+  Bodies all;
+  BroadPhase broad;
+  std::vector<std::uint32_t> body_of_box;
+  Candidates candidates;
+  std::vector<std::uint32_t> changed;  // bodies
+  std::size_t removed = 0;             // since the last update
+  std::vector<std::uint32_t> partners;
+  std::vector<BodyPair> begun, ended, moved;
+  std::vector<BodyId> box_hits;
+  std::vector<BoxId> boxes_to_move;
+  std::vector<Aabb> places;
+  WorldWork work;
+
+  const Bodies::Body& body(BodyId id, const char* what) const;
+  Bodies::Body& body(BodyId id, const char* what) {
+    return const_cast<Bodies::Body&>(static_cast<const State&>(*this).body(id, what));
+  }
+  void note_change(std::uint32_t index);
+  void note_other_filter(std::uint32_t index);
+  void insert_box(std::uint32_t index);
+
+  void end_pairs();
+  void begin_pairs();
+  void filter_again(std::uint32_t index);
+  void test_pairs(std::uint32_t index);
+  void list_partners(std::uint32_t index);
+  void end(std::uint32_t at);
+};
+
+}  // namespace graze

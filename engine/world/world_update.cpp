@@ -1,0 +1,165 @@
+// What an update of a world does: which pairs are candidates now, and which of those in which
+// something changed touch.
+
+#include <graze/engine/world/world_state.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
+  return {std::min(s, t), std::max(s, t)};
+}
+
+}  // namespace
+
+bool lets_pass(const Filter& a, const Filter& b) {
+  if (a.group != 0 && a.group == b.group) return a.group > 0;
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
+  const Body& s = bodies[a];
+  const Body& t = bodies[b];
+  if (s.motion != Motion::Dynamic && t.motion != Motion::Dynamic) return false;
+  if (!lets_pass(s.filter, t.filter)) return false;
+  if (s.exclusions != 0 && t.exclusions != 0 &&
+      excluded.contains(static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b))) {
+    return false;
+  }
+  return !pair_filter || pair_filter(id(std::min(a, b)), id(std::max(a, b)));
+}
+
+void Candidates::add(BoxPair pair) {
+  index_.add(list_, pair);
+  touches_.push_back(0);
+}
+
+void Candidates::remove(std::uint32_t at) {
+  index_.remove(list_, list_.data()[at]);
+  touches_[at] = touches_.back();
+  touches_.pop_back();
+}
+
+void Candidates::rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
+  list_.clear();
+  for (const BoxPair& pair : pairs)
+    list_.push_back(pair);
+  touches_.assign(touches.begin(), touches.end());
+  index_.build(list_);
+}
+
+void World::State::end(std::uint32_t at) {
+  if (candidates.touches(at)) ended.push_back(all.id_pair(candidates.list()[at]));
+  candidates.remove(at);
+}
+
+void World::State::end_pairs() {
+  for (const BoxPair& boxes : broad.ended()) {
+    const std::uint32_t at = candidates.position(ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]));
+    if (at != Candidates::kNowhere) end(at);
+  }
+}
+
+void World::State::begin_pairs() {
+  for (const BoxPair& boxes : broad.begun()) {
+    const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
+    if (all.meet(pair.a, pair.b)) {
+      candidates.add(pair);
+    } else {
+      ++work.pairs_filtered;
+    }
+  }
+}
+
+/// The bodies whose boxes overlap that of a body, ascending, without itself.
+void World::State::list_partners(std::uint32_t index) {
+  partners.clear();
+  const std::uint32_t box = all.bodies[index].box;
+  broad.find_overlapping(broad.box(broad.id(box)), partners);
+  std::erase(partners, box);
+  for (std::uint32_t& partner : partners)
+    partner = body_of_box[partner];
+  std::sort(partners.begin(), partners.end());
+}
+
+void World::State::filter_again(std::uint32_t index) {
+  list_partners(index);
+  for (const std::uint32_t partner : partners) {
+    const BoxPair pair = ordered_pair(index, partner);
+    const std::uint32_t at = candidates.position(pair);
+    const bool do_meet = all.meet(index, partner);
+    if (do_meet && at == Candidates::kNowhere) candidates.add(pair);
+    if (!do_meet && at != Candidates::kNowhere) end(at);
+  }
+}
+
+/// Of two bodies that changed the smaller one sees to the pair.
+void World::State::test_pairs(std::uint32_t index) {
+  list_partners(index);
+  for (const std::uint32_t partner : partners) {
+    if (all.bodies[partner].has_changed && partner < index) continue;
+    const BoxPair pair = ordered_pair(index, partner);
+    const std::uint32_t at = candidates.position(pair);
+    if (at == Candidates::kNowhere) continue;
+    const Bodies::Body& a = all.bodies[pair.a];
+    const Bodies::Body& b = all.bodies[pair.b];
+    ++work.shape_tests;
+    const bool touches = a.shape->touches(a.pose, *b.shape, b.pose);
+    if (touches) moved.push_back(all.id_pair(pair));
+    if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
+    candidates.set_touches(at, touches);
+  }
+}
+
+WorldUpdate World::update() {
+  State& state = *state_;
+  state.begun.clear(), state.ended.clear(), state.moved.clear();
+  state.work = {};
+  state.broad.update();
+  state.end_pairs();
+  state.begin_pairs();
+  std::erase_if(state.changed, [&](std::uint32_t index) {
+    const bool is_gone = !state.all.ids.is_live(index);
+    if (is_gone) state.all.bodies[index].has_changed = false;
+    return is_gone;
+  });
+  for (const std::uint32_t index : state.changed) {
+    if (state.all.bodies[index].has_other_filter) state.filter_again(index);
+  }
+  for (const std::uint32_t index : state.changed)
+    state.test_pairs(index);
+  for (const std::uint32_t index : state.changed)
+    state.all.bodies[index].has_changed = state.all.bodies[index].has_other_filter = false;
+  state.changed.clear();
+  state.removed = 0;
+  std::sort(state.begun.begin(), state.begun.end());
+  std::sort(state.ended.begin(), state.ended.end());
+  std::sort(state.moved.begin(), state.moved.end());
+  state.all.ids.next_round();
+  state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests;
+  return {state.begun, state.ended, state.moved, state.work};
+}
+
+WorldSnapshot World::snapshot() const {
+  const State& state = *state_;
+  if (!state.changed.empty() || state.removed != 0) throw InputError("snapshot: changes wait for an update");
+  const auto candidates = state.candidates.list();
+  const auto touches = state.candidates.all_touches();
+  return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
+      state.all, {candidates.begin(), candidates.end()}, {touches.begin(), touches.end()}}));
+}
+
+void World::restore(const WorldSnapshot& snapshot) {
+  auto fresh = std::make_unique<State>(state_->settings.threads);
+  fresh->all = snapshot.state_->all;
+  for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
+    if (fresh->all.ids.is_live(index)) fresh->insert_box(index);
+  }
+  fresh->broad.update();
+  fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);
+  state_ = std::move(fresh);
+}
+
+}  // namespace graze

@@ -1,0 +1,112 @@
+// Boxes only: all overlapping pairs of moving boxes in every frame, beside other libraries; and what
+// a step costs with few movers.
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/benchmark/broad_phase/graze_contestant.h"
+#include "tests/benchmark/broad_phase/measure.h"
+#include "tests/benchmark/broad_phase/peers/peers.h"
+
+namespace graze::benchmark {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes = {"S1", "S2", "S3", "S4", "S5"};
+  std::vector<std::uint32_t> sizes = {1000, 10000, 100000, 1000000};
+  int frames = 40;
+  double patience = 8000;  // milliseconds that a frame may take
+  bool alone = false;
+  std::string json;
+};
+
+nlohmann::json to_json(const Score& score) {
+  return {{"scene", score.scene},     {"boxes", score.boxes},     {"contestant", score.contestant},
+          {"frames", score.frames},   {"median_ms", score.median}, {"mean_ms", score.mean},
+          {"slowest_ms", score.slowest}, {"pairs", score.pairs},   {"wrong_frames", score.wrong_frames}};
+}
+
+void print(const Score& score) {
+  std::cout << score.scene << std::setw(9) << score.boxes << std::fixed << std::setprecision(3) << std::setw(12)
+            << score.median << " ms, mean " << std::setw(9) << score.mean << ", slowest " << std::setw(9) << score.slowest
+            << "  " << score.contestant;
+  if (score.wrong_frames != 0) std::cout << "  WRONG in " << score.wrong_frames << " of " << score.frames << " frames";
+  std::cout << std::endl;
+}
+
+nlohmann::json contest(const Options& options, std::vector<Entry>& entries) {
+  nlohmann::json rows = nlohmann::json::array();
+  std::map<std::string, bool> rests;
+  for (const std::string& scene : options.scenes) {
+    for (const std::uint32_t size : options.sizes) {
+      Truth truth;
+      double own = 0, best = 0;
+      std::string best_name;
+      for (const Entry& entry : entries) {
+        bool& is_resting = rests[scene + entry.name];
+        if (is_resting) continue;
+        const Score score = measure(entry, {scene, size, options.frames, options.patience}, truth);
+        is_resting = 10 * score.median > options.patience;  // the next size is ten times this one
+        print(score);
+        rows.push_back(to_json(score));
+        if (entry.name == "graze") own = score.median;
+        const bool is_peer = entry.name.rfind("graze", 0) != 0;
+        if (is_peer && score.wrong_frames == 0 && (best == 0 || score.median < best)) {
+          best = score.median, best_name = entry.name;
+        }
+      }
+      if (best != 0) {
+        std::cout << scene << std::setw(9) << size << std::setprecision(2) << "  " << best / own
+                  << " times as fast as the best peer, " << best_name << "\n\n";
+      }
+    }
+  }
+  return rows;
+}
+
+nlohmann::json movers(const Options& options) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::uint32_t size : options.sizes) {
+    for (const std::uint32_t count : {0u, 10u, 1000u}) {
+      if (count >= size) continue;
+      const double microseconds = measure_movers(size, count, options.frames);
+      std::cout << size << " boxes, " << count << " movers: " << std::setprecision(2) << microseconds << " us a step\n";
+      rows.push_back({{"boxes", size}, {"movers", count}, {"median_us", microseconds}});
+    }
+  }
+  return rows;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("graze_benchmark_broad_phase");
+  app.add_option("--scenes", options.scenes, "S1 to S5");
+  app.add_option("--sizes", options.sizes, "Numbers of boxes");
+  app.add_option("--frames", options.frames, "Frames of each scene")->check(CLI::PositiveNumber);
+  app.add_option("--patience", options.patience, "Milliseconds that a frame may take; who would need more rests");
+  app.add_flag("--alone", options.alone, "No peers");
+  app.add_option("--json", options.json, "Where to write the results");
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<Entry> entries = {{"graze", [] { return make_graze(1); }},
+                                {"graze, 2 threads", [] { return make_graze(2); }, 2}};
+  if (!options.alone) {
+    add_peers(entries);
+    for (const std::string& name : absent_peers())
+      std::cout << name << " was not found and is left out\n";
+  }
+  const nlohmann::json report = {{"scenes", contest(options, entries)}, {"movers", movers(options)}};
+  if (!options.json.empty()) std::ofstream(options.json) << report.dump(1) << '\n';
+  return 0;
+}
+
+}  // namespace
+}  // namespace graze::benchmark
+
+int main(int argc, char** argv) {
+  return graze::benchmark::run(argc, argv);
+}

@@ -1,0 +1,127 @@
+// Law 8: every list, in its order, is the same for any number of threads and on any SIMD target.
+
+#include <graze/engine/world/broad_phase.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/engine/broad_phase/box_histories.h"
+#include "tests/narrowphase/simd_targets.h"
+
+namespace graze {
+namespace {
+
+using test::Chance;
+using test::Habitat;
+
+/// FNV-1a over the numbers of a list.
+void mix(std::uint64_t& hash, std::span<const BoxPair> pairs) {
+  for (const BoxPair& pair : pairs) {
+    for (const std::uint32_t number : {pair.a, pair.b}) {
+      hash ^= number;
+      hash *= 0x100000001b3u;
+    }
+  }
+}
+
+struct Hashes {
+  std::uint64_t lists = 0xcbf29ce484222325u;   // pairs() as they come, begun() and ended()
+  std::uint64_t sorted = 0xcbf29ce484222325u;  // sorted_pairs() under the boxes' own names
+};
+
+struct RunSettings {
+  Habitat habitat;
+  int threads = 1;
+  std::uint32_t first = 0;  // the box that is added first; the others follow in a circle
+};
+
+/// Frames in which all boxes move, some, a few, and none.
+Hashes run(const RunSettings& settings) {
+  const std::uint32_t count = settings.habitat == Habitat::Uniform ? 3000 : 700;
+  Chance chance(11);
+  std::vector<Aabb> boxes;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    boxes.push_back(test::random_box(settings.habitat, chance));
+    if (settings.habitat == Habitat::Uniform) {
+      boxes.back().min *= 3, boxes.back().max *= 3;
+      boxes.back().max = boxes.back().min + Eigen::Vector3d::Constant(1.5);
+    }
+  }
+  BroadPhase broad({.threads = settings.threads});
+  std::vector<BoxId> ids(count);
+  std::vector<std::uint32_t> name(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t which = (i + settings.first) % count;
+    ids[which] = broad.add(boxes[which]);
+    name[ids[which].index] = which;
+  }
+  Hashes result;
+  std::vector<BoxPair> named;
+  for (const std::uint32_t one_in : {1u, 1u, 3u, 100u, 100u, 1u, 2000u, 30u, 1u}) {
+    std::vector<BoxId> moved;
+    std::vector<Aabb> places;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (!chance.one_in(one_in)) continue;
+      boxes[i] = chance.one_in(50) ? test::random_box(settings.habitat, chance)
+                                   : test::stepped(boxes[i], settings.habitat, chance);
+      moved.push_back(ids[i]);
+      places.push_back(boxes[i]);
+    }
+    broad.move(moved, places);
+    broad.update();
+    mix(result.lists, broad.pairs());
+    mix(result.lists, broad.begun());
+    mix(result.lists, broad.ended());
+    named.clear();
+    for (const BoxPair& pair : broad.pairs())
+      named.push_back({std::min(name[pair.a], name[pair.b]), std::max(name[pair.a], name[pair.b])});
+    std::sort(named.begin(), named.end());
+    mix(result.sorted, named);
+  }
+  return result;
+}
+
+struct Golden {
+  Habitat habitat;
+  std::uint64_t lists;
+  std::uint64_t sorted;
+};
+
+constexpr Golden kGolden[] = {
+    {Habitat::Uniform, 17546755897248667127u, 6247608111659979354u},
+    {Habitat::Far, 13223773918943769479u, 15497133138417783065u},
+    {Habitat::Sizes, 17227951763605402986u, 4635039447768114159u},
+};
+
+class BroadPhaseDeterminism : public testing::TestWithParam<Golden> {};
+
+TEST_P(BroadPhaseDeterminism, Threads) {
+  for (const int threads : {1, 2, 4, 8}) {
+    const Hashes result = run({.habitat = GetParam().habitat, .threads = threads});
+    EXPECT_EQ(result.lists, GetParam().lists) << threads << " threads";
+    EXPECT_EQ(result.sorted, GetParam().sorted) << threads << " threads";
+  }
+}
+
+TEST_P(BroadPhaseDeterminism, SimdTargets) {
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    const Hashes result = run({.habitat = GetParam().habitat});
+    narrowphase::force_simd_target(0);
+    EXPECT_EQ(result.lists, GetParam().lists) << hwy::TargetName(target);
+    EXPECT_EQ(result.sorted, GetParam().sorted) << hwy::TargetName(target);
+  }
+}
+
+TEST_P(BroadPhaseDeterminism, OrderOfInsertion) {
+  for (const std::uint32_t first : {1u, 234u, 699u}) {
+    const Hashes result = run({.habitat = GetParam().habitat, .first = first});
+    EXPECT_EQ(result.sorted, GetParam().sorted) << "first " << first;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Habitats, BroadPhaseDeterminism, testing::ValuesIn(kGolden));
+
+}  // namespace
+}  // namespace graze
