@@ -3,6 +3,7 @@
 #include <graze/engine/cli/output.h>
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
+#include <graze/engine/cli/replay_command.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
 #include <graze/engine/mesh/io/source.h>
@@ -84,6 +85,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_pair_command(program, action);
   add_contacts_command(program, action);
   add_voxels_command(program, action);
+  add_replay_command(program, action);
   Output output(stdout);
   try {
     return parse_and_run(program, join_pose_arguments(arguments), action, output);
