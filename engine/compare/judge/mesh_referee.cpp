@@ -49,6 +49,7 @@ std::vector<TrianglePair> MeshReferee::find_hits() const {
 }
 
 MeshReferee::Gap MeshReferee::find_gap(const std::optional<TrianglePair>& hint) const {
+  if (const std::optional<TrianglePair> hit = find_hit()) return {0, *hit};
   Gap best{0, hint.value_or(TrianglePair{0, 0})};
   const auto square_of = [&](std::uint32_t a, std::uint32_t b) {
     return squared_distance(exactly(triangles_a_[a]), exactly(triangles_b_[b]));
