@@ -1,3 +1,4 @@
+#include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/contacts_command.h>
 #include <graze/engine/cli/info_command.h>
 #include <graze/engine/cli/output.h>
@@ -86,6 +87,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_contacts_command(program, action);
   add_voxels_command(program, action);
   add_replay_command(program, action);
+  add_compare_command(program, action);
   Output output(stdout);
   try {
     return parse_and_run(program, join_pose_arguments(arguments), action, output);

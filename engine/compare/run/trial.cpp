@@ -11,25 +11,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The engine on two placed triangles, for the judge who wants to know why it was wrong.
-JudgeSettings asking(const Engine& engine) {
-  return {.ask_again = [&engine](const Triangle& a, const Triangle& b) -> std::optional<bool> {
-    const Case query{.note = "",
-                     .ask = Ask::Any,
-                     .settings = {},
-                     .a = a,
-                     .b = b,
-                     .answer = std::nullopt,
-                     .answered_by = {}};
-    try {
-      const std::optional<CaseAnswer> answer = ask(engine, query);
-      return answer ? answer->says : std::nullopt;
-    } catch (const Error&) {
-      return std::nullopt;
-    }
-  }};
-}
-
 /// Asks twice: the first query builds what it needs.
 std::optional<Testimony> testify(const Engine& engine, const Case& query) {
   Testimony testimony;
@@ -65,6 +46,24 @@ bool differs(const CaseAnswer& answer, const Case& query) {
 }
 
 }  // namespace
+
+JudgeSettings asking(const Engine& engine) {
+  return {.ask_again = [&engine](const Triangle& a, const Triangle& b) -> std::optional<bool> {
+    const Case query{.note = "",
+                     .ask = Ask::Any,
+                     .settings = {},
+                     .a = a,
+                     .b = b,
+                     .answer = std::nullopt,
+                     .answered_by = {}};
+    try {
+      const std::optional<CaseAnswer> answer = ask(engine, query);
+      return answer ? answer->says : std::nullopt;
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }};
+}
 
 std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines) {
   std::vector<Testimony> all;

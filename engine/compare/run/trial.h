@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/peers/engine.h>
 
@@ -28,6 +29,10 @@ struct Testimony {
 /// the recorded one, which comes first. Throws what graze throws; other engines that refuse a mesh
 /// are left out.
 std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines);
+
+/// The engine, asked about two triangles by the judge who wants to know why it was wrong. It must
+/// outlive the result.
+JudgeSettings asking(const Engine& engine);
 
 /// The answer in a few characters: "yes", "12 pairs", "0.25 m".
 std::string brief(const CaseAnswer& answer);
