@@ -12,8 +12,8 @@
 namespace graze::cli {
 
 struct ReplayOptions {
-  std::vector<std::string> files;  ///< or folders, of which every .json is meant
-  std::string mesh_folder;         ///< where meshes by file lie; empty: beside each case
+  std::vector<std::string> files = {};  ///< or folders, of which every .json is meant
+  std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
   bool is_json = false;
   bool has_progress = false;
 };

@@ -80,7 +80,11 @@ class BulletPair : public LoadedPair {
         mesh_b_(mesh_b),
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &configuration_) {
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
+    // contactPairTest() asks the table of closest points, into which GImpact does not enter itself.
+    for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
+      dispatcher_.registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, type, &create_gimpact_);
+      dispatcher_.registerClosestPointsCreateFunc(type, GIMPACT_SHAPE_PROXYTYPE, &create_gimpact_);
+    }
   }
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
@@ -106,6 +110,7 @@ class BulletPair : public LoadedPair {
   mutable std::mutex mutex_;
   mutable BulletMesh mesh_a_;
   mutable BulletMesh mesh_b_;
+  btGImpactCollisionAlgorithm::CreateFunc create_gimpact_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

@@ -5,6 +5,7 @@
 
 #include <ode/ode.h>
 #include <algorithm>
+#include <cstdarg>
 #include <mutex>
 
 namespace graze::compare {
@@ -12,9 +13,13 @@ namespace {
 
 constexpr int kMaxContacts = 0x7fff;  // what the flags of dCollide() have room for
 
+/// What ODE would print of its hash tables: nothing that changes an answer.
+void be_silent(int, const char*, va_list) {}
+
 void start_ode() {
   static const bool is_started = [] {
     dInitODE2(0);
+    dSetMessageHandler(be_silent);
     return true;
   }();
   static_cast<void>(is_started);

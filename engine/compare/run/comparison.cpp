@@ -102,12 +102,16 @@ struct WrongAnswer {
   }
 };
 
+/// Wrong for the same reason: rounding coordinates could make a real error of one of touching.
 ShrunkCase shrink_one(const ComparisonJob& job, const Engine& engine, const WrongAnswer& wrong) {
   const CaseWitness witness = {wrong.answer->engine, engine.name().version};
   const StillWrong is_still_wrong = [&](const Case& smaller) {
     try {
       const std::optional<CaseAnswer> answer = ask(engine, smaller);
-      return answer && Judge(smaller).judge(*answer, witness).verdict == Verdict::Wrong;
+      if (!answer) return false;
+      const Judgement judgement = Judge(smaller).judge(*answer, witness, asking(engine));
+      return judgement.verdict == Verdict::Wrong &&
+             judgement.error_class == wrong.answer->judgement.error_class;
     } catch (const Error&) {
       return false;
     }
