@@ -49,7 +49,8 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
 }
 
 void add_output_options(CLI::App& command, CompareOptions& options) {
-  command.add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
+  command
+      .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
       ->type_name("DIR");
   command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
       ->type_name("N");
@@ -79,9 +80,7 @@ void add_compare_command(CLI::App& program, Action& action) {
       program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
   command->add_option("A", options->mesh_a, "first mesh, or a folder of cases")->required();
   command->add_option("B", options->mesh_b, "second mesh");
-  command
-      ->add_option("--query", options->query,
-                   "any (default), pairs, distance, within, contacts")
+  command->add_option("--query", options->query, "any (default), pairs, distance, within, contacts")
       ->type_name("QUESTION")
       ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts"}).description(""));
   command->add_option("--clearance", options->clearance, "of --query within, metres")

@@ -20,8 +20,14 @@ using compare::Verdict;
 constexpr std::size_t kMaxRows = 40;
 
 std::string wrong_rows(std::span<const PoseRecord> records) {
-  const Table table({{"pose", 6}, {"engine", 8}, {"says", 14}, {"truth", 22}, {"why", 13},
-                     {"error (m)", 10}, {"ulp", 9}, {"pairs", 6}});
+  const Table table({{"pose", 6},
+                     {"engine", 8},
+                     {"says", 14},
+                     {"truth", 22},
+                     {"why", 13},
+                     {"error (m)", 10},
+                     {"ulp", 9},
+                     {"pairs", 6}});
   std::string rows;
   std::size_t count = 0;
   for (const PoseRecord& record : records) {
@@ -71,9 +77,9 @@ std::vector<EngineSummary> summarise(std::span<const PoseRecord> records) {
   std::vector<std::vector<double>> times;
   for (const PoseRecord& record : records) {
     for (const AnswerRecord& answer : record.answers) {
-      auto at = std::find_if(
-          summaries.begin(), summaries.end(),
-          [&](const EngineSummary& summary) { return summary.engine == answer.engine; });
+      auto at = std::find_if(summaries.begin(), summaries.end(), [&](const EngineSummary& summary) {
+        return summary.engine == answer.engine;
+      });
       if (at == summaries.end()) {
         summaries.push_back({.engine = answer.engine});
         times.emplace_back();
@@ -92,9 +98,18 @@ std::string compare_text(std::span<const PoseRecord> records, std::span<const Wr
   std::string out = wrong_rows(records);
   for (const WrittenCase& each : cases)
     out += "shrunk: graze replay " + mesh_io::printable(each.file) + "\n";
-  const Table table({{"engine", 8}, {"answers", 8}, {"agreed", 8}, {"right", 7}, {"wrong", 7},
-                     {"touching", 8}, {"pose rounding", 13}, {"degenerate", 10},
-                     {"containment", 11}, {"real", 6}, {"largest (m)", 11}, {"median (us)", 11}});
+  const Table table({{"engine", 8},
+                     {"answers", 8},
+                     {"agreed", 8},
+                     {"right", 7},
+                     {"wrong", 7},
+                     {"touching", 8},
+                     {"pose rounding", 13},
+                     {"degenerate", 10},
+                     {"containment", 11},
+                     {"real", 6},
+                     {"largest (m)", 11},
+                     {"median (us)", 11}});
   out += table.header();
   for (const EngineSummary& s : summarise(records)) {
     std::vector<std::string> row = {s.engine, std::to_string(s.answers), std::to_string(s.agreed),

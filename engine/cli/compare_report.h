@@ -14,8 +14,8 @@ namespace graze::cli {
 struct EngineSummary {
   std::string engine;
   std::size_t answers = 0;
-  std::size_t agreed = 0;      ///< nobody contradicted
-  std::size_t right = 0;       ///< the referee confirmed
+  std::size_t agreed = 0;  ///< nobody contradicted
+  std::size_t right = 0;   ///< the referee confirmed
   std::size_t not_judged = 0;
   std::size_t wrong = 0;
   std::array<std::size_t, 5> classes{};  ///< of the wrong ones, by ErrorClass

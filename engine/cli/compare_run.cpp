@@ -93,7 +93,8 @@ std::vector<bool> chosen(const CompareOptions& options, std::span<const EngineEn
       throw UsageError("--engines: there is no engine " + mesh_io::quoted(name));
     }
     if (at->engine == nullptr) {
-      throw UsageError(fmt::format("--engines: {} was not found when this command was built", name));
+      throw UsageError(
+          fmt::format("--engines: {} was not found when this command was built", name));
     }
     is_chosen[static_cast<std::size_t>(at - engines.begin())] = true;
   }
@@ -150,14 +151,12 @@ std::vector<WrittenCase> write_cases(const CompareOptions& options,
     throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": " + error.message());
   }
   for (compare::ShrunkCase& each : shrunk) {
-    const std::string name =
-        fmt::format("{}-{}-{}.json", each.engine, options.query, each.pose);
-    each.query.note = fmt::format("{} against {}, pose {}: {} says {}, the truth is: {} ({})",
-                                  fs::path(options.mesh_a).filename().string(),
-                                  fs::path(options.mesh_b).filename().string(), each.pose,
-                                  each.engine,
-                                  each.query.answer ? compare::brief(*each.query.answer) : "nothing",
-                                  each.judgement.truth, name_of(each.judgement.error_class));
+    const std::string name = fmt::format("{}-{}-{}.json", each.engine, options.query, each.pose);
+    each.query.note = fmt::format(
+        "{} against {}, pose {}: {} says {}, the truth is: {} ({})",
+        fs::path(options.mesh_a).filename().string(), fs::path(options.mesh_b).filename().string(),
+        each.pose, each.engine, each.query.answer ? compare::brief(*each.query.answer) : "nothing",
+        each.judgement.truth, name_of(each.judgement.error_class));
     const fs::path file = fs::path(options.cases) / name;
     write_case(file, each.query);
     written.push_back({std::move(each), file.string()});
@@ -185,7 +184,8 @@ Regression hold_against(const CompareOptions& options, const ComparisonJob& job,
   result.is_one = !found.changed_poses.empty() || !found.missing_poses.empty() || is_slower;
   if (options.is_json) {
     result.text = fmt::format(
-        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}\n",
+        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
+        "\n",
         fmt::join(found.changed_poses, ","), fmt::join(found.missing_poses, ","), ratio, is_slower);
   } else {
     result.text = fmt::format(
@@ -270,8 +270,7 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     text += summary_json(summarise(records), cases);
   } else {
     for (const EngineEntry& entry : engines) {
-      if (entry.engine == nullptr)
-        text += entry.name + ": not found when this command was built\n";
+      if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
     }
     text += compare_text(records, cases);
   }

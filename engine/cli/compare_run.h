@@ -23,11 +23,11 @@ struct CompareOptions {
   std::size_t grazing = 0;
   std::uint64_t seed = 1;
   std::string query = "any";
-  double clearance = -1;           ///< metres, of --query within
-  std::string engines;             ///< names with commas; empty: all
+  double clearance = -1;              ///< metres, of --query within
+  std::string engines;                ///< names with commas; empty: all
   std::string cases = "graze-cases";  ///< where shrunk cases go, if there are any
-  std::size_t keep = 16;           ///< so many of them
-  std::string report;              ///< an HTML file
+  std::size_t keep = 16;              ///< so many of them
+  std::string report;                 ///< an HTML file
   std::string save;
   std::string against;
   std::string resume;

@@ -60,7 +60,8 @@ std::string escaped(const std::string& text) {
 
 /// A word for the shell.
 std::string quoted_for_shell(const std::string& text) {
-  if (text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
+  if (text.find_first_not_of(
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
       std::string::npos) {
     return text;
   }
@@ -96,8 +97,10 @@ std::string case_section(const WrittenCase& each) {
   const compare::Judgement& judgement = each.shrunk.judgement;
   const std::string picture = svg_picture(each.shrunk.query);
   return fmt::format(
-      "<div class=\"case\"><div>{}</div><div><h3>{} in pose {}</h3><p>{} says <b>{}</b>, the truth is "
-      "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay {}</code></p></div></div>\n",
+      "<div class=\"case\"><div>{}</div><div><h3>{} in pose {}</h3><p>{} says <b>{}</b>, the truth "
+      "is "
+      "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay "
+      "{}</code></p></div></div>\n",
       picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture,
       escaped(each.shrunk.engine), each.shrunk.pose, escaped(each.shrunk.engine),
       each.shrunk.query.answer ? escaped(compare::brief(*each.shrunk.query.answer)) : "nothing",

@@ -34,10 +34,12 @@ Exit codes:
 
 void add_replay_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command = program.add_subcommand("replay", "Ask every engine the questions of case files");
+  CLI::App* command =
+      program.add_subcommand("replay", "Ask every engine the questions of case files");
   command->add_option("FILE", options->files, "cases, or folders of them")->required();
-  command->add_option("--meshes", options->mesh_folder,
-                      "the folder of meshes by file (default: that of each case)")
+  command
+      ->add_option("--meshes", options->mesh_folder,
+                   "the folder of meshes by file (default: that of each case)")
       ->type_name("DIR");
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--progress", options->has_progress,

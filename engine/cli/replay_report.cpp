@@ -102,8 +102,8 @@ void ReplayReport::add(const std::string& file, const Case& query,
 
 void ReplayReport::end() {
   if (is_json_) return;
-  output_.write(fmt::format("{} case{}, graze wrong in {}\n", cases_, cases_ == 1 ? "" : "s",
-                            graze_wrong_));
+  output_.write(
+      fmt::format("{} case{}, graze wrong in {}\n", cases_, cases_ == 1 ? "" : "s", graze_wrong_));
 }
 
 }  // namespace graze::cli

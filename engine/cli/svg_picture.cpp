@@ -9,7 +9,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr double kSide = 240;    // of each of the two views, in pixels
+constexpr double kSide = 240;  // of each of the two views, in pixels
 constexpr double kMargin = 16;
 
 struct Coloured {
@@ -26,7 +26,8 @@ struct View {
 std::vector<Coloured> triangles_of(const compare::MeshCase& meshes) {
   constexpr std::size_t kMaxTriangles = 200;
   std::vector<Coloured> all;
-  for (const auto& [mesh, colour] : {std::pair{&meshes.a, "#1f6fb4"}, std::pair{&meshes.b, "#d95f02"}}) {
+  for (const auto& [mesh, colour] :
+       {std::pair{&meshes.a, "#1f6fb4"}, std::pair{&meshes.b, "#d95f02"}}) {
     for (std::size_t i = 0; i < std::min(mesh->mesh.triangles().size(), kMaxTriangles); ++i)
       all.push_back({place(mesh->pose, mesh->mesh.triangle(i)), colour});
   }
@@ -34,14 +35,15 @@ std::vector<Coloured> triangles_of(const compare::MeshCase& meshes) {
 }
 
 Eigen::Vector3d normal_of(const Triangle& t, const Eigen::Vector3d& otherwise) {
-  const double size = std::max({(t.b - t.a).cwiseAbs().maxCoeff(),
-                                (t.c - t.a).cwiseAbs().maxCoeff(), 0x1p-1000});
+  const double size =
+      std::max({(t.b - t.a).cwiseAbs().maxCoeff(), (t.c - t.a).cwiseAbs().maxCoeff(), 0x1p-1000});
   const Eigen::Vector3d normal = ((t.b - t.a) / size).cross((t.c - t.a) / size);
   const double length = normal.norm();
   return length > 1e-12 ? Eigen::Vector3d(normal / length) : otherwise;
 }
 
-/// One view onto the plane of the first triangle, one along it: what is between the two shows there.
+/// One view onto the plane of the first triangle, one along it: what is between the two shows
+/// there.
 std::array<View, 2> views_of(const std::vector<Coloured>& triangles) {
   const Eigen::Vector3d normal = normal_of(triangles.front().triangle, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d other = normal_of(triangles.back().triangle, Eigen::Vector3d::UnitX());
@@ -57,7 +59,8 @@ struct Frame {
   double scale;  // pixels a metre
 };
 
-Eigen::Vector2d seen(const View& view, const Eigen::Vector3d& point, const Eigen::Vector3d& origin) {
+Eigen::Vector2d seen(const View& view, const Eigen::Vector3d& point,
+                     const Eigen::Vector3d& origin) {
   return {view.right.dot(point - origin), view.up.dot(point - origin)};
 }
 

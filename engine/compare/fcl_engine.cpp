@@ -1,7 +1,7 @@
 #include <graze/engine/compare/fcl_engine.h>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/config.h>
+#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 #include <algorithm>

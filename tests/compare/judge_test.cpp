@@ -1,5 +1,5 @@
-// The judge on trial: its arithmetic against other arithmetic, its verdicts on answers that are wrong
-// on purpose, and the shrinking of what it finds.
+// The judge on trial: its arithmetic against other arithmetic, its verdicts on answers that are
+// wrong on purpose, and the shrinking of what it finds.
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/read_case.h>
@@ -91,8 +91,8 @@ TEST(JudgeMeshes, TheTreeChangesNothing) {
     for (std::uint32_t i = 0; i < a.triangles().size(); ++i) {
       for (std::uint32_t j = 0; j < b.triangles().size(); ++j) {
         if (referee.is_hit({i, j})) hits.push_back({i, j});
-        const mpq_class square = squared_distance(exactly(a.triangle(i)),
-                                                  exactly(place(pose, b.triangle(j))));
+        const mpq_class square =
+            squared_distance(exactly(a.triangle(i)), exactly(place(pose, b.triangle(j))));
         if (gap < 0 || square < gap) gap = square;
       }
     }
@@ -201,8 +201,7 @@ class PlantedBug : public testing::Test {
     query.answer.reset();
     const StillWrong is_still_wrong = [&](const Case& smaller) {
       const std::optional<CaseAnswer> answer = ask(engine, smaller);
-      return answer &&
-             Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
+      return answer && Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
     };
     EXPECT_TRUE(is_still_wrong(query));
     const Judgement judgement = Judge(query).judge(*ask(engine, query), engine.name());
@@ -220,7 +219,8 @@ class PlantedBug : public testing::Test {
   }
 
   static std::size_t triangles_of(const Case& query) {
-    return as_meshes(query)->a.mesh.triangles().size() + as_meshes(query)->b.mesh.triangles().size();
+    return as_meshes(query)->a.mesh.triangles().size() +
+           as_meshes(query)->b.mesh.triangles().size();
   }
 
   Mesh torus_ = tests::make_torus(1, 0.3, 12, 8);

@@ -33,7 +33,8 @@ bool may_be_judged(const Case& query) {
 
 /// All placed triangles of A that meet the volume B, or just the first.
 template <typename Volume>
-std::vector<std::uint32_t> hits_of(const CaseMesh& mesh, const Volume& volume, bool is_first_enough) {
+std::vector<std::uint32_t> hits_of(const CaseMesh& mesh, const Volume& volume,
+                                   bool is_first_enough) {
   std::vector<std::uint32_t> hits;
   for (std::uint32_t i = 0; i < mesh.mesh.triangles().size(); ++i) {
     if (!referee_meets(place(mesh.pose, mesh.mesh.triangle(i)), volume)) continue;
@@ -111,8 +112,9 @@ struct Judge::Truth {
 void Judge::Truth::add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
                              const JudgeSettings& settings) const {
   const PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, settings);
-  const bool is_worse = !judgement.culprit || error.error_class > judgement.error_class ||
-                        (error.error_class == judgement.error_class && error.error > judgement.error);
+  const bool is_worse =
+      !judgement.culprit || error.error_class > judgement.error_class ||
+      (error.error_class == judgement.error_class && error.error > judgement.error);
   if (!is_worse) return;
   judgement.error_class = error.error_class;
   judgement.error = error.error;
@@ -244,7 +246,8 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
   if (!truth_->meshes) return truth_->judge_volumes(answer);
   if (query.ask == Ask::Any && answer.says) return truth_->judge_any(*answer.says, settings);
   if (query.ask == Ask::Pairs && answer.pairs) return truth_->judge_list(*answer.pairs, settings);
-  if (query.ask == Ask::Distance && answer.distance) return truth_->judge_distance(answer, is_graze);
+  if (query.ask == Ask::Distance && answer.distance)
+    return truth_->judge_distance(answer, is_graze);
   if (query.ask == Ask::Within && answer.says) return truth_->judge_within(*answer.says, is_graze);
   if (query.ask == Ask::Contacts && answer.contacts) {
     return truth_->judge_any(!answer.contacts->empty(), settings);

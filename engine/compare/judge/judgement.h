@@ -12,11 +12,11 @@ enum class Verdict { Right, Wrong, NotJudged };
 
 /// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse.
 enum class ErrorClass {
-  Touching,     ///< the shapes touch, or miss each other, by no more than kTouchUlps
+  Touching,      ///< the shapes touch, or miss each other, by no more than kTouchUlps
   PoseRounding,  ///< as small, and right if no pose had to be rounded
-  Degenerate,   ///< a triangle of exactly zero area takes part
-  Containment,  ///< surfaces only were asked for: one mesh lies inside the other
-  Real,         ///< none of these: a plain error
+  Degenerate,    ///< a triangle of exactly zero area takes part
+  Containment,   ///< surfaces only were asked for: one mesh lies inside the other
+  Real,          ///< none of these: a plain error
 };
 
 /// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some

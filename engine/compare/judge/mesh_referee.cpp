@@ -55,7 +55,9 @@ MeshReferee::Gap MeshReferee::find_gap(const std::optional<TrianglePair>& hint) 
     return squared_distance(exactly(triangles_a_[a]), exactly(triangles_b_[b]));
   };
   // A bound above the root, so that no nearer pair is passed over.
-  const auto bound_of = [](const mpq_class& square) { return rounded_root(square) * (1 + 0x1p-50); };
+  const auto bound_of = [](const mpq_class& square) {
+    return rounded_root(square) * (1 + 0x1p-50);
+  };
   best.square = square_of(best.pair.a, best.pair.b);
   BoxTree::for_each_nearer(tree_a_, tree_b_, bound_of(best.square),
                            [&](std::uint32_t a, std::uint32_t b) {

@@ -10,7 +10,8 @@ namespace graze::compare {
 namespace {
 
 double largest(const Triangle& t) {
-  return std::max({t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
+  return std::max(
+      {t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
 }
 
 bool moves(const Pose& pose) {

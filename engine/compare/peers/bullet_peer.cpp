@@ -1,5 +1,5 @@
-// Bullet behind the page that every engine has: GImpact meshes without margin, in double. Its shapes
-// keep state while they are asked, so that one thread at a time may ask.
+// Bullet behind the page that every engine has: GImpact meshes without margin, in double. Its
+// shapes keep state while they are asked, so that one thread at a time may ask.
 
 #include <graze/engine/compare/peers/engine.h>
 
@@ -15,9 +15,9 @@ namespace graze::compare {
 namespace {
 
 btTransform to_bullet(const Pose& pose) {
-  return btTransform(btMatrix3x3(pose(0, 0), pose(0, 1), pose(0, 2), pose(1, 0), pose(1, 1), pose(1, 2),
-                      pose(2, 0), pose(2, 1), pose(2, 2)),
-          btVector3(pose(0, 3), pose(1, 3), pose(2, 3)));
+  return btTransform(btMatrix3x3(pose(0, 0), pose(0, 1), pose(0, 2), pose(1, 0), pose(1, 1),
+                                 pose(1, 2), pose(2, 0), pose(2, 1), pose(2, 2)),
+                     btVector3(pose(0, 3), pose(1, 3), pose(2, 3)));
 }
 
 Eigen::Vector3d from_bullet(const btVector3& v) {

@@ -29,8 +29,8 @@ class FclPair : public LoadedPair {
         return answer;
       }
       case Ask::Within:
-        answer.says = distance(mesh_a_, pose_a, mesh_b_, pose_b).distance <=
-                      question.settings.clearance;
+        answer.says =
+            distance(mesh_a_, pose_a, mesh_b_, pose_b).distance <= question.settings.clearance;
         return answer;
       case Ask::Contacts:
         answer.contacts.emplace();

@@ -35,7 +35,8 @@ class OdeMesh {
     for (const TriangleIndices& t : mesh.triangles())
       indices_.insert(indices_.end(), {t[0], t[1], t[2]});
     // OPCODE makes no tree of one triangle, and crashes; a copy of it changes no yes or no.
-    if (indices_.size() == 3) indices_.insert(indices_.end(), {indices_[0], indices_[1], indices_[2]});
+    if (indices_.size() == 3)
+      indices_.insert(indices_.end(), {indices_[0], indices_[1], indices_[2]});
     data_ = dGeomTriMeshDataCreate();
     dGeomTriMeshDataBuildDouble(data_, vertices_.data(), 3 * sizeof(double),
                                 static_cast<int>(vertices_.size() / 3), indices_.data(),

@@ -67,9 +67,9 @@ class PoseTrial {
       answers.push_back(*std::move(answer));
       owners.push_back(&engine);
     }
-    const bool is_disputed = std::any_of(
-        answers.begin(), answers.end(),
-        [&](const CaseAnswer& answer) { return contradicts(answer, answers.front()); });
+    const bool is_disputed =
+        std::any_of(answers.begin(), answers.end(),
+                    [&](const CaseAnswer& answer) { return contradicts(answer, answers.front()); });
     if (is_disputed) settle(record, answers, owners);
     return record;
   }

@@ -14,9 +14,9 @@ namespace graze::compare {
 /// What one engine answered in one pose.
 struct AnswerRecord {
   std::string engine;
-  std::string digest;     ///< SHA-256 of the answer as JSON: equal for equal answers, bit for bit
-  std::string brief;      ///< the answer in a few characters
-  double time = 0;        ///< microseconds
+  std::string digest;      ///< SHA-256 of the answer as JSON: equal for equal answers, bit for bit
+  std::string brief;       ///< the answer in a few characters
+  double time = 0;         ///< microseconds
   bool is_agreed = false;  ///< no engine contradicted, so that the referee was not asked
   Judgement judgement;
 
@@ -42,8 +42,8 @@ struct ComparisonJob {
 Case case_of(const ComparisonJob& job, std::size_t pose);
 
 /// Puts the question to all engines that are here, in every pose that `is_done` does not know, and
-/// lets the referee settle every difference; a distance, for which differences are the rule, always.
-/// `on_record` is called as poses are finished, by one thread at a time and in no order.
+/// lets the referee settle every difference; a distance, for which differences are the rule,
+/// always. `on_record` is called as poses are finished, by one thread at a time and in no order.
 void run_comparison(const ComparisonJob& job, std::span<const EngineEntry> engines,
                     const std::function<bool(std::size_t)>& is_done,
                     const std::function<void(PoseRecord)>& on_record);

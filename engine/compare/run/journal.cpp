@@ -15,9 +15,9 @@
 namespace graze::compare {
 namespace {
 
-using cases::JsonCursor;
 using cases::json_number;
 using cases::json_string;
+using cases::JsonCursor;
 
 constexpr std::uint32_t kVersion = 1;
 constexpr std::uint32_t kMaxPoses = std::numeric_limits<std::uint32_t>::max();
@@ -95,8 +95,9 @@ const AnswerRecord* graze_answer(const PoseRecord& record) {
 }
 
 std::string header(const ComparisonJob& job) {
-  return "{\"graze_comparison\":" + std::to_string(kVersion) + ",\"key\":" +
-         json_string(key_of(job)) + ",\"poses\":" + std::to_string(job.poses_b.size()) + "}\n";
+  return "{\"graze_comparison\":" + std::to_string(kVersion) +
+         ",\"key\":" + json_string(key_of(job)) +
+         ",\"poses\":" + std::to_string(job.poses_b.size()) + "}\n";
 }
 
 }  // namespace

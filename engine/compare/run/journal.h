@@ -44,7 +44,7 @@ class JournalWriter {
 struct BaselineDifference {
   std::vector<std::size_t> changed_poses;  ///< graze's answer has another bit
   std::vector<std::size_t> missing_poses;  ///< one of the two has no answer of graze
-  double old_time = 0;                     ///< microseconds, graze's sum over the poses that both have
+  double old_time = 0;  ///< microseconds, graze's sum over the poses that both have
   double new_time = 0;
 };
 

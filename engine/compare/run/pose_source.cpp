@@ -13,9 +13,7 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
 
-  double from_minus_one_to_one() {
-    return static_cast<double>(random_() >> 11) * 0x1p-52 - 1;
-  }
+  double from_minus_one_to_one() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
 
   Eigen::Vector3d in_cube() {
     const double x = from_minus_one_to_one();
@@ -33,7 +31,8 @@ class Dice {
     }
   }
 
-  /// Two directions made orthogonal, and their cross product: each rotation is as likely as another.
+  /// Two directions made orthogonal, and their cross product: each rotation is as likely as
+  /// another.
   Pose rotation() {
     for (;;) {
       const Eigen::Vector3d x = direction();
@@ -88,15 +87,14 @@ std::vector<Pose> random_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std
     const Pose rotation = dice.rotation();
     const Eigen::Vector3d where = dice.in_cube();
     const Eigen::Vector3d room = a.half + Eigen::Vector3d::Constant(b.radius / 2);
-    poses.push_back(
-        with_middle_at(rotation, b, a.middle + where.cwiseProduct(room), mesh_a.pose));
+    poses.push_back(with_middle_at(rotation, b, a.middle + where.cwiseProduct(room), mesh_a.pose));
   }
   return poses;
 }
 
 std::vector<Pose> grazing_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
                                 std::uint64_t seed) {
-  constexpr int kSteps = 64;       // on the way in
+  constexpr int kSteps = 64;        // on the way in
   constexpr int kMaxMisses = 1000;  // lines through A that meet nothing
   const Reach a = reach_of(mesh_a.mesh.bounds());
   const Reach b = reach_of(mesh_b.bounds());

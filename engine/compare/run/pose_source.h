@@ -9,9 +9,9 @@
 
 namespace graze::compare {
 
-/// Poses of B drawn at random: any rotation, the middle of its bounds within the bounds of A grown by
-/// half of B's size, so that hits and misses are both common. The same for the same seed on every
-/// machine: no library's distributions, no libm beyond sqrt.
+/// Poses of B drawn at random: any rotation, the middle of its bounds within the bounds of A grown
+/// by half of B's size, so that hits and misses are both common. The same for the same seed on
+/// every machine: no library's distributions, no libm beyond sqrt.
 std::vector<Pose> random_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
                                std::uint64_t seed);
 

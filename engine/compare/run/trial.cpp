@@ -74,10 +74,9 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     recorded.witness = query.answered_by;
     recorded.is_recorded = true;
     recorded.answer = *query.answer;
-    const auto owner =
-        std::find_if(engines.begin(), engines.end(), [&](const EngineEntry& entry) {
-          return entry.engine != nullptr && entry.name == query.answered_by.engine;
-        });
+    const auto owner = std::find_if(engines.begin(), engines.end(), [&](const EngineEntry& entry) {
+      return entry.engine != nullptr && entry.name == query.answered_by.engine;
+    });
     recorded.judgement =
         judge.judge(recorded.answer, recorded.witness,
                     owner == engines.end() ? JudgeSettings() : asking(*owner->engine));
