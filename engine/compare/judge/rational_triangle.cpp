@@ -34,81 +34,129 @@ RationalPoint placed(const Pose& pose, const Eigen::Vector3d& point) {
   return result;
 }
 
-/// Solves the symmetric system in place by Gauss and Jordan; false if it is singular.
-bool solve(std::vector<std::vector<mpq_class>>& rows) {
-  const std::size_t count = rows.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t pivot = k;
-    while (pivot < count && rows[pivot][k] == 0)
-      ++pivot;
-    if (pivot == count) return false;
-    swap(rows[k], rows[pivot]);
-    for (std::size_t j = count + 1; j-- > k;)
-      rows[k][j] /= rows[k][k];
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i == k || rows[i][k] == 0) continue;
-      const mpq_class factor = rows[i][k];
-      for (std::size_t j = k; j <= count; ++j)
-        rows[i][j] -= factor * rows[k][j];
+using WholePoint = std::array<mpz_class, 3>;
+using WholeTriangle = std::array<WholePoint, 3>;
+
+/// Both triangles as integers, in units of one over the least common denominator.
+struct WholePair {
+  WholeTriangle a;
+  WholeTriangle b;
+  mpz_class denominator = 1;
+};
+
+WholePair whole(const RationalTriangle& a, const RationalTriangle& b) {
+  WholePair result;
+  for (const RationalTriangle* t : {&a, &b}) {
+    for (const RationalPoint& point : *t) {
+      for (const mpq_class& x : point)
+        result.denominator = lcm(result.denominator, x.get_den());
     }
   }
-  return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.a[i][k] = result.denominator / a[i][k].get_den() * a[i][k].get_num();
+      result.b[i][k] = result.denominator / b[i][k].get_den() * b[i][k].get_num();
+    }
+  }
+  return result;
 }
 
-/// The corners of a triangle that a bit mask names, the first of them and the ways to the others.
-struct Support {
-  RationalPoint base;
-  std::vector<RationalPoint> ways;
+mpz_class dot(const WholePoint& p, const WholePoint& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
 
-  Support(const RationalTriangle& triangle, unsigned mask) {
-    bool is_first = true;
+using Matrix = std::array<std::array<mpz_class, 3>, 3>;
+
+mpz_class determinant(const Matrix& m, std::size_t size) {
+  if (size == 0) return 1;
+  if (size == 1) return m[0][0];
+  if (size == 2) return m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/// The corners of two triangles that two bit masks name: the first of each, and the ways to the
+/// others, those of the second triangle backwards.
+struct Supports {
+  WholePoint apart;
+  std::array<WholePoint, 3> ways;
+  std::size_t ways_a = 0;
+  std::size_t count = 0;
+
+  /// False if there are more than three ways, so that the system is singular in any case.
+  bool set(const WholePair& pair, unsigned mask_a, unsigned mask_b) {
+    count = 0;
+    const std::size_t first_a = add(pair.a, mask_a, 1);
+    ways_a = count;
+    if (count > 3) return false;
+    const std::size_t first_b = add(pair.b, mask_b, -1);
+    for (std::size_t k = 0; k < 3; ++k)
+      apart[k] = pair.a[first_a][k] - pair.b[first_b][k];
+    return count <= 3;
+  }
+
+ private:
+  std::size_t add(const WholeTriangle& t, unsigned mask, int sign) {
+    std::size_t first = 3;
     for (std::size_t i = 0; i < 3; ++i) {
       if ((mask >> i & 1U) == 0) continue;
-      if (is_first) {
-        base = triangle[i];
-      } else {
-        ways.push_back(minus(triangle[i], base));
+      if (first == 3) {
+        first = i;
+        continue;
       }
-      is_first = false;
+      if (count < 3) {
+        for (std::size_t k = 0; k < 3; ++k)
+          ways[count][k] = (t[i][k] - t[first][k]) * sign;
+      }
+      ++count;
     }
+    return first;
   }
 };
 
-/// Whether weights from `first` to `last`, and what they leave of 1, are not negative.
-bool are_weights(const std::vector<mpq_class>& weights, std::size_t first, std::size_t last) {
-  mpq_class rest = 1;
+/// Whether numbers over a common positive denominator, and what they leave of 1, are not negative.
+bool are_weights(const std::array<mpz_class, 3>& weights, std::size_t first, std::size_t last,
+                 const mpz_class& denominator) {
+  mpz_class rest = denominator;
   for (std::size_t i = first; i < last; ++i) {
-    if (weights[i] < 0) return false;
+    if (sgn(weights[i]) < 0) return false;
     rest -= weights[i];
   }
-  return rest >= 0;
+  return sgn(rest) >= 0;
 }
 
-/// The squared distance of the stationary points of two supports, if these lie in the hulls.
-bool find_stationary(const Support& a, const Support& b, mpq_class& square) {
-  std::vector<RationalPoint> ways = a.ways;
-  for (const RationalPoint& way : b.ways)
-    ways.push_back({-way[0], -way[1], -way[2]});
-  RationalPoint apart = minus(a.base, b.base);
-  std::vector<std::vector<mpq_class>> rows(ways.size());
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    for (const RationalPoint& way : ways)
-      rows[i].push_back(dot(ways[i], way));
-    rows[i].push_back(-dot(ways[i], apart));
+/// The squared distance of the stationary points of two supports, if these lie in the hulls: the
+/// normal equations by Cramer's rule, whose determinant (of a Gram matrix) is never negative.
+bool find_stationary(const Supports& s, mpq_class& square) {
+  Matrix gram;
+  std::array<mpz_class, 3> right;
+  for (std::size_t i = 0; i < s.count; ++i) {
+    for (std::size_t j = 0; j < s.count; ++j)
+      gram[i][j] = dot(s.ways[i], s.ways[j]);
+    right[i] = -dot(s.ways[i], s.apart);
   }
-  if (!solve(rows)) return false;
-  std::vector<mpq_class> weights;
-  for (const auto& row : rows)
-    weights.push_back(row.back());
-  if (!are_weights(weights, 0, a.ways.size()) ||
-      !are_weights(weights, a.ways.size(), weights.size())) {
+  const mpz_class denominator = determinant(gram, s.count);
+  if (sgn(denominator) == 0) return false;
+  std::array<mpz_class, 3> weights;
+  for (std::size_t j = 0; j < s.count; ++j) {
+    Matrix replaced = gram;
+    for (std::size_t i = 0; i < s.count; ++i)
+      replaced[i][j] = right[i];
+    weights[j] = determinant(replaced, s.count);
+  }
+  if (!are_weights(weights, 0, s.ways_a, denominator) ||
+      !are_weights(weights, s.ways_a, s.count, denominator)) {
     return false;
   }
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      apart[k] += weights[i] * ways[i][k];
+  WholePoint apart;
+  for (std::size_t k = 0; k < 3; ++k) {
+    apart[k] = s.apart[k] * denominator;
+    for (std::size_t i = 0; i < s.count; ++i)
+      apart[k] += weights[i] * s.ways[i][k];
   }
-  square = dot(apart, apart);
+  square = mpq_class(dot(apart, apart), denominator * denominator);
+  square.canonicalize();
   return true;
 }
 
@@ -147,19 +195,18 @@ RationalTriangle placed_without_rounding(const Pose& pose, const Triangle& t) {
 }
 
 mpq_class squared_distance(const RationalTriangle& triangle_a, const RationalTriangle& triangle_b) {
+  const WholePair pair = whole(triangle_a, triangle_b);
   const mpq_class unknown = -1;
   mpq_class best = unknown;
   mpq_class square;
-  for (unsigned mask_a = 1; mask_a < 8; ++mask_a) {
-    const Support a(triangle_a, mask_a);
-    for (unsigned mask_b = 1; mask_b < 8; ++mask_b) {
-      const Support b(triangle_b, mask_b);
-      if (a.ways.size() + b.ways.size() > 3) continue;  // singular: there are three dimensions
-      if (find_stationary(a, b, square) && (best == unknown || square < best)) best = square;
-      if (best == 0) return best;
+  Supports supports;
+  for (unsigned mask_a = 1; mask_a < 8 && best != 0; ++mask_a) {
+    for (unsigned mask_b = 1; mask_b < 8 && best != 0; ++mask_b) {
+      if (!supports.set(pair, mask_a, mask_b) || !find_stationary(supports, square)) continue;
+      if (best == unknown || square < best) best = square;
     }
   }
-  return best;
+  return best / (pair.denominator * pair.denominator);
 }
 
 mpq_class squared_depth(const RationalTriangle& a, const RationalTriangle& b) {

@@ -102,6 +102,11 @@ struct WrongAnswer {
   }
 };
 
+/// Errors of rounding are of one kind: without its poses one of placing becomes one of touching.
+bool is_same_kind(ErrorClass a, ErrorClass b) {
+  return a == b || (a <= ErrorClass::PoseRounding && b <= ErrorClass::PoseRounding);
+}
+
 /// Wrong for the same reason: rounding coordinates could make a real error of one of touching.
 ShrunkCase shrink_one(const ComparisonJob& job, const Engine& engine, const WrongAnswer& wrong) {
   const CaseWitness witness = {wrong.answer->engine, engine.name().version};
@@ -111,7 +116,7 @@ ShrunkCase shrink_one(const ComparisonJob& job, const Engine& engine, const Wron
       if (!answer) return false;
       const Judgement judgement = Judge(smaller).judge(*answer, witness, asking(engine));
       return judgement.verdict == Verdict::Wrong &&
-             judgement.error_class == wrong.answer->judgement.error_class;
+             is_same_kind(judgement.error_class, wrong.answer->judgement.error_class);
     } catch (const Error&) {
       return false;
     }
