@@ -1,5 +1,5 @@
-// Every case file of data/regressions is asked again, on every SIMD target: graze is right, and whoever
-// was wrong is found so again.
+// Every case file of data/regressions is asked again, on every SIMD target: graze is right, and
+// whoever was wrong is found so again.
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/read_case.h>

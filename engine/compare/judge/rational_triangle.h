@@ -23,7 +23,7 @@ RationalTriangle placed_without_rounding(const Pose& pose, const Triangle& trian
 /// subsets are stationary points of a quadratic form, found by solving a linear system; the least
 /// value over all pairs of subsets whose weights are not negative is the answer. Where a system is
 /// singular, the minimum can be moved until it needs fewer corners, so that it is found elsewhere.
-/// Some tenths of a millisecond for coordinates of like size.
+/// Some tens of microseconds for coordinates of like size.
 mpq_class squared_distance(const RationalTriangle& triangle_a, const RationalTriangle& triangle_b);
 
 /// For triangles that intersect, the square of the shortest translation after which they merely
