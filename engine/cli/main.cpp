@@ -1,8 +1,11 @@
+#include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/contacts_command.h>
+#include <graze/engine/cli/explain_command.h>
 #include <graze/engine/cli/info_command.h>
 #include <graze/engine/cli/output.h>
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
+#include <graze/engine/cli/replay_command.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
 #include <graze/engine/mesh/io/source.h>
@@ -27,12 +30,14 @@ Examples:
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
   graze contacts bolt.obj nut.stl --separate
   graze voxels bolt.obj --resolution 200 -o voxels.ply
+  graze compare bolt.obj nut.stl --grazing 100 --report out.html
+  graze explain bolt.obj nut.stl
 
 Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengths are in metres.
 
 Exit codes:
   0  an answer was given, whatever it is
-  1  with --check: exact arithmetic found an answer of graze to be wrong
+  1  with --check, compare or replay: exact arithmetic found an answer of graze to be wrong
   2  bad input, with one line on stderr)";
 
 ExitCode refuse(const std::string& message) {
@@ -84,6 +89,9 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_pair_command(program, action);
   add_contacts_command(program, action);
   add_voxels_command(program, action);
+  add_replay_command(program, action);
+  add_compare_command(program, action);
+  add_explain_command(program, action);
   Output output(stdout);
   try {
     return parse_and_run(program, join_pose_arguments(arguments), action, output);

@@ -1,7 +1,9 @@
 #include <graze/engine/compare/fcl_engine.h>
 
+#include <fcl/config.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -91,6 +93,36 @@ std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose&
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
+}
+
+FclDistance distance(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b,
+                     const Pose& pose_b) {
+  const fcl::DistanceRequestd request(/*enable_nearest_points=*/true);
+  fcl::DistanceResultd result;
+  fcl::distance(&mesh_a.model_->bvh, to_fcl(pose_a), &mesh_b.model_->bvh, to_fcl(pose_b), request,
+                result);
+  return {std::max(result.min_distance, 0.0),  // FCL says -1 for triangles that meet
+          {static_cast<std::uint32_t>(result.b1), static_cast<std::uint32_t>(result.b2)}};
+}
+
+std::vector<FclContact> find_contacts(const FclMesh& mesh_a, const Pose& pose_a,
+                                      const FclMesh& mesh_b, const Pose& pose_b) {
+  const fcl::CollisionRequestd request(std::numeric_limits<std::size_t>::max(),
+                                       /*enable_contact=*/true);
+  fcl::CollisionResultd result;
+  fcl::collide(&mesh_a.model_->bvh, to_fcl(pose_a), &mesh_b.model_->bvh, to_fcl(pose_b), request,
+               result);
+  std::vector<FclContact> contacts;
+  contacts.reserve(result.numContacts());
+  for (std::size_t i = 0; i < result.numContacts(); ++i) {
+    const fcl::Contactd& contact = result.getContact(i);
+    contacts.push_back({contact.pos, contact.normal, contact.penetration_depth});
+  }
+  return contacts;
+}
+
+const char* fcl_version() {
+  return FCL_VERSION;
 }
 
 }  // namespace graze::compare

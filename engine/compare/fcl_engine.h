@@ -27,6 +27,9 @@ class FclMesh {
   friend bool intersects(const FclMesh&, const Pose&, const FclMesh&, const Pose&);
   friend std::vector<TrianglePair> find_triangle_pairs(const FclMesh&, const Pose&, const FclMesh&,
                                                        const Pose&);
+  friend struct FclDistance distance(const FclMesh&, const Pose&, const FclMesh&, const Pose&);
+  friend std::vector<struct FclContact> find_contacts(const FclMesh&, const Pose&, const FclMesh&,
+                                                      const Pose&);
 
   std::unique_ptr<const Model> model_;
 };
@@ -39,5 +42,25 @@ bool intersects(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b
 /// All pairs that FCL finds, in ascending order, each once.
 std::vector<TrianglePair> find_triangle_pairs(const FclMesh& mesh_a, const Pose& pose_a,
                                               const FclMesh& mesh_b, const Pose& pose_b);
+
+/// What FCL says of the distance of two surfaces: 0 for those that it thinks touch.
+struct FclDistance {
+  double distance;  ///< metres
+  TrianglePair pair;
+};
+FclDistance distance(const FclMesh& mesh_a, const Pose& pose_a, const FclMesh& mesh_b,
+                     const Pose& pose_b);
+
+/// One contact of FCL, which makes several of a pair of triangles.
+struct FclContact {
+  Eigen::Vector3d point;
+  Eigen::Vector3d normal;  ///< from A to B
+  double depth;            ///< metres
+};
+std::vector<FclContact> find_contacts(const FclMesh& mesh_a, const Pose& pose_a,
+                                      const FclMesh& mesh_b, const Pose& pose_b);
+
+/// The version of FCL's headers.
+const char* fcl_version();
 
 }  // namespace graze::compare

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/work.h>
+
+namespace graze {
+
+/// Asks the library the question of a case again. Throws InputError for a question that no query
+/// answers for such shapes, and whatever the query throws.
+CaseAnswer answer_case(const Case& query, Work* work = nullptr);
+
+/// The name and version of this library, as it signs answers.
+CaseWitness this_library();
+
+}  // namespace graze

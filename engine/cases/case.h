@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <graze/bvh/aabb.h>
+#include <graze/bvh/obb.h>
+#include <graze/bvh/sphere.h>
+#include <graze/engine/mesh/interior.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/narrowphase/touch.h>
+#include <graze/narrowphase/triangle.h>
+
+namespace graze {
+
+/// Where a mesh of a case comes from, if not from the case itself.
+struct CaseMeshFile {
+  std::string path;    ///< relative to the folder of the case, which it cannot leave
+  std::string sha256;  ///< of the file's bytes
+};
+
+/// A mesh of a case, in its pose.
+struct CaseMesh {
+  CaseMesh(Mesh the_mesh, const Pose& the_pose) : mesh(std::move(the_mesh)), pose(the_pose) {}
+  CaseMesh(const PlacedMesh& placed) : mesh(placed.mesh), pose(placed.pose) {}
+
+  Mesh mesh;
+  Pose pose;
+  std::optional<CaseMeshFile> file;  ///< written in place of the vertices
+};
+
+/// A point, metres.
+struct CasePoint {
+  Eigen::Vector3d position;
+};
+
+/// One of the two things that a case asks about. Only meshes have poses: a triangle is placed.
+using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh>;
+
+/// Which query a case is. The names in brackets are those of the file.
+enum class Ask {
+  Any,         ///< "any": intersects(A, B), or overlaps(A, B) of two volumes
+  Pairs,       ///< "pairs": find_triangle_pairs(A, B), find_triangles(A, B) for a volume B
+  Distance,    ///< "distance": distance(A, B) of meshes or triangles
+  Within,      ///< "within": within(A, B, clearance)
+  Contacts,    ///< "contacts": find_contacts(A, B)
+  Separation,  ///< "separation": separating_translation(A, B)
+  Contains,    ///< "contains": contains(A, B), a mesh and a point
+  SelfAny,     ///< "self_any": self_intersects(A)
+  SelfPairs,   ///< "self_pairs": find_self_pairs(A)
+};
+
+/// The settings that can change an answer, and no others.
+struct CaseSettings {
+  Touch touch = Touch::Include;
+  Interior interior = Interior::Surface;
+  double clearance = 0;  ///< metres, of Ask::Within
+};
+
+struct CaseContact {
+  Eigen::Vector3d point;
+  Eigen::Vector3d point_a;
+  Eigen::Vector3d point_b;
+  Eigen::Vector3d normal;  ///< from A to B
+  double depth;            ///< metres
+};
+
+/// What an engine answered: the parts that its question asks for.
+struct CaseAnswer {
+  std::optional<bool> says;  ///< Any, Within, Contains, SelfAny
+  std::optional<std::vector<TrianglePair>> pairs;
+  std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
+  std::optional<double> distance;                       ///< Distance, Separation; metres
+  std::optional<Eigen::Vector3d> point_a;               ///< Distance, if the engine names points
+  std::optional<Eigen::Vector3d> point_b;
+  std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
+  std::optional<Eigen::Vector3d> translation;  ///< Separation, metres
+  std::optional<std::vector<CaseContact>> contacts;
+};
+
+/// Whether two answers agree in every bit, but for the sign of zeros in numbers that are equal.
+bool is_same(const CaseAnswer& answer_a, const CaseAnswer& answer_b);
+
+/// Who answered.
+struct CaseWitness {
+  std::string engine = "graze";
+  std::string version;
+};
+
+/// A query that can be asked again, bit for bit, with the answer that somebody gave.
+struct Case {
+  std::string note;  ///< why it is kept; may be empty
+  Ask ask = Ask::Any;
+  CaseSettings settings;
+  CaseShape a;
+  std::optional<CaseShape> b;  ///< none where A is asked about itself
+  std::optional<CaseAnswer> answer;
+  CaseWitness answered_by;
+};
+
+/// The name of a question, a policy or a shape in a file.
+const char* name_of(Ask ask);
+const char* name_of(const CaseShape& shape);
+
+}  // namespace graze

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <graze/engine/cases/case.h>
+
+#include <array>
+#include <utility>
+
+namespace graze::cases {
+
+/// The version of the format that is written, and the only one that is read.
+inline constexpr std::uint32_t kCaseVersion = 1;
+
+inline constexpr std::array<std::pair<const char*, Ask>, 9> kAsks = {{
+    {"any", Ask::Any},
+    {"pairs", Ask::Pairs},
+    {"distance", Ask::Distance},
+    {"within", Ask::Within},
+    {"contacts", Ask::Contacts},
+    {"separation", Ask::Separation},
+    {"contains", Ask::Contains},
+    {"self_any", Ask::SelfAny},
+    {"self_pairs", Ask::SelfPairs},
+}};
+
+/// Whether a question is about A alone.
+inline bool is_about_one(Ask ask) {
+  return ask == Ask::SelfAny || ask == Ask::SelfPairs;
+}
+
+}  // namespace graze::cases

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <graze/bvh/pose.h>
+#include <Eigen/Core>
+
+namespace graze::cases {
+
+/// The text as a JSON string, quotes included. Bytes that are no ASCII are handed on as they are,
+/// except that what is no UTF-8 becomes U+FFFD: file names may hold anything.
+std::string json_string(std::string_view text);
+
+/// A double as a hex float in quotes.
+std::string json_number(double value);
+
+/// `["0x1p+0","0x0p+0",...]`.
+std::string json_point(const Eigen::Vector3d& point);
+
+/// The rows of [R | t], 12 numbers.
+std::string json_pose(const Pose& pose);
+
+}  // namespace graze::cases

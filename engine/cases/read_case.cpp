@@ -1,0 +1,179 @@
+#include <graze/engine/cases/case_words.h>
+#include <graze/engine/cases/read_case.h>
+#include <graze/engine/cases/read_parts.h>
+#include <graze/engine/mesh/io/file_bytes.h>
+#include <graze/engine/mesh/io/source.h>
+
+#include <limits>
+
+namespace graze {
+namespace {
+
+using cases::JsonCursor;
+
+Ask read_question(const JsonCursor& at) {
+  std::string list;
+  for (const auto& [name, ask] : cases::kAsks) {
+    if (at.text() == name) return ask;
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  }
+  at.fail("there is no question " + mesh_io::quoted(at.text()) + "; there are " + list);
+}
+
+/// One of two words.
+bool is_second(const JsonCursor& at, const char* first, const char* second) {
+  if (at.text() != first && at.text() != second) {
+    at.fail(mesh_io::quoted(at.text()) + " is neither " + first + " nor " + second);
+  }
+  return at.text() == second;
+}
+
+CaseSettings read_settings(const JsonCursor& root, Ask ask) {
+  CaseSettings settings;
+  if (root.has("settings")) {
+    const JsonCursor at = root.member("settings");
+    at.require_keys({"touch", "interior", "clearance"});
+    if (at.has("touch")) {
+      const bool excludes = is_second(at.member("touch"), "include", "exclude");
+      settings.touch = excludes ? Touch::Exclude : Touch::Include;
+    }
+    if (at.has("interior")) {
+      const bool is_solid = is_second(at.member("interior"), "surface", "solid");
+      settings.interior = is_solid ? Interior::Solid : Interior::Surface;
+    }
+    if (at.has("clearance")) {
+      if (ask != Ask::Within) at.member("clearance").fail("only \"within\" has a clearance");
+      settings.clearance = at.member("clearance").number();
+      if (settings.clearance < 0) at.member("clearance").fail("is negative");
+      return settings;
+    }
+  }
+  if (ask == Ask::Within) root.fail("\"within\" needs settings with a clearance");
+  return settings;
+}
+
+bool is_mesh(const CaseShape& shape) {
+  return std::holds_alternative<CaseMesh>(shape);
+}
+
+bool is_triangle(const CaseShape& shape) {
+  return std::holds_alternative<Triangle>(shape);
+}
+
+/// Whether the library has such a query.
+bool is_answerable(const Case& query) {
+  const CaseShape& a = query.a;
+  if (!query.b) return is_mesh(a);
+  const CaseShape& b = *query.b;
+  const bool is_point_b = std::holds_alternative<CasePoint>(b);
+  const bool is_volume_a = !is_mesh(a) && !is_triangle(a) && !std::holds_alternative<CasePoint>(a);
+  const bool is_volume_b = !is_mesh(b) && !is_triangle(b) && !is_point_b;
+  switch (query.ask) {
+    case Ask::Any:
+      return (is_mesh(a) && (is_mesh(b) || is_volume_b)) ||
+             (is_triangle(a) && (is_triangle(b) || is_volume_b)) || (is_volume_a && is_volume_b);
+    case Ask::Pairs:
+      return is_mesh(a) && (is_mesh(b) || is_volume_b);
+    case Ask::Distance:
+      return (is_mesh(a) && is_mesh(b)) || (is_triangle(a) && is_triangle(b));
+    case Ask::Within:
+    case Ask::Contacts:
+    case Ask::Separation:
+      return is_mesh(a) && is_mesh(b);
+    case Ask::Contains:
+      return is_mesh(a) && is_point_b;
+    default:
+      return false;
+  }
+}
+
+CaseWitness read_witness(const JsonCursor& at) {
+  at.require_keys({"engine", "version"});
+  return {at.member("engine").text(), at.has("version") ? at.member("version").text() : ""};
+}
+
+/// A pair of the answer beyond the meshes would be found nowhere.
+void check_pairs(const JsonCursor& root, const Case& query) {
+  if (!query.answer) return;
+  const auto count = [](const CaseShape& shape) -> std::size_t {
+    return is_mesh(shape) ? std::get<CaseMesh>(shape).mesh.triangles().size() : 1;
+  };
+  const std::size_t count_a = count(query.a);
+  const std::size_t count_b = query.b ? count(*query.b) : count_a;
+  const auto check = [&](const TrianglePair& pair) {
+    if (pair.a < count_a && pair.b < count_b) return;
+    root.member("answer").fail("there is no pair of triangles " + std::to_string(pair.a) + " and " +
+                               std::to_string(pair.b));
+  };
+  if (query.answer->pair) check(*query.answer->pair);
+  if (query.answer->pairs) {
+    for (const TrianglePair& pair : *query.answer->pairs)
+      check(pair);
+  }
+  if (query.answer->triangles && !query.answer->triangles->empty()) {
+    check({query.answer->triangles->back(), 0});
+  }
+}
+
+std::string place_of(const std::filesystem::path& path) {
+  return mesh_io::printable(path.string());
+}
+
+}  // namespace
+
+Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseSettings& settings) {
+  const cases::JsonValue tree = cases::parse_json(bytes, name);
+  const JsonCursor root(tree, name);
+  // The version first: a later one may have other keys.
+  const std::uint32_t version =
+      root.member("graze_case").index(std::numeric_limits<std::uint32_t>::max());
+  if (version != cases::kCaseVersion) {
+    root.member("graze_case")
+        .fail("is version " + std::to_string(version) + "; this program reads " +
+              std::to_string(cases::kCaseVersion));
+  }
+  root.require_keys(
+      {"graze_case", "note", "question", "settings", "a", "b", "answer", "answered_by"});
+  const Ask ask = read_question(root.member("question"));
+  const bool has_b = !cases::is_about_one(ask);
+  if (!has_b && root.has("b")) root.member("b").fail("the question is about A alone");
+  cases::CaseShapes shapes = read_shapes(root, has_b, settings.mesh_folder);
+  Case query{.note = root.has("note") ? root.member("note").text() : "",
+             .ask = ask,
+             .settings = read_settings(root, ask),
+             .a = std::move(shapes.a),
+             .b = std::move(shapes.b),
+             .answer = std::nullopt,
+             .answered_by = {}};
+  if (!is_answerable(query)) {
+    root.member("question")
+        .fail(std::string("no query answers \"") + name_of(query.ask) + "\" for a " +
+              name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
+  }
+  if (root.has("answer") != root.has("answered_by")) {
+    root.fail("\"answer\" and \"answered_by\" come together");
+  }
+  if (root.has("answer")) {
+    const bool has_volume_b = query.b && !is_mesh(*query.b);
+    query.answer = cases::read_answer(root.member("answer"), ask, has_volume_b);
+    query.answered_by = read_witness(root.member("answered_by"));
+    check_pairs(root, query);
+  }
+  return query;
+}
+
+Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings) {
+  const std::string name = place_of(path);
+  std::string bytes;
+  try {
+    mesh_io::require_regular_file(path, name);
+    bytes = mesh_io::read_file(path, name);
+  } catch (const MeshError& error) {
+    throw CaseError(error.what());
+  }
+  ReadCaseSettings here = settings;
+  if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();
+  return parse_case(bytes, name, here);
+}
+
+}  // namespace graze

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/cases/case_error.h>
+
+namespace graze {
+
+struct ReadCaseSettings {
+  /// Where the meshes lie that a case names by file. Empty: in the folder of the case.
+  std::filesystem::path mesh_folder = {};
+};
+
+/// Reads a case, format version 1 (data/README.md, data/case.schema.json). Throws CaseError
+/// `file:line: /place: why` for what is no case: unknown and repeated keys, numbers that are not
+/// finite, indices out of range, poses that are not rigid, meshes that refer to each other in a
+/// circle, files outside of the folder or with another hash. Linear time and memory.
+Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings = {});
+
+/// The same from memory; errors begin with `name`.
+Case parse_case(std::string_view bytes, const std::string& name,
+                const ReadCaseSettings& settings = {});
+
+}  // namespace graze

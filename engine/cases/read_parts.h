@@ -1,0 +1,26 @@
+#pragma once
+
+// How the parts of a case are read. Private to engine/cases.
+
+#include <filesystem>
+#include <optional>
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/cases/json_cursor.h>
+
+namespace graze::cases {
+
+/// The two shapes of a case, of which one may say that its mesh is the other's.
+struct CaseShapes {
+  CaseShape a;
+  std::optional<CaseShape> b;
+};
+
+CaseShapes read_shapes(const JsonCursor& root, bool has_b, const std::filesystem::path& folder);
+
+/// Requires the parts that the question asks for, and refuses others.
+CaseAnswer read_answer(const JsonCursor& at, Ask ask, bool has_volume_b);
+
+Pose read_pose(const JsonCursor& at);
+
+}  // namespace graze::cases

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <graze/engine/cases/case.h>
+
+namespace graze {
+
+/// The case as read_case() reads it, ending in a line break: the same text for the same case on
+/// every machine. Every number is a hex float. Linear time.
+std::string to_json(const Case& query);
+
+/// Writes it to a file. Throws CaseError if that cannot be done.
+void write_case(const std::filesystem::path& path, const Case& query);
+
+/// The parts of an answer as one JSON object.
+std::string to_json(const CaseAnswer& answer);
+
+}  // namespace graze

@@ -1,0 +1,101 @@
+#include <graze/engine/cli/compare_command.h>
+#include <graze/engine/cli/compare_run.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+Each pose of B is put to graze and to every other engine that this command was built with. Where they
+differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
+always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
+triangles, and written as cases to --cases.
+
+With --json each pose gives one line, and the last one is
+  {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],"cases":[{"file":...},...]}
+
+--save writes what was answered, and --against holds a run against such a file: every answer of graze
+must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
+record of each pose as it is done, and goes on where a stopped run ended. Times of runs with many
+threads are those of a busy machine: use --threads 1 for --save and --against.
+
+Examples:
+  graze compare bolt.obj nut.stl --poses poses.txt --query pairs
+  graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
+  graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
+  graze compare data/regressions
+
+Exit codes:
+  0  graze is right everywhere
+  1  exact arithmetic found an answer of graze to be wrong, or --against found a regression
+  2  bad input, with one line on stderr)";
+
+void add_pose_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
+  command.add_option("--pose-b", options.pose_b, "pose of B (default: identity)")->type_name("P");
+  command.add_option("--poses", options.poses, "poses of B, one per line")->type_name("FILE");
+  command.add_option("--random", options.random, "so many random poses of B")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000).description(""));
+  command
+      .add_option("--grazing", options.grazing,
+                  "so many poses halved to the touching point, where engines go wrong")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000'000).description(""));
+  command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
+      ->type_name("S");
+}
+
+void add_output_options(CLI::App& command, CompareOptions& options) {
+  command
+      .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
+      ->type_name("DIR");
+  command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
+      ->type_name("N");
+  command.add_option("--report", options.report, "also one self-contained page")->type_name("HTML");
+  command.add_option("--save", options.save, "write what was answered")->type_name("BASE");
+  command.add_option("--against", options.against, "hold this run against a saved one")
+      ->type_name("BASE");
+  command
+      .add_option("--time-tolerance", options.time_tolerance,
+                  "how much longer graze may take than in --against (default: 1.5)")
+      ->type_name("RATIO");
+  command.add_option("--resume", options.resume, "keep a record, and go on where it ends")
+      ->type_name("FILE");
+  command.add_option("--threads", options.threads, "0 (default): as many as processors")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024).description(""));
+  command.add_flag("--json", options.is_json, "one JSON object per line");
+  command.add_flag("--progress", options.has_progress,
+                   "report progress on stderr even if it is no terminal");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program, Action& action) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command =
+      program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
+  command->add_option("A", options->mesh_a, "first mesh, or a folder of cases")->required();
+  command->add_option("B", options->mesh_b, "second mesh");
+  command->add_option("--query", options->query, "any (default), pairs, distance, within, contacts")
+      ->type_name("QUESTION")
+      ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts"}).description(""));
+  command->add_option("--clearance", options->clearance, "of --query within, metres")
+      ->type_name("C")
+      ->check(CLI::NonNegativeNumber.description(""));
+  command->add_option("--engines", options->engines, "names with commas (default: all)")
+      ->type_name("NAMES");
+  add_pose_options(*command, *options);
+  add_output_options(*command, *options);
+  command->footer(kFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) {
+      return run_compare(*options, compare::all_engines(), output);
+    };
+  });
+}
+
+}  // namespace graze::cli

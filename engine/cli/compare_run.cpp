@@ -1,0 +1,284 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/write_case.h>
+#include <graze/engine/cli/compare_report.h>
+#include <graze/engine/cli/compare_run.h>
+#include <graze/engine/cli/html_report.h>
+#include <graze/engine/cli/progress.h>
+#include <graze/engine/cli/replay_run.h>
+#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/trial.h>
+#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/pose_text.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace graze::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using compare::ComparisonJob;
+using compare::EngineEntry;
+using compare::PoseRecord;
+
+Ask ask_named(const std::string& name) {
+  for (const Ask ask : {Ask::Any, Ask::Pairs, Ask::Distance, Ask::Within, Ask::Contacts}) {
+    if (name == name_of(ask)) return ask;
+  }
+  throw UsageError("--query: there is no question " + mesh_io::quoted(name));
+}
+
+void check_combinations(const CompareOptions& options) {
+  const int sources = !options.pose_b.empty() + options.poses.has_value() + (options.random > 0) +
+                      (options.grazing > 0);
+  if (sources > 1) {
+    throw UsageError("--pose-b, --poses, --random and --grazing exclude each other: all place B");
+  }
+  if ((options.query == "within") != (options.clearance >= 0)) {
+    throw UsageError("--clearance belongs to --query within");
+  }
+  if (options.time_tolerance < 1) throw UsageError("--time-tolerance: is below 1");
+}
+
+std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMesh& a, const Mesh& b) {
+  if (options.random > 0) return compare::random_poses(a, b, options.random, options.seed);
+  if (options.grazing > 0) return compare::grazing_poses(a, b, options.grazing, options.seed);
+  if (!options.pose_b.empty()) return {parse_pose(options.pose_b, "--pose-b")};
+  if (!options.poses) return {Pose::Identity()};
+  std::vector<Pose> poses;
+  for (const PoseLine& line : load_pose_lines(*options.poses)) {
+    const std::string place = *options.poses + ":" + std::to_string(line.line);
+    check_placement(line.pose, b.bounds(), place.c_str());
+    poses.push_back(line.pose);
+  }
+  return poses;
+}
+
+ComparisonJob read_job(const CompareOptions& options) {
+  check_combinations(options);
+  const Pose pose_a =
+      options.pose_a.empty() ? Pose(Pose::Identity()) : parse_pose(options.pose_a, "--pose-a");
+  const Mesh mesh_a = load_mesh(options.mesh_a);
+  const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
+  check_placement(pose_a, mesh_a.bounds(), "--pose-a");
+  ComparisonJob job{.a = CaseMesh(mesh_a, pose_a),
+                    .b = CaseMesh(mesh_b, Pose::Identity()),
+                    .poses_b = poses_of(options, {mesh_a, pose_a}, mesh_b),
+                    .question = {ask_named(options.query), {}},
+                    .threads = options.threads};
+  if (options.clearance >= 0) job.question.settings.clearance = options.clearance;
+  for (const Pose& pose : job.poses_b)
+    check_placement(pose, mesh_b.bounds(), "the pose of B");
+  return job;
+}
+
+/// Which of the engines `--engines` names. graze is always there: it is what is on trial.
+std::vector<bool> chosen(const CompareOptions& options, std::span<const EngineEntry> engines) {
+  std::vector<bool> is_chosen(engines.size(), options.engines.empty());
+  std::string_view names = options.engines;
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(','), names.size());
+    const std::string_view name = names.substr(0, end);
+    names.remove_prefix(std::min(end + 1, names.size()));
+    const auto at = std::find_if(engines.begin(), engines.end(),
+                                 [&](const EngineEntry& entry) { return entry.name == name; });
+    if (at == engines.end()) {
+      throw UsageError("--engines: there is no engine " + mesh_io::quoted(name));
+    }
+    if (at->engine == nullptr) {
+      throw UsageError(
+          fmt::format("--engines: {} was not found when this command was built", name));
+    }
+    is_chosen[static_cast<std::size_t>(at - engines.begin())] = true;
+  }
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    if (engines[i].name == "graze") is_chosen[i] = true;
+  return is_chosen;
+}
+
+/// Records of an earlier run of the same job.
+std::vector<PoseRecord> resumed(const CompareOptions& options, const ComparisonJob& job) {
+  std::error_code ignored;
+  if (options.resume.empty() || !fs::exists(options.resume, ignored)) return {};
+  compare::Journal journal = compare::read_journal(options.resume);
+  if (journal.key != compare::key_of(job)) {
+    throw UsageError("--resume: " + mesh_io::printable(options.resume) +
+                     " is of other meshes, poses or another question");
+  }
+  std::set<std::size_t> seen;
+  std::vector<PoseRecord> records;
+  for (PoseRecord& record : journal.records) {
+    if (seen.insert(record.pose).second) records.push_back(std::move(record));
+  }
+  return records;
+}
+
+std::vector<PoseRecord> run_all(const CompareOptions& options, const ComparisonJob& job,
+                                std::span<const EngineEntry> engines) {
+  std::vector<PoseRecord> records = resumed(options, job);
+  std::vector<bool> is_done(job.poses_b.size(), false);
+  for (const PoseRecord& record : records)
+    is_done[record.pose] = true;
+  std::optional<compare::JournalWriter> journal;
+  if (!options.resume.empty()) journal.emplace(options.resume, job, records);
+  Progress progress("poses:", job.poses_b.size(), {.is_forced = options.has_progress});
+  run_comparison(
+      job, engines, [&](std::size_t pose) { return is_done[pose]; },
+      [&](PoseRecord record) {
+        if (journal) journal->add(record);
+        records.push_back(std::move(record));
+        progress.update(records.size());
+      });
+  std::sort(records.begin(), records.end(),
+            [](const PoseRecord& a, const PoseRecord& b) { return a.pose < b.pose; });
+  return records;
+}
+
+std::vector<WrittenCase> write_cases(const CompareOptions& options,
+                                     std::vector<compare::ShrunkCase> shrunk) {
+  std::vector<WrittenCase> written;
+  if (shrunk.empty() || options.cases.empty()) return written;
+  std::error_code error;
+  fs::create_directories(options.cases, error);
+  if (error) {
+    throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": " + error.message());
+  }
+  for (compare::ShrunkCase& each : shrunk) {
+    const std::string name = fmt::format("{}-{}-{}.json", each.engine, options.query, each.pose);
+    each.query.note = fmt::format(
+        "{} against {}, pose {}: {} says {}, the truth is: {} ({})",
+        fs::path(options.mesh_a).filename().string(), fs::path(options.mesh_b).filename().string(),
+        each.pose, each.engine, each.query.answer ? compare::brief(*each.query.answer) : "nothing",
+        each.judgement.truth, name_of(each.judgement.error_class));
+    const fs::path file = fs::path(options.cases) / name;
+    write_case(file, each.query);
+    written.push_back({std::move(each), file.string()});
+  }
+  return written;
+}
+
+/// What is said of an older run, and whether that is a regression.
+struct Regression {
+  bool is_one = false;
+  std::string text;
+};
+
+Regression hold_against(const CompareOptions& options, const ComparisonJob& job,
+                        const std::vector<PoseRecord>& records) {
+  const compare::Journal baseline = compare::read_journal(options.against);
+  if (baseline.key != compare::key_of(job)) {
+    throw UsageError("--against: " + mesh_io::printable(options.against) +
+                     " is of other meshes, poses or another question");
+  }
+  const compare::BaselineDifference found = compare_to_baseline(baseline, records);
+  const double ratio = found.old_time > 0 ? found.new_time / found.old_time : 1;
+  const bool is_slower = ratio > options.time_tolerance;
+  Regression result;
+  result.is_one = !found.changed_poses.empty() || !found.missing_poses.empty() || is_slower;
+  if (options.is_json) {
+    result.text = fmt::format(
+        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
+        "\n",
+        fmt::join(found.changed_poses, ","), fmt::join(found.missing_poses, ","), ratio, is_slower);
+  } else {
+    result.text = fmt::format(
+        "against {}: {} answers of graze changed{}{}, {} missing; time {:.2f} of what it was{}\n",
+        mesh_io::printable(options.against), found.changed_poses.size(),
+        found.changed_poses.empty() ? "" : " in poses ", fmt::join(found.changed_poses, " "),
+        found.missing_poses.size(), ratio,
+        is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
+  }
+  return result;
+}
+
+bool is_graze_wrong(std::span<const PoseRecord> records) {
+  return std::any_of(records.begin(), records.end(), [](const PoseRecord& record) {
+    return std::any_of(record.answers.begin(), record.answers.end(), [](const auto& answer) {
+      return answer.engine == "graze" && answer.is_wrong();
+    });
+  });
+}
+
+/// The engines that take part, as if there were no others.
+class Field {
+ public:
+  Field(std::span<const EngineEntry> engines, const std::vector<bool>& is_chosen) {
+    for (std::size_t i = 0; i < engines.size(); ++i) {
+      if (!is_chosen[i] || engines[i].engine == nullptr) continue;
+      engines_.push_back({engines[i].name, std::make_unique<Borrowed>(*engines[i].engine)});
+    }
+  }
+  std::span<const EngineEntry> engines() const { return engines_; }
+
+ private:
+  class Borrowed : public compare::Engine {
+   public:
+    explicit Borrowed(const compare::Engine& engine) : engine_(engine) {}
+    CaseWitness name() const override { return engine_.name(); }
+    std::unique_ptr<compare::LoadedPair> load(const Mesh& a, const Mesh& b) const override {
+      return engine_.load(a, b);
+    }
+
+   private:
+    const compare::Engine& engine_;
+  };
+  std::vector<EngineEntry> engines_;
+};
+
+}  // namespace
+
+ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry> engines,
+                     Output& output) {
+  if (options.mesh_b.empty()) {
+    std::error_code ignored;
+    if (!fs::is_directory(options.mesh_a, ignored)) {
+      throw UsageError("a mesh B is needed, or a folder of cases alone");
+    }
+    return run_replay({.files = {options.mesh_a},
+                       .mesh_folder = "",
+                       .is_json = options.is_json,
+                       .has_progress = options.has_progress},
+                      engines, output);
+  }
+  const Field field(engines, chosen(options, engines));
+  const ComparisonJob job = read_job(options);
+  if (!options.against.empty()) compare::read_journal(options.against);  // bad input comes first
+  const std::vector<PoseRecord> records = run_all(options, job, field.engines());
+  const std::vector<WrittenCase> cases =
+      write_cases(options, shrink_worst(job, field.engines(), records, options.keep));
+  if (!options.save.empty()) compare::JournalWriter(options.save, job, records);
+  if (!options.report.empty()) {
+    mesh_io::OutputFile file(options.report);
+    file.append(html_report({.mesh_a = options.mesh_a,
+                             .mesh_b = options.mesh_b,
+                             .query = options.query,
+                             .records = records,
+                             .cases = cases}));
+    file.finish();
+  }
+  std::string text;
+  if (options.is_json) {
+    for (const PoseRecord& record : records)
+      text += to_json(record) + "\n";
+    text += summary_json(summarise(records), cases);
+  } else {
+    for (const EngineEntry& entry : engines) {
+      if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
+    }
+    text += compare_text(records, cases);
+  }
+  Regression regression;
+  if (!options.against.empty()) regression = hold_against(options, job, records);
+  output.write(text + regression.text);
+  const bool is_bad = is_graze_wrong(records) || regression.is_one;
+  return is_bad ? ExitCode::GrazeWrong : ExitCode::Answered;
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <graze/engine/cli/exit_code.h>
+#include <graze/engine/cli/output.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::cli {
+
+/// The arguments of `graze compare` as they are given.
+struct CompareOptions {
+  std::string mesh_a;  ///< or a folder of cases
+  std::string mesh_b;
+  std::string pose_a;
+  std::string pose_b;
+  std::optional<std::string> poses;
+  std::size_t random = 0;
+  std::size_t grazing = 0;
+  std::uint64_t seed = 1;
+  std::string query = "any";
+  double clearance = -1;              ///< metres, of --query within
+  std::string engines;                ///< names with commas; empty: all
+  std::string cases = "graze-cases";  ///< where shrunk cases go, if there are any
+  std::size_t keep = 16;              ///< so many of them
+  std::string report;                 ///< an HTML file
+  std::string save;
+  std::string against;
+  std::string resume;
+  double time_tolerance = 1.5;
+  std::size_t threads = 0;
+  bool is_json = false;
+  bool has_progress = false;
+};
+
+/// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.
+ExitCode run_compare(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                     Output& output);
+
+}  // namespace graze::cli

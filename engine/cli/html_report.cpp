@@ -1,0 +1,129 @@
+#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cli/html_report.h>
+#include <graze/engine/compare/run/trial.h>
+
+#include <fmt/format.h>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>graze compare</title>
+<style>
+body { font: 15px/1.5 sans-serif; margin: 2em auto; max-width: 68em; padding: 0 1em; color: #222; }
+table { border-collapse: collapse; margin: 1em 0; }
+th, td { padding: 0.2em 0.8em; text-align: right; border-bottom: 1px solid #ddd; }
+th:first-child, td:first-child { text-align: left; }
+.case { display: flex; gap: 1.5em; flex-wrap: wrap; border-top: 1px solid #ddd; padding: 1em 0; }
+.view { fill: #fafafa; stroke: #ccc; }
+.a { color: #1f6fb4; } .b { color: #d95f02; } .bad { color: #b00; font-weight: bold; }
+code { background: #f2f2f2; padding: 0.1em 0.4em; overflow-wrap: anywhere; }
+</style>
+</head>
+<body>
+)";
+
+/// Text for a page: nothing in it is markup, and no byte is left that is no UTF-8.
+std::string escaped(const std::string& text) {
+  std::string out;
+  const std::string clean = cases::json_string(text);
+  for (std::size_t i = 1; i + 1 < clean.size(); ++i) {
+    const char c = clean[i];
+    switch (c) {
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\\':
+        if (clean[i + 1] == '"' || clean[i + 1] == '\\') {
+          out += clean[++i] == '"' ? "&quot;" : "\\";
+          break;
+        }
+        [[fallthrough]];
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+/// A word for the shell.
+std::string quoted_for_shell(const std::string& text) {
+  if (text.find_first_not_of(
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
+      std::string::npos) {
+    return text;
+  }
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      out += "'\\''";
+    } else {
+      out += c;
+    }
+  }
+  return out + "'";
+}
+
+std::string summary_table(std::span<const EngineSummary> summaries) {
+  std::string out =
+      "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</th>"
+      "<th>touching</th><th>pose rounding</th><th>degenerate</th><th>containment</th><th>real</th>"
+      "<th>largest error, m</th><th>in ulp</th><th>median, us</th><th>total, ms</th></tr>\n";
+  for (const EngineSummary& s : summaries) {
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td>",
+                       escaped(s.engine), s.answers, s.agreed, s.right,
+                       s.wrong == 0 ? "" : " class=\"bad\"", s.wrong);
+    for (const std::size_t count : s.classes)
+      out += fmt::format("<td>{}</td>", count);
+    out += fmt::format("<td>{:.3g}</td><td>{:.3g}</td><td>{:.1f}</td><td>{:.2f}</td></tr>\n",
+                       s.largest_error, s.largest_ulps, s.median_time, s.total_time / 1000);
+  }
+  return out + "</table>\n";
+}
+
+std::string case_section(const WrittenCase& each) {
+  const compare::Judgement& judgement = each.shrunk.judgement;
+  const std::string picture = svg_picture(each.shrunk.query);
+  return fmt::format(
+      "<div class=\"case\"><div>{}</div><div><h3>{} in pose {}</h3><p>{} says <b>{}</b>, the truth "
+      "is "
+      "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay "
+      "{}</code></p></div></div>\n",
+      picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture,
+      escaped(each.shrunk.engine), each.shrunk.pose, escaped(each.shrunk.engine),
+      each.shrunk.query.answer ? escaped(compare::brief(*each.shrunk.query.answer)) : "nothing",
+      escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps,
+      escaped(quoted_for_shell(each.file)));
+}
+
+}  // namespace
+
+std::string html_report(const HtmlReportInput& input) {
+  const std::vector<EngineSummary> summaries = summarise(input.records);
+  std::string out = kHead;
+  out += fmt::format(
+      "<h1>graze compare</h1>\n<p><span class=\"a\">{}</span> and <span class=\"b\">{}</span>, "
+      "question <b>{}</b>, {} poses. Where engines differ, a referee in exact arithmetic decides; "
+      "<i>agreed</i> are answers that nobody contradicted.</p>\n",
+      escaped(input.mesh_a), escaped(input.mesh_b), escaped(input.query), input.records.size());
+  out += summary_table(summaries);
+  out += "<h2>Wrong answers, shrunk</h2>\n";
+  if (input.cases.empty()) out += "<p>None.</p>\n";
+  for (const WrittenCase& each : input.cases)
+    out += case_section(each);
+  return out + "</body>\n</html>\n";
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,55 @@
+#include <graze/engine/cli/replay_command.h>
+#include <graze/engine/cli/replay_run.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kFooter = R"(
+A case is a query in a file, bit for bit (data/README.md, data/case.schema.json). Each is put to graze
+and to every other engine that this command was built with, and the referee, exact arithmetic that shares
+no formula with graze, says who is right: about any, pairs, distance, within, and of contacts whether
+there are any. The answer that stands in the file is judged too. "changed" is an answer of graze other
+than the one that graze or the referee once gave.
+
+Wrong answers have a class: touching (by no more than 64 ulp), pose rounding (as little, and right
+without poses), degenerate (a triangle without area), containment (one mesh inside the other), real.
+
+With --json each case gives one line:
+  {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
+   "answer":{"says":true},"verdict":"right","truth":"hit","us":1.234},...]}
+
+Examples:
+  graze replay odd.json
+  graze replay data/regressions --json
+
+Exit codes:
+  0  graze is right everywhere, or was not judged
+  1  exact arithmetic found an answer of graze to be wrong, or it has changed
+  2  bad input, with one line on stderr: FILE:LINE: /PLACE: why)";
+
+}  // namespace
+
+void add_replay_command(CLI::App& program, Action& action) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command =
+      program.add_subcommand("replay", "Ask every engine the questions of case files");
+  command->add_option("FILE", options->files, "cases, or folders of them")->required();
+  command
+      ->add_option("--meshes", options->mesh_folder,
+                   "the folder of meshes by file (default: that of each case)")
+      ->type_name("DIR");
+  command->add_flag("--json", options->is_json, "one JSON object per line and case");
+  command->add_flag("--progress", options->has_progress,
+                    "report progress on stderr even if it is no terminal");
+  command->footer(kFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) {
+      return run_replay(*options, compare::all_engines(), output);
+    };
+  });
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,109 @@
+#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cases/write_case.h>
+#include <graze/engine/cli/replay_report.h>
+#include <graze/engine/mesh/io/source.h>
+
+#include <fmt/format.h>
+#include <filesystem>
+
+namespace graze::cli {
+namespace {
+
+using cases::json_string;
+using compare::brief;
+using compare::Testimony;
+using compare::Verdict;
+
+std::string engine_of(const Testimony& testimony) {
+  std::string name = testimony.witness.engine;
+  if (!testimony.witness.version.empty()) name += " " + testimony.witness.version;
+  return testimony.is_recorded ? name + " (recorded)" : name;
+}
+
+std::string verdict_of(const Testimony& testimony) {
+  if (testimony.differs_from_record) return "changed";
+  return name_of(testimony.judgement.verdict);
+}
+
+}  // namespace
+
+std::string to_json(const Testimony& t) {
+  const compare::Judgement& judgement = t.judgement;
+  std::string out =
+      fmt::format("{{\"engine\":{},\"version\":{},\"recorded\":{},\"answer\":{},\"verdict\":{}",
+                  json_string(t.witness.engine), json_string(t.witness.version), t.is_recorded,
+                  to_json(t.answer), json_string(name_of(judgement.verdict)));
+  if (!judgement.truth.empty()) out += fmt::format(",\"truth\":{}", json_string(judgement.truth));
+  if (judgement.verdict == Verdict::Wrong) {
+    out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
+                       json_string(name_of(judgement.error_class)),
+                       cases::json_number(judgement.error), cases::json_number(judgement.ulps));
+    if (judgement.wrong_pairs > 0) out += fmt::format(",\"wrong_pairs\":{}", judgement.wrong_pairs);
+  }
+  if (t.differs_from_record) out += ",\"changed\":true";
+  if (!t.is_recorded) out += fmt::format(",\"us\":{:.3f}", t.time.count());
+  return out + "}";
+}
+
+ReplayReport::ReplayReport(Output& output, bool is_json)
+    : output_(output),
+      is_json_(is_json),
+      table_({{"case", 28},
+              {"question", 10},
+              {"engine", 20},
+              {"answer", 13},
+              {"verdict", 10},
+              {"why", 13},
+              {"error (m)", 10},
+              {"ulp", 8},
+              {"time (us)", 10}}) {}
+
+void ReplayReport::begin(std::span<const compare::EngineEntry> engines) {
+  if (is_json_) return;
+  for (const compare::EngineEntry& entry : engines) {
+    if (entry.engine == nullptr)
+      output_.write(entry.name + ": not found when this command was built\n");
+  }
+  output_.write(table_.header());
+}
+
+void ReplayReport::add(const std::string& file, const Case& query,
+                       const std::vector<Testimony>& testimonies) {
+  ++cases_;
+  for (const Testimony& testimony : testimonies)
+    graze_wrong_ += testimony.is_graze() && testimony.is_wrong();
+  if (is_json_) {
+    std::string line = fmt::format("{{\"case\":{},\"question\":{},\"testimonies\":[",
+                                   json_string(file), json_string(name_of(query.ask)));
+    const char* separator = "";
+    for (const Testimony& testimony : testimonies) {
+      line += separator;
+      line += to_json(testimony);
+      separator = ",";
+    }
+    output_.write(line + "]}\n");
+    return;
+  }
+  std::string rows;
+  std::string name = mesh_io::printable(std::filesystem::path(file).filename().string());
+  std::string question = name_of(query.ask);
+  for (const Testimony& t : testimonies) {
+    const bool is_wrong = t.judgement.verdict == Verdict::Wrong;
+    rows += table_.row({name, question, engine_of(t), brief(t.answer), verdict_of(t),
+                        is_wrong ? name_of(t.judgement.error_class) : "",
+                        is_wrong ? fmt::format("{:.3g}", t.judgement.error) : "",
+                        is_wrong ? fmt::format("{:.3g}", t.judgement.ulps) : "",
+                        t.is_recorded ? "" : fmt::format("{:.1f}", t.time.count())});
+    name.clear();
+    question.clear();
+  }
+  output_.write(rows);
+}
+
+void ReplayReport::end() {
+  if (is_json_) return;
+  output_.write(
+      fmt::format("{} case{}, graze wrong in {}\n", cases_, cases_ == 1 ? "" : "s", graze_wrong_));
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/output.h>
+#include <graze/engine/cli/table.h>
+#include <graze/engine/compare/run/trial.h>
+
+namespace graze::cli {
+
+/// Prints who said what to each case: a table for people, or one JSON object a case.
+class ReplayReport {
+ public:
+  ReplayReport(Output& output, bool is_json);
+
+  void begin(std::span<const compare::EngineEntry> engines);
+  void add(const std::string& file, const Case& query,
+           const std::vector<compare::Testimony>& testimonies);
+  void end();
+  bool is_graze_wrong() const { return graze_wrong_ > 0; }
+
+ private:
+  Output& output_;
+  bool is_json_;
+  Table table_;
+  std::size_t cases_ = 0;
+  std::size_t graze_wrong_ = 0;
+};
+
+/// A JSON object: {"engine":...,"verdict":...}.
+std::string to_json(const compare::Testimony& testimony);
+
+}  // namespace graze::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/exit_code.h>
+#include <graze/engine/cli/output.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::cli {
+
+struct ReplayOptions {
+  std::vector<std::string> files = {};  ///< or folders, of which every .json is meant
+  std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
+  bool is_json = false;
+  bool has_progress = false;
+};
+
+/// All cases are read before the first is asked, so that bad input leaves standard output empty.
+/// Throws CaseError or MeshError.
+ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
+                    Output& output);
+
+/// The cases that the arguments mean, folders in the order of their names. Throws CaseError for a
+/// folder without any.
+std::vector<std::filesystem::path> case_files(const std::vector<std::string>& arguments);
+
+}  // namespace graze::cli

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <graze/narrowphase/triangle.h>
+
+namespace graze::compare {
+
+/// The referee's own hierarchy: boxes of the placed doubles, halved at the median. Boxes are only
+/// compared, never computed with, so that nothing is rounded.
+class BoxTree {
+ public:
+  explicit BoxTree(std::span<const Triangle> triangles);
+
+  /// Calls `on_pair(i, j)` for triangles whose boxes share a point, until it returns false.
+  static void for_each_overlap(const BoxTree& tree_a, const BoxTree& tree_b,
+                               const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair);
+
+  /// Calls `on_pair(i, j)` for triangles whose boxes are nearer than the bound that it last
+  /// returned, metres, beginning with `bound`; nearer nodes first.
+  static void for_each_nearer(const BoxTree& tree_a, const BoxTree& tree_b, double bound,
+                              const std::function<double(std::uint32_t, std::uint32_t)>& on_pair);
+
+ private:
+  struct Box {
+    std::array<double, 3> min;
+    std::array<double, 3> max;
+  };
+  struct Node {
+    Box box;
+    std::uint32_t first;  ///< of its triangles in order_
+    std::uint32_t count;
+    std::uint32_t left;  ///< 0 for a leaf; the right child is the next one
+  };
+  struct OverlapWalk;
+  struct NearWalk;
+
+  static Box box_of(const Triangle& triangle);
+  static void include(Box& box, const Box& other);
+  static bool overlap(const Box& a, const Box& b);
+  static double gap_below(const Box& a, const Box& b);
+  void build(std::uint32_t node);
+
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace graze::compare

@@ -1,0 +1,267 @@
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/mesh_referee.h>
+#include <graze/engine/compare/judge/pair_error.h>
+#include <graze/engine/compare/judge/rational_triangle.h>
+#include <graze/engine/compare/judge/volume_referee.h>
+#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <mutex>
+
+namespace graze::compare {
+namespace {
+
+/// So many pairs of a list are looked at for the worst.
+constexpr std::size_t kMaxExamined = 64;
+
+std::string in_metres(const char* what, double length) {
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%s %.3g m", what, length);
+  return text.data();
+}
+
+bool may_be_judged(const Case& query) {
+  return query.settings.touch == Touch::Include && query.settings.interior == Interior::Surface;
+}
+
+/// All placed triangles of A that meet the volume B, or just the first.
+template <typename Volume>
+std::vector<std::uint32_t> hits_of(const CaseMesh& mesh, const Volume& volume,
+                                   bool is_first_enough) {
+  std::vector<std::uint32_t> hits;
+  for (std::uint32_t i = 0; i < mesh.mesh.triangles().size(); ++i) {
+    if (!referee_meets(place(mesh.pose, mesh.mesh.triangle(i)), volume)) continue;
+    hits.push_back(i);
+    if (is_first_enough) break;
+  }
+  return hits;
+}
+
+std::optional<std::vector<std::uint32_t>> volume_hits(const Case& query) {
+  const Case& q = query;
+  CaseMesh mesh(Mesh(std::array<Eigen::Vector3d, 1>{Eigen::Vector3d::Zero()},
+                     std::array<TriangleIndices, 1>{{{0, 0, 0}}}),
+                Pose::Identity());
+  if (const auto* placed = std::get_if<CaseMesh>(&q.a)) {
+    mesh = *placed;
+  } else if (const auto* t = std::get_if<Triangle>(&q.a)) {
+    mesh.mesh = Mesh(std::array<Eigen::Vector3d, 3>{t->a, t->b, t->c},
+                     std::array<TriangleIndices, 1>{{{0, 1, 2}}});
+  } else {
+    return std::nullopt;
+  }
+  const bool is_first_enough = q.ask == Ask::Any;
+  if (const auto* box = std::get_if<Aabb>(&*q.b)) return hits_of(mesh, *box, is_first_enough);
+  if (const auto* box = std::get_if<Obb>(&*q.b)) return hits_of(mesh, *box, is_first_enough);
+  if (const auto* ball = std::get_if<Sphere>(&*q.b)) return hits_of(mesh, *ball, is_first_enough);
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// What is true, found when it is first needed.
+struct Judge::Truth {
+  explicit Truth(const Case& the_query) : query(the_query), meshes(as_meshes(the_query)) {
+    if (meshes) referee.emplace(placed_a(), placed_b());
+  }
+
+  PlacedMesh placed_a() const { return {meshes->a.mesh, meshes->a.pose}; }
+  PlacedMesh placed_b() const { return {meshes->b.mesh, meshes->b.pose}; }
+
+  const std::vector<TrianglePair>& hits() {
+    std::call_once(hits_once, [&] { known_hits = referee->find_hits(); });
+    return known_hits;
+  }
+  bool is_hit() {
+    std::call_once(any_once, [&] { first_hit = referee->find_hit(); });
+    return first_hit.has_value();
+  }
+  const MeshReferee::Gap& gap(const std::optional<TrianglePair>& hint) {
+    std::call_once(gap_once, [&] { known_gap = referee->find_gap(hint); });
+    return known_gap;
+  }
+
+  Judgement judge_any(bool says, const JudgeSettings& settings);
+  Judgement judge_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
+  Judgement judge_distance(const CaseAnswer& answer, bool is_graze);
+  Judgement judge_within(bool says, bool is_graze);
+  Judgement judge_volumes(const CaseAnswer& answer) const;
+  double distance_tolerance(const TrianglePair& pair, bool is_graze) const;
+  void add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
+                 const JudgeSettings& settings) const;
+
+  const Case& query;
+  std::optional<MeshCase> meshes;
+  std::optional<MeshReferee> referee;
+  std::once_flag hits_once;
+  std::once_flag any_once;
+  std::once_flag gap_once;
+  std::vector<TrianglePair> known_hits;
+  std::optional<TrianglePair> first_hit;
+  MeshReferee::Gap known_gap;
+};
+
+/// Keeps the worst class, and of one class the largest error.
+void Judge::Truth::add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
+                             const JudgeSettings& settings) const {
+  const PairError error = pair_error(placed_a(), placed_b(), pair, is_a_hit, settings);
+  const bool is_worse =
+      !judgement.culprit || error.error_class > judgement.error_class ||
+      (error.error_class == judgement.error_class && error.error > judgement.error);
+  if (!is_worse) return;
+  judgement.error_class = error.error_class;
+  judgement.error = error.error;
+  judgement.ulps = error.ulps;
+  judgement.culprit = pair;
+}
+
+Judgement Judge::Truth::judge_any(bool says, const JudgeSettings& settings) {
+  Judgement judgement;
+  judgement.truth = is_hit() ? "hit" : "apart";
+  judgement.verdict = says == is_hit() ? Verdict::Right : Verdict::Wrong;
+  if (judgement.verdict == Verdict::Right) return judgement;
+  if (is_hit()) {
+    for (std::size_t i = 0; i < std::min(hits().size(), kMaxExamined); ++i)
+      add_error(judgement, hits()[i], true, settings);
+    return judgement;
+  }
+  const MeshReferee::Gap& nearest = gap(std::nullopt);
+  judgement.truth = in_metres("apart by", rounded_root(nearest.square));
+  add_error(judgement, nearest.pair, false, settings);
+  const bool is_closed = meshes->a.mesh.topology().is_closed && meshes->b.mesh.topology().is_closed;
+  if (is_closed && intersects(placed_a(), placed_b(), {.interior = Interior::Solid})) {
+    judgement.error_class = ErrorClass::Containment;
+  }
+  return judgement;
+}
+
+Judgement Judge::Truth::judge_list(const std::vector<TrianglePair>& pairs,
+                                   const JudgeSettings& settings) {
+  std::vector<TrianglePair> wrong;
+  std::set_symmetric_difference(pairs.begin(), pairs.end(), hits().begin(), hits().end(),
+                                std::back_inserter(wrong));
+  Judgement judgement;
+  judgement.truth = std::to_string(hits().size()) + " pairs";
+  judgement.verdict = wrong.empty() ? Verdict::Right : Verdict::Wrong;
+  judgement.wrong_pairs = wrong.size();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
+    const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
+    add_error(judgement, wrong[i], is_true, settings);
+  }
+  return judgement;
+}
+
+// Law 7: four ulp of the largest difference of placed coordinates.
+double Judge::Truth::distance_tolerance(const TrianglePair& pair, bool is_graze) const {
+  const Triangle& a = referee->triangle_a(pair.a);
+  const Triangle& b = referee->triangle_b(pair.b);
+  if (!is_graze) return kTouchUlps * ulp_of(a, b);
+  double largest = 0;
+  const std::array<const Eigen::Vector3d*, 6> corners = {&a.a, &a.b, &a.c, &b.a, &b.b, &b.c};
+  for (const Eigen::Vector3d* p : corners) {
+    for (const Eigen::Vector3d* q : corners)
+      largest = std::max(largest, (*p - *q).cwiseAbs().maxCoeff());
+  }
+  if (!std::isfinite(largest)) return 0x1p+974;  // differences beyond the range: 4 ulp of its end
+  return 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
+}
+
+Judgement Judge::Truth::judge_distance(const CaseAnswer& answer, bool is_graze) {
+  const auto in_range = [&](const TrianglePair& pair) {
+    return pair.a < meshes->a.mesh.triangles().size() && pair.b < meshes->b.mesh.triangles().size();
+  };
+  const bool has_hint = answer.pair && in_range(*answer.pair);
+  const MeshReferee::Gap& nearest = gap(has_hint ? answer.pair : std::nullopt);
+  Judgement judgement;
+  judgement.truth = in_metres("apart by", rounded_root(nearest.square));
+  judgement.error = root_error(*answer.distance, nearest.square);
+  const Triangle& a = referee->triangle_a(nearest.pair.a);
+  const Triangle& b = referee->triangle_b(nearest.pair.b);
+  judgement.ulps = judgement.error / ulp_of(a, b);
+  const bool agrees_on_zero = !is_graze || (*answer.distance == 0) == (nearest.square == 0);
+  const bool is_right =
+      agrees_on_zero && judgement.error <= distance_tolerance(nearest.pair, is_graze);
+  judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
+  if (is_right) return judgement;
+  judgement.culprit = nearest.pair;
+  if (has_no_area(exactly(a)) || has_no_area(exactly(b))) {
+    judgement.error_class = ErrorClass::Degenerate;
+  } else if (judgement.ulps <= kTouchUlps) {
+    judgement.error_class = ErrorClass::Touching;
+  }
+  return judgement;
+}
+
+Judgement Judge::Truth::judge_within(bool says, bool is_graze) {
+  const MeshReferee::Gap& nearest = gap(std::nullopt);
+  const double clearance = query.settings.clearance;
+  const mpq_class square = mpq_class(clearance) * mpq_class(clearance);
+  Judgement judgement;
+  judgement.truth = in_metres("apart by", rounded_root(nearest.square));
+  judgement.error = root_error(clearance, nearest.square);
+  const Triangle& a = referee->triangle_a(nearest.pair.a);
+  const Triangle& b = referee->triangle_b(nearest.pair.b);
+  judgement.ulps = judgement.error / ulp_of(a, b);
+  // It speaks of the rounded distance (law 7), so that either answer is right this near.
+  const bool is_right = says == (nearest.square <= square) ||
+                        judgement.error <= distance_tolerance(nearest.pair, is_graze);
+  judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
+  if (is_right) return judgement;
+  judgement.culprit = nearest.pair;
+  if (judgement.ulps <= kTouchUlps) judgement.error_class = ErrorClass::Touching;
+  return judgement;
+}
+
+Judgement Judge::Truth::judge_volumes(const CaseAnswer& answer) const {
+  Judgement judgement;
+  const std::optional<std::vector<std::uint32_t>> hits = volume_hits(query);
+  if (hits && query.ask == Ask::Pairs && answer.triangles) {
+    judgement.truth = std::to_string(hits->size()) + " triangles";
+    judgement.verdict = *hits == *answer.triangles ? Verdict::Right : Verdict::Wrong;
+    return judgement;
+  }
+  const std::optional<bool> is_a_hit =
+      hits ? std::optional(!hits->empty()) : referee_overlaps(query.a, *query.b);
+  if (query.ask != Ask::Any || !is_a_hit || !answer.says) return judgement;
+  judgement.truth = *is_a_hit ? "hit" : "apart";
+  judgement.verdict = *is_a_hit == *answer.says ? Verdict::Right : Verdict::Wrong;
+  return judgement;
+}
+
+Judge::Judge(const Case& query) : truth_(std::make_unique<Truth>(query)) {}
+Judge::~Judge() = default;
+
+Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
+                       const JudgeSettings& settings) const {
+  const bool is_graze = witness.engine == "graze";
+  const Case& query = truth_->query;
+  if (!may_be_judged(query) || !query.b) return {};
+  if (!truth_->meshes) return truth_->judge_volumes(answer);
+  if (query.ask == Ask::Any && answer.says) return truth_->judge_any(*answer.says, settings);
+  if (query.ask == Ask::Pairs && answer.pairs) return truth_->judge_list(*answer.pairs, settings);
+  if (query.ask == Ask::Distance && answer.distance)
+    return truth_->judge_distance(answer, is_graze);
+  if (query.ask == Ask::Within && answer.says) return truth_->judge_within(*answer.says, is_graze);
+  if (query.ask == Ask::Contacts && answer.contacts) {
+    return truth_->judge_any(!answer.contacts->empty(), settings);
+  }
+  return {};
+}
+
+const char* name_of(Verdict verdict) {
+  return verdict == Verdict::Right ? "right" : verdict == Verdict::Wrong ? "wrong" : "not judged";
+}
+
+const char* name_of(ErrorClass error_class) {
+  constexpr std::array kNames = {"touching", "pose rounding", "degenerate", "containment", "real"};
+  return kNames[static_cast<std::size_t>(error_class)];
+}
+
+}  // namespace graze::compare

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/compare/judge/judgement.h>
+
+namespace graze::compare {
+
+struct JudgeSettings {
+  /// Asks the engine that gave the answer about two triangles, placed without rounding and without
+  /// poses, so that errors of placing can be told from others. May be empty.
+  std::function<std::optional<bool>(const Triangle&, const Triangle&)> ask_again = {};
+};
+
+/// The referee for one query, who can judge many answers to it: linear programs in integers, and
+/// rational numbers, which share no formula with the library. It judges the questions any, pairs,
+/// distance and within, and of contacts whether there are any, for surfaces; others are NotJudged.
+/// A distance is right within law 7's four ulp if graze says so, and for other engines, which
+/// promise nothing, within kTouchUlps of the largest coordinate.
+class Judge {
+ public:
+  /// The case must outlive the judge.
+  explicit Judge(const Case& query);
+  ~Judge();
+  Judge(const Judge&) = delete;
+  Judge& operator=(const Judge&) = delete;
+
+  Judgement judge(const CaseAnswer& answer, const CaseWitness& witness,
+                  const JudgeSettings& settings = {}) const;
+
+ private:
+  struct Truth;
+  std::unique_ptr<Truth> truth_;
+};
+
+}  // namespace graze::compare

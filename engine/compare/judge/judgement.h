@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <graze/engine/cases/case.h>
+
+namespace graze::compare {
+
+enum class Verdict { Right, Wrong, NotJudged };
+
+/// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse.
+enum class ErrorClass {
+  Touching,      ///< the shapes touch, or miss each other, by no more than kTouchUlps
+  PoseRounding,  ///< as small, and right if no pose had to be rounded
+  Degenerate,    ///< a triangle of exactly zero area takes part
+  Containment,   ///< surfaces only were asked for: one mesh lies inside the other
+  Real,          ///< none of these: a plain error
+};
+
+/// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some
+/// twenty operations a coordinate, each off by half an ulp, and the square roots of their sums.
+inline constexpr double kTouchUlps = 64;
+
+/// What the referee says of one answer.
+struct Judgement {
+  Verdict verdict = Verdict::NotJudged;
+  std::string truth;  ///< in words: "hit", "apart by 3.2e-17 m", "12 pairs"
+  // Of a wrong answer:
+  ErrorClass error_class = ErrorClass::Real;
+  double error = 0;  ///< metres: the gap or depth that was overlooked, the error of a distance
+  double ulps = 0;   ///< the same, in ulp of the largest placed coordinate of the culprits
+  std::size_t wrong_pairs = 0;          ///< of a list
+  std::optional<TrianglePair> culprit;  ///< the triangles that show it best
+};
+
+const char* name_of(Verdict verdict);
+const char* name_of(ErrorClass error_class);
+
+}  // namespace graze::compare

@@ -1,0 +1,63 @@
+#include <graze/engine/compare/judge/pair_error.h>
+#include <graze/engine/compare/judge/rational_triangle.h>
+#include <graze/engine/mesh/placement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graze::compare {
+namespace {
+
+double largest(const Triangle& t) {
+  return std::max(
+      {t.a.cwiseAbs().maxCoeff(), t.b.cwiseAbs().maxCoeff(), t.c.cwiseAbs().maxCoeff()});
+}
+
+bool moves(const Pose& pose) {
+  return pose.matrix() != Pose::Identity().matrix();
+}
+
+/// Whether placing has changed the answer: the real numbers of the poses say otherwise, or the
+/// engine itself does once it has nothing to place.
+bool is_due_to_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
+                       bool is_hit, const JudgeSettings& settings) {
+  if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
+  const Triangle a = mesh_a.mesh.triangle(pair.a);
+  const Triangle b = mesh_b.mesh.triangle(pair.b);
+  const mpq_class gap = squared_distance(placed_without_rounding(mesh_a.pose, a),
+                                         placed_without_rounding(mesh_b.pose, b));
+  if ((gap == 0) != is_hit) return true;
+  if (!settings.ask_again) return false;
+  return settings.ask_again(place(mesh_a.pose, a), place(mesh_b.pose, b)) == is_hit;
+}
+
+}  // namespace
+
+double ulp_of(const Triangle& triangle_a, const Triangle& triangle_b) {
+  const double value = std::max(largest(triangle_a), largest(triangle_b));
+  const double next = std::nextafter(value, std::numeric_limits<double>::infinity());
+  return std::isfinite(next) ? next - value : value - std::nextafter(value, 0.0);
+}
+
+PairError pair_error(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
+                     bool is_hit, const JudgeSettings& settings) {
+  const Triangle a = place(mesh_a.pose, mesh_a.mesh.triangle(pair.a));
+  const Triangle b = place(mesh_b.pose, mesh_b.mesh.triangle(pair.b));
+  const RationalTriangle exact_a = exactly(a);
+  const RationalTriangle exact_b = exactly(b);
+  PairError result{ErrorClass::Real, 0, 0};
+  result.error =
+      rounded_root(is_hit ? squared_depth(exact_a, exact_b) : squared_distance(exact_a, exact_b));
+  result.ulps = result.error / ulp_of(a, b);
+  if (has_no_area(exact_a) || has_no_area(exact_b)) {
+    result.error_class = ErrorClass::Degenerate;
+  } else if (result.ulps <= kTouchUlps) {
+    result.error_class = is_due_to_placing(mesh_a, mesh_b, pair, is_hit, settings)
+                             ? ErrorClass::PoseRounding
+                             : ErrorClass::Touching;
+  }
+  return result;
+}
+
+}  // namespace graze::compare

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cases/case.h>
+
+namespace graze::compare {
+
+/// What is asked about two meshes.
+struct Question {
+  Ask ask = Ask::Any;
+  CaseSettings settings = {};
+};
+
+/// Two meshes as an engine holds them. Safe to ask from many threads at once.
+class LoadedPair {
+ public:
+  virtual ~LoadedPair() = default;
+
+  /// The engine's answer in these poses; nothing if it does not know such questions.
+  virtual std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                           const Pose& pose_b) const = 0;
+};
+
+/// A collision engine behind one page. No type of the engine's own appears here.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual CaseWitness name() const = 0;
+
+  /// Builds what the engine needs for queries: its trees, for example. Throws Error if it refuses.
+  virtual std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const = 0;
+};
+
+/// An engine, or the word why it is not here.
+struct EngineEntry {
+  std::string name;
+  std::unique_ptr<Engine> engine;  ///< null if it was not found when this was built
+};
+
+/// graze first, then every other engine that this program knows of.
+std::vector<EngineEntry> all_engines();
+
+std::unique_ptr<Engine> make_graze_engine();
+std::unique_ptr<Engine> make_fcl_engine();
+std::unique_ptr<Engine> make_bullet_engine();
+std::unique_ptr<Engine> make_ode_engine();
+
+/// The engine's answer to a case; nothing if it knows no such question. Only graze is asked about
+/// shapes other than meshes and triangles, which become meshes of one triangle.
+std::optional<CaseAnswer> ask(const Engine& engine, const Case& query);
+
+/// The meshes of a case, a triangle as a mesh of one; nothing for other shapes.
+struct MeshCase {
+  CaseMesh a;
+  CaseMesh b;
+};
+std::optional<MeshCase> as_meshes(const Case& query);
+
+}  // namespace graze::compare

@@ -1,0 +1,64 @@
+// FCL behind the page that every engine has. fcl_engine.h does the work.
+
+#include <graze/engine/compare/fcl_engine.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::compare {
+namespace {
+
+class FclPair : public LoadedPair {
+ public:
+  FclPair(const Mesh& mesh_a, const Mesh& mesh_b) : mesh_a_(mesh_a), mesh_b_(mesh_b) {}
+
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    if (question.settings.touch == Touch::Exclude) return std::nullopt;
+    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    CaseAnswer answer;
+    switch (question.ask) {
+      case Ask::Any:
+        answer.says = intersects(mesh_a_, pose_a, mesh_b_, pose_b);
+        return answer;
+      case Ask::Pairs:
+        answer.pairs = find_triangle_pairs(mesh_a_, pose_a, mesh_b_, pose_b);
+        return answer;
+      case Ask::Distance: {
+        const FclDistance gap = distance(mesh_a_, pose_a, mesh_b_, pose_b);
+        answer.distance = gap.distance;
+        answer.pair = gap.pair;
+        return answer;
+      }
+      case Ask::Within:
+        answer.says =
+            distance(mesh_a_, pose_a, mesh_b_, pose_b).distance <= question.settings.clearance;
+        return answer;
+      case Ask::Contacts:
+        answer.contacts.emplace();
+        for (const FclContact& c : find_contacts(mesh_a_, pose_a, mesh_b_, pose_b))
+          answer.contacts->push_back({c.point, c.point, c.point, c.normal, c.depth});
+        return answer;
+      default:
+        return std::nullopt;
+    }
+  }
+
+ private:
+  FclMesh mesh_a_;
+  FclMesh mesh_b_;
+};
+
+class FclEngine : public Engine {
+ public:
+  CaseWitness name() const override { return {"fcl", fcl_version()}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    return std::make_unique<FclPair>(mesh_a, mesh_b);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Engine> make_fcl_engine() {
+  return std::make_unique<FclEngine>();
+}
+
+}  // namespace graze::compare

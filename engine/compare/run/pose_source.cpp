@@ -1,0 +1,130 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placement.h>
+
+#include <cmath>
+#include <random>
+
+namespace graze::compare {
+namespace {
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+
+  double from_minus_one_to_one() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
+
+  Eigen::Vector3d in_cube() {
+    const double x = from_minus_one_to_one();
+    const double y = from_minus_one_to_one();
+    const double z = from_minus_one_to_one();
+    return {x, y, z};
+  }
+
+  /// Of length one.
+  Eigen::Vector3d direction() {
+    for (;;) {
+      const Eigen::Vector3d v = in_cube();
+      const double square = (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z();
+      if (square > 0.01 && square <= 1) return v / std::sqrt(square);
+    }
+  }
+
+  /// Two directions made orthogonal, and their cross product: each rotation is as likely as
+  /// another.
+  Pose rotation() {
+    for (;;) {
+      const Eigen::Vector3d x = direction();
+      const Eigen::Vector3d aside = direction();
+      Eigen::Vector3d y = aside - ((x.x() * aside.x() + x.y() * aside.y()) + x.z() * aside.z()) * x;
+      const double length = std::sqrt((y.x() * y.x() + y.y() * y.y()) + y.z() * y.z());
+      if (length < 0.1) continue;
+      y /= length;
+      Pose pose = Pose::Identity();
+      pose.linear().col(0) = x;
+      pose.linear().col(1) = y;
+      pose.linear().col(2) << x.y() * y.z() - x.z() * y.y(), x.z() * y.x() - x.x() * y.z(),
+          x.x() * y.y() - x.y() * y.x();
+      return pose;
+    }
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+/// A box by its middle and its half diagonal.
+struct Reach {
+  Eigen::Vector3d middle;
+  Eigen::Vector3d half;
+  double radius;
+};
+
+Reach reach_of(const Aabb& box) {
+  const Eigen::Vector3d half = box.max / 2 - box.min / 2;
+  return {box.max / 2 + box.min / 2, half,
+          std::sqrt((half.x() * half.x() + half.y() * half.y()) + half.z() * half.z())};
+}
+
+/// The pose that turns B and brings the middle of its bounds to a point in A's frame.
+Pose with_middle_at(const Pose& rotation, const Reach& b, const Eigen::Vector3d& point,
+                    const Pose& pose_a) {
+  Pose pose = rotation;
+  pose.translation() = place(pose_a, point) - place(rotation, b.middle);
+  return pose;
+}
+
+}  // namespace
+
+std::vector<Pose> random_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
+                               std::uint64_t seed) {
+  const Reach a = reach_of(mesh_a.mesh.bounds());
+  const Reach b = reach_of(mesh_b.bounds());
+  Dice dice(seed);
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose rotation = dice.rotation();
+    const Eigen::Vector3d where = dice.in_cube();
+    const Eigen::Vector3d room = a.half + Eigen::Vector3d::Constant(b.radius / 2);
+    poses.push_back(with_middle_at(rotation, b, a.middle + where.cwiseProduct(room), mesh_a.pose));
+  }
+  return poses;
+}
+
+std::vector<Pose> grazing_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
+                                std::uint64_t seed) {
+  constexpr int kSteps = 64;        // on the way in
+  constexpr int kMaxMisses = 1000;  // lines through A that meet nothing
+  const Reach a = reach_of(mesh_a.mesh.bounds());
+  const Reach b = reach_of(mesh_b.bounds());
+  Dice dice(seed);
+  std::vector<Pose> poses;
+  for (int misses = 0; poses.size() < count;) {
+    const Pose rotation = dice.rotation();
+    const Eigen::Vector3d target = a.middle + dice.in_cube().cwiseProduct(a.half) / 2;
+    const Eigen::Vector3d out = dice.direction() * (2 * (a.radius + b.radius));
+    const auto pose_at = [&](double way) {
+      return with_middle_at(rotation, b, target + out * way, mesh_a.pose);
+    };
+    const auto is_hit_at = [&](double way) { return intersects(mesh_a, {mesh_b, pose_at(way)}); };
+    double hit = -1;
+    double apart = 1;
+    for (int step = kSteps - 1; step >= 0 && hit < 0; --step) {
+      const double way = static_cast<double>(step) / kSteps;
+      (is_hit_at(way) ? hit : apart) = way;
+    }
+    if (hit < 0) {
+      if (++misses == kMaxMisses) throw InputError("--grazing: the meshes never touch");
+      continue;
+    }
+    for (double middle = hit / 2 + apart / 2; middle != hit && middle != apart;
+         middle = hit / 2 + apart / 2) {
+      (is_hit_at(middle) ? hit : apart) = middle;
+    }
+    poses.push_back(pose_at(poses.size() % 2 == 0 ? hit : apart));
+  }
+  return poses;
+}
+
+}  // namespace graze::compare

@@ -1,0 +1,115 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/answer_case.h>
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/run/trial.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace graze::compare {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Asks twice: the first query builds what it needs.
+std::optional<Testimony> testify(const Engine& engine, const Case& query) {
+  Testimony testimony;
+  testimony.witness = engine.name();
+  const std::optional<MeshCase> meshes = as_meshes(query);
+  if (!meshes) {
+    const std::optional<CaseAnswer> answer = ask(engine, query);
+    if (!answer) return std::nullopt;
+    const auto start = Clock::now();
+    testimony.answer = *ask(engine, query);
+    testimony.time = Clock::now() - start;
+    return testimony;
+  }
+  const std::unique_ptr<LoadedPair> pair = engine.load(meshes->a.mesh, meshes->b.mesh);
+  const Question question{query.ask, query.settings};
+  std::optional<CaseAnswer> answer = pair->answer(question, meshes->a.pose, meshes->b.pose);
+  if (!answer) return std::nullopt;
+  const auto start = Clock::now();
+  testimony.answer = *pair->answer(question, meshes->a.pose, meshes->b.pose);
+  testimony.time = Clock::now() - start;
+  return testimony;
+}
+
+bool is_of_record(const CaseWitness& witness) {
+  return witness.engine == "graze" || witness.engine == "referee";
+}
+
+/// The referee records no points, only what is true.
+bool differs(const CaseAnswer& answer, const Case& query) {
+  if (query.answered_by.engine == "graze") return !is_same(answer, *query.answer);
+  return answer.says != query.answer->says || answer.pairs != query.answer->pairs ||
+         answer.triangles != query.answer->triangles;
+}
+
+}  // namespace
+
+JudgeSettings asking(const Engine& engine) {
+  return {.ask_again = [&engine](const Triangle& a, const Triangle& b) -> std::optional<bool> {
+    const Case query{.note = "",
+                     .ask = Ask::Any,
+                     .settings = {},
+                     .a = a,
+                     .b = b,
+                     .answer = std::nullopt,
+                     .answered_by = {}};
+    try {
+      const std::optional<CaseAnswer> answer = ask(engine, query);
+      return answer ? answer->says : std::nullopt;
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }};
+}
+
+std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines) {
+  std::vector<Testimony> all;
+  const Judge judge(query);
+  if (query.answer) {
+    Testimony recorded;
+    recorded.witness = query.answered_by;
+    recorded.is_recorded = true;
+    recorded.answer = *query.answer;
+    const auto owner = std::find_if(engines.begin(), engines.end(), [&](const EngineEntry& entry) {
+      return entry.engine != nullptr && entry.name == query.answered_by.engine;
+    });
+    recorded.judgement =
+        judge.judge(recorded.answer, recorded.witness,
+                    owner == engines.end() ? JudgeSettings() : asking(*owner->engine));
+    all.push_back(std::move(recorded));
+  }
+  for (const EngineEntry& entry : engines) {
+    if (entry.engine == nullptr) continue;
+    std::optional<Testimony> testimony;
+    try {
+      testimony = testify(*entry.engine, query);
+    } catch (const Error&) {
+      if (entry.name == "graze") throw;
+    }
+    if (!testimony) continue;
+    testimony->judgement =
+        judge.judge(testimony->answer, testimony->witness, asking(*entry.engine));
+    if (testimony->is_graze() && query.answer && is_of_record(query.answered_by)) {
+      testimony->differs_from_record = differs(testimony->answer, query);
+    }
+    all.push_back(*std::move(testimony));
+  }
+  return all;
+}
+
+std::string brief(const CaseAnswer& answer) {
+  if (answer.says) return *answer.says ? "yes" : "no";
+  if (answer.pairs) return std::to_string(answer.pairs->size()) + " pairs";
+  if (answer.triangles) return std::to_string(answer.triangles->size()) + " triangles";
+  if (answer.contacts) return std::to_string(answer.contacts->size()) + " contacts";
+  if (!answer.distance) return "nothing";
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.6g m", *answer.distance);
+  return text.data();
+}
+
+}  // namespace graze::compare

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <vector>
+
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::compare {
+
+/// What one engine answered to a case, and what the referee says of that.
+struct Testimony {
+  CaseWitness witness;
+  bool is_recorded = false;  ///< the answer stands in the case; no engine was asked
+  CaseAnswer answer;
+  std::chrono::duration<double, std::micro> time{0};  ///< of the query, with its trees built
+  Judgement judgement;
+  /// Of graze, where the case holds an answer that graze or the referee gave: whether the two are
+  /// not the same, bit for bit.
+  bool differs_from_record = false;
+
+  bool is_wrong() const { return judgement.verdict == Verdict::Wrong || differs_from_record; }
+  bool is_graze() const { return witness.engine == "graze" && !is_recorded; }
+};
+
+/// Puts a case to every engine that is here and knows such questions, and judges their answers and
+/// the recorded one, which comes first. Throws what graze throws; other engines that refuse a mesh
+/// are left out.
+std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines);
+
+/// The engine, asked about two triangles by the judge who wants to know why it was wrong. It must
+/// outlive the result.
+JudgeSettings asking(const Engine& engine);
+
+/// The answer in a few characters: "yes", "12 pairs", "0.25 m".
+std::string brief(const CaseAnswer& answer);
+
+}  // namespace graze::compare

@@ -1,0 +1,271 @@
+// The judge on trial: its arithmetic against other arithmetic, its verdicts on answers that are
+// wrong on purpose, and the shrinking of what it finds.
+
+#include <graze/engine/cases/answer_case.h>
+#include <graze/engine/cases/read_case.h>
+#include <graze/engine/cases/to_case.h>
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/mesh_referee.h>
+#include <graze/engine/compare/judge/rational_triangle.h>
+#include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/referee.h>
+#include <graze/engine/compare/run/trial.h>
+#include <graze/engine/mesh/placement.h>
+#include <gtest/gtest.h>
+#include <tests/oracle/category.h>
+#include <tests/oracle/sampler.h>
+#include <algorithm>
+
+#include "tests/compare/engine_doubles.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze::compare {
+namespace {
+
+Eigen::Vector3d way(double x, double y, double z) {
+  return {x, y, z};
+}
+
+Triangle moved(const Triangle& t, const Eigen::Vector3d& by) {
+  return {t.a + by, t.b + by, t.c + by};
+}
+
+const Triangle kFlat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+
+void expect_gap_and_hit_agree(std::uint64_t step, std::uint64_t count) {
+  std::size_t hits = 0;
+  std::size_t all = 0;
+  for (const auto& corpus : oracle::pair_corpora()) {
+    for (std::uint64_t i = 0; i < count; ++i, ++all) {
+      const oracle::TrianglePair pair = corpus.element(i * step);
+      const bool is_hit = referee_intersects(pair.a, pair.b);
+      const mpq_class gap = squared_distance(exactly(pair.a), exactly(pair.b));
+      ASSERT_EQ(gap == 0, is_hit) << corpus.name() << " element " << i * step;
+      if (!is_hit) {
+        ASSERT_EQ(squared_depth(exactly(pair.a), exactly(pair.b)), 0) << corpus.name();
+      }
+      hits += is_hit;
+    }
+  }
+  EXPECT_GT(hits, all / 20);
+  EXPECT_LT(hits, all);
+}
+
+TEST(JudgeArithmetic, TheGapIsZeroExactlyWhereTheLinearProgramSaysHit) {
+  expect_gap_and_hit_agree(97, 8);
+}
+TEST(JudgeArithmeticSlow, TheGapIsZeroExactlyWhereTheLinearProgramSaysHit) {
+  expect_gap_and_hit_agree(1, 20000);
+}
+
+TEST(JudgeArithmetic, GapsAndDepthsAreThoseOfGeometry) {
+  const auto gap = [](const Triangle& a, const Triangle& b) {
+    return squared_distance(exactly(a), exactly(b));
+  };
+  EXPECT_EQ(gap(kFlat, moved(kFlat, way(0, 0, 3))), 9);
+  EXPECT_EQ(gap(kFlat, moved(kFlat, way(-7, 0, 4))), 9 + 16);
+  EXPECT_EQ(gap(kFlat, moved(kFlat, way(4, 4, 0))), 8) << "edge to corner, in one plane";
+  const Triangle upright{{1, 1, -1}, {1, 1, 2}, {1, 2, 5}};
+  EXPECT_EQ(gap(kFlat, upright), 0);
+  EXPECT_EQ(squared_depth(exactly(kFlat), exactly(upright)), 1) << "up by one metre";
+  EXPECT_EQ(squared_depth(exactly(kFlat), exactly(kFlat)), 0);
+  const Triangle point{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
+  EXPECT_EQ(squared_depth(exactly(kFlat), exactly(point)), 0);
+  EXPECT_TRUE(has_no_area(exactly(point)));
+  EXPECT_FALSE(has_no_area(exactly(kFlat)));
+  EXPECT_EQ(rounded_root(mpq_class(9)), 3.0);
+  EXPECT_EQ(root_error(2.5, mpq_class(9)), 0.5);
+}
+
+TEST(JudgeMeshes, TheTreeChangesNothing) {
+  RandomSource source(7);
+  for (int run = 0; run < 6; ++run) {
+    const Mesh a = run % 2 == 0 ? tests::random_soup({.count = 14}, source)
+                                : tests::lattice_soup(14, 2, source);
+    const Mesh b = tests::random_soup({.count = 12, .centre = {run < 4 ? 0.5 : 5, 0, 0}}, source);
+    const Pose pose = tests::random_pose(0.2, source);
+    const MeshReferee referee({a}, {b, pose});
+    std::vector<TrianglePair> hits;
+    mpq_class gap = -1;
+    for (std::uint32_t i = 0; i < a.triangles().size(); ++i) {
+      for (std::uint32_t j = 0; j < b.triangles().size(); ++j) {
+        if (referee.is_hit({i, j})) hits.push_back({i, j});
+        const mpq_class square =
+            squared_distance(exactly(a.triangle(i)), exactly(place(pose, b.triangle(j))));
+        if (gap < 0 || square < gap) gap = square;
+      }
+    }
+    EXPECT_EQ(referee.find_hits(), hits);
+    EXPECT_EQ(referee.find_hit().has_value(), !hits.empty());
+    EXPECT_EQ(referee.find_gap().square, gap);
+    EXPECT_EQ(find_triangle_pairs({a}, {b, pose}).pairs, hits);
+  }
+}
+
+/// The verdict on an answer with the wrong sign.
+Judgement judged(const CaseShape& a, const CaseShape& b, bool says) {
+  const Case query = to_case(a, b, says);
+  return Judge(query).judge(*query.answer, {"somebody", ""});
+}
+
+TEST(JudgeClasses, TouchingIsAnErrorOfAFewUlps) {
+  const Triangle above{{1, 1, 0x1p-50}, {1, 1, 5}, {2, 2, 5}};
+  const Judgement judgement = judged(kFlat, above, true);
+  EXPECT_EQ(judgement.verdict, Verdict::Wrong);
+  EXPECT_EQ(judgement.error_class, ErrorClass::Touching);
+  EXPECT_EQ(judgement.error, 0x1p-50);
+  EXPECT_EQ(judgement.ulps, 1.0) << "of a coordinate of 5";
+  EXPECT_EQ(judged(kFlat, above, false).verdict, Verdict::Right);
+  EXPECT_EQ(judged(kFlat, moved(above, way(0, 0, -0x1p-49)), false).error_class,
+            ErrorClass::Touching);
+}
+
+TEST(JudgeClasses, FarBeyondRoundingIsReal) {
+  const Triangle above{{1, 1, 0x1p-20}, {1, 1, 5}, {2, 2, 5}};
+  EXPECT_EQ(judged(kFlat, above, true).error_class, ErrorClass::Real);
+  const Judgement missed = judged(kFlat, moved(above, way(0, 0, -1)), false);
+  EXPECT_EQ(missed.error_class, ErrorClass::Real);
+  EXPECT_GT(missed.error, 0.25);
+}
+
+TEST(JudgeClasses, TrianglesWithoutAreaAreDegenerate) {
+  const Triangle segment{{1, 1, -1}, {1, 1, 1}, {1, 1, 0}};
+  EXPECT_EQ(judged(kFlat, segment, false).error_class, ErrorClass::Degenerate);
+}
+
+TEST(JudgeClasses, OneInsideTheOtherIsContainment) {
+  const Judgement judgement = judged(CaseMesh(tests::make_box({1, 1, 1}), Pose::Identity()),
+                                     CaseMesh(tests::make_box({4, 4, 4}), Pose::Identity()), true);
+  EXPECT_EQ(judgement.error_class, ErrorClass::Containment);
+  EXPECT_EQ(judgement.error, 3.0);
+}
+
+TEST(JudgeClasses, WhatOnlyThePoseHasRoundedIsPoseRounding) {
+  // 1/3 above 1 is no double: placing moves the touching point off the face by a part of an ulp.
+  Pose pose = Pose::Identity();
+  pose.translation().z() = 0x1p-54;
+  const std::array<Eigen::Vector3d, 3> corners = {way(1, 1, 1), way(1, 2, 3), way(2, 1, 3)};
+  const Mesh above(corners, std::array<TriangleIndices, 1>{{{0, 1, 2}}});
+  const Triangle at_one = moved(kFlat, way(0, 0, 1));
+  const Mesh flat(std::array<Eigen::Vector3d, 3>{at_one.a, at_one.b, at_one.c},
+                  std::array<TriangleIndices, 1>{{{0, 1, 2}}});
+  const Judgement judgement =
+      judged(CaseMesh(flat, Pose::Identity()), CaseMesh(above, pose), false);
+  EXPECT_EQ(judgement.verdict, Verdict::Wrong) << "law 1 places it on the face";
+  EXPECT_EQ(judgement.error_class, ErrorClass::PoseRounding) << "in real numbers it is above";
+}
+
+TEST(JudgeDistances, AreRightWithinTheirBoundsOnly) {
+  const Triangle above = moved(kFlat, way(0, 0, 3));
+  Case query{.note = "",
+             .ask = Ask::Distance,
+             .settings = {},
+             .a = kFlat,
+             .b = above,
+             .answer = std::nullopt,
+             .answered_by = {}};
+  const Judge judge(query);
+  const auto verdict = [&](double distance, const char* engine) {
+    CaseAnswer answer;
+    answer.distance = distance;
+    return judge.judge(answer, {engine, ""}).verdict;
+  };
+  EXPECT_EQ(verdict(3, "graze"), Verdict::Right);
+  EXPECT_EQ(verdict(3 + 0x1p-49, "graze"), Verdict::Right);
+  EXPECT_EQ(verdict(3 + 0x1p-47, "graze"), Verdict::Wrong);
+  EXPECT_EQ(verdict(3 + 0x1p-47, "other"), Verdict::Right);
+  EXPECT_EQ(verdict(3.001, "other"), Verdict::Wrong);
+  EXPECT_EQ(verdict(0, "graze"), Verdict::Wrong);
+}
+
+TEST(JudgeVolumes, AreJudgedWhereTheyArePromisedToBeExact) {
+  const Sphere ball{{0, 0, 3}, 3};
+  EXPECT_EQ(judged(kFlat, ball, false).verdict, Verdict::Wrong);
+  EXPECT_EQ(judged(kFlat, Sphere{{0, 0, 3}, 0x1.7ffffffffffffp+1}, true).verdict, Verdict::Wrong);
+  EXPECT_EQ(judged(kFlat, Aabb{{1, 1, 0}, {1, 1, 1}}, true).verdict, Verdict::Right);
+  EXPECT_EQ(judged(kFlat, Obb{Pose::Identity(), {1, 1, 1}}, false).verdict, Verdict::Wrong);
+  EXPECT_EQ(judged(ball, Aabb{{0, 0, 0}, {1, 1, 1}}, true).verdict, Verdict::Right);
+  EXPECT_EQ(judged(ball, Obb{Pose::Identity(), {1, 1, 1}}, true).verdict, Verdict::NotJudged);
+}
+
+/// Two bodies that meet, for engines with planted bugs.
+class PlantedBug : public testing::Test {
+ protected:
+  PlantedBug() { pose_.translation() << 1.25, 0.125, 0.0625; }
+
+  /// Finds, classifies and shrinks what the engine gets wrong, writes it and asks again.
+  Case found(const Engine& engine, Ask ask_what, ErrorClass expected) {
+    Case query = to_case({torus_}, {sphere_, pose_}, true);
+    query.ask = ask_what;
+    query.answer.reset();
+    const StillWrong is_still_wrong = [&](const Case& smaller) {
+      const std::optional<CaseAnswer> answer = ask(engine, smaller);
+      return answer && Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
+    };
+    EXPECT_TRUE(is_still_wrong(query));
+    const Judgement judgement = Judge(query).judge(*ask(engine, query), engine.name());
+    EXPECT_EQ(judgement.error_class, expected);
+    Case small = shrink(query, judgement.culprit, is_still_wrong);
+    EXPECT_TRUE(is_still_wrong(small)) << "shrinking lost the disagreement";
+    small.answer = ask(engine, small);
+    small.answered_by = engine.name();
+    const Case back = parse_case(to_json(small), "memory");
+    const std::vector<Testimony> all = try_case(back, all_engines());
+    EXPECT_TRUE(all.front().is_recorded);
+    EXPECT_EQ(all.front().judgement.verdict, Verdict::Wrong);
+    EXPECT_EQ(all.at(1).judgement.verdict, Verdict::Right) << "graze";
+    return back;
+  }
+
+  static std::size_t triangles_of(const Case& query) {
+    return as_meshes(query)->a.mesh.triangles().size() +
+           as_meshes(query)->b.mesh.triangles().size();
+  }
+
+  Mesh torus_ = tests::make_torus(1, 0.3, 12, 8);
+  Mesh sphere_ = tests::make_sphere(0.5, 6, 9);
+  Pose pose_ = Pose::Identity();
+};
+
+TEST_F(PlantedBug, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
+  pose_.translation() << 1.25, 0.5, 0.0625;
+  const std::unique_ptr<Engine> engine = make_wrong_sign_engine("fcl");
+  EXPECT_EQ(triangles_of(found(*engine, Ask::Pairs, ErrorClass::Real)), 2u);
+  pose_.translation() << 0.5, 0, 0.75;
+  Mesh box = tests::make_box({0.25, 0.25, 0.25});
+  torus_ = tests::make_box({1, 1, 0.5});
+  torus_ = Mesh(std::vector<Eigen::Vector3d>{{0.25, -1, 0.75}, {0.75, -1, 0.75}, {0.5, 1, 0.75}},
+                std::vector<TriangleIndices>{{0, 1, 2}});
+  sphere_ = box;
+  EXPECT_LE(triangles_of(found(*engine, Ask::Any, ErrorClass::Real)), 2u);
+}
+
+TEST_F(PlantedBug, AVolumeThatIsRoundedInwardsIsFoundToo) {
+  const std::unique_ptr<Engine> engine = make_inward_rounding_engine("graze", 0.01);
+  EXPECT_EQ(triangles_of(found(*engine, Ask::Pairs, ErrorClass::Real)), 2u);
+}
+
+TEST(Shrinking, KeepsTheDisagreementWhateverItIs) {
+  RandomSource source(3);
+  for (int run = 0; run < 8; ++run) {
+    const Mesh a = tests::random_soup({.count = 40, .extent = 0.5}, source);
+    const Mesh b = tests::random_soup({.count = 40, .extent = 0.5}, source);
+    const Case query = to_case({a}, {b, tests::random_pose(0.3, source)}, true);
+    const auto least = static_cast<std::size_t>(run % 4 + 1);
+    // "There are at least so many pairs": a property that needs more than two triangles.
+    const StillWrong holds = [&](const Case& smaller) {
+      const MeshCase meshes = *as_meshes(smaller);
+      return find_triangle_pairs({meshes.a.mesh, meshes.a.pose}, {meshes.b.mesh, meshes.b.pose})
+                 .size() >= least;
+    };
+    ASSERT_TRUE(holds(query));
+    const Case small = shrink(query, std::nullopt, holds);
+    EXPECT_TRUE(holds(small));
+    const MeshCase meshes = *as_meshes(small);
+    EXPECT_LE(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), 2 * least);
+  }
+}
+
+}  // namespace
+}  // namespace graze::compare

@@ -1,0 +1,185 @@
+// Files that are no cases are refused by one line that names the file and the place.
+
+#include <graze/engine/cases/read_case.h>
+#include <graze/engine/cases/sha256.h>
+#include <gtest/gtest.h>
+#include <filesystem>
+#include <string>
+
+#include "tests/files/temporary_directory.h"
+
+namespace graze {
+namespace {
+
+constexpr const char* kMesh = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+class HostileCase : public testing::Test {
+ protected:
+  std::string error_of(const std::string& text) const {
+    try {
+      parse_case(text, "case.json", {.mesh_folder = folder_.path()});
+    } catch (const CaseError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// A case about a triangle and the given B, or with another part replaced.
+  static std::string with(const std::string& members) {
+    return "{\"graze_case\": 1, \"question\": \"any\",\n\"a\": "
+           "{\"triangle\": [[0,0,0],[1,0,0],[0,1,0]]},\n" +
+           members + "}";
+  }
+
+  static std::string with_mesh_b(const std::string& mesh) {
+    return "{\"graze_case\": 1, \"question\": \"any\",\n\"a\": {\"mesh\": {\"vertices\": "
+           "[[0,0,0],[1,0,0],[0,1,0]], \"triangles\": [[0,1,2]]}},\n\"b\": {\"mesh\": " +
+           mesh + "}}";
+  }
+
+  tests::TemporaryDirectory folder_;
+};
+
+TEST_F(HostileCase, TheHarmlessOneIsRead) {
+  EXPECT_EQ(error_of(with("\"b\": {\"sphere\": {\"centre\": [0,0,0], \"radius\": 1}}")), "");
+  EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"a\"}")), "");
+}
+
+TEST_F(HostileCase, WhatIsNoJson) {
+  EXPECT_EQ(error_of("{\"graze_case\": 1,\n\n]").substr(0, 22), "case.json:3: not JSON:");
+  EXPECT_EQ(error_of("").substr(0, 22), "case.json:1: not JSON:");
+  EXPECT_EQ(error_of("{\"graze_case\": 1} x").substr(0, 22), "case.json:1: not JSON:");
+  EXPECT_EQ(error_of("{\"note\": \"\xff\"}").substr(0, 22), "case.json:1: not JSON:");
+  EXPECT_NE(error_of("{\"graze_case\": 1, \"a\": 1e999}"), "");
+  EXPECT_EQ(error_of("[NaN]").substr(0, 22), "case.json:1: not JSON:");
+}
+
+TEST_F(HostileCase, DeepNesting) {
+  EXPECT_EQ(error_of(std::string(1000000, '[')), "case.json:1: nested deeper than 32 levels");
+  std::string objects;
+  for (int i = 0; i < 100000; ++i)
+    objects += "{\"a\":\n";
+  EXPECT_EQ(error_of(objects), "case.json:33: nested deeper than 32 levels");
+}
+
+TEST_F(HostileCase, RepeatedAndUnknownKeys) {
+  EXPECT_EQ(error_of(with("\"b\": {\"box\": {\"min\": [0,0,0],\n\"min\": [0,0,0]}}")),
+            "case.json:4: the key \"min\" stands twice in one object");
+  EXPECT_EQ(error_of(with("\"b\": {\"box\": {\"min\": [0,0,0],\n\"mox\": [0,0,0]}}")),
+            "case.json:3: /b/box: unknown key \"mox\"; there are min, max");
+  EXPECT_EQ(
+      error_of(with("\"extra\": 1")),
+      "case.json:1: unknown key \"extra\"; there are graze_case, note, question, settings, a, "
+      "b, answer, answered_by");
+  std::string members;
+  for (int i = 0; i < 1000; ++i)
+    members += "\"k" + std::to_string(i) + "\": 1,";
+  EXPECT_EQ(error_of("{" + members + "\"x\": 1}"),
+            "case.json:1: an object with more than 64 members");
+}
+
+TEST_F(HostileCase, NumbersThatAreNone) {
+  const auto radius = [](const std::string& text) {
+    return with("\"b\": {\"sphere\": {\"centre\": [0,0,0],\n\"radius\": " + text + "}}");
+  };
+  EXPECT_EQ(error_of(radius("\"nan\"")),
+            "case.json:4: /b/sphere/radius: \"nan\" is not a finite double as a hex float, such as "
+            "\"0x1.8p+1\"");
+  EXPECT_EQ(error_of(radius("\"0x1p+1024\"")).substr(0, 31), "case.json:4: /b/sphere/radius: ");
+  EXPECT_EQ(error_of(radius("true")), "case.json:4: /b/sphere/radius: is a boolean, not a number");
+  EXPECT_EQ(error_of(radius("1e999")).substr(0, 12), "case.json:4:");
+  EXPECT_EQ(error_of(radius("-1")).substr(0, 23), "case.json:3: /b/sphere:");
+}
+
+TEST_F(HostileCase, CountsAndIndices) {
+  EXPECT_EQ(error_of(with_mesh_b("{\"vertices\": [[0,0,0]], \"triangles\": [[0,0,\n4294967295]]}")),
+            "case.json:4: /b/mesh/triangles/0/2: there is no vertex 4294967295; the mesh has 1");
+  EXPECT_EQ(error_of(with_mesh_b("{\"vertices\": [[0,0,0]], \"triangles\": [[0,0,1e18]]}")),
+            "case.json:3: /b/mesh/triangles/0/2: is not a whole number from 0 to 4294967295");
+  EXPECT_EQ(error_of(with_mesh_b("{\"vertices\": [[0,0,0]], \"triangles\": [[0,0,-1]]}")),
+            "case.json:3: /b/mesh/triangles/0/2: is not a whole number from 0 to 4294967295");
+  EXPECT_EQ(error_of(with_mesh_b("{\"vertices\": [[0,0]], \"triangles\": []}")),
+            "case.json:3: /b/mesh/vertices/0: has 2 elements, not 3");
+  EXPECT_EQ(error_of(with_mesh_b("{\"vertices\": [], \"triangles\": []}")).substr(0, 21),
+            "case.json:3: /b/mesh:");
+  EXPECT_EQ(error_of("{\"graze_case\": 99999999999}").substr(0, 25), "case.json:1: /graze_case:");
+  EXPECT_EQ(error_of("{\"graze_case\": 2}"),
+            "case.json:1: /graze_case: is version 2; this program reads 1");
+}
+
+TEST_F(HostileCase, MeshesThatReferToEachOther) {
+  const std::string circle =
+      "{\"graze_case\": 1, \"question\": \"any\", \"a\": {\"mesh\": {\"same_as\": \"b\"}},\n"
+      "\"b\": {\"mesh\": {\"same_as\": \"a\"}}}";
+  EXPECT_EQ(error_of(circle),
+            "case.json:2: /b/mesh/same_as: the meshes refer to each other in a circle");
+  EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"b\"}")),
+            "case.json:3: /b/mesh/same_as: the meshes refer to each other in a circle");
+  EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"c\"}")),
+            "case.json:3: /b/mesh/same_as: is neither \"a\" nor \"b\"");
+}
+
+TEST_F(HostileCase, PathsOutOfTheFolder) {
+  const std::string hash = cases::sha256_of(kMesh);
+  const auto file = [&](const std::string& path) {
+    return with_mesh_b("{\"file\": \"" + path + "\", \"sha256\": \"" + hash + "\"}");
+  };
+  std::filesystem::create_directory(folder_.path() / "inner");
+  folder_.write("inner/mesh.off", kMesh);
+  const tests::TemporaryDirectory elsewhere;
+  const std::string outside = elsewhere.write("mesh.off", kMesh);
+  std::filesystem::create_symlink(outside, folder_.path() / "link.off");
+  std::filesystem::create_symlink(elsewhere.path(), folder_.path() / "way");
+
+  EXPECT_EQ(error_of(file("inner/mesh.off")), "");
+  const std::string place = "case.json:3: /b/mesh: the path ";
+  EXPECT_EQ(error_of(file("../mesh.off")),
+            place + "\"../mesh.off\" leads out of the folder of the case");
+  EXPECT_EQ(error_of(file("inner/../../mesh.off")).substr(0, place.size()), place);
+  EXPECT_EQ(error_of(file("/etc/passwd")),
+            place + "\"/etc/passwd\" is absolute; files lie in the folder of the case");
+  EXPECT_EQ(error_of(file("link.off")),
+            place + "\"link.off\" is a link out of the folder of the case");
+  EXPECT_EQ(error_of(file("way/mesh.off")),
+            place + "\"way/mesh.off\" is a link out of the folder of the case");
+  EXPECT_EQ(error_of(file("")), place + "\"\" names no file");
+  EXPECT_EQ(error_of(file("inner\\u0000/mesh.off")).substr(0, place.size()), place);
+  EXPECT_EQ(error_of(file("inner")), "case.json:3: /b/mesh: inner: is a directory");
+}
+
+TEST_F(HostileCase, FilesWithAnotherHash) {
+  folder_.write("mesh.off", kMesh);
+  const std::string wrong(64, '0');
+  EXPECT_EQ(error_of(with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"" + wrong + "\"}")),
+            "case.json:3: /b/mesh: the file \"mesh.off\" has the SHA-256 " +
+                cases::sha256_of(kMesh) + ", not " + wrong);
+  EXPECT_EQ(error_of(with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"00\"}")),
+            "case.json:4: /b/mesh/sha256: is not a SHA-256 of 64 digits 0-9 a-f");
+}
+
+TEST_F(HostileCase, PosesThatAreNotRigid) {
+  EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"a\"}, \"pose\": [2,0,0,0, 0,2,0,0, 0,0,2,0]")),
+            "case.json:3: /b/pose: the pose: not a rotation, max |R^T R - I| is 3, above 1e-06");
+  EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"a\"}, \"pose\": [1,0,0]")),
+            "case.json:3: /b/pose: has 3 elements, not 12");
+}
+
+TEST_F(HostileCase, QuestionsThatNobodyCanAnswer) {
+  EXPECT_EQ(error_of("{\"graze_case\": 1, \"question\": \"contacts\",\n"
+                     "\"a\": {\"point\": [0,0,0]}, \"b\": {\"point\": [0,0,0]}}"),
+            "case.json:1: /question: no query answers \"contacts\" for a point and a point");
+  EXPECT_EQ(
+      error_of(with("\"b\": {\"point\": [0,0,0]}, \"answer\": {\"says\": true}")).substr(0, 12),
+      "case.json:1:");
+  EXPECT_EQ(error_of(with("\"b\": {\"sphere\": {\"centre\": [0,0,0], \"radius\": 1}}, \"answer\": "
+                          "{\"distance\": 1},\n\"answered_by\": {\"engine\": \"x\"}")),
+            "case.json:3: /answer: unknown key \"distance\"; there are says");
+}
+
+TEST_F(HostileCase, FilesThatCannotBeRead) {
+  EXPECT_THROW(read_case(folder_.path() / "none.json"), CaseError);
+  EXPECT_THROW(read_case(folder_.path()), CaseError);
+}
+
+}  // namespace
+}  // namespace graze

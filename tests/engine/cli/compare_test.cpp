@@ -1,0 +1,258 @@
+// `graze compare` and `graze replay` with engines that are wrong on purpose: what is found, what is
+// written, what the exit codes say.
+
+#include <graze/engine/cases/case_error.h>
+#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/read_case.h>
+#include <graze/engine/cli/compare_report.h>
+#include <graze/engine/cli/compare_run.h>
+#include <graze/engine/cli/html_report.h>
+#include <graze/engine/cli/replay_run.h>
+#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/mesh/distance.h>
+#include <gtest/gtest.h>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/compare/engine_doubles.h"
+#include "tests/files/temporary_directory.h"
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::cli {
+namespace {
+
+using compare::EngineEntry;
+
+std::string off_of(const Mesh& mesh) {
+  std::ostringstream file;
+  file.precision(17);
+  file << "OFF\n" << mesh.vertices().size() << ' ' << mesh.triangles().size() << " 0\n";
+  for (const Eigen::Vector3d& v : mesh.vertices())
+    file << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+  for (const TriangleIndices& t : mesh.triangles())
+    file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  return file.str();
+}
+
+class CliCompare : public testing::Test {
+ protected:
+  CliCompare() {
+    options_.mesh_a = directory_.write("a.off", off_of(tests::make_torus(1, 0.25, 10, 8)));
+    options_.mesh_b = directory_.write("b.off", off_of(tests::make_box({0.5, 0.5, 0.5})));
+    options_.cases = directory_.path("found");
+    options_.threads = 2;
+    options_.keep = 1;
+    options_.random = 12;
+  }
+
+  static std::vector<EngineEntry> graze_and(std::unique_ptr<compare::Engine> other) {
+    std::vector<EngineEntry> engines;
+    engines.push_back({"graze", compare::make_graze_engine()});
+    engines.push_back({other->name().engine, std::move(other)});
+    engines.push_back({"absent", nullptr});
+    return engines;
+  }
+  static std::vector<EngineEntry> with_wrong_fcl() {
+    return graze_and(compare::make_wrong_sign_engine("fcl"));
+  }
+
+  /// Runs, and keeps what was written.
+  template <typename Run>
+  ExitCode run(Run&& body) {
+    std::FILE* stream = std::tmpfile();
+    Output output(stream);
+    const ExitCode code = body(output);
+    out_.assign(static_cast<std::size_t>(std::ftell(stream)), ' ');
+    std::rewind(stream);
+    EXPECT_EQ(std::fread(out_.data(), 1, out_.size(), stream), out_.size());
+    std::fclose(stream);
+    return code;
+  }
+  ExitCode compare(const std::vector<EngineEntry>& engines) {
+    return run([&](Output& output) { return run_compare(options_, engines, output); });
+  }
+
+  std::vector<std::filesystem::path> found() const {
+    return std::filesystem::exists(options_.cases) ? case_files({options_.cases})
+                                                   : std::vector<std::filesystem::path>();
+  }
+
+  std::string read(const std::string& name) const {
+    std::ifstream file(directory_.path() / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  tests::TemporaryDirectory directory_;
+  CompareOptions options_;
+  std::string out_;
+};
+
+TEST_F(CliCompare, AWrongPeerIsFoundShrunkAndReplayed) {
+  options_.query = "pairs";
+  options_.keep = 3;
+  options_.report = directory_.path("report.html");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered) << "graze is right";
+  EXPECT_NE(out_.find("absent: not found when this command was built"), out_.npos);
+  ASSERT_EQ(found().size(), 3u) << out_;
+  for (const std::filesystem::path& file : found()) {
+    const Case small = read_case(file);
+    EXPECT_EQ(small.answered_by.engine, "fcl");
+    const compare::MeshCase meshes = *compare::as_meshes(small);
+    EXPECT_EQ(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), 2u);
+    const ExitCode code = run([&](Output& output) {
+      return run_replay({.files = {file.string()}}, with_wrong_fcl(), output);
+    });
+    EXPECT_EQ(code, ExitCode::Answered);
+    EXPECT_NE(out_.find("(recorded)"), out_.npos);
+    EXPECT_NE(out_.find("wrong"), out_.npos);
+    EXPECT_NE(out_.find("real"), out_.npos) << out_;
+    EXPECT_NE(out_.find("1 case, graze wrong in 0"), out_.npos);
+  }
+  const std::string page = read("report.html");
+  for (const std::filesystem::path& file : found())
+    EXPECT_NE(page.find(file.filename().string()), page.npos);
+}
+
+TEST_F(CliCompare, AWrongGrazeIsExitCodeOne) {
+  options_.query = "pairs";
+  options_.random = 24;
+  options_.keep = 2;
+  std::vector<EngineEntry> engines;
+  engines.push_back({"graze", compare::make_inward_rounding_engine("graze", 0.02)});
+  engines.push_back({"honest", compare::make_graze_engine()});
+  EXPECT_EQ(compare(engines), ExitCode::GrazeWrong);
+  ASSERT_EQ(found().size(), 2u);
+  const ExitCode code = run([&](Output& output) {
+    return run_replay({.files = {options_.cases}, .is_json = true}, engines, output);
+  });
+  EXPECT_EQ(code, ExitCode::GrazeWrong);
+}
+
+TEST_F(CliCompare, JsonIsALineForEachPoseAndASummary) {
+  options_.is_json = true;
+  options_.random = 24;
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  std::istringstream lines(out_);
+  std::string line;
+  std::size_t poses = 0;
+  std::size_t wrong = 0;
+  const std::string name = "out";
+  while (std::getline(lines, line)) {
+    const cases::JsonValue tree = cases::parse_json(line, name);
+    const cases::JsonCursor root(tree, name);
+    if (root.has("pose")) {
+      EXPECT_EQ(root.member("pose").index(100), poses++);
+      continue;
+    }
+    EXPECT_EQ(root.member("summary").size(), 2u);
+    const cases::JsonCursor summaries = root.member("summary");
+    const cases::JsonCursor fcl = summaries.item(1);
+    EXPECT_EQ(fcl.member("engine").text(), "fcl");
+    wrong = fcl.member("wrong").index(1000);
+    EXPECT_EQ(fcl.member("answers").index(1000), 24u);
+  }
+  EXPECT_EQ(poses, 24u);
+  EXPECT_GT(wrong, 0u);
+}
+
+TEST_F(CliCompare, AStoppedRunGoesOn) {
+  options_.resume = directory_.path("run.jsonl");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  const std::string whole = read("run.jsonl");
+  const std::string first_result = out_;
+  // As if it had been stopped in the middle of a line.
+  directory_.write("run.jsonl", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(compare::read_journal(options_.resume).records.size(), 12u);
+  EXPECT_EQ(out_.substr(0, out_.find("  engine   answers")),
+            first_result.substr(0, first_result.find("  engine   answers")));
+  options_.seed = 2;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of other poses";
+  directory_.write("run.jsonl",
+                   "{\"graze_comparison\":1,\"key\":\"x\",\"poses\":1}\n{\"pose\":7}\n");
+  EXPECT_THROW(compare(with_wrong_fcl()), CaseError);
+}
+
+TEST_F(CliCompare, BaselinesSeeAChangedBit) {
+  options_.query = "distance";
+  options_.random = 4;
+  options_.time_tolerance = 1e9;
+  options_.save = directory_.path("base");
+  EXPECT_EQ(compare(graze_and(compare::make_wrong_sign_engine("fcl"))), ExitCode::Answered);
+  options_.save.clear();
+  options_.against = directory_.path("base");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_NE(out_.find(": 0 answers of graze changed"), out_.npos) << out_;
+  std::string text = read("base");
+  const std::size_t digest = text.find("\"digest\":\"") + 10;
+  text[digest] = text[digest] == '0' ? '1' : '0';
+  directory_.write("base", text);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
+  EXPECT_NE(out_.find(": 1 answers of graze changed in poses "), out_.npos) << out_;
+  options_.seed = 5;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+}
+
+TEST_F(CliCompare, BadInputIsRefusedBeforeAnything) {
+  options_.pose_b = "1 0 0 0 0 1 0 0 0 0 1 0";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+  options_.pose_b.clear();
+  options_.engines = "fcl,absent";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+  options_.engines = "nobody";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+  options_.engines.clear();
+  options_.query = "within";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+  options_.query = "any";
+  options_.mesh_b.clear();
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "A alone is no folder";
+}
+
+TEST_F(CliCompare, GrazingPosesAreNextToTheTouch) {
+  const Mesh a = tests::make_torus(1, 0.25, 10, 8);
+  const Mesh b = tests::make_box({0.5, 0.5, 0.5});
+  const std::vector<Pose> poses = compare::grazing_poses({a}, b, 6, 3);
+  ASSERT_EQ(poses.size(), 6u);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(intersects({a}, {b, poses[i]}), i % 2 == 0);
+    EXPECT_LT(distance({a}, {b, poses[i]}).distance, 1e-12);
+  }
+  EXPECT_TRUE(compare::grazing_poses({a}, b, 1, 3)[0].isApprox(poses[0], 0)) << "reproducible";
+}
+
+TEST(CliReport, ThePageNeedsNothingElse) {
+  compare::ShrunkCase shrunk{"<script>",
+                             7,
+                             Case{.note = "",
+                                  .ask = Ask::Any,
+                                  .settings = {},
+                                  .a = Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                  .b = Triangle{{0, 0, 1}, {1, 0, 1}, {0, 1, 2}},
+                                  .answer = std::nullopt,
+                                  .answered_by = {}},
+                             {}};
+  const std::vector<WrittenCase> cases = {{shrunk, "it's/<b>\"x\".json"}};
+  const std::string page = html_report(
+      {.mesh_a = "a&b.off", .mesh_b = "http://x", .query = "any", .records = {}, .cases = cases});
+  for (const char* reference :
+       {"src=", "href", "<script", "url(", "@import", "<link", "<img", "<iframe", "<b>\"x"}) {
+    EXPECT_EQ(page.find(reference), page.npos) << reference;
+  }
+  EXPECT_NE(page.find("&lt;script&gt;"), page.npos);
+  EXPECT_NE(page.find("a&amp;b.off"), page.npos);
+  EXPECT_NE(page.find("graze replay 'it'\\''s/&lt;b&gt;&quot;x&quot;.json'"), page.npos) << page;
+  const std::string picture = svg_picture(shrunk.query);
+  std::size_t polygons = 0;
+  for (std::size_t at = 0; (at = picture.find("<polygon", at)) != picture.npos; ++at)
+    ++polygons;
+  EXPECT_EQ(polygons, 4u) << "two triangles from two sides";
+  EXPECT_NE(page.find(picture), page.npos);
+}
+
+}  // namespace
+}  // namespace graze::cli
