@@ -164,7 +164,8 @@ void BoxSet::refit_touched() {
       for (std::size_t i = first; i < next; ++i) {
         const std::uint32_t b = touched_[i] - layer.first_block;
         if (b < layer.sorted_girth.size())
-          inflation_ += sign * inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+          inflation_ +=
+              sign * inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
       }
     };
     count_inflation(-1);
@@ -218,7 +219,8 @@ bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
     if (girth(around, lane) < girth(around, best)) best = lane;
   }
   const double now = girth(whole, 0);
-  if (now <= kStretched * layers_[l].sorted_girth[b] || girth(around, best) > kWorthMoving * now) return false;
+  if (now <= kStretched * layers_[l].sorted_girth[b] || girth(around, best) > kWorthMoving * now)
+    return false;
   const std::uint32_t owner = owner_[block * kLanes + best];
   const OrderedBox box = this->box(owner);
   erase(owner);

@@ -112,7 +112,7 @@ class BoxSet {
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
-  std::size_t newcomers_ = 0;  // positions of the last layer that are or were taken
+  std::size_t newcomers_ = 0;         // positions of the last layer that are or were taken
   std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
   bool all_touched_ = false;

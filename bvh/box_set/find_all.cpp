@@ -8,8 +8,8 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kTasks = 192;       // at least so many, where there are enough blocks
-constexpr std::size_t kChunks = 64;       // of tasks, each with a list of its own
+constexpr std::size_t kTasks = 192;  // at least so many, where there are enough blocks
+constexpr std::size_t kChunks = 64;  // of tasks, each with a list of its own
 constexpr std::size_t kBlocksPerTask = 512;
 constexpr std::uint32_t kTreeBits = 8;
 constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
@@ -53,9 +53,11 @@ void BoxSet::find_in_parallel(PairBuffer& out) {
   workers_.for_each(kChunks, [&](std::size_t chunk) {
     PairBuffer& found = scratch_.found[chunk];
     found.clear();
-    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks; ++i) {
-      scratch_.met[chunk] += find_pairs(view(tasks[i].trees >> kTreeBits),
-                                        view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
+    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks;
+         ++i) {
+      scratch_.met[chunk] +=
+          find_pairs(view(tasks[i].trees >> kTreeBits),
+                     view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
     }
   });
   std::size_t starts[kChunks + 1] = {};
@@ -76,8 +78,8 @@ void BoxSet::find_all_pairs(PairBuffer& out) {
   list_tasks(kTasks);
   if (!workers_.share(size_)) {
     for (const BlockPair& task : scratch_.tasks) {
-      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
-                         out);
+      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)),
+                         task, out);
     }
   } else {
     find_in_parallel(out);

@@ -15,7 +15,8 @@ constexpr std::size_t kSample = 64;
 /// The place of an item along an axis, different for different owners.
 std::uint64_t rank_key(const KdItem& item, int axis) {
   const auto bits = std::bit_cast<std::uint32_t>(item.centre[axis]);
-  const std::uint32_t ordered = bits ^ (static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> 31) | 0x80000000u);
+  const std::uint32_t ordered =
+      bits ^ (static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> 31) | 0x80000000u);
   return static_cast<std::uint64_t>(ordered) << 32 | item.owner;
 }
 
@@ -83,7 +84,8 @@ void select(std::span<KdItem> items, int axis, std::size_t count) {
     const std::size_t wanted = count * kSample / items.size();
     constexpr std::size_t kMargin = kSample / 16;
     const bool is_low = count < items.size() / 2;
-    const std::size_t at = is_low ? std::min(wanted + kMargin, kSample - 1) : wanted - std::min(wanted, kMargin);
+    const std::size_t at =
+        is_low ? std::min(wanted + kMargin, kSample - 1) : wanted - std::min(wanted, kMargin);
     const std::size_t below = partition_below(items, axis, sample[at]);
     if (below == 0 || below == items.size()) break;  // the sample has misled
     if (count < below) {
@@ -97,8 +99,9 @@ void select(std::span<KdItem> items, int axis, std::size_t count) {
   if (items.size() <= kSample) {
     sort_few(items, axis);
   } else {
-    std::sort(items.begin(), items.end(),
-              [axis](const KdItem& s, const KdItem& t) { return rank_key(s, axis) < rank_key(t, axis); });
+    std::sort(items.begin(), items.end(), [axis](const KdItem& s, const KdItem& t) {
+      return rank_key(s, axis) < rank_key(t, axis);
+    });
   }
 }
 

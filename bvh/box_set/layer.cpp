@@ -54,7 +54,8 @@ void Layer::clear_above_boxes() {
 
 void Layer::refit_above(int level, const Block* boxes) {
   for (; level < top; ++level)
-    refit_blocks(blocks_below(*this, boxes, level), 0, count_on(*this, level), upper[level + 1].data());
+    refit_blocks(blocks_below(*this, boxes, level), 0, count_on(*this, level),
+                 upper[level + 1].data());
 }
 
 void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched) {
@@ -86,7 +87,8 @@ double girth(const Block& block, std::uint32_t lane) {
   if (block.row[0][lane] > block.row[3][lane]) return 0;
   double sum = 0;
   for (int c = 0; c < 3; ++c)
-    sum += value_of_key(joined(block.row[c + 3][lane], 0)) - value_of_key(joined(block.row[c][lane], 0));
+    sum += value_of_key(joined(block.row[c + 3][lane], 0)) -
+           value_of_key(joined(block.row[c][lane], 0));
   return sum;
 }
 

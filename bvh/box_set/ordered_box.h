@@ -38,7 +38,8 @@ static inline std::uint32_t low_half(std::int64_t key) {
 }
 
 static inline std::int64_t joined(std::int32_t high, std::uint32_t low) {
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | low);
+  return static_cast<std::int64_t>(
+      static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | low);
 }
 
 /// The keys of min x, y, z, max x, y, z.

@@ -102,13 +102,15 @@ void OverlapTracker::list_movers(const BoxChanges& changes) {
 }
 
 /// What a box overlaps now, in ascending order; of two movers the smaller one lists the pair.
-void OverlapTracker::list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover, int when) {
+void OverlapTracker::list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover,
+                                   int when) {
   const std::size_t first = partners_.size();
   set_.find_overlapping(box, partners_);
   std::size_t kept = first;
   for (std::size_t i = first; i < partners_.size(); ++i) {
     const std::uint32_t other = partners_[i];
-    const bool is_mine = other > owner || (other < owner && !(other < is_mover_.size() && is_mover_[other]));
+    const bool is_mine =
+        other > owner || (other < owner && !(other < is_mover_.size() && is_mover_[other]));
     if (is_mine) partners_[kept++] = other;
   }
   partners_.resize(kept);
@@ -122,7 +124,8 @@ void OverlapTracker::note_difference(std::uint32_t owner, const Mover& mover) {
   while (was != mover.partners[1] || is != mover.partners[3]) {
     if (was != mover.partners[1] && is != mover.partners[3] && partners_[was] == partners_[is]) {
       ++was, ++is;
-    } else if (is == mover.partners[3] || (was != mover.partners[1] && partners_[was] < partners_[is])) {
+    } else if (is == mover.partners[3] ||
+               (was != mover.partners[1] && partners_[was] < partners_[is])) {
       ended_.push_back(ordered_pair(owner, partners_[was++]));
     } else {
       begun_.push_back(ordered_pair(owner, partners_[is++]));
@@ -144,7 +147,8 @@ void OverlapTracker::compare_lookups(const BoxChanges& changes) {
   set_.refit();
   for (Mover& mover : movers_) {
     const std::uint32_t owner = changes.owner[mover.change];
-    if (set_.contains(owner)) list_partners(owner, ordered_box(changes.box[mover.change]), mover, 2);
+    if (set_.contains(owner))
+      list_partners(owner, ordered_box(changes.box[mover.change]), mover, 2);
     note_difference(owner, mover);
   }
 }
@@ -157,14 +161,16 @@ void OverlapTracker::compare_at_once(const BoxChanges& changes) {
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
     if (later.place != kNobody) set_.prefetch(later.place);
-    boxes_before_[i] = movers_[i].place == kNobody ? no_box() : set_.box(changes.owner[movers_[i].change]);
+    boxes_before_[i] =
+        movers_[i].place == kNobody ? no_box() : set_.box(changes.owner[movers_[i].change]);
   }
   apply(changes);
   set_.refit();
   is_mover_.resize(std::max<std::size_t>(is_mover_.size(), set_.owner_limit()));
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const std::uint32_t owner = changes.owner[movers_[i].change];
-    const OrderedBox after = set_.contains(owner) ? ordered_box(changes.box[movers_[i].change]) : no_box();
+    const OrderedBox after =
+        set_.contains(owner) ? ordered_box(changes.box[movers_[i].change]) : no_box();
     hits_.clear();
     set_.find_overlapping_either(boxes_before_[i], after, hits_);
     for (const MoverHit& hit : hits_) {
@@ -172,7 +178,8 @@ void OverlapTracker::compare_at_once(const BoxChanges& changes) {
       if (!is_mover_[hit.owner]) {
         if (hit.is > hit.was) begun_.push_back(pair);
         if (hit.is < hit.was) ended_.push_back(pair);
-      } else if (hit.is && owner < hit.owner && index_.position(pairs_, pair) == PairIndex::kNowhere) {
+      } else if (hit.is && owner < hit.owner &&
+                 index_.position(pairs_, pair) == PairIndex::kNowhere) {
         begun_.push_back(pair);
       }
     }
@@ -185,7 +192,8 @@ void OverlapTracker::end_pairs_of_movers() {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto [a, b] = pairs[i];
     if (!is_mover_[a] || !is_mover_[b]) continue;
-    const bool is_over = !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
+    const bool is_over =
+        !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
     if (is_over) ended_.push_back(pairs[i]);
   }
 }
@@ -243,8 +251,8 @@ std::span<const BoxPair> OverlapTracker::ended() {
 std::size_t OverlapTracker::bytes_for_pairs() const {
   const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
                             sorted_before_.capacity() + begun_.capacity() + ended_.capacity();
-  return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 + partners_.capacity() * 4 +
-         movers_.capacity() * sizeof(Mover);
+  return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 +
+         partners_.capacity() * 4 + movers_.capacity() * sizeof(Mover);
 }
 
 }  // namespace graze::bvh

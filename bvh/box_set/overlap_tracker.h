@@ -13,8 +13,8 @@ namespace graze::bvh {
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
 /// With few changes the list is edited: a box that changed is looked up where it was and where it
-/// is. The difference is what began and what ended. With many changes all pairs are searched anew, and
-/// what changed is worked out if somebody asks.
+/// is. The difference is what began and what ended. With many changes all pairs are searched anew,
+/// and what changed is worked out if somebody asks.
 class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
@@ -71,7 +71,7 @@ class OverlapTracker {
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> partners_;
   std::vector<Mover> movers_;
-  std::vector<bool> is_mover_;  // by owner
+  std::vector<bool> is_mover_;            // by owner
   std::vector<OrderedBox> boxes_before_;  // by mover
   std::vector<MoverHit> hits_;
   std::uint64_t searches_for_all_ = 0;

@@ -87,8 +87,8 @@ HWY_INLINE Spread bounds(const TreeView& tree, int level, std::uint32_t block) {
   return Spread(tree.level[level + 1][block >> kLaneBits], block & (kLanes - 1));
 }
 
-/// Pairs of blocks of boxes, met a batch at a time. Each stage runs over plain queues, because what a
-/// pair of blocks holds cannot be foreseen: a branch on it costs more than comparing in vain.
+/// Pairs of blocks of boxes, met a batch at a time. Each stage runs over plain queues, because what
+/// a pair of blocks holds cannot be foreseen: a branch on it costs more than comparing in vain.
 class LeafBatch {
  public:
   HWY_INLINE LeafBatch(const TreeView& a, const TreeView& b, PairBuffer& out)
@@ -158,7 +158,8 @@ class LeafBatch {
     const std::uint32_t mask_b = near_lanes(b, bounds(*tree_[0], 0, pair.block[0]));
     const auto side = static_cast<std::uint8_t>(std::popcount(mask_a) > std::popcount(mask_b));
     std::uint32_t lanes = side == 0 ? mask_a : mask_b;
-    Row row = {pair.block[side], pair.block[1 - side], static_cast<std::uint16_t>(side == 0 ? mask_b : mask_a), 0, side};
+    Row row = {pair.block[side], pair.block[1 - side],
+               static_cast<std::uint16_t>(side == 0 ? mask_b : mask_a), 0, side};
     // Four are written whether they are there or not.
     const std::size_t count = static_cast<std::size_t>(std::popcount(lanes));
     std::size_t end = row_count_;
@@ -185,8 +186,9 @@ class LeafBatch {
       if (HWY_UNLIKELY(unsure != 0)) {
         const LowBlock* low[2] = {tree_[0]->low, tree_[1]->low};
         hits &= ~unsure;
-        hits |= settle(columns, low[1 - row.side][row.columns],
-                       lane_box(high(row.side, row.block), low[row.side][row.block], row.lane), unsure);
+        hits |=
+            settle(columns, low[1 - row.side][row.columns],
+                   lane_box(high(row.side, row.block), low[row.side][row.block], row.lane), unsure);
       }
       row.mask = static_cast<std::uint16_t>(hits);
       rows_[kept] = row;
@@ -284,11 +286,13 @@ std::uint64_t find_pairs(const TreeView& a, const TreeView& b, BlockPair start, 
   return leaves.met();
 }
 
-void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out) {
+void split_pair(const TreeView& a, const TreeView& b, BlockPair start,
+                std::vector<BlockPair>& out) {
   open(a, b, start, [&](const BlockPair& next) { out.push_back(next); });
 }
 
-void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out) {
+void find_overlapping(const TreeView& tree, const OrderedBox& box,
+                      std::vector<std::uint32_t>& out) {
   struct Entry {
     std::uint32_t block;
     std::uint32_t level;
@@ -303,7 +307,8 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
     std::uint32_t hits = near_lanes(block, high);
     if (entry.level != 0) {
       for (; hits != 0; hits &= hits - 1) {
-        const std::uint32_t next = entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+        const std::uint32_t next =
+            entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
         for (const auto& row : tree.level[entry.level - 1][next].row)
           __builtin_prefetch(row);
         *end++ = {next, entry.level - 1};
@@ -314,7 +319,8 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
     const std::uint32_t sure = hits & sure_lanes(block, high);
     if (sure != hits) hits = sure | settle(block, tree.low[entry.block], box, hits & ~sure);
     for (; hits != 0; hits &= hits - 1)
-      out.push_back(tree.owner[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
+      out.push_back(
+          tree.owner[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
   }
 }
 
@@ -325,8 +331,8 @@ HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low, co
   return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | settle(block, low, box, unsure) : near;
 }
 
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
-                             std::vector<MoverHit>& out) {
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
+                             const OrderedBox& after, std::vector<MoverHit>& out) {
   OrderedBox both;
   for (std::size_t c = 0; c < 3; ++c) {
     both[c] = std::min(before[c], after[c]);
@@ -360,7 +366,8 @@ void find_overlapping_either(const TreeView& tree, const OrderedBox& before, con
 }
 
 template <typename Join, typename Reduce>
-HWY_INLINE std::int32_t reduce_row(const std::int32_t* row, const Join& join, const Reduce& reduce) {
+HWY_INLINE std::int32_t reduce_row(const std::int32_t* row, const Join& join,
+                                   const Reduce& reduce) {
   const Tag tag;
   Lanes all = hn::Load(tag, row);
   for (std::uint32_t lane = static_cast<std::uint32_t>(hn::Lanes(tag)); lane < kLanes;
@@ -375,12 +382,12 @@ void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, B
     Block& parent = above[i >> kLaneBits];
     const std::uint32_t lane = i & (kLanes - 1);
     for (int c = 0; c < 3; ++c) {
-      parent.row[c][lane] =
-          reduce_row(below[i].row[c], [](Lanes x, Lanes y) { return hn::Min(x, y); },
-                     [&](Lanes x) { return hn::MinOfLanes(tag, x); });
-      parent.row[c + 3][lane] =
-          reduce_row(below[i].row[c + 3], [](Lanes x, Lanes y) { return hn::Max(x, y); },
-                     [&](Lanes x) { return hn::MaxOfLanes(tag, x); });
+      parent.row[c][lane] = reduce_row(
+          below[i].row[c], [](Lanes x, Lanes y) { return hn::Min(x, y); },
+          [&](Lanes x) { return hn::MinOfLanes(tag, x); });
+      parent.row[c + 3][lane] = reduce_row(
+          below[i].row[c + 3], [](Lanes x, Lanes y) { return hn::Max(x, y); },
+          [&](Lanes x) { return hn::MaxOfLanes(tag, x); });
     }
   }
 }
@@ -402,16 +409,18 @@ std::uint64_t find_pairs(const TreeView& a, const TreeView& b, BlockPair start, 
   return HWY_DYNAMIC_DISPATCH(find_pairs)(a, b, start, out);
 }
 
-void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out) {
+void split_pair(const TreeView& a, const TreeView& b, BlockPair start,
+                std::vector<BlockPair>& out) {
   HWY_DYNAMIC_DISPATCH(split_pair)(a, b, start, out);
 }
 
-void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out) {
+void find_overlapping(const TreeView& tree, const OrderedBox& box,
+                      std::vector<std::uint32_t>& out) {
   HWY_DYNAMIC_DISPATCH(find_overlapping)(tree, box, out);
 }
 
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
-                             std::vector<MoverHit>& out) {
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
+                             const OrderedBox& after, std::vector<MoverHit>& out) {
   HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, out);
 }
 

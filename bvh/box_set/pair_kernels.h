@@ -40,8 +40,8 @@ struct MoverHit {
 
 /// Appends what overlaps `before` or `after`, exactly, both looked up at once. no_box() overlaps
 /// nothing.
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before, const OrderedBox& after,
-                             std::vector<MoverHit>& out);
+void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
+                             const OrderedBox& after, std::vector<MoverHit>& out);
 
 /// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
 void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);

@@ -58,7 +58,8 @@ void BoxSet::collect_items(SortSpace& space) {
   bool is_first = true;
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
-    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    const OrderedBox of =
+        lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
     classes[place] = static_cast<std::int16_t>(size_class(of) + kShift);
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
@@ -67,7 +68,8 @@ void BoxSet::collect_items(SortSpace& space) {
   }
   // Where there are more classes than layers, the lowest ones share one.
   std::vector<int> layer_of_class(kClasses, 0);
-  std::size_t left = static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n != 0; }));
+  std::size_t left = static_cast<std::size_t>(
+      std::count_if(count.begin(), count.end(), [](auto n) { return n != 0; }));
   std::vector<std::uint32_t> start;
   std::uint32_t sum = 0;
   for (std::size_t k = 0; k < kClasses; ++k) {
@@ -82,8 +84,10 @@ void BoxSet::collect_items(SortSpace& space) {
   std::vector<std::uint32_t> next(start.begin(), start.end());
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
-    const OrderedBox of = lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    KdItem& item = items[next[static_cast<std::size_t>(layer_of_class[static_cast<std::size_t>(classes[place])])]++];
+    const OrderedBox of =
+        lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    KdItem& item = items[next[static_cast<std::size_t>(
+        layer_of_class[static_cast<std::size_t>(classes[place])])]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
     item.owner = owner_[place];
@@ -102,8 +106,9 @@ void BoxSet::collect_items(SortSpace& space) {
 void BoxSet::place_items(const SortSpace& space) {
   const std::vector<KdItem>& items = space.items;
   const std::vector<std::uint32_t>& start = space.starts;
-  const std::size_t blocks = layers_.size() == 1 ? 0 : layers_[layers_.size() - 2].first_block +
-                                                           layers_[layers_.size() - 2].block_count;
+  const std::size_t blocks = layers_.size() == 1 ? 0
+                                                 : layers_[layers_.size() - 2].first_block +
+                                                       layers_[layers_.size() - 2].block_count;
   // With room for newcomers, so that the first of them does not double the memory.
   const std::size_t room = blocks + blocks / kRoomShare + kLanes;
   std::vector<Block> to_high;

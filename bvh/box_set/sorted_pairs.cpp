@@ -22,7 +22,8 @@ void sort_pairs(std::span<const BoxPair> pairs, std::uint32_t index_count,
   }
 }
 
-void append_difference(std::span<const BoxPair> left, std::span<const BoxPair> right, PairBuffer& out) {
+void append_difference(std::span<const BoxPair> left, std::span<const BoxPair> right,
+                       PairBuffer& out) {
   auto other = right.begin();
   for (const BoxPair& pair : left) {
     while (other != right.end() && *other < pair)

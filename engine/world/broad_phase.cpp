@@ -29,15 +29,16 @@ struct BroadPhase::State {
 
   IdTable ids;
   bvh::OverlapTracker tracker;
-  BoxChanges changes;                   // asked for since the last update
-  std::vector<bool> is_staged;          // by index: named in the changes
-  std::vector<std::uint32_t> indices;   // of a span of ids that are not 0, 1, 2 ...
+  BoxChanges changes;                  // asked for since the last update
+  std::vector<bool> is_staged;         // by index: named in the changes
+  std::vector<std::uint32_t> indices;  // of a span of ids that are not 0, 1, 2 ...
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
     if (ids.is_live(id.index, id.generation)) return;
-    throw StaleIdError(std::string(what) + ": there is no box with index " + std::to_string(id.index) +
-                       " and generation " + std::to_string(id.generation));
+    throw StaleIdError(std::string(what) + ": there is no box with index " +
+                       std::to_string(id.index) + " and generation " +
+                       std::to_string(id.generation));
   }
 
   void stage(std::uint32_t index, const Aabb& box, BoxChanges::Kind kind) {
@@ -54,13 +55,15 @@ struct BroadPhase::State {
   }
 
   Aabb box(std::uint32_t index) const {
-    return is_staged[index] ? changes.box[staged(index)] : bvh::box_of_keys(tracker.set().box(index));
+    return is_staged[index] ? changes.box[staged(index)]
+                            : bvh::box_of_keys(tracker.set().box(index));
   }
 };
 
 BroadPhase::BroadPhase(const BroadPhaseSettings& settings) {
   if (settings.threads < 1) {
-    throw InputError("BroadPhase: threads is " + std::to_string(settings.threads) + ", must be at least 1");
+    throw InputError("BroadPhase: threads is " + std::to_string(settings.threads) +
+                     ", must be at least 1");
   }
   state_ = std::make_unique<State>(settings.threads);
 }
@@ -86,8 +89,8 @@ void BroadPhase::move(BoxId id, const Aabb& box) {
 void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
   State& state = *state_;
   if (ids.size() != boxes.size()) {
-    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " + std::to_string(boxes.size()) +
-                     " boxes");
+    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
+                     std::to_string(boxes.size()) + " boxes");
   }
   const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
   std::atomic<bool> is_valid{true}, is_in_order{true};
@@ -122,7 +125,8 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
 
 void BroadPhase::remove(BoxId id) {
   state_->check(id, "remove");
-  state_->stage(id.index, Aabb{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}, BoxChanges::Kind::Erase);
+  state_->stage(id.index, Aabb{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
+                BoxChanges::Kind::Erase);
   state_->ids.free(id.index);
 }
 
@@ -193,7 +197,8 @@ void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& i
   indices.resize(kept);
   for (std::size_t i = 0; i < state.changes.size(); ++i) {
     const std::uint32_t index = state.changes.owner[i];
-    if (!state.ids.is_live(index) || !bvh::overlap(keys, bvh::ordered_box(state.changes.box[i]))) continue;
+    if (!state.ids.is_live(index) || !bvh::overlap(keys, bvh::ordered_box(state.changes.box[i])))
+      continue;
     if (state.staged(index) == i) indices.push_back(index);
   }
 }

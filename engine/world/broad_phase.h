@@ -25,10 +25,10 @@ struct BoxId {
 /// What an update did.
 struct BroadPhaseWork {
   std::uint64_t updates = 0;
-  std::uint64_t searches_for_all = 0;   // updates that looked for all pairs anew
+  std::uint64_t searches_for_all = 0;     // updates that looked for all pairs anew
   std::uint64_t searches_for_movers = 0;  // updates that looked at movers only
-  std::uint64_t sorts = 0;              // times that the boxes were put into a new order
-  std::uint64_t blocks_met = 0;         // pairs of 16 boxes in the last search for all pairs
+  std::uint64_t sorts = 0;                // times that the boxes were put into a new order
+  std::uint64_t blocks_met = 0;           // pairs of 16 boxes in the last search for all pairs
 };
 
 struct BroadPhaseSettings {
@@ -67,8 +67,8 @@ class BroadPhase {
 
   std::size_t size() const;
   bool contains(BoxId id) const;
-  Aabb box(BoxId id) const;               // throws StaleIdError
-  BoxId id(std::uint32_t index) const;    // of the box with this index; throws StaleIdError
+  Aabb box(BoxId id) const;             // throws StaleIdError
+  BoxId id(std::uint32_t index) const;  // of the box with this index; throws StaleIdError
 
   /// Finds which pairs overlap now.
   void update();

@@ -29,7 +29,8 @@ void IdTable::next_round() {
 }
 
 std::size_t IdTable::bytes() const {
-  return generation_.capacity() * 2 + (free_.capacity() + resting_[0].capacity() + resting_[1].capacity()) * 4;
+  return generation_.capacity() * 2 +
+         (free_.capacity() + resting_[0].capacity() + resting_[1].capacity()) * 4;
 }
 
 }  // namespace graze

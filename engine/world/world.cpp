@@ -20,8 +20,9 @@ Aabb bounds_of(const BodyShape& shape, const Pose& pose, const char* what) {
 
 const Bodies::Body& World::State::body(BodyId id, const char* what) const {
   if (!all.ids.is_live(id.index, id.generation)) {
-    throw StaleIdError(std::string(what) + ": there is no body with index " + std::to_string(id.index) +
-                       " and generation " + std::to_string(id.generation));
+    throw StaleIdError(std::string(what) + ": there is no body with index " +
+                       std::to_string(id.index) + " and generation " +
+                       std::to_string(id.generation));
   }
   return all.bodies[id.index];
 }
@@ -49,7 +50,8 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose, const BodySettings& settings) {
+BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
+                  const BodySettings& settings) {
   if (shape == nullptr) throw InputError("add: no shape");
   check_rigid(pose, "add");
   bounds_of(*shape, pose, "add");
@@ -92,7 +94,8 @@ void World::move(BodyId id, const Pose& pose) {
 void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   State& state = *state_;
   if (ids.size() != poses.size()) {
-    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " + std::to_string(poses.size()) + " poses");
+    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
+                     std::to_string(poses.size()) + " poses");
   }
   state.boxes_to_move.clear();
   state.places.clear();
@@ -190,7 +193,8 @@ std::vector<BodyPair> World::pairs() const {
   const State& state = *state_;
   std::vector<BodyPair> pairs;
   for (std::uint32_t at = 0; at < state.candidates.list().size(); ++at) {
-    if (state.candidates.touches(at)) pairs.push_back(state.all.id_pair(state.candidates.list()[at]));
+    if (state.candidates.touches(at))
+      pairs.push_back(state.all.id_pair(state.candidates.list()[at]));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;

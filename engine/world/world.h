@@ -23,8 +23,8 @@ struct WorldSettings {
 
 /// What an update did, and what it could leave out.
 struct WorldWork {
-  std::uint64_t pairs_filtered = 0;    // boxes that began to overlap, of bodies that do not meet
-  std::uint64_t pairs_at_rest = 0;     // pairs with overlapping boxes in which nothing moved
+  std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
+  std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing moved
   std::uint64_t shape_tests = 0;
 };
 
@@ -33,7 +33,8 @@ struct WorldWork {
 struct WorldUpdate {
   std::span<const BodyPair> begun;  // touch now and did not
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
-  std::span<const BodyPair> moved;  // touch now, and one of them moved or came or changed its filter
+  std::span<const BodyPair>
+      moved;  // touch now, and one of them moved or came or changed its filter
   WorldWork work;
 };
 
@@ -60,7 +61,8 @@ class World {
   World& operator=(World&&) noexcept;
 
   /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
-  BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose, const BodySettings& settings = {});
+  BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
+             const BodySettings& settings = {});
 
   /// All of these throw StaleIdError for the id of a body that is gone.
   void remove(BodyId id);

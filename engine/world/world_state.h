@@ -38,7 +38,8 @@ struct Bodies {
   bool meet(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them touch.
+/// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
+/// touch.
 class Candidates {
  public:
   void add(BoxPair pair);

@@ -57,7 +57,8 @@ void World::State::end(std::uint32_t at) {
 
 void World::State::end_pairs() {
   for (const BoxPair& boxes : broad.ended()) {
-    const std::uint32_t at = candidates.position(ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]));
+    const std::uint32_t at =
+        candidates.position(ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]));
     if (at != Candidates::kNowhere) end(at);
   }
 }
@@ -144,7 +145,8 @@ WorldUpdate World::update() {
 
 WorldSnapshot World::snapshot() const {
   const State& state = *state_;
-  if (!state.changed.empty() || state.removed != 0) throw InputError("snapshot: changes wait for an update");
+  if (!state.changed.empty() || state.removed != 0)
+    throw InputError("snapshot: changes wait for an update");
   const auto candidates = state.candidates.list();
   const auto touches = state.candidates.all_touches();
   return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{

@@ -23,7 +23,8 @@ class Contestant {
 
   /// The boxes named in `moved`, ascending, have the places given in `boxes`, which lists all.
   /// Leaves each overlapping pair once in the span that it returns, smaller index first.
-  virtual std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t> moved) = 0;
+  virtual std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                        std::span<const std::uint32_t> moved) = 0;
 };
 
 struct Entry {
@@ -34,8 +35,8 @@ struct Entry {
 
 /// For what reports candidates only.
 inline bool share_point(const Aabb& s, const Aabb& t) {
-  return s.min[0] <= t.max[0] && t.min[0] <= s.max[0] && s.min[1] <= t.max[1] && t.min[1] <= s.max[1] &&
-         s.min[2] <= t.max[2] && t.min[2] <= s.max[2];
+  return s.min[0] <= t.max[0] && t.min[0] <= s.max[0] && s.min[1] <= t.max[1] &&
+         t.min[1] <= s.max[1] && s.min[2] <= t.max[2] && t.min[2] <= s.max[2];
 }
 
 inline BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {

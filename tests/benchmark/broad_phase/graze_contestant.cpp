@@ -15,7 +15,8 @@ class Graze : public Contestant {
     broad_.update();
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t> moved) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t> moved) override {
     if (moved.size() == boxes.size()) {
       broad_.move(ids_, boxes);
     } else {

@@ -1,5 +1,5 @@
-// Boxes only: all overlapping pairs of moving boxes in every frame, beside other libraries; and what
-// a step costs with few movers.
+// Boxes only: all overlapping pairs of moving boxes in every frame, beside other libraries; and
+// what a step costs with few movers.
 
 #include <CLI/CLI.hpp>
 #include <fstream>
@@ -25,16 +25,23 @@ struct Options {
 };
 
 nlohmann::json to_json(const Score& score) {
-  return {{"scene", score.scene},     {"boxes", score.boxes},     {"contestant", score.contestant},
-          {"frames", score.frames},   {"median_ms", score.median}, {"mean_ms", score.mean},
-          {"slowest_ms", score.slowest}, {"pairs", score.pairs},   {"wrong_frames", score.wrong_frames}};
+  return {{"scene", score.scene},
+          {"boxes", score.boxes},
+          {"contestant", score.contestant},
+          {"frames", score.frames},
+          {"median_ms", score.median},
+          {"mean_ms", score.mean},
+          {"slowest_ms", score.slowest},
+          {"pairs", score.pairs},
+          {"wrong_frames", score.wrong_frames}};
 }
 
 void print(const Score& score) {
-  std::cout << score.scene << std::setw(9) << score.boxes << std::fixed << std::setprecision(3) << std::setw(12)
-            << score.median << " ms, mean " << std::setw(9) << score.mean << ", slowest " << std::setw(9) << score.slowest
-            << "  " << score.contestant;
-  if (score.wrong_frames != 0) std::cout << "  WRONG in " << score.wrong_frames << " of " << score.frames << " frames";
+  std::cout << score.scene << std::setw(9) << score.boxes << std::fixed << std::setprecision(3)
+            << std::setw(12) << score.median << " ms, mean " << std::setw(9) << score.mean
+            << ", slowest " << std::setw(9) << score.slowest << "  " << score.contestant;
+  if (score.wrong_frames != 0)
+    std::cout << "  WRONG in " << score.wrong_frames << " of " << score.frames << " frames";
   std::cout << std::endl;
 }
 
@@ -74,7 +81,8 @@ nlohmann::json movers(const Options& options) {
     for (const std::uint32_t count : {0u, 10u, 1000u}) {
       if (count >= size) continue;
       const double microseconds = measure_movers(size, count, options.frames);
-      std::cout << size << " boxes, " << count << " movers: " << std::setprecision(2) << microseconds << " us a step\n";
+      std::cout << size << " boxes, " << count << " movers: " << std::setprecision(2)
+                << microseconds << " us a step\n";
       rows.push_back({{"boxes", size}, {"movers", count}, {"median_us", microseconds}});
     }
   }
@@ -87,7 +95,8 @@ int run(int argc, char** argv) {
   app.add_option("--scenes", options.scenes, "S1 to S5");
   app.add_option("--sizes", options.sizes, "Numbers of boxes");
   app.add_option("--frames", options.frames, "Frames of each scene")->check(CLI::PositiveNumber);
-  app.add_option("--patience", options.patience, "Milliseconds that a frame may take; who would need more rests");
+  app.add_option("--patience", options.patience,
+                 "Milliseconds that a frame may take; who would need more rests");
   app.add_flag("--alone", options.alone, "No peers");
   app.add_option("--json", options.json, "Where to write the results");
   CLI11_PARSE(app, argc, argv);
@@ -99,7 +108,8 @@ int run(int argc, char** argv) {
     for (const std::string& name : absent_peers())
       std::cout << name << " was not found and is left out\n";
   }
-  const nlohmann::json report = {{"scenes", contest(options, entries)}, {"movers", movers(options)}};
+  const nlohmann::json report = {{"scenes", contest(options, entries)},
+                                 {"movers", movers(options)}};
   if (!options.json.empty()) std::ofstream(options.json) << report.dump(1) << '\n';
   return 0;
 }

@@ -19,16 +19,17 @@ struct Score {
   std::string scene, contestant;
   std::uint32_t boxes = 0;
   int frames = 0;
-  double median = 0, mean = 0, slowest = 0;  // milliseconds: of one processor, or of a clock for more threads
-  std::size_t pairs = 0;                     // in the last frame
-  int wrong_frames = 0;                      // in which the pairs are not those of the first contestant
+  double median = 0, mean = 0,
+         slowest = 0;     // milliseconds: of one processor, or of a clock for more threads
+  std::size_t pairs = 0;  // in the last frame
+  int wrong_frames = 0;   // in which the pairs are not those of the first contestant
 };
 
 /// A number for the set of pairs of each frame, whatever their order.
 using Truth = std::vector<std::uint64_t>;
 
-/// The first contestant to run sets the truth. Contestants run one after the other, each through the
-/// same scene, so that none finds another's data in the cache.
+/// The first contestant to run sets the truth. Contestants run one after the other, each through
+/// the same scene, so that none finds another's data in the cache.
 Score measure(const Entry& entry, const Course& course, Truth& truth);
 
 /// Microseconds of an update of graze with `count` movers among `boxes`, median.

@@ -181,7 +181,8 @@ class Clusters : public Scene {
     for (std::size_t k = 0; k < centre_.size(); ++k) {
       centre_[k] += velocity_[k];
       for (int c = 0; c < 3; ++c) {
-        if (std::abs(centre_[k][c]) > half_world_) velocity_[k][c] = -std::copysign(velocity_[k][c], centre_[k][c]);
+        if (std::abs(centre_[k][c]) > half_world_)
+          velocity_[k][c] = -std::copysign(velocity_[k][c], centre_[k][c]);
       }
     }
     for (const std::uint32_t i : moved_) {
@@ -199,7 +200,8 @@ class Clusters : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(const std::string& name, std::uint32_t count, std::uint64_t seed) {
+std::unique_ptr<Scene> make_scene(const std::string& name, std::uint32_t count,
+                                  std::uint64_t seed) {
   if (name == "S1") return std::make_unique<Brownian>(count, seed, 1);
   if (name == "S2") return std::make_unique<Pile>(count, seed);
   if (name == "S3") return std::make_unique<Brownian>(count, seed, 100);

@@ -15,10 +15,10 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   std::uint64_t bits();
-  double unit();                         // [0, 1)
+  double unit();  // [0, 1)
   double between(double low, double high);
-  double bell();                         // mean 0, variance 1, within 3: a sum of uniform ones
-  Eigen::Vector3d point(double half);    // in a cube about the origin
+  double bell();                       // mean 0, variance 1, within 3: a sum of uniform ones
+  Eigen::Vector3d point(double half);  // in a cube about the origin
 
  private:
   std::uint64_t state_;

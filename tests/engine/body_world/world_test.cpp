@@ -43,9 +43,11 @@ std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
   return {pairs.begin(), pairs.end()};
 }
 
-std::vector<BodyPair> difference(const std::vector<BodyPair>& left, const std::vector<BodyPair>& right) {
+std::vector<BodyPair> difference(const std::vector<BodyPair>& left,
+                                 const std::vector<BodyPair>& right) {
   std::vector<BodyPair> rest;
-  std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(rest));
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::back_inserter(rest));
   return rest;
 }
 
@@ -60,7 +62,9 @@ class WorldHistory {
   void change() {
     const std::uint32_t what = chance_.below(20);
     if (bodies_.size() < 3 || (what < 3 && bodies_.size() < 80)) {
-      Body body{balls_[chance_.below(4)], random_pose(), {random_motion(), random_filter(), chance_.bits()}};
+      Body body{balls_[chance_.below(4)],
+                random_pose(),
+                {random_motion(), random_filter(), chance_.bits()}};
       const BodyId id = world_.add(body.ball, body.pose, body.settings);
       bodies_[id] = body;
       touched_.insert(id);
@@ -127,7 +131,8 @@ class WorldHistory {
   }
   Motion random_motion() { return static_cast<Motion>(chance_.one_in(2) ? 2 : chance_.below(3)); }
   Filter random_filter() {
-    return {1u << chance_.below(3), chance_.one_in(2) ? ~0u : chance_.below(8), static_cast<std::int32_t>(chance_.below(4)) - 1};
+    return {1u << chance_.below(3), chance_.one_in(2) ? ~0u : chance_.below(8),
+            static_cast<std::int32_t>(chance_.below(4)) - 1};
   }
   BodyId pick() {
     auto body = bodies_.begin();
@@ -238,7 +243,8 @@ TEST(World, RefusesWhatItCannotPlace) {
   const auto ball = std::make_shared<Ball>(1);
   EXPECT_THROW(world.add(nullptr, at(0)), InputError);
   EXPECT_THROW(world.add(ball, at(std::numeric_limits<double>::infinity())), PoseError);
-  EXPECT_THROW(world.add(std::make_shared<Ball>(std::numeric_limits<double>::infinity()), at(0)), InputError);
+  EXPECT_THROW(world.add(std::make_shared<Ball>(std::numeric_limits<double>::infinity()), at(0)),
+               InputError);
   EXPECT_THROW(world.set_user_data({}, 1), StaleIdError);
   EXPECT_EQ(world.size(), 0u);
 }

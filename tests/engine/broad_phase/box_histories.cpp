@@ -23,13 +23,16 @@ Eigen::Vector3d point(Chance& chance, double half) {
 
 double nudged(double value, Chance& chance) {
   const std::uint32_t what = chance.below(8);
-  return what == 0 ? std::nextafter(value, kInfinity) : what == 1 ? std::nextafter(value, -kInfinity) : value;
+  return what == 0   ? std::nextafter(value, kInfinity)
+         : what == 1 ? std::nextafter(value, -kInfinity)
+                     : value;
 }
 
 double extreme_number(Chance& chance) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
-  constexpr double kNumbers[] = {0.0, -0.0, kSmallest, -kSmallest, 1.0, -1.0, 1e-300, -1e-300, kLargest, -kLargest, 1e300};
+  constexpr double kNumbers[] = {0.0,    -0.0,    kSmallest, -kSmallest, 1.0,  -1.0,
+                                 1e-300, -1e-300, kLargest,  -kLargest,  1e300};
   return nudged(kNumbers[chance.below(11)] * 0.5, chance);
 }
 
@@ -71,7 +74,8 @@ Aabb random_box(Habitat habitat, Chance& chance) {
     }
     case Habitat::Sizes: {
       if (chance.one_in(10)) return {Eigen::Vector3d(-1e6, -1e6, -1), Eigen::Vector3d(1e6, 1e6, 0)};
-      constexpr double kPowers[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+      constexpr double kPowers[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1,
+                                    10,   100,  1e3,  1e4,  1e5,  1e6};
       const double size = kPowers[chance.below(13)];
       s = point(chance, 3 * size);
       return box_about(s, size * chance.between(0.2, 1));
@@ -92,9 +96,11 @@ Aabb random_box(Habitat habitat, Chance& chance) {
 }
 
 Aabb stepped(const Aabb& box, Habitat habitat, Chance& chance) {
-  if (habitat == Habitat::Extreme || habitat == Habitat::OnePoint) return random_box(habitat, chance);
+  if (habitat == Habitat::Extreme || habitat == Habitat::OnePoint)
+    return random_box(habitat, chance);
   Eigen::Vector3d step = point(chance, habitat == Habitat::Far ? 1e-4 : 0.1);
-  if (habitat == Habitat::Lattice) step = step.unaryExpr([](double x) { return x > 0.05 ? 1.0 : x < -0.05 ? -1.0 : 0.0; });
+  if (habitat == Habitat::Lattice)
+    step = step.unaryExpr([](double x) { return x > 0.05 ? 1.0 : x < -0.05 ? -1.0 : 0.0; });
   const Eigen::Vector3d s = box.min + step, t = box.max + step;
   return spanned(s, t);
 }

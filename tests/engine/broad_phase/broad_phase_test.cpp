@@ -30,7 +30,8 @@ class Reference {
     Pairs all;
     for (auto s = boxes_.begin(); s != boxes_.end(); ++s) {
       for (auto t = std::next(s); t != boxes_.end(); ++t) {
-        if (test::share_point(s->second.second, t->second.second)) all.push_back({s->first, t->first});
+        if (test::share_point(s->second.second, t->second.second))
+          all.push_back({s->first, t->first});
       }
     }
     return all;
@@ -58,7 +59,8 @@ Pairs sorted(Pairs pairs) {
 
 Pairs difference(const Pairs& left, const Pairs& right) {
   Pairs rest;
-  std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(rest));
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::back_inserter(rest));
   return rest;
 }
 
@@ -127,7 +129,8 @@ class History {
 
  private:
   Aabb elsewhere(const Aabb& box) {
-    return chance_.one_in(4) ? test::random_box(habitat_, chance_) : test::stepped(box, habitat_, chance_);
+    return chance_.one_in(4) ? test::random_box(habitat_, chance_)
+                             : test::stepped(box, habitat_, chance_);
   }
   void move_one() {
     const auto [id, box] = reference_.pick(chance_);
@@ -164,7 +167,8 @@ TEST_P(BroadPhaseHistory, EqualsBruteForce) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     History history(GetParam(), seed, 40 * static_cast<std::uint32_t>(seed));
     for (int operations = 0; operations < 4000;) {
-      const std::uint32_t changes = history.chance().one_in(3) ? history.chance().below(60) : history.chance().below(5);
+      const std::uint32_t changes =
+          history.chance().one_in(3) ? history.chance().below(60) : history.chance().below(5);
       for (std::uint32_t i = 0; i < changes; ++i, ++operations)
         history.change();
       history.check_query();
@@ -184,7 +188,8 @@ INSTANTIATE_TEST_SUITE_P(Habitats, BroadPhaseHistory, testing::ValuesIn(test::kH
 /// Trees of several levels, sorted again and again.
 TEST_P(BroadPhaseHistory, EqualsBruteForceWithThousands) {
   const Habitat habitat = GetParam();
-  const std::uint32_t count = habitat == Habitat::OnePoint || habitat == Habitat::Extreme ? 300 : 1500;
+  const std::uint32_t count =
+      habitat == Habitat::OnePoint || habitat == Habitat::Extreme ? 300 : 1500;
   History history(habitat, 7, count, 2);
   for (std::uint32_t i = 0; i < 5 * count; ++i)
     history.change();
@@ -230,7 +235,8 @@ TEST(BroadPhase, RefusesWhatIsNoBox) {
 
 TEST(BroadPhase, ASpanWithABadElementMovesNothingAndNamesIt) {
   BroadPhase broad;
-  const std::vector<BoxId> ids = {broad.add({{0, 0, 0}, {1, 1, 1}}), broad.add({{5, 5, 5}, {6, 6, 6}})};
+  const std::vector<BoxId> ids = {broad.add({{0, 0, 0}, {1, 1, 1}}),
+                                  broad.add({{5, 5, 5}, {6, 6, 6}})};
   std::vector<Aabb> boxes = {{{5, 5, 5}, {6, 6, 6}}, {{0, 0, 0}, {-1, 1, 1}}};
   try {
     broad.move(ids, boxes);

@@ -1,5 +1,5 @@
-// Bullet's two trees and its sweep along three axes. Both keep pairs of enlarged or quantised boxes:
-// who wants those that overlap tests each.
+// Bullet's two trees and its sweep along three axes. Both keep pairs of enlarged or quantised
+// boxes: who wants those that overlap tests each.
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
@@ -24,22 +24,26 @@ class Bullet : public Contestant {
         low.setMin(vector(box.min)), high.setMax(vector(box.max));
       }
       const btVector3 room = 0.1 * (high - low) + btVector3(10, 10, 10);
-      broad_ = std::make_unique<bt32BitAxisSweep3>(low - room, high + room, static_cast<unsigned>(boxes.size() + 10));
+      broad_ = std::make_unique<bt32BitAxisSweep3>(low - room, high + room,
+                                                   static_cast<unsigned>(boxes.size() + 10));
     } else {
       broad_ = std::make_unique<btDbvtBroadphase>();
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      proxies_.push_back(broad_->createProxy(vector(boxes[i].min), vector(boxes[i].max), 0, reinterpret_cast<void*>(i), 1, 1, nullptr));
+      proxies_.push_back(broad_->createProxy(vector(boxes[i].min), vector(boxes[i].max), 0,
+                                             reinterpret_cast<void*>(i), 1, 1, nullptr));
     }
     broad_->calculateOverlappingPairs(nullptr);
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t> moved) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t> moved) override {
     for (const std::uint32_t i : moved)
       broad_->setAabb(proxies_[i], vector(boxes[i].min), vector(boxes[i].max), nullptr);
     broad_->calculateOverlappingPairs(nullptr);
     pairs_.clear();
-    const btBroadphasePairArray& found = broad_->getOverlappingPairCache()->getOverlappingPairArray();
+    const btBroadphasePairArray& found =
+        broad_->getOverlappingPairCache()->getOverlappingPairArray();
     for (int k = 0; k < found.size(); ++k) {
       const std::uint32_t s = index(found[k].m_pProxy0), t = index(found[k].m_pProxy1);
       if (share_point(boxes[s], boxes[t])) pairs_.push_back(ordered_pair(s, t));

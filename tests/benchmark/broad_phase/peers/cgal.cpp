@@ -8,9 +8,11 @@
 namespace graze::benchmark {
 namespace {
 
-class IndexedBox : public CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_NONE> {
+class IndexedBox
+    : public CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_NONE> {
  public:
-  IndexedBox(Aabb box, std::uint32_t index) : Box_d(box.min.data(), box.max.data()), index_(index) {}
+  IndexedBox(Aabb box, std::uint32_t index)
+      : Box_d(box.min.data(), box.max.data()), index_(index) {}
   std::size_t id() const { return index_; }
 
  private:
@@ -24,15 +26,18 @@ class Cgal : public Contestant {
       boxes_.emplace_back(boxes[i], i);
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t>) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t>) override {
     for (IndexedBox& box : boxes_) {
       const auto i = static_cast<std::uint32_t>(box.id());
       box = IndexedBox(boxes[i], i);
     }
     pairs_.clear();
-    CGAL::box_self_intersection_d(boxes_.begin(), boxes_.end(), [this](const IndexedBox& s, const IndexedBox& t) {
-      pairs_.push_back(ordered_pair(static_cast<std::uint32_t>(s.id()), static_cast<std::uint32_t>(t.id())));
-    });
+    CGAL::box_self_intersection_d(
+        boxes_.begin(), boxes_.end(), [this](const IndexedBox& s, const IndexedBox& t) {
+          pairs_.push_back(
+              ordered_pair(static_cast<std::uint32_t>(s.id()), static_cast<std::uint32_t>(t.id())));
+        });
     return pairs_;
   }
 

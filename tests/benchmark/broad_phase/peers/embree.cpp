@@ -1,5 +1,5 @@
-// Embree's collision of a scene with itself, the tree refitted or built anew in each frame. Its boxes are floats,
-// which these are; each candidate is tested all the same.
+// Embree's collision of a scene with itself, the tree refitted or built anew in each frame. Its
+// boxes are floats, which these are; each candidate is tested all the same.
 
 #include <embree3/rtcore.h>
 
@@ -10,7 +10,8 @@ namespace {
 
 class Embree : public Contestant {
  public:
-  explicit Embree(RTCBuildQuality quality) : device_(rtcNewDevice("threads=1")), quality_(quality) {}
+  explicit Embree(RTCBuildQuality quality)
+      : device_(rtcNewDevice("threads=1")), quality_(quality) {}
   ~Embree() override {
     if (scene_ != nullptr) rtcReleaseScene(scene_);
     rtcReleaseDevice(device_);
@@ -32,7 +33,8 @@ class Embree : public Contestant {
     rtcCommitScene(scene_);
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t>) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t>) override {
     boxes_ = boxes;
     pairs_.clear();
     rtcCommitGeometry(geometry_);
@@ -68,8 +70,10 @@ class Embree : public Contestant {
 }  // namespace
 
 void add_embree(std::vector<Entry>& entries) {
-  entries.push_back({"Embree, refit", [] { return std::make_unique<Embree>(RTC_BUILD_QUALITY_REFIT); }});
-  entries.push_back({"Embree, rebuilt", [] { return std::make_unique<Embree>(RTC_BUILD_QUALITY_LOW); }});
+  entries.push_back(
+      {"Embree, refit", [] { return std::make_unique<Embree>(RTC_BUILD_QUALITY_REFIT); }});
+  entries.push_back(
+      {"Embree, rebuilt", [] { return std::make_unique<Embree>(RTC_BUILD_QUALITY_LOW); }});
 }
 
 }  // namespace graze::benchmark

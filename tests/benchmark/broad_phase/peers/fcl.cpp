@@ -26,7 +26,8 @@ class Fcl : public Contestant {
     manager_.setup();
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t> moved) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t> moved) override {
     movers_.clear();
     for (const std::uint32_t i : moved) {
       place(i, boxes[i]);
@@ -38,10 +39,11 @@ class Fcl : public Contestant {
       manager_.update(movers_);
     }
     pairs_.clear();
-    manager_.collide(&pairs_, [](fcl::CollisionObject<S>* s, fcl::CollisionObject<S>* t, void* pairs) {
-      static_cast<std::vector<BoxPair>*>(pairs)->push_back(ordered_pair(index(s), index(t)));
-      return false;
-    });
+    manager_.collide(
+        &pairs_, [](fcl::CollisionObject<S>* s, fcl::CollisionObject<S>* t, void* pairs) {
+          static_cast<std::vector<BoxPair>*>(pairs)->push_back(ordered_pair(index(s), index(t)));
+          return false;
+        });
     return pairs_;
   }
 
@@ -68,12 +70,13 @@ class Fcl : public Contestant {
 }  // namespace
 
 void add_fcl(std::vector<Entry>& entries) {
-  entries.push_back({"FCL tree, float", [] {
-                       return std::make_unique<Fcl<float, fcl::DynamicAABBTreeCollisionManager<float>>>();
-                     }});
-  entries.push_back({"FCL tree, double", [] {
-                       return std::make_unique<Fcl<double, fcl::DynamicAABBTreeCollisionManager<double>>>();
-                     }});
+  entries.push_back(
+      {"FCL tree, float",
+       [] { return std::make_unique<Fcl<float, fcl::DynamicAABBTreeCollisionManager<float>>>(); }});
+  entries.push_back(
+      {"FCL tree, double", [] {
+         return std::make_unique<Fcl<double, fcl::DynamicAABBTreeCollisionManager<double>>>();
+       }});
 }
 
 }  // namespace graze::benchmark

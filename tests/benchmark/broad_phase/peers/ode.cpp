@@ -29,7 +29,8 @@ class Ode : public Contestant {
     }
   }
 
-  std::span<const BoxPair> step(std::span<const Aabb> boxes, std::span<const std::uint32_t> moved) override {
+  std::span<const BoxPair> step(std::span<const Aabb> boxes,
+                                std::span<const std::uint32_t> moved) override {
     for (const std::uint32_t i : moved)
       place(i, boxes[i]);
     pairs_.clear();
