@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <iterator>
 
-#include "tests/benchmark/error/mesh_truth.h"
+#include "tests/benchmark/common/mesh_truth.h"
 
 namespace graze::benchmark {
 namespace {

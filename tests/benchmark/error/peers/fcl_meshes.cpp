@@ -1,32 +1,16 @@
 // FCL's trees of oriented boxes, of these with swept spheres, and of axis-aligned boxes, asked by
 // its public function. Contact geometry is not asked for: each pair is then reported once.
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
-
-#include <graze/bvh/error.h>
 
 #include <limits>
 #include <optional>
 
+#include "tests/benchmark/common/fcl_models.h"
 #include "tests/benchmark/error/peers/peers.h"
-
-static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
 
 namespace graze::benchmark {
 namespace {
-
-template <typename Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> to_fcl(const Mesh& mesh) {
-  auto model = std::make_shared<fcl::BVHModel<Volume>>();
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleIndices& t : mesh.triangles())
-    triangles.emplace_back(t[0], t[1], t[2]);
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices().size()));
-  model->addSubModel({mesh.vertices().begin(), mesh.vertices().end()}, triangles);
-  if (model->endModel() != fcl::BVH_OK) throw Error("FCL refuses a mesh");
-  return model;
-}
 
 template <typename Volume>
 class FclMeshes final : public MeshContestant {
