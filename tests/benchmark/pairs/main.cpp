@@ -22,6 +22,7 @@ struct Options {
   std::string output;
   SceneSettings scenes;
   ContestSettings contest;
+  std::size_t parallel_poses = 20;
   std::size_t scaling_poses = 30;
   std::size_t most_for_peers = 300000;
 };
@@ -64,7 +65,9 @@ void run(const Options& options) {
       document["scenes"].push_back(to_json(contest_over(make_scene(), contestants, contest)));
   };
   measure(mesh_scenes(options.scenes), options.contest);
-  measure(parallel_scenes(options.scenes), options.contest);
+  SceneSettings parallel = options.scenes;
+  parallel.poses = options.parallel_poses;
+  measure(parallel_scenes(parallel), options.contest);
   SceneSettings scaled = options.scenes;
   scaled.poses = options.scaling_poses;
   ContestSettings contest = options.contest;
