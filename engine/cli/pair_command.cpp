@@ -28,9 +28,9 @@ and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b
 With --touch exclude, "intersects", "pairs" and "list" speak of triangles that cross.
 With --solid, which needs closed meshes, "intersects" is true also where one is wholly inside the
 other; pairs stay pairs of triangles, and there may be none.
-Volumes are wide, aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and sphere-kdop, which
-try the sphere first. Times are in microseconds; the first query's time includes building both
-trees and their volumes.
+Volumes are wide, aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and
+sphere-kdop, which try the sphere first. Times are in microseconds; the first query's time
+includes building both trees and their volumes.
 
 Examples:
   graze pair bolt.obj nut.stl

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/benchmark/common/thread_clock.h"
 #include "tests/benchmark/error/contestant.h"
-#include "tests/benchmark/error/thread_clock.h"
 
 namespace graze::benchmark {
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "tests/benchmark/common/processor_name.h"
 #include "tests/benchmark/error/baselines/add_baselines.h"
 #include "tests/benchmark/error/categories.h"
 #include "tests/benchmark/error/contest.h"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <iterator>
 
+#include "tests/benchmark/common/mesh_truth.h"
 #include "tests/benchmark/error/bundled_meshes.h"
-#include "tests/benchmark/error/mesh_truth.h"
 
 namespace graze::benchmark {
 namespace {

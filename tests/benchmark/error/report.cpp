@@ -132,12 +132,4 @@ void write(const Json& document, const std::string& path) {
   if (!file) throw Error(path + ": cannot be written");
 }
 
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-  }
-  return "unknown";
-}
-
 }  // namespace graze::benchmark

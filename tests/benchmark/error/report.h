@@ -37,7 +37,4 @@ Json to_json(const QuestionResult& result);
 /// The document, one contestant or category a line. Throws Error if it cannot be written.
 void write(const Json& document, const std::string& path);
 
-/// The processor, as the system names it.
-std::string processor_name();
-
 }  // namespace graze::benchmark

@@ -15,9 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "tests/benchmark/common/pose_regimes.h"
+#include "tests/benchmark/common/processor_name.h"
 #include "tests/benchmark/volumes/measure_queries.h"
 #include "tests/benchmark/volumes/measure_skins.h"
-#include "tests/benchmark/volumes/pose_regimes.h"
 
 namespace graze::benchmark {
 namespace {
@@ -111,14 +112,6 @@ void append_pair(Json& queries, const std::pair<std::string, std::string>& files
                        {"poses", poses.size()},
                        {"volumes", std::move(volumes)}});
   }
-}
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(": ") + 2);
-  }
-  return "unknown";
 }
 
 void run(const Options& options) {

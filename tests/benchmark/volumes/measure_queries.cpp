@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tests/benchmark/volumes/stopwatch.h"
+#include "tests/benchmark/common/stopwatch.h"
 
 namespace graze::benchmark {
 namespace {

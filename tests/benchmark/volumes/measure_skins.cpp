@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "tests/benchmark/volumes/stopwatch.h"
+#include "tests/benchmark/common/stopwatch.h"
 
 namespace graze::benchmark {
 namespace {

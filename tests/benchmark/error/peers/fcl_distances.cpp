@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tests/benchmark/error/peers/fcl_model.h"
+#include "tests/benchmark/common/fcl_models.h"
 #include "tests/benchmark/error/peers/peers.h"
 #include "tests/benchmark/error/peers/support_limit.h"
 
@@ -90,8 +90,8 @@ class FclMeshDistances final : public MeshDistanceContestant {
   explicit FclMeshDistances(const char* name) : MeshDistanceContestant(peer(name)) {}
 
   void prepare(const Mesh& mesh_a, const Mesh& mesh_b) override {
-    mesh_a_ = to_fcl_model<Volume>(mesh_a);
-    mesh_b_ = to_fcl_model<Volume>(mesh_b);
+    mesh_a_ = to_fcl<Volume>(mesh_a);
+    mesh_b_ = to_fcl<Volume>(mesh_b);
   }
   double distance(const Pose& pose_b) override {
     fcl::DistanceResultd result;

@@ -1,13 +1,12 @@
 // FCL's trees of oriented boxes, of these with swept spheres, and of axis-aligned boxes, asked by
 // its public function. Contact geometry is not asked for: each pair is then reported once.
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 
 #include <limits>
 #include <optional>
 
-#include "tests/benchmark/error/peers/fcl_model.h"
+#include "tests/benchmark/common/fcl_models.h"
 #include "tests/benchmark/error/peers/peers.h"
 
 namespace graze::benchmark {
@@ -20,8 +19,8 @@ class FclMeshes final : public MeshContestant {
       : MeshContestant({name, Origin::Peer, "double", std::nullopt}) {}
 
   void prepare(const Mesh& mesh_a, const Mesh& mesh_b) override {
-    mesh_a_ = to_fcl_model<Volume>(mesh_a);
-    mesh_b_ = to_fcl_model<Volume>(mesh_b);
+    mesh_a_ = to_fcl<Volume>(mesh_a);
+    mesh_b_ = to_fcl<Volume>(mesh_b);
   }
   bool any(const Pose& pose_b) override {
     collide(pose_b, 1);

@@ -1,5 +1,7 @@
 #pragma once
 
+// Needs FCL: for the pages of its contestants alone.
+
 #include <fcl/geometry/bvh/BVH_model.h>
 
 #include <graze/bvh/error.h>
@@ -9,15 +11,13 @@
 #include <memory>
 #include <vector>
 
-// What the pages about FCL's meshes share.
-
-// The library that is linked was compiled for the baseline; wider SIMD would change Eigen's layout.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
 
 namespace graze::benchmark {
 
+/// FCL's tree of such volumes over the mesh, built.
 template <typename Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> to_fcl_model(const Mesh& mesh) {
+std::shared_ptr<fcl::BVHModel<Volume>> to_fcl(const Mesh& mesh) {
   auto model = std::make_shared<fcl::BVHModel<Volume>>();
   std::vector<fcl::Triangle> triangles;
   for (const TriangleIndices& t : mesh.triangles())

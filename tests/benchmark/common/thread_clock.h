@@ -1,9 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <ctime>
-#include <vector>
+
+#include "tests/benchmark/common/median.h"
 
 namespace graze::benchmark {
 
@@ -21,12 +20,5 @@ class ThreadClock {
 
   double start_ = now();
 };
-
-/// The upper median of at least one value.
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace graze::benchmark

@@ -1,4 +1,4 @@
-#include "tests/benchmark/volumes/pose_regimes.h"
+#include "tests/benchmark/common/pose_regimes.h"
 
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair.h>

@@ -1,4 +1,4 @@
-#include "tests/benchmark/error/mesh_truth.h"
+#include "tests/benchmark/common/mesh_truth.h"
 
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/mesh/placement.h>

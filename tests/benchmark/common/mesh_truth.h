@@ -2,18 +2,17 @@
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/pair.h>
 
 #include <cstddef>
 #include <vector>
-
-#include "tests/benchmark/error/mesh_contestant.h"
 
 namespace graze::benchmark {
 
 /// What is true of two meshes in a pose.
 struct MeshTruth {
-  std::size_t candidates = 0;    ///< pairs of triangles whose boxes share a point
-  std::vector<IndexPair> pairs;  ///< of these, those that intersect, ascending
+  std::size_t candidates = 0;       ///< pairs of triangles whose boxes share a point
+  std::vector<TrianglePair> pairs;  ///< of these, those that intersect, ascending
 };
 
 /// By sweeping along an axis, without any tree, and the exact referee for each candidate. Triangles
