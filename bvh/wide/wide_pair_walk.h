@@ -52,6 +52,9 @@ class WidePairWalk {
   /// and hands out the pairs that it led to. There must be one.
   std::size_t open_one(std::span<PlacePair> found, std::vector<Waiting>& waiting);
 
+  /// Whether nothing waits any more.
+  bool is_over() const { return state_.open.empty(); }
+
   /// Adds something that waits: a part of what this walk, or one like it, was to do.
   void start_at(const Waiting& waiting) { state_.open.push(waiting); }
 

@@ -12,11 +12,29 @@ namespace {
 /// Parts for each thread: they differ in cost, and what is left at the end should be short.
 constexpr std::size_t kPartsPerThread = 32;
 
+/// Pairs that a walk hands out before it is shared: what ends sooner takes less time than to wake
+/// another thread.
+constexpr std::size_t kPairsAlone = 1000;
+
 struct Part {
   std::vector<bvh::WidePairWalk::Waiting> starts;
   std::vector<TrianglePair> found;
   Work work;
 };
+
+/// Decides what a walk hands out first. Whether that was all.
+template <typename OnPair>
+bool begin_alone(const WideQuery& query, bvh::WidePairWalk& walk, Candidates& candidates,
+                 OnPair&& on_pair) {
+  bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+  for (std::size_t alone = 0; alone < kPairsAlone;) {
+    const std::size_t count = walk.next(places);
+    query.decide({places, count}, candidates, on_pair);
+    if (count == 0) return true;
+    alone += count;
+  }
+  return walk.is_over();
+}
 
 /// Opens pairs of boxes level by level until so many wait. What leaves meet on the way is decided.
 template <typename OnPair>
@@ -52,7 +70,11 @@ std::vector<TrianglePair> merged(std::vector<TrianglePair> found, const std::vec
   found.reserve(total);
   for (const Part& part : parts)
     found.insert(found.end(), part.found.begin(), part.found.end());
-  tbb::this_task_arena::isolate([&] { tbb::parallel_sort(found.begin(), found.end()); });
+  if (parts.empty()) {
+    std::sort(found.begin(), found.end());
+  } else {
+    tbb::this_task_arena::isolate([&] { tbb::parallel_sort(found.begin(), found.end()); });
+  }
   return found;
 }
 
@@ -70,7 +92,12 @@ std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch t
   bvh::WidePairWalk walk = query.walk();
   Candidates candidates(touch, work);
   const std::size_t most = thread_count(threads) * kPartsPerThread;
-  const auto waiting = split(query, walk, most, candidates, into(found));
+  std::vector<bvh::WidePairWalk::Waiting> waiting;
+  if (begin_alone(query, walk, candidates, into(found))) {
+    candidates.decide(into(found));
+  } else {
+    waiting = split(query, walk, most, candidates, into(found));
+  }
   add_counts(walk.counts(), work);
   // Neighbours lie in different parts, so that where much meets is shared out.
   std::vector<Part> parts(std::min(most, waiting.size()));

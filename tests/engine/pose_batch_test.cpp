@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/prepare.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <thread>
 #include <vector>
@@ -101,14 +102,14 @@ TEST(Law8, BatchesAnswerAsSingleQueriesForAnyNumberOfThreads) {
 
 TEST(Law8, OneQuerySharedByThreadsFindsTheSamePairs) {
   RandomSource source(8);
-  const Mesh soup_a = tests::random_soup({.count = 3000, .size = 0.1}, source);
-  const Mesh soup_b = tests::random_soup({.count = 3000, .size = 0.1}, source);
+  const Mesh soup_a = tests::random_soup({.count = 3000, .size = 0.25}, source);
+  const Mesh soup_b = tests::random_soup({.count = 3000, .size = 0.25}, source);
   const Mesh sphere = tests::make_sphere(1, 60, 60);
-  std::size_t total = 0;
+  std::size_t most = 0;
   for (const Pose& pose : poses_of(12, 0.4)) {
     for (const auto& [a, b] : {std::pair(soup_a, soup_b), std::pair(sphere, sphere)}) {
       const TrianglePairs serial = find_triangle_pairs({a}, {b, pose});
-      total += serial.size();
+      most = std::max(most, serial.size());
       for (const int threads : {0, 2, 3}) {
         EXPECT_EQ(find_triangle_pairs({a}, {b, pose}, {.threads = threads}).pairs, serial.pairs);
         EXPECT_EQ(find_triangle_pairs({a}, {b, pose}, {.limit = 5, .threads = threads}).pairs,
@@ -116,7 +117,7 @@ TEST(Law8, OneQuerySharedByThreadsFindsTheSamePairs) {
       }
     }
   }
-  EXPECT_GT(total, 5000u);
+  EXPECT_GT(most, 3000u);  // more than one thread begins with alone
   const Mesh single = tests::make_row(1);
   EXPECT_EQ(find_triangle_pairs({single}, {single}, {.threads = 2}).size(), 1u);
 }
