@@ -24,7 +24,10 @@
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/pose_batch.h>
+#include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace graze::bvh {
 
@@ -41,14 +42,31 @@ class WidePairWalk {
   /// The next pairs; none when there are no more.
   std::size_t next(std::span<PlacePair> found);
 
-  const WideWalkCounts& counts() const { return counts_; }
-
-  // What the kernels see.
-
+  /// Two children that wait to be compared: what lies below them is a walk of its own.
   struct Waiting {
     WideSlot a;
     WideSlot b;
   };
+
+  /// The next of them alone: appends what of it waits now to `waiting`, so that others can walk it,
+  /// and hands out the pairs that it led to. There must be one.
+  std::size_t open_one(std::span<PlacePair> found, std::vector<Waiting>& waiting);
+
+  /// Whether nothing waits any more.
+  bool is_over() const { return state_.open.empty(); }
+
+  /// Adds something that waits: a part of what this walk, or one like it, was to do.
+  void start_at(const Waiting& waiting) { state_.open.push(waiting); }
+
+  /// A walk over the same trees in the same poses in which nothing waits yet.
+  WidePairWalk another() const {
+    return WidePairWalk(
+        State{{state_.tree[0], state_.tree[1]}, {state_.into[0], state_.into[1]}, {}});
+  }
+
+  const WideWalkCounts& counts() const { return counts_; }
+
+  // What the kernels see.
 
   struct State {
     const WideTree* tree[2];
@@ -57,6 +75,8 @@ class WidePairWalk {
   };
 
  private:
+  explicit WidePairWalk(const State& state) : state_(state) {}
+
   State state_;
   WideWalkCounts counts_;
 };

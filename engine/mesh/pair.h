@@ -56,6 +56,10 @@ struct PairSettings {
   Volume volume = Volume::Wide;
   /// Which pairs count.
   Touch touch = Touch::Include;
+  /// How many threads share this one query at most; 0: all that there are. Changes the time, never
+  /// the result. Only a query by Volume::Wide without a limit is shared: which pairs come first is
+  /// for one thread to say.
+  int threads = 1;
 };
 
 /// True if and only if some placed triangle of A shares a point with some placed triangle of B

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/pair.h>
+
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// A mesh in each of many poses, as the second argument of queries: `intersects({bolt}, {nut,
+/// poses})`. It refers to both, which must outlive it.
+struct MeshInPoses {
+  MeshInPoses(const Mesh& mesh_b, std::span<const Pose> poses_b) : mesh(mesh_b), poses(poses_b) {}
+
+  const Mesh& mesh;
+  std::span<const Pose> poses;
+};
+
+struct BatchSettings {
+  /// How many threads answer at most; 0: all that there are, 1: the caller's alone. Changes the
+  /// time, never a result.
+  int threads = 0;
+};
+
+/// What the queries of pair.h and distance.h answer for each pose of B, in the order of the poses.
+/// `settings` are those of each single query. They throw as these do, before the first answer where
+/// a pose is to blame, which the error names by its index. What has to be built is built once;
+/// other threads wait for it.
+std::vector<bool> intersects(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+                             const QuerySettings& settings = {}, const BatchSettings& batch = {},
+                             Work* work = nullptr);
+std::vector<TrianglePairs> find_triangle_pairs(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+                                               const PairSettings& settings = {},
+                                               const BatchSettings& batch = {},
+                                               Work* work = nullptr);
+std::vector<MeshDistance> distance(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+                                   const DistanceSettings& settings = {},
+                                   const BatchSettings& batch = {}, Work* work = nullptr);
+
+}  // namespace graze

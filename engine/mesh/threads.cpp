@@ -1,0 +1,44 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/mesh/threads.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <string>
+
+namespace graze {
+
+void check_threads(int threads) {
+  if (threads >= 0) return;
+  throw InputError("threads: " + std::to_string(threads) + " is not a number of threads");
+}
+
+void for_each_part(std::size_t count, int threads, const std::function<void(std::size_t)>& part) {
+  if (threads == 1 || count <= 1) {
+    for (std::size_t i = 0; i < count; ++i)
+      part(i);
+    return;
+  }
+  const auto all = [&] {
+    // Parts differ in cost, and are few: one at a time.
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i)
+            part(i);
+        },
+        tbb::simple_partitioner());
+  };
+  if (threads == 0) {
+    tbb::this_task_arena::isolate(all);
+  } else {
+    // An arena of its own keeps other work out, as isolation does.
+    tbb::task_arena arena(threads);
+    arena.execute(all);
+  }
+}
+
+std::size_t thread_count(int threads) {
+  return static_cast<std::size_t>(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+}
+
+}  // namespace graze
