@@ -243,6 +243,31 @@ TEST(Law9WideTree, TrianglesThatJustTouch) {
   EXPECT_LT(hits, kPairs);
 }
 
+// From so far away that whole meshes are placed in a few points, and that the slack is more than a
+// float can hold: then nothing may be pruned.
+TEST(Law9WideTree, FromSoFarAwayThatNothingIsSure) {
+  RandomSource source(505);
+  for (const double offset : {1e14, 1e17, 1e30, 1e60, 1e200}) {
+    const Mesh a = tests::random_soup({.count = 30}, source);
+    const Mesh b = tests::random_soup({.count = 30}, source);
+    Pose pose_a = tests::random_pose(0, source);
+    Pose pose_b = tests::random_pose(0, source);
+    pose_a.translation() << offset, -offset, 0.5 * offset;
+    pose_b.translation() = pose_a.translation();
+    std::vector<TrianglePair> expected;
+    for (std::uint32_t i = 0; i < a.triangles().size(); ++i) {
+      for (std::uint32_t j = 0; j < b.triangles().size(); ++j) {
+        if (intersects(place(pose_a, a.triangle(i)), place(pose_b, b.triangle(j))))
+          expected.push_back({i, j});
+      }
+    }
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(find_triangle_pairs({a, pose_a}, {b, pose_b}).pairs, expected) << offset;
+    EXPECT_TRUE(intersects({a, pose_a}, {b, pose_b})) << offset;
+    EXPECT_EQ(distance({a, pose_a}, {b, pose_b}).distance, 0) << offset;
+  }
+}
+
 /// The twelve edges of a box as triangles that are flat to the last: nothing but the axes that
 /// stand on two edges proves such frames apart.
 Mesh frame_of_bars(const Eigen::Vector3d& half) {
