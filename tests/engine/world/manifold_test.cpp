@@ -299,7 +299,8 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
         find_contacts(a, pose_a, b, pose_b);
         find_contacts(floor, at({0, 0, 0}), b, pose_b);
       };
-      ask();
+      for (int warm_up = 0; warm_up < 3; ++warm_up)
+        ask();
       const std::size_t before = mesh_io::allocated_bytes();
       ask();
       EXPECT_EQ(mesh_io::allocated_bytes(), before)
