@@ -7,9 +7,9 @@ namespace graze {
 /// Which bounding volumes a query compares. All of them lie over one tree, and no answer depends on
 /// the choice (law 9): only the time does.
 enum class Volume {
-  Wide,    ///< oriented boxes, eight to a node, that share its axes: the default. Only queries on two
-           ///< meshes have them; others use Aabb instead
-  Aabb,    ///< boxes in each mesh's own frame
+  Wide,  ///< oriented boxes, eight to a node, that share its axes: the default. Only queries on two
+         ///< meshes have them; others use Aabb instead
+  Aabb,  ///< boxes in each mesh's own frame
   Sphere,  ///< minimal spheres: the cheapest test, the loosest fit
   Obb,     ///< a box for each node with axes of its own: the tightest fit, the dearest test
   KDop,    ///< 18 half-spaces in each mesh's own frame

@@ -5,7 +5,8 @@ namespace graze {
 namespace {
 
 bool needs_spheres(Volume volume) {
-  return volume != Volume::Wide && volume != Volume::Aabb && volume != Volume::Obb && volume != Volume::KDop;
+  return volume != Volume::Wide && volume != Volume::Aabb && volume != Volume::Obb &&
+         volume != Volume::KDop;
 }
 
 bool needs_obbs(Volume volume) {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tests/benchmark/common/thread_clock.h"
 #include "tests/benchmark/error/bundled_meshes.h"
 #include "tests/benchmark/error/distances/distance_contest.h"
 #include "tests/benchmark/error/distances/rounded_distance.h"
-#include "tests/benchmark/common/thread_clock.h"
 
 namespace graze::benchmark {
 namespace {
