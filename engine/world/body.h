@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 
 namespace graze {
 
@@ -23,17 +24,28 @@ struct BodyPair {
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
+class Shape;
+
 /// What a world asks of a shape. Shapes are immutable and may be shared by bodies and threads.
+/// share() makes one of any Shape; a user's own class may stand beside those, if it can tell
+/// whether it touches them.
 class BodyShape {
  public:
   virtual ~BodyShape() = default;
 
+  /// The Shape that it stands for, or nullptr if it is a user's own.
+  virtual const Shape* shape() const { return nullptr; }
+
   /// A box in world coordinates, metres, that holds the shape placed by the pose.
   virtual Aabb bounds(const Pose& pose) const = 0;
 
-  /// True if the placed shapes share a point. A world asks the body with the smaller index.
+  /// True if the placed shapes share a point. A world asks the body with the smaller index; a
+  /// Shape that meets a user's own asks that one instead.
   virtual bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const = 0;
 };
+
+/// A Shape as a world asks it, for World::add(): one for many bodies.
+std::shared_ptr<const BodyShape> share(const Shape& shape);
 
 enum class Motion : std::uint8_t {
   Static,     // does not move by itself; meets only dynamic bodies

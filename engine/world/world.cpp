@@ -70,6 +70,10 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   return state.all.id(index);
 }
 
+BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& settings) {
+  return add(share(shape), pose, settings);
+}
+
 void World::remove(BodyId id) {
   State& state = *state_;
   Bodies::Body& body = state.body(id, "remove");

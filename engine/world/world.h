@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/shape.h>
 #include <graze/engine/world/stale_id_error.h>
 
 #include <cstdint>
@@ -61,6 +62,7 @@ class World {
   World& operator=(World&&) noexcept;
 
   /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
+  BodyId add(const Shape& shape, const Pose& pose, const BodySettings& settings = {});
   BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
              const BodySettings& settings = {});
 

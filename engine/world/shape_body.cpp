@@ -1,0 +1,34 @@
+// What a world asks of a Shape, answered by the table of all pairs.
+
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+
+namespace graze {
+namespace {
+
+class ShapeBody final : public BodyShape {
+ public:
+  explicit ShapeBody(const Shape& shape) : shape_(shape) {}
+
+  const Shape* shape() const override { return &shape_; }
+
+  Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
+
+  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr) return other.touches(other_pose, *this, pose);
+    return intersects(shape_, pose, *shape, other_pose);
+  }
+
+ private:
+  Shape shape_;
+};
+
+}  // namespace
+
+std::shared_ptr<const BodyShape> share(const Shape& shape) {
+  return std::make_shared<ShapeBody>(shape);
+}
+
+}  // namespace graze

@@ -1,0 +1,160 @@
+// A world of shapes beside all pairs asked one by one.
+
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/world.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+Pose at(double x, double y, double z) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Eigen::Vector3d(x, y, z);
+  return pose;
+}
+
+/// A bit of a turn and a bit of a way.
+Pose nudged(const Pose& pose, RandomSource& source, double step) {
+  Pose next = tests::random_pose(1, source);
+  Eigen::Quaterniond turn(next.linear());
+  turn = Eigen::Quaterniond::Identity().slerp(step, turn) * Eigen::Quaterniond(pose.linear());
+  next.linear() = turn.normalized().toRotationMatrix();
+  next.translation() = pose.translation() + source.vector(-step, step);
+  return next;
+}
+
+struct Body {
+  Shape shape;
+  Pose pose;
+};
+
+/// Bodies of all kinds in a random history, and a world that is told of it.
+class ShapeHistory {
+ public:
+  ShapeHistory(std::uint64_t seed, const WorldSettings& settings)
+      : source_(seed), world_(settings) {}
+
+  void change() {
+    const double what = source_.uniform(0, 1);
+    if (bodies_.size() < 20) return add();
+    const BodyId id = pick();
+    if (what < 0.1 && bodies_.size() < 40) return add();
+    if (what < 0.15) {
+      world_.remove(id);
+      bodies_.erase(id);
+      return;
+    }
+    Pose& pose = bodies_.at(id).pose;
+    pose = what < 0.3 ? tests::random_pose(2.5, source_) : nudged(pose, source_, 0.02);
+    world_.move(id, pose);
+    moved_.insert(id);
+  }
+
+  std::vector<BodyPair> touching() const {
+    std::vector<BodyPair> pairs;
+    for (auto s = bodies_.begin(); s != bodies_.end(); ++s) {
+      for (auto t = std::next(s); t != bodies_.end(); ++t) {
+        if (intersects(s->second.shape, s->second.pose, t->second.shape, t->second.pose))
+          pairs.push_back({s->first, t->first});
+      }
+    }
+    return pairs;
+  }
+
+  bool has_moved(const BodyPair& pair) const {
+    return moved_.contains(pair.a) || moved_.contains(pair.b);
+  }
+  void rest() { moved_.clear(); }
+
+  RandomSource& source() { return source_; }
+  World& world() { return world_; }
+  const std::map<BodyId, Body>& bodies() const { return bodies_; }
+
+ private:
+  void add() {
+    const double kind = source_.integer(0, static_cast<int>(kShapeKinds.size()) - 1);
+    const Shape shape =
+        tests::random_shape(kShapeKinds[static_cast<std::size_t>(kind)], 0.8, source_);
+    const Pose pose = tests::random_pose(2.5, source_);
+    const BodyId id = world_.add(shape, pose);
+    bodies_.emplace(id, Body{shape, pose});
+    moved_.insert(id);
+  }
+  BodyId pick() {
+    const double count = static_cast<double>(bodies_.size());
+    return std::next(bodies_.begin(), static_cast<int>(source_.uniform(0, count)))->first;
+  }
+
+  RandomSource source_;
+  World world_;
+  std::map<BodyId, Body> bodies_;
+  std::set<BodyId> moved_;
+};
+
+/// Law 9: broad and narrow phase together are the narrow phase alone.
+TEST(ShapeWorld, EqualsBruteForceOverRandomHistories) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    ShapeHistory history(seed, {});
+    for (int frame = 0; frame < 200; ++frame) {
+      for (int i = frame == 0 ? 30 : 8; i > 0; --i)
+        history.change();
+      const WorldUpdate update = history.world().update();
+      const std::vector<BodyPair> now = history.touching();
+      ASSERT_EQ(history.world().pairs(), now);
+      std::vector<BodyPair> moved;
+      std::copy_if(now.begin(), now.end(), std::back_inserter(moved),
+                   [&](const BodyPair& pair) { return history.has_moved(pair); });
+      ASSERT_TRUE(std::equal(update.moved.begin(), update.moved.end(), moved.begin(), moved.end()));
+      history.rest();
+    }
+    EXPECT_FALSE(history.world().pairs().empty());
+  }
+}
+
+TEST(ShapeWorld, TakesShapesAsTheyAre) {
+  World world;
+  const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.motion = Motion::Static});
+  const BodyId ball = world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.6));
+  world.add(Capsule{0.1, 0.5}, at(0, 0, 3));
+  world.add(tests::make_torus(1, 0.4, 8, 6), at(0, 0, -5));
+  EXPECT_EQ(world.update().begun.size(), 1u);
+  EXPECT_EQ(world.pairs(), (std::vector<BodyPair>{{floor, ball}}));
+  world.move(ball, at(0, 0, 0.7));
+  EXPECT_EQ(world.update().ended.size(), 1u);
+  EXPECT_THROW(world.move(ball, at(2 * kLargestLength, 0, 0)), PoseError);
+}
+
+/// A shape of a user's own: a point.
+class Dot : public BodyShape {
+ public:
+  Aabb bounds(const Pose& pose) const override { return {pose.translation(), pose.translation()}; }
+  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    if (other.shape() == nullptr) return pose.translation() == other_pose.translation();
+    return intersects(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+  }
+};
+
+TEST(ShapeWorld, MeetsShapesOfAUsersOwn) {
+  World world;
+  world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
+  world.add(std::make_shared<Dot>(), at(0.9, 0, 0));
+  world.add(std::make_shared<Dot>(), at(0.9, 0.9, 0));
+  world.add(Box{{0.1, 0.1, 0.1}}, at(0.9, 0.9, 0));
+  EXPECT_EQ(world.update().begun.size(), 2u);
+}
+
+}  // namespace
+}  // namespace graze
