@@ -2,6 +2,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/world/manifold.h>
 
 #include <compare>
 #include <cstdint>
@@ -24,8 +25,6 @@ struct BodyPair {
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
-class Shape;
-
 /// What a world asks of a shape. Shapes are immutable and may be shared by bodies and threads.
 /// share() makes one of any Shape; a user's own class may stand beside those, if it can tell
 /// whether it touches them.
@@ -42,6 +41,10 @@ class BodyShape {
   /// True if the placed shapes share a point. A world asks the body with the smaller index; a
   /// Shape that meets a user's own asks that one instead.
   virtual bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const = 0;
+
+  /// Where two that touch meet, as seen from this one; asked as touches() is. A shape that does not
+  /// know offers none.
+  virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 };
 
 /// A Shape as a world asks it, for World::add(): one for many bodies.

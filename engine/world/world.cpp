@@ -45,7 +45,7 @@ void World::State::insert_box(std::uint32_t index) {
   body_of_box[body.box] = index;
 }
 
-World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings.threads)) {}
+World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;

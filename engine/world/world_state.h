@@ -69,7 +69,8 @@ struct WorldSnapshot::State {
 };
 
 struct World::State {
-  explicit State(int threads) : settings{threads}, broad({.threads = threads}) {}
+  explicit State(const WorldSettings& chosen)
+      : settings(chosen), broad({.threads = chosen.threads}) {}
 
   WorldSettings settings;
   Bodies all;
@@ -80,6 +81,7 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
+  std::vector<BodyContact> contacts;  // of `moved`
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -99,6 +101,9 @@ struct World::State {
   void test_pairs(std::uint32_t index);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
+  void check_is_settled(const char* what) const;
+  BodyContact contact_of(const BodyPair& pair) const;
+  void find_contacts();
 };
 
 }  // namespace graze

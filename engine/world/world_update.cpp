@@ -138,15 +138,15 @@ WorldUpdate World::update() {
   std::sort(state.begun.begin(), state.begun.end());
   std::sort(state.ended.begin(), state.ended.end());
   std::sort(state.moved.begin(), state.moved.end());
+  state.find_contacts();
   state.all.ids.next_round();
   state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests;
-  return {state.begun, state.ended, state.moved, state.work};
+  return {state.begun, state.ended, state.moved, state.contacts, state.work};
 }
 
 WorldSnapshot World::snapshot() const {
   const State& state = *state_;
-  if (!state.changed.empty() || state.removed != 0)
-    throw InputError("snapshot: changes wait for an update");
+  state.check_is_settled("snapshot");
   const auto candidates = state.candidates.list();
   const auto touches = state.candidates.all_touches();
   return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
@@ -154,7 +154,7 @@ WorldSnapshot World::snapshot() const {
 }
 
 void World::restore(const WorldSnapshot& snapshot) {
-  auto fresh = std::make_unique<State>(state_->settings.threads);
+  auto fresh = std::make_unique<State>(state_->settings);
   fresh->all = snapshot.state_->all;
   for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
     if (fresh->all.ids.is_live(index)) fresh->insert_box(index);

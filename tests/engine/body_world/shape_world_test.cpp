@@ -1,6 +1,6 @@
 // A world of shapes beside all pairs asked one by one.
 
-#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
@@ -40,6 +40,16 @@ struct Body {
   Pose pose;
 };
 
+void expect_equal(const Manifold& s, const Manifold& t) {
+  ASSERT_EQ(s.size(), t.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_EQ(s[i].point, t[i].point);
+    EXPECT_EQ(s[i].normal, t[i].normal);
+    EXPECT_EQ(s[i].depth, t[i].depth);
+    EXPECT_EQ(s[i].feature, t[i].feature);
+  }
+}
+
 /// Bodies of all kinds in a random history, and a world that is told of it.
 class ShapeHistory {
  public:
@@ -71,6 +81,14 @@ class ShapeHistory {
       }
     }
     return pairs;
+  }
+
+  /// What the narrow phase says of a pair of bodies; half-spaces have nothing to say.
+  Manifold contacts(const BodyPair& pair) const {
+    const Body& a = bodies_.at(pair.a);
+    const Body& b = bodies_.at(pair.b);
+    if (a.shape.kind() == ShapeKind::HalfSpace && b.shape.kind() == ShapeKind::HalfSpace) return {};
+    return find_contacts(a.shape, a.pose, b.shape, b.pose);
   }
 
   bool has_moved(const BodyPair& pair) const {
@@ -137,6 +155,46 @@ TEST(ShapeWorld, TakesShapesAsTheyAre) {
   EXPECT_THROW(world.move(ball, at(2 * kLargestLength, 0, 0)), PoseError);
 }
 
+TEST(ShapeWorld, ListsContactsOfWhatMoved) {
+  ShapeHistory history(7, {});
+  for (int frame = 0; frame < 40; ++frame) {
+    for (int i = frame == 0 ? 30 : 3; i > 0; --i)
+      history.change();
+    const WorldUpdate update = history.world().update();
+    ASSERT_EQ(update.contacts.size(), update.moved.size());
+    ASSERT_EQ(update.work.contacts_found, update.moved.size());
+    for (std::size_t i = 0; i < update.moved.size(); ++i) {
+      ASSERT_EQ(update.contacts[i].pair, update.moved[i]);
+      expect_equal(update.contacts[i].manifold, history.contacts(update.moved[i]));
+    }
+    const std::vector<BodyPair> pairs = history.world().pairs();
+    const std::vector<BodyContact> all = history.world().contacts();
+    ASSERT_EQ(all.size(), pairs.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      ASSERT_EQ(all[i].pair, pairs[i]);
+      expect_equal(all[i].manifold, history.contacts(pairs[i]));
+    }
+  }
+  history.change();
+  EXPECT_THROW(history.world().contacts(), InputError);
+}
+
+TEST(ShapeWorld, FindsNoContactsThatNobodyAsksFor) {
+  World world({.contacts = false});
+  world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
+  const BodyId b = world.add(Sphere{{0, 0, 0}, 1}, at(1.5, 0, 0));
+  const WorldUpdate update = world.update();
+  EXPECT_EQ(update.moved.size(), 1u);
+  EXPECT_TRUE(update.contacts.empty());
+  EXPECT_EQ(update.work.contacts_found, 0u);
+  EXPECT_EQ(update.work.contacts_skipped, 1u);
+  const std::vector<BodyContact> contacts = world.contacts();
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_EQ(contacts[0].pair.b, b);
+  EXPECT_EQ(contacts[0].manifold[0].normal, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(contacts[0].manifold[0].depth, 0.5);
+}
+
 /// A shape of a user's own: a point.
 class Dot : public BodyShape {
  public:
@@ -144,6 +202,11 @@ class Dot : public BodyShape {
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     if (other.shape() == nullptr) return pose.translation() == other_pose.translation();
     return intersects(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+  }
+  Manifold contacts(const Pose& pose, const BodyShape& other,
+                    const Pose& other_pose) const override {
+    if (other.shape() == nullptr) return {};
+    return find_contacts(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
   }
 };
 
@@ -153,7 +216,11 @@ TEST(ShapeWorld, MeetsShapesOfAUsersOwn) {
   world.add(std::make_shared<Dot>(), at(0.9, 0, 0));
   world.add(std::make_shared<Dot>(), at(0.9, 0.9, 0));
   world.add(Box{{0.1, 0.1, 0.1}}, at(0.9, 0.9, 0));
-  EXPECT_EQ(world.update().begun.size(), 2u);
+  const WorldUpdate update = world.update();
+  EXPECT_EQ(update.begun.size(), 2u);
+  ASSERT_EQ(update.contacts.size(), 2u);
+  EXPECT_GT(update.contacts[0].manifold[0].normal.x(), 0.99);
+  EXPECT_EQ(update.contacts[1].manifold.size(), 1u);
 }
 
 }  // namespace
