@@ -45,6 +45,14 @@ class BodyShape {
   /// Where two that touch meet, as seen from this one; asked as touches() is. A shape that does not
   /// know offers none.
   virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// A way, metres: while the two near each other by less, from these poses on, touches() stays
+  /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
+  virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// No point of the shape is further than this from its frame's origin, metres; infinite if not
+  /// known.
+  virtual double reach() const;
 };
 
 /// A Shape as a world asks it, for World::add(): one for many bodies.

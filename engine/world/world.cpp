@@ -112,6 +112,7 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   state.broad.move(state.boxes_to_move, state.places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& body = state.all.bodies[ids[i].index];
+    body.path = longer_path(body.path, motion_bound(body.pose, poses[i], body.shape->reach()));
     body.pose = poses[i];
     body.is_awake = true;
     state.note_change(ids[i].index);

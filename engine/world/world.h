@@ -19,8 +19,9 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;       // at least 1; no result depends on it
-  bool contacts = true;  // update() finds contacts; without, only World::contacts() does
+  int threads = 1;         // at least 1; no result depends on it
+  bool contacts = true;    // update() finds contacts; without, only World::contacts() does
+  bool skip_apart = true;  // pairs whose gap cannot have closed are not tested; changes no answer
 };
 
 /// Where two bodies that touch meet. Half-spaces among themselves, and shapes of a user's own that
@@ -34,7 +35,9 @@ struct BodyContact {
 struct WorldWork {
   std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
   std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing moved
+  std::uint64_t pairs_apart = 0;     // pairs in which something moved, but less than their gap
   std::uint64_t shape_tests = 0;
+  std::uint64_t gaps_measured = 0;     // of pairs that were tested
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
   std::uint64_t contacts_skipped = 0;  // pairs in `moved` whose contacts nobody asked for
 };

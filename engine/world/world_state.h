@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_set/pair_index.h>
+#include <graze/engine/world/body_motion.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
 #include <graze/engine/world/world.h>
@@ -16,6 +17,7 @@ struct Bodies {
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
+    double path = 0;        // metres: no point of it has gone further since it came
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
     Motion motion = Motion::Dynamic;
@@ -50,6 +52,7 @@ class Candidates {
   std::span<const BoxPair> list() const { return list_.pairs(); }
   bool touches(std::uint32_t at) const { return touches_[at] != 0; }
   void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
+  Separation& separation(std::uint32_t at) { return separations_[at]; }
   void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches);
   std::span<const std::uint8_t> all_touches() const { return touches_; }
 
@@ -57,6 +60,7 @@ class Candidates {
   bvh::PairBuffer list_;
   bvh::PairIndex index_;
   std::vector<std::uint8_t> touches_;
+  std::vector<Separation> separations_;
 
  public:
   Candidates() { index_.build(list_); }
@@ -99,6 +103,8 @@ struct World::State {
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_pairs(std::uint32_t index);
+  bool is_apart_for_sure(std::uint32_t at);
+  void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
   void check_is_settled(const char* what) const;

@@ -142,6 +142,48 @@ TEST(ShapeWorld, EqualsBruteForceOverRandomHistories) {
   }
 }
 
+/// Law 9: what is skipped changes no answer.
+TEST(ShapeWorld, SkippingGapsChangesNoAnswer) {
+  ShapeHistory skipping(5, {}), testing(5, {.skip_apart = false});
+  std::uint64_t skipped = 0;
+  for (int frame = 0; frame < 300; ++frame) {
+    for (int i = frame == 0 ? 30 : 5; i > 0; --i)
+      skipping.change(), testing.change();
+    const WorldUpdate s = skipping.world().update(), t = testing.world().update();
+    ASSERT_TRUE(std::equal(s.begun.begin(), s.begun.end(), t.begun.begin(), t.begun.end()));
+    ASSERT_TRUE(std::equal(s.ended.begin(), s.ended.end(), t.ended.begin(), t.ended.end()));
+    ASSERT_TRUE(std::equal(s.moved.begin(), s.moved.end(), t.moved.begin(), t.moved.end()));
+    EXPECT_EQ(s.work.shape_tests + s.work.pairs_apart, t.work.shape_tests);
+    EXPECT_EQ(s.work.pairs_at_rest, t.work.pairs_at_rest);
+    EXPECT_EQ(t.work.pairs_apart + t.work.gaps_measured, 0u);
+    skipped += s.work.pairs_apart;
+  }
+  EXPECT_GT(skipped, 100u);
+}
+
+/// A long rod turns about its middle, which stays where it is, until its end meets a post.
+TEST(ShapeWorld, CountsTurningAsMotion) {
+  World world({.contacts = false});
+  const Shape rod = Cylinder{0.1, 5}, post = Cylinder{0.2, 1};
+  const BodyId turning = world.add(rod, at(0, 0, 0));
+  const Pose place = at(0, 4, 1);
+  world.add(post, place, {.motion = Motion::Static});
+  bool has_touched = false, has_parted = false;
+  std::uint64_t skipped = 0;
+  for (int frame = 0; frame < 400; ++frame) {
+    Pose pose = at(0, 0, 0);
+    pose.rotate(Eigen::AngleAxisd(-0.006 * frame, Eigen::Vector3d::UnitX()));
+    world.move(turning, pose);
+    skipped += world.update().work.pairs_apart;
+    const bool touches = intersects(rod, pose, post, place);
+    ASSERT_EQ(world.pairs().size(), touches ? 1u : 0u) << frame;
+    has_touched = has_touched || touches;
+    has_parted = has_parted || (has_touched && !touches);
+  }
+  EXPECT_TRUE(has_parted);
+  EXPECT_GT(skipped, 10u);
+}
+
 TEST(ShapeWorld, TakesShapesAsTheyAre) {
   World world;
   const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.motion = Motion::Static});
