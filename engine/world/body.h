@@ -2,9 +2,11 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/world/manifold.h>
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 
 namespace graze {
 
@@ -24,16 +26,37 @@ struct BodyPair {
 };
 
 /// What a world asks of a shape. Shapes are immutable and may be shared by bodies and threads.
+/// share() makes one of any Shape; a user's own class may stand beside those, if it can tell
+/// whether it touches them.
 class BodyShape {
  public:
   virtual ~BodyShape() = default;
 
+  /// The Shape that it stands for, or nullptr if it is a user's own.
+  virtual const Shape* shape() const { return nullptr; }
+
   /// A box in world coordinates, metres, that holds the shape placed by the pose.
   virtual Aabb bounds(const Pose& pose) const = 0;
 
-  /// True if the placed shapes share a point. A world asks the body with the smaller index.
+  /// True if the placed shapes share a point. A world asks the body with the smaller index; a
+  /// Shape that meets a user's own asks that one instead.
   virtual bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const = 0;
+
+  /// Where two that touch meet, as seen from this one; asked as touches() is. A shape that does not
+  /// know offers none.
+  virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// A way, metres: while the two near each other by less, from these poses on, touches() stays
+  /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
+  virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// No point of the shape is further than this from its frame's origin, metres; infinite if not
+  /// known.
+  virtual double reach() const;
 };
+
+/// A Shape as a world asks it, for World::add(): one for many bodies.
+std::shared_ptr<const BodyShape> share(const Shape& shape);
 
 enum class Motion : std::uint8_t {
   Static,     // does not move by itself; meets only dynamic bodies

@@ -45,7 +45,7 @@ void World::State::insert_box(std::uint32_t index) {
   body_of_box[body.box] = index;
 }
 
-World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings.threads)) {}
+World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -68,6 +68,10 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   state.insert_box(index);
   state.note_change(index);
   return state.all.id(index);
+}
+
+BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& settings) {
+  return add(share(shape), pose, settings);
 }
 
 void World::remove(BodyId id) {
@@ -108,6 +112,7 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   state.broad.move(state.boxes_to_move, state.places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& body = state.all.bodies[ids[i].index];
+    body.path = longer_path(body.path, motion_bound(body.pose, poses[i], body.shape->reach()));
     body.pose = poses[i];
     body.is_awake = true;
     state.note_change(ids[i].index);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/shape.h>
 #include <graze/engine/world/stale_id_error.h>
 
 #include <cstdint>
@@ -18,14 +19,27 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;  // at least 1; no result depends on it
+  int threads = 1;         // at least 1; no result depends on it
+  bool contacts = true;    // update() finds contacts; without, only World::contacts() does
+  bool skip_apart = true;  // pairs whose gap cannot have closed are not tested; changes no answer
+};
+
+/// Where two bodies that touch meet. Half-spaces among themselves, and shapes of a user's own that
+/// tell of none, touch with an empty manifold.
+struct BodyContact {
+  BodyPair pair;
+  Manifold manifold;  // as find_contacts() says, normals from pair.a to pair.b
 };
 
 /// What an update did, and what it could leave out.
 struct WorldWork {
   std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
   std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing moved
+  std::uint64_t pairs_apart = 0;     // pairs in which something moved, but less than their gap
   std::uint64_t shape_tests = 0;
+  std::uint64_t gaps_measured = 0;     // of pairs that were tested
+  std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
+  std::uint64_t contacts_skipped = 0;  // pairs in `moved` whose contacts nobody asked for
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the
@@ -35,6 +49,7 @@ struct WorldUpdate {
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
       moved;  // touch now, and one of them moved or came or changed its filter
+  std::span<const BodyContact> contacts;  // of the pairs in `moved`, if the settings ask for them
   WorldWork work;
 };
 
@@ -61,6 +76,7 @@ class World {
   World& operator=(World&&) noexcept;
 
   /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
+  BodyId add(const Shape& shape, const Pose& pose, const BodySettings& settings = {});
   BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
              const BodySettings& settings = {});
 
@@ -97,6 +113,10 @@ class World {
 
   /// All pairs that touch, in ascending order. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
+
+  /// The contacts of all pairs that touch, in the order of pairs(). Computes each. Throws
+  /// InputError while changes wait for an update.
+  std::vector<BodyContact> contacts() const;
 
   /// The bodies whose boxes share a point with `box`, in ascending order.
   std::vector<BodyId> find_in_box(const Aabb& box) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_set/pair_index.h>
+#include <graze/engine/world/body_motion.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
 #include <graze/engine/world/world.h>
@@ -16,6 +17,7 @@ struct Bodies {
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
+    double path = 0;        // metres: no point of it has gone further since it came
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
     Motion motion = Motion::Dynamic;
@@ -50,6 +52,7 @@ class Candidates {
   std::span<const BoxPair> list() const { return list_.pairs(); }
   bool touches(std::uint32_t at) const { return touches_[at] != 0; }
   void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
+  Separation& separation(std::uint32_t at) { return separations_[at]; }
   void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches);
   std::span<const std::uint8_t> all_touches() const { return touches_; }
 
@@ -57,6 +60,7 @@ class Candidates {
   bvh::PairBuffer list_;
   bvh::PairIndex index_;
   std::vector<std::uint8_t> touches_;
+  std::vector<Separation> separations_;
 
  public:
   Candidates() { index_.build(list_); }
@@ -69,7 +73,8 @@ struct WorldSnapshot::State {
 };
 
 struct World::State {
-  explicit State(int threads) : settings{threads}, broad({.threads = threads}) {}
+  explicit State(const WorldSettings& chosen)
+      : settings(chosen), broad({.threads = chosen.threads}) {}
 
   WorldSettings settings;
   Bodies all;
@@ -80,6 +85,7 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
+  std::vector<BodyContact> contacts;  // of `moved`
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -97,8 +103,13 @@ struct World::State {
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_pairs(std::uint32_t index);
+  bool is_apart_for_sure(std::uint32_t at);
+  void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
+  void check_is_settled(const char* what) const;
+  BodyContact contact_of(const BodyPair& pair) const;
+  void find_contacts();
 };
 
 }  // namespace graze

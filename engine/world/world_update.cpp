@@ -34,12 +34,15 @@ bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
 void Candidates::add(BoxPair pair) {
   index_.add(list_, pair);
   touches_.push_back(0);
+  separations_.emplace_back();
 }
 
 void Candidates::remove(std::uint32_t at) {
   index_.remove(list_, list_.data()[at]);
   touches_[at] = touches_.back();
   touches_.pop_back();
+  separations_[at] = separations_.back();
+  separations_.pop_back();
 }
 
 void Candidates::rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
@@ -47,6 +50,7 @@ void Candidates::rebuild(std::span<const BoxPair> pairs, std::span<const std::ui
   for (const BoxPair& pair : pairs)
     list_.push_back(pair);
   touches_.assign(touches.begin(), touches.end());
+  separations_.assign(pairs.size(), {});
   index_.build(list_);
 }
 
@@ -106,12 +110,37 @@ void World::State::test_pairs(std::uint32_t index) {
     if (at == Candidates::kNowhere) continue;
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
+    if (is_apart_for_sure(at)) continue;
     ++work.shape_tests;
     const bool touches = a.shape->touches(a.pose, *b.shape, b.pose);
     if (touches) moved.push_back(all.id_pair(pair));
     if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
     candidates.set_touches(at, touches);
+    if (touches) {
+      candidates.separation(at) = {};
+    } else {
+      learn_gap(at);
+    }
   }
+}
+
+bool World::State::is_apart_for_sure(std::uint32_t at) {
+  const BoxPair pair = candidates.list()[at];
+  Separation& separation = candidates.separation(at);
+  if (!separation.holds(all.bodies[pair.a].path, all.bodies[pair.b].path)) return false;
+  separation.note_skip();
+  ++work.pairs_apart;
+  return true;
+}
+
+void World::State::learn_gap(std::uint32_t at) {
+  Separation& separation = candidates.separation(at);
+  if (!settings.skip_apart || !separation.wants_gap()) return;
+  const BoxPair pair = candidates.list()[at];
+  const Bodies::Body& a = all.bodies[pair.a];
+  const Bodies::Body& b = all.bodies[pair.b];
+  separation.set_gap(a.shape->gap(a.pose, *b.shape, b.pose), a.path, b.path);
+  ++work.gaps_measured;
 }
 
 WorldUpdate World::update() {
@@ -138,15 +167,16 @@ WorldUpdate World::update() {
   std::sort(state.begun.begin(), state.begun.end());
   std::sort(state.ended.begin(), state.ended.end());
   std::sort(state.moved.begin(), state.moved.end());
+  state.find_contacts();
   state.all.ids.next_round();
-  state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests;
-  return {state.begun, state.ended, state.moved, state.work};
+  state.work.pairs_at_rest =
+      state.candidates.list().size() - state.work.shape_tests - state.work.pairs_apart;
+  return {state.begun, state.ended, state.moved, state.contacts, state.work};
 }
 
 WorldSnapshot World::snapshot() const {
   const State& state = *state_;
-  if (!state.changed.empty() || state.removed != 0)
-    throw InputError("snapshot: changes wait for an update");
+  state.check_is_settled("snapshot");
   const auto candidates = state.candidates.list();
   const auto touches = state.candidates.all_touches();
   return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
@@ -154,7 +184,7 @@ WorldSnapshot World::snapshot() const {
 }
 
 void World::restore(const WorldSnapshot& snapshot) {
-  auto fresh = std::make_unique<State>(state_->settings.threads);
+  auto fresh = std::make_unique<State>(state_->settings);
   fresh->all = snapshot.state_->all;
   for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
     if (fresh->all.ids.is_live(index)) fresh->insert_box(index);

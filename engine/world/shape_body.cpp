@@ -1,0 +1,117 @@
+// What a world asks of a Shape, answered by the table of all pairs.
+
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace graze {
+namespace {
+
+Manifold mirrored(Manifold manifold) {
+  for (std::size_t i = 0; i < manifold.count; ++i) {
+    ShapeContact& contact = manifold.contacts[i];
+    contact.normal = -contact.normal;
+    std::swap(contact.feature.a, contact.feature.b);
+  }
+  return manifold;
+}
+
+/// True for pairs whose test costs more than it takes to know that it can be left out.
+bool is_worth_a_gap(PairMethod method) {
+  using enum PairMethod;
+  return method == Cores || method == MeshVolume || method == MeshCore || method == Meshes;
+}
+
+double length_of(double x, double y, double z) {
+  return std::sqrt((x * x + y * y) + z * z);
+}
+
+/// To the farthest corner of the shape's own box.
+double reach_of(const Shape& shape) {
+  if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
+  const Aabb box = bounds_of(shape, Pose::Identity());
+  double side[3];
+  for (int i = 0; i < 3; ++i)
+    side[i] = std::max(std::abs(box.min.data()[i]), std::abs(box.max.data()[i]));
+  return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
+}
+
+double largest_coordinate(const Pose& pose) {
+  const double* t = pose.data() + 12;
+  return std::max(std::abs(t[0]), std::max(std::abs(t[1]), std::abs(t[2])));
+}
+
+class ShapeBody final : public BodyShape {
+ public:
+  explicit ShapeBody(const Shape& shape) : shape_(shape), reach_(reach_of(shape)) {}
+
+  const Shape* shape() const override { return &shape_; }
+
+  Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
+
+  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr) return other.touches(other_pose, *this, pose);
+    return intersects(shape_, pose, *shape, other_pose);
+  }
+
+  Manifold contacts(const Pose& pose, const BodyShape& other,
+                    const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr) return mirrored(other.contacts(other_pose, *this, pose));
+    // No finite translation parts two half-spaces: they touch, and have no contact.
+    if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
+    return find_contacts(shape_, pose, *shape, other_pose);
+  }
+
+  // distance() proves a way that the two can near each other before they meet. touches() may say
+  // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
+  // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
+  // less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less than
+  // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more.
+  double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr || !is_worth_a_gap(pair_method(shape_.kind(), shape->kind()))) return 0;
+    const double* t = pose.data() + 12;
+    const double* o = other_pose.data() + 12;
+    const double scale =
+        length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
+    const double rounding =
+        0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
+    const double lower = distance(shape_, pose, *shape, other_pose).lower_bound;
+    return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
+  }
+
+  double reach() const override { return reach_; }
+
+ private:
+  Shape shape_;
+  double reach_;
+};
+
+}  // namespace
+
+Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
+                             const Pose& /*other_pose*/) const {
+  return {};
+}
+
+double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,
+                      const Pose& /*other_pose*/) const {
+  return 0;
+}
+
+double BodyShape::reach() const {
+  return std::numeric_limits<double>::infinity();
+}
+
+std::shared_ptr<const BodyShape> share(const Shape& shape) {
+  return std::make_shared<ShapeBody>(shape);
+}
+
+}  // namespace graze

@@ -1,0 +1,65 @@
+#include <graze/engine/world/body_motion.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+TEST(MotionBound, IsNotLessThanWhatAnyPointMoves) {
+  RandomSource source(3);
+  for (int i = 0; i < 2000; ++i) {
+    const double scale = std::exp2(source.uniform(-30, 30));
+    const double far = std::exp2(source.uniform(-30, 30));
+    const Pose from = tests::random_pose(far, source);
+    Pose to = from;
+    const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
+    const double angle = std::exp2(source.uniform(-30, 1));
+    to.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * to.linear();
+    to.translation() += source.vector(-1, 1) * std::exp2(source.uniform(-30, 0));
+    const double bound = motion_bound(from, to, scale);
+    double most = 0;
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector3d point = source.vector(-1, 1).normalized() * scale * (1 - 0x1p-50);
+      most = std::max(most, (to * point - from * point).norm());
+    }
+    EXPECT_GE(bound, most);
+    const double way = (to.translation() - from.translation()).norm();
+    const double rounding = 1e-12 * (far + scale + way);
+    EXPECT_LE(bound, way + 1.5 * angle * scale + rounding);
+  }
+}
+
+TEST(MotionBound, IsInfiniteForWhatHasNoEnd) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(motion_bound(Pose::Identity(), Pose::Identity(), infinity), infinity);
+}
+
+TEST(Separation, HoldsUntilThePathsHaveClosedTheGap) {
+  Separation separation;
+  EXPECT_FALSE(separation.holds(0, 0));
+  EXPECT_FALSE(separation.wants_gap());
+  EXPECT_TRUE(separation.wants_gap());
+  separation.set_gap(1, 10, 20);
+  EXPECT_TRUE(separation.holds(10, 20));
+  EXPECT_TRUE(separation.holds(10.5, 20.4));
+  EXPECT_FALSE(separation.holds(10.5, 20.5));
+  EXPECT_FALSE(separation.holds(std::numeric_limits<double>::infinity(), 20));
+  separation.set_gap(0, 10, 20);
+  EXPECT_FALSE(separation.holds(10, 20));
+}
+
+TEST(Separation, MeasuresSeldomWhatIsSoonUsedUp) {
+  Separation separation;
+  int measured = 0;
+  for (int i = 0; i < 1000; ++i)
+    measured += separation.wants_gap() ? 1 : 0;
+  EXPECT_GT(measured, 10);
+  EXPECT_LT(measured, 30);
+}
+
+}  // namespace
+}  // namespace graze
