@@ -2,11 +2,13 @@
 
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/stale_id_error.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,6 +53,16 @@ struct WorldUpdate {
       moved;  // touch now, and one of them moved or came or changed its filter
   std::span<const BodyContact> contacts;  // of the pairs in `moved`, if the settings ask for them
   WorldWork work;
+};
+
+struct BodyQuerySettings {
+  std::optional<Filter> filter = {};  // only bodies that lets_pass() lets meet it; else all bodies
+};
+
+/// A body and how far it is from a shape: A is the shape that was asked about, B the body's.
+struct BodyDistance {
+  BodyId id;
+  ShapeDistance distance;
 };
 
 /// A copy of a world's state, for World::restore().
@@ -120,6 +132,22 @@ class World {
 
   /// The bodies whose boxes share a point with `box`, in ascending order.
   std::vector<BodyId> find_in_box(const Aabb& box) const;
+
+  // The bodies about a shape that is none of them, as they are now, moves since the last update
+  // included; in ascending order. Throw PoseError, InputError for a clearance that is not finite or
+  // negative, and those that measure UnsupportedPairError if they meet a shape of a user's own.
+
+  /// The bodies that touch it.
+  std::vector<BodyId> find_touching(const Shape& shape, const Pose& pose,
+                                    const BodyQuerySettings& settings = {}) const;
+
+  /// The bodies whose distance() to it is at most the clearance, metres.
+  std::vector<BodyDistance> find_within(const Shape& shape, const Pose& pose, double clearance,
+                                        const BodyQuerySettings& settings = {}) const;
+
+  /// The body whose distance() is least, the first of equals; none in an empty world.
+  std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
+                                           const BodyQuerySettings& settings = {}) const;
 
   /// A copy of all there is, and the world as it was. Throws InputError while changes wait for an
   /// update. From a restored world on, all is as it was from there the first time, bit for bit.

@@ -107,6 +107,8 @@ struct World::State {
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
+  std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
+  BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   void check_is_settled(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
   void find_contacts();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,6 +35,21 @@ Pose nudged(const Pose& pose, RandomSource& source, double step) {
   next.translation() = pose.translation() + source.vector(-step, step);
   return next;
 }
+
+/// A shape of a user's own: a point.
+class Dot : public BodyShape {
+ public:
+  Aabb bounds(const Pose& pose) const override { return {pose.translation(), pose.translation()}; }
+  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    if (other.shape() == nullptr) return pose.translation() == other_pose.translation();
+    return intersects(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+  }
+  Manifold contacts(const Pose& pose, const BodyShape& other,
+                    const Pose& other_pose) const override {
+    if (other.shape() == nullptr) return {};
+    return find_contacts(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+  }
+};
 
 struct Body {
   Shape shape;
@@ -184,6 +200,60 @@ TEST(ShapeWorld, CountsTurningAsMotion) {
   EXPECT_GT(skipped, 10u);
 }
 
+/// Law 9: a query of the world is one of each body.
+TEST(ShapeWorld, QueriesEqualBruteForce) {
+  ShapeHistory history(11, {});
+  RandomSource source(12);
+  std::size_t found_touching = 0, found_near = 0;
+  for (int round = 0; round < 200; ++round) {
+    for (int i = round == 0 ? 30 : 2; i > 0; --i)
+      history.change();
+    if (round % 2 == 0) history.world().update();
+    const auto kind = kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))];
+    const Shape shape = tests::random_shape(kind, round % 3 == 0 ? 0.01 : 0.5, source);
+    const Pose pose = tests::random_pose(round % 5 == 0 ? 20 : 3, source);
+    const double clearance = source.uniform(0, 1);
+    std::vector<BodyId> touching, near;
+    std::optional<BodyDistance> closest;
+    for (const auto& [id, body] : history.bodies()) {
+      if (intersects(shape, pose, body.shape, body.pose)) touching.push_back(id);
+      const ShapeDistance way = distance(shape, pose, body.shape, body.pose);
+      if (way.distance <= clearance) near.push_back(id);
+      if (!closest || way.distance < closest->distance.distance) closest = BodyDistance{id, way};
+    }
+    EXPECT_EQ(history.world().find_touching(shape, pose), touching);
+    std::vector<BodyId> within;
+    for (const BodyDistance& body : history.world().find_within(shape, pose, clearance))
+      within.push_back(body.id);
+    EXPECT_EQ(within, near);
+    const std::optional<BodyDistance> found = history.world().find_closest(shape, pose);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->id, closest->id);
+    EXPECT_EQ(found->distance.distance, closest->distance.distance);
+    found_touching += touching.size(), found_near += near.size();
+  }
+  EXPECT_GT(found_touching, 100u);
+  EXPECT_GT(found_near, found_touching);
+}
+
+TEST(ShapeWorld, QueriesFindFarBodiesAndFilterThem) {
+  World world;
+  const Shape grain = Sphere{{0, 0, 0}, 1e-6};
+  EXPECT_FALSE(world.find_closest(grain, at(0, 0, 0)).has_value());
+  const BodyId far = world.add(Sphere{{0, 0, 0}, 1}, at(1e9, 0, 0));
+  const BodyId farther = world.add(Box{{1, 1, 1}}, at(0, -3e9, 0), {.filter = {.category = 2}});
+  EXPECT_EQ(world.find_closest(grain, at(0, 0, 0))->id, far);
+  const BodyQuerySettings only_second{.filter = Filter{.mask = 2}};
+  EXPECT_EQ(world.find_closest(grain, at(0, 0, 0), only_second)->id, farther);
+  EXPECT_FALSE(world.find_closest(grain, at(0, 0, 0), {.filter = Filter{.mask = 4}}).has_value());
+  EXPECT_TRUE(world.find_touching(grain, at(1e9, 0, 0), only_second).empty());
+  EXPECT_EQ(world.find_within(grain, at(0, 0, 0), 4e9).size(), 2u);
+  EXPECT_THROW(world.find_within(grain, at(0, 0, 0), -1), InputError);
+  world.add(std::make_shared<Dot>(), at(0, 0, 0));
+  EXPECT_EQ(world.find_touching(grain, at(0, 0, 0)).size(), 1u);
+  EXPECT_THROW(world.find_closest(grain, at(0, 0, 0)), UnsupportedPairError);
+}
+
 TEST(ShapeWorld, TakesShapesAsTheyAre) {
   World world;
   const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.motion = Motion::Static});
@@ -236,21 +306,6 @@ TEST(ShapeWorld, FindsNoContactsThatNobodyAsksFor) {
   EXPECT_EQ(contacts[0].manifold[0].normal, Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(contacts[0].manifold[0].depth, 0.5);
 }
-
-/// A shape of a user's own: a point.
-class Dot : public BodyShape {
- public:
-  Aabb bounds(const Pose& pose) const override { return {pose.translation(), pose.translation()}; }
-  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
-    if (other.shape() == nullptr) return pose.translation() == other_pose.translation();
-    return intersects(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
-  }
-  Manifold contacts(const Pose& pose, const BodyShape& other,
-                    const Pose& other_pose) const override {
-    if (other.shape() == nullptr) return {};
-    return find_contacts(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
-  }
-};
 
 TEST(ShapeWorld, MeetsShapesOfAUsersOwn) {
   World world;
