@@ -361,6 +361,18 @@ namespace graze::bvh {
 
 HWY_EXPORT(walk);
 
+namespace {
+
+/// What float bounds are compared with. Where it is more than a float can hold, so may bounds be
+/// that are not beyond it: both are then infinite.
+float float_limit(double squared_limit) {
+  const double limit = squared_limit * kBoundGrowth;
+  return limit < std::numeric_limits<float>::max() ? rounded_up(limit)
+                                                   : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
 WideDistanceWalk::WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_b,
                                    const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
                                    const LengthMargins& margins)
@@ -386,16 +398,11 @@ void WideDistanceWalk::aim_along(const double (&direction)[3]) {
 }
 
 std::size_t WideDistanceWalk::next(std::span<BoundedPlaces> found, double squared_limit) {
-  const double limit = squared_limit * kBoundGrowth;
-  const float rounded = limit < std::numeric_limits<float>::max()
-                            ? rounded_up(limit)
-                            : std::numeric_limits<float>::infinity();
-  return HWY_DYNAMIC_DISPATCH(walk)(state_, found, rounded, counts_);
+  return HWY_DYNAMIC_DISPATCH(walk)(state_, found, float_limit(squared_limit), counts_);
 }
 
 bool WideDistanceWalk::is_beyond(const BoundedPlaces& pair, double squared_limit) const {
-  return pair.squared_bound > state_.squared_reach ||
-         pair.squared_bound > squared_limit * kBoundGrowth;
+  return pair.squared_bound > std::min(state_.squared_reach, float_limit(squared_limit));
 }
 
 }  // namespace graze::bvh

@@ -127,6 +127,20 @@ TEST(Law9MeshDistance, AtExtremeAndMixedScales) {
   }
 }
 
+// In units of their own size they are so far apart that squares overflow a float.
+TEST(Law9MeshDistance, OfTinyMeshesFarApart) {
+  RandomSource source(97);
+  for (const double size : {1e-9, 1e-12, 1e-18, 1e-19, 1e-20, 1e-38, 1e-150}) {
+    for (int n = 0; n < 5; ++n) {
+      const Mesh a = random_soup({.count = 9, .extent = size, .size = size}, source);
+      const Mesh b = random_soup(
+          {.count = 9, .extent = size, .size = size, .centre = {1e-10, -3, n * 1.0}}, source);
+      expect_brute_force({a}, {b});
+      expect_brute_force({a, random_pose(4, source)}, {b, random_pose(4, source)});
+    }
+  }
+}
+
 TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
   RandomSource source(95);
   for (int n = 0; n < 100; ++n) {
