@@ -314,11 +314,12 @@ class Walker {
       set_bounds(bounds, triangle, guest_leaf_, state_.direction[host_side], unit);
       set_squared_corners(corners, triangle, guest_leaf_);
       for (std::uint32_t j = 0; j < guests; ++j) {
-        if (bounds[j] > limit_) continue;
+        const float bound = bounds[j] > 0 ? bounds[j] : 0;  // infinities may have made it NaN
+        if (bound > limit_) continue;
         reach_to(corners[j], unit);
         const PlacePair places = host_side == 0 ? PlacePair{first + i, first_guest + j}
                                                 : PlacePair{first_guest + j, first + i};
-        found_[size_++] = {places, bounds[j]};
+        found_[size_++] = {places, bound};
       }
     }
   }
@@ -326,6 +327,7 @@ class Walker {
   /// Two corners are as near: nothing that is further apart is wanted. Twice the error of a
   /// corner's coordinates in each direction, and a thousandth of a thousandth for rounding.
   HWY_INLINE void reach_to(float squared_corners, float unit) {
+    if (!(unit > 0)) return;  // it is too small for a float to say how far that is
     const float distance = (std::sqrt(squared_corners) + 4 * guest_leaf_.error) * unit;
     const float reach = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
     const float square = reach * reach * static_cast<float>(kBoundGrowth) + kWideUnderflow;

@@ -141,6 +141,21 @@ TEST(Law9MeshDistance, OfTinyMeshesFarApart) {
   }
 }
 
+// A speck beside a giant: in the speck's units the giant is more than a float can hold.
+TEST(Law9MeshDistance, OfASpeckAndAGiant) {
+  RandomSource source(98);
+  for (const double giant : {1e15, 1e19, 1e22, 1e30, 1e100}) {
+    for (const double speck : {1e-30, 1e-20, 1e-19, 1e-10}) {
+      for (int n = 0; n < 3; ++n) {
+        const Mesh a = random_soup({.count = 40, .extent = giant, .size = 0.01 * giant}, source);
+        const Mesh b = random_soup({.count = 7, .extent = speck, .size = speck}, source);
+        expect_brute_force({a, random_pose(3, source)}, {b, random_pose(3, source)});
+        expect_brute_force({a, random_pose(giant, source)}, {b, random_pose(3 * giant, source)});
+      }
+    }
+  }
+}
+
 TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
   RandomSource source(95);
   for (int n = 0; n < 100; ++n) {
