@@ -51,10 +51,17 @@ struct Promises {
 // Middles tell where bounds do not.
 constexpr float kMiddleWeight = 0.1f;
 
-// Squares are taken in common units, the larger of both trees': what overflows then is far. A
-// difference of infinities is no gap.
+/// A gap as far as it is known: one that is negative is none, and so is what overflowed.
+template <typename Tag>
+HWY_INLINE hn::Vec<Tag> known(Tag tag, hn::Vec<Tag> gap) {
+  const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
+  const auto is_known = hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Lt(gap, infinity));
+  return hn::IfThenElseZero(is_known, gap);
+}
+
+// Squares are taken in common units, the larger of both trees': what overflows then is far.
 HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
-  const Lanes gap = hn::Mul(hn::Max(hn::Sub(hn::Abs(offset), reach), hn::Zero(Tag())), unit);
+  const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(offset), reach)), unit);
   return hn::Mul(gap, gap);
 }
 
@@ -93,7 +100,7 @@ HWY_INLINE void set_promises(Promises& promises, const WideNode& host, const Gue
                                                            hn::Set(tag, guest.half[k]))));
       in_guest = hn::Add(in_guest, squared_gap(distance, reach, unit));
     }
-    const Lanes gap = hn::Mul(hn::Max(hn::Sub(along, reach_along), hn::Zero(tag)), unit);
+    const Lanes gap = hn::Mul(known(tag, hn::Sub(along, reach_along)), unit);
     const Lanes bound = hn::Max(hn::Max(in_host, in_guest), hn::Mul(gap, gap));
     hn::Store(bound, tag, promises.bound + lane);
     hn::Store(hn::MulAdd(middles, hn::Set(tag, kMiddleWeight), bound), tag, promises.key + lane);
@@ -115,7 +122,7 @@ HWY_INLINE Four beyond_plane(const Four* normal, const Four* point, CornerOf&& c
     low = c == 0 ? height : hn::Min(low, height);
     high = c == 0 ? height : hn::Max(high, height);
   }
-  const Four gap = hn::Max(hn::Sub(hn::Max(low, hn::Neg(high)), bound), hn::Zero(tag));
+  const Four gap = known(tag, hn::Sub(hn::Max(low, hn::Neg(high)), bound));
   const Four square = hn::MulAdd(normal[0], normal[0],
                                  hn::MulAdd(normal[1], normal[1], hn::Mul(normal[2], normal[2])));
   // No plane, no gap: a normal that vanishes is shorter than what is added.
@@ -144,8 +151,8 @@ HWY_INLINE void set_bounds(float* bounds, const HostTriangle& host, const GuestL
       const Four high = hn::Load(tag, guest.high[i] + part);
       const Four host_low = hn::Set(tag, host.low[i]);
       const Four host_high = hn::Set(tag, host.high[i]);
-      const Four gap = hn::Max(
-          hn::Sub(hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high)), error), hn::Zero(tag));
+      const Four gap =
+          known(tag, hn::Sub(hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high)), error));
       const Four step = hn::Mul(gap, unit);
       of_boxes = hn::MulAdd(step, step, of_boxes);
       extent = hn::Max(extent, hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low)));
@@ -178,8 +185,7 @@ HWY_INLINE void set_bounds(float* bounds, const HostTriangle& host, const GuestL
     // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
     // products once more.
     const Four gap =
-        hn::Max(hn::Sub(hn::Sub(start, hn::Set(tag, end)), hn::Mul(error, hn::Set(tag, 4.0f))),
-                hn::Zero(tag));
+        known(tag, hn::Sub(hn::Sub(start, hn::Set(tag, end)), hn::Mul(error, hn::Set(tag, 4.0f))));
     const Four step = hn::Mul(hn::Max(gap, hn::Max(of_host, of_guest)), unit);
     hn::Store(hn::Max(of_boxes, hn::Mul(step, step)), tag, bounds + part);
   }
