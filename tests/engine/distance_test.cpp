@@ -154,6 +154,15 @@ TEST(Law9MeshDistance, OfASpeckAndAGiant) {
       }
     }
   }
+  for (int ratio = 118; ratio < 136; ++ratio) {
+    const double speck = std::ldexp(0x1p64, -ratio);
+    for (int n = 0; n < 4; ++n) {
+      const Mesh a = random_soup({.count = 40, .extent = 0x1p62, .size = 0x1p50}, source);
+      const Mesh b = random_soup({.count = 3, .extent = speck, .size = speck}, source);
+      expect_brute_force({a}, {b});
+      expect_brute_force({a, random_pose(0x1p63, source)}, {b, random_pose(3, source)});
+    }
+  }
 }
 
 TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
