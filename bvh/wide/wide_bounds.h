@@ -46,6 +46,10 @@ inline constexpr float kPlaneRounding = 0x1p-18f;
 /// Products of three differences up to it cannot overflow.
 inline constexpr float kLargestPlaneExtent = 0x1p40f;
 
+/// A guest's unit in a host's beyond which sums of coordinates could overflow and still belong to
+/// what meets: nothing is proved of such guests.
+inline constexpr double kLargestScale = 0x1p60;
+
 inline constexpr double kBoundGrowth = 1 + 0x1p-15;
 
 /// Covers what underflows, where it is added to sums of products of at most three.

@@ -2,6 +2,8 @@
 #include <graze/bvh/wide/wide_bounds.h>
 #include <graze/bvh/wide/wide_way.h>
 
+#include <limits>
+
 namespace graze::bvh {
 
 WideWay::WideWay(const RelativeFrame& frame) {
@@ -16,6 +18,7 @@ WideWay::WideWay(const RelativeFrame& frame) {
   }
   scale = frame.units_b * per_unit;
   slack = rounded_up(3 * frame.slack * per_unit + kWideUnderflow);
+  if (!(scale <= kLargestScale)) slack = std::numeric_limits<float>::infinity();
 }
 
 }  // namespace graze::bvh

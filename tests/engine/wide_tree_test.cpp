@@ -268,6 +268,35 @@ TEST(Law9WideTree, FromSoFarAwayThatNothingIsSure) {
   }
 }
 
+// A speck on a giant, up to ratios at which the giant overflows in the speck's units.
+TEST(Law9WideTree, SpecksOnGiants) {
+  RandomSource source(506);
+  int hits = 0;
+  for (int ratio = 40; ratio < 140; ++ratio) {
+    for (int n = 0; n < 6; ++n) {
+      const double giant = 0x1p64;
+      const double speck = std::ldexp(giant, -ratio);
+      const std::vector<Eigen::Vector3d> on =
+          corners_near(Eigen::Vector3d::Zero(), speck, 6, source);
+      std::vector<Eigen::Vector3d> wide = corners_near(Eigen::Vector3d::Zero(), giant, 6, source);
+      wide[2] = -0.5 * wide[0] - 0.25 * wide[1];  // the first goes through the origin
+      const Mesh a = mesh_of(wide);
+      const Mesh b = mesh_of(on);
+      std::vector<TrianglePair> expected;
+      for (std::uint32_t i = 0; i < 6; ++i) {
+        for (std::uint32_t j = 0; j < 6; ++j) {
+          if (intersects(a.triangle(i), b.triangle(j))) expected.push_back({i, j});
+        }
+      }
+      ASSERT_EQ(find_triangle_pairs({a}, {b}).pairs, expected) << ratio;
+      ASSERT_EQ(find_triangle_pairs({b}, {a}).size(), expected.size()) << ratio;
+      ASSERT_EQ(distance({a}, {b}).distance == 0, !expected.empty()) << ratio;
+      hits += !expected.empty();
+    }
+  }
+  EXPECT_GT(hits, 50);
+}
+
 /// The twelve edges of a box as triangles that are flat to the last: nothing but the axes that
 /// stand on two edges proves such frames apart.
 Mesh frame_of_bars(const Eigen::Vector3d& half) {
