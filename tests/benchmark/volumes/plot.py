@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 
 # Shape says which volume, so that the plot can be read without colour.
 STYLE = {
+    "wide": ("*", "#000000"),
     "aabb": ("s", "#1b6ca8"),
     "sphere": ("o", "#c0392b"),
     "obb": ("D", "#1e8449"),
