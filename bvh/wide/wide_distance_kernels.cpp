@@ -7,7 +7,7 @@
 
 #include <graze/bvh/wide/wide_distance_walk.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/guest_leaf.inc>
+#include <graze/bvh/wide/nearest_direction.inc>
 
 #include <algorithm>
 #include <bit>
@@ -50,14 +50,6 @@ struct Promises {
 
 // Middles tell where bounds do not.
 constexpr float kMiddleWeight = 0.1f;
-
-/// A gap as far as it is known: one that is negative is none, and so is what overflowed.
-template <typename Tag>
-HWY_INLINE hn::Vec<Tag> known(Tag tag, hn::Vec<Tag> gap) {
-  const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
-  const auto is_known = hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Lt(gap, infinity));
-  return hn::IfThenElseZero(is_known, gap);
-}
 
 // Squares are taken in common units, the larger of both trees': what overflows then is far.
 HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
@@ -313,6 +305,7 @@ class Walker {
     const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
     counts_.primitive_tests += count * guests;
     const float unit = state_.units[host_side];
+    const std::size_t begin = size_;
     for (std::uint32_t i = 0; i < count; ++i) {
       const HostTriangle triangle(rows, count, i);
       alignas(16) float bounds[4];
@@ -325,9 +318,23 @@ class Walker {
         reach_to(corners[j], unit);
         const PlacePair places = host_side == 0 ? PlacePair{first + i, first_guest + j}
                                                 : PlacePair{first_guest + j, first + i};
-        found_[size_++] = {places, bound};
+        found_[begin + near_.count] = {places, bound};
+        near_.add(triangle, guest_leaf_, j);
       }
     }
+    if (near_.count > 0) look_closer(begin, unit);
+  }
+
+  /// Keeps those that are not beyond the limit along the way between their nearest points either.
+  HWY_INLINE void look_closer(std::size_t begin, float unit) {
+    alignas(64) float bounds[NearPairs::kMost];
+    set_bounds(bounds, near_, guest_leaf_.error, unit);
+    for (std::uint32_t i = 0; i < near_.count; ++i) {
+      BoundedPlaces pair = found_[begin + i];
+      pair.squared_bound = std::max(pair.squared_bound, bounds[i]);
+      if (!(pair.squared_bound > limit_)) found_[size_++] = pair;
+    }
+    near_.count = 0;
   }
 
   /// Two corners are as near: nothing that is further apart is wanted. Twice the error of a
@@ -352,6 +359,7 @@ class Walker {
   int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
   GuestLeaf guest_leaf_;
+  NearPairs near_;
   Promises promises_;
 };
 

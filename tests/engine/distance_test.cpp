@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,9 +45,24 @@ void expect_same(const MeshDistance& found, const MeshDistance& expected) {
   EXPECT_EQ(found.pair, expected.pair);
 }
 
+/// Of meshes that meet not the lowest pair is named, but one that does not depend on how it is
+/// asked for.
+MeshDistance expect_one_that_meets(const PlacedMesh& a, const PlacedMesh& b) {
+  const MeshDistance found = distance(a, b);
+  const Triangle triangle_a = place(a.pose, a.mesh.triangle(found.pair.a));
+  const Triangle triangle_b = place(b.pose, b.mesh.triangle(found.pair.b));
+  EXPECT_TRUE(intersects(triangle_a, triangle_b));
+  const TriangleDistance of_pair = distance(triangle_a, triangle_b);
+  EXPECT_EQ(found.distance, 0);
+  EXPECT_TRUE(are_bits_equal(found.point_a, of_pair.point_a));
+  EXPECT_TRUE(are_bits_equal(found.point_b, of_pair.point_b));
+  return found;
+}
+
 /// Law 9: the trees change nothing, nor does a hint. Returns the distance.
 double expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
-  const MeshDistance expected = brute_force(a, b);
+  MeshDistance expected = brute_force(a, b);
+  if (expected.distance == 0) expected = expect_one_that_meets(a, b);
   expect_same(distance(a, b), expected);
   const TrianglePair last{static_cast<std::uint32_t>(a.mesh.triangles().size() - 1),
                           static_cast<std::uint32_t>(b.mesh.triangles().size() - 1)};
