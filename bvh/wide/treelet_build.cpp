@@ -52,7 +52,7 @@ std::vector<Node> ordered_nodes(WideTree::Treelet& treelet, std::span<std::uint3
   const FloatBox box = float_box(part.box);
   for (int k = 0; k < 3; ++k)
     treelet.origin[k] = 0.5 * box.min[k] + 0.5 * box.max[k];
-  const std::vector<Node> nodes = build_subtree(references.all(), part, kWideSettings);
+  std::vector<Node> nodes = build_subtree(references.all(), part, kWideSettings);
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = references.data[i].index();
   return nodes;

@@ -30,7 +30,7 @@ fs::path find_inside(const fs::path& folder, const std::string& path) {
   std::error_code error;
   const fs::path root = fs::canonical(folder.empty() ? "." : folder, error);
   if (error) throw CaseError(folder.string() + ": " + error.message());
-  const fs::path real = fs::weakly_canonical(root / relative, error);
+  fs::path real = fs::weakly_canonical(root / relative, error);
   if (error) throw CaseError(quoted + ": " + error.message());
   const auto [end_of_root, ignored] =
       std::mismatch(root.begin(), root.end(), real.begin(), real.end());
@@ -58,7 +58,7 @@ Mesh load_case_mesh(const CaseMeshFile& file, const fs::path& folder) {
 }
 
 CaseMesh case_mesh_of_file(const fs::path& folder, const std::string& path, const Pose& pose) {
-  const fs::path real = find_inside(folder, path);
+  fs::path real = find_inside(folder, path);
   CaseMesh mesh(load_mesh(real), pose);
   mesh.file = {path, hash_of(real, mesh_io::printable(path))};
   return mesh;

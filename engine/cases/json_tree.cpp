@@ -33,11 +33,13 @@ struct Reading {
 /// Characters, and a note of how far they have been read.
 class NotedIterator {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): what the standard asks iterators for
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
   using reference = const char&;
+  // NOLINTEND(readability-identifier-naming)
 
   NotedIterator(const char* at, Reading* reading) : at_(at), reading_(reading) {}
   reference operator*() const { return *at_; }

@@ -27,21 +27,21 @@ Triangle read_triangle(const JsonCursor& at) {
 
 Aabb read_box(const JsonCursor& at) {
   at.require_keys({"min", "max"});
-  const Aabb box{at.member("min").point(), at.member("max").point()};
+  Aabb box{at.member("min").point(), at.member("max").point()};
   at_place(at, [&] { check_box(box, "the box"); });
   return box;
 }
 
 Obb read_obb(const JsonCursor& at) {
   at.require_keys({"pose", "half_extents"});
-  const Obb box{read_pose(at.member("pose")), at.member("half_extents").point()};
+  Obb box{read_pose(at.member("pose")), at.member("half_extents").point()};
   at_place(at, [&] { check_box(box, "the box"); });
   return box;
 }
 
 Sphere read_sphere(const JsonCursor& at) {
   at.require_keys({"centre", "radius"});
-  const Sphere sphere{at.member("centre").point(), at.member("radius").number()};
+  Sphere sphere{at.member("centre").point(), at.member("radius").number()};
   at_place(at, [&] { check_sphere(sphere, "the sphere"); });
   return sphere;
 }

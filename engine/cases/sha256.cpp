@@ -47,8 +47,8 @@ struct Constants {
 };
 
 const Constants& constants() {
-  static const Constants instance;
-  return instance;
+  static const Constants kConstants;
+  return kConstants;
 }
 
 Word big_endian(const unsigned char* bytes) {

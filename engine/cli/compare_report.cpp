@@ -13,7 +13,6 @@ namespace {
 using cases::json_number;
 using cases::json_string;
 using compare::AnswerRecord;
-using compare::ErrorClass;
 using compare::PoseRecord;
 using compare::Verdict;
 
