@@ -33,6 +33,14 @@ WideTree::WideTree(const Aabb& bounds, const CornerSource& source)
   }
 }
 
+// Not inline: kernels are not instrumented in sanitized builds, and what a thread acquires there
+// ThreadSanitizer does not see.
+const WideTree::Treelet& WideTree::entered(std::uint32_t index, std::uint64_t& built) const {
+  const LazyTreelet& lazy = treelets_[index];
+  if (!lazy.is_built.load(std::memory_order_acquire)) build(index, built);
+  return lazy.treelet;
+}
+
 void WideTree::build(std::uint32_t index, std::uint64_t& built) const {
   const LazyTreelet& lazy = treelets_[index];
   std::call_once(lazy.flag, [&] {

@@ -73,11 +73,7 @@ class WideTree {
   const Treelet& treelet(std::uint32_t index) const { return treelets_[index].treelet; }
 
   /// A treelet, which is built if this is the first time that it is asked for, and then counted.
-  const Treelet& entered(std::uint32_t index, std::uint64_t& built) const {
-    const LazyTreelet& lazy = treelets_[index];
-    if (!lazy.is_built.load(std::memory_order_acquire)) build(index, built);
-    return lazy.treelet;
-  }
+  const Treelet& entered(std::uint32_t index, std::uint64_t& built) const;
 
   /// Builds all that is not built yet, in parallel. Returns how many treelets that was.
   std::size_t build_all() const;

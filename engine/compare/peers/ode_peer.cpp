@@ -17,14 +17,14 @@ constexpr int kMaxContacts = 0x7fff;  // what the flags of dCollide() have room 
 void be_silent(int, const char*, va_list) {}
 
 void start_ode() {
-  static const bool is_started = [] {
+  static const bool kIsStarted = [] {
     dInitODE2(0);
     dSetMessageHandler(be_silent);
     return true;
   }();
-  static_cast<void>(is_started);
-  thread_local const bool has_thread_data = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-  static_cast<void>(has_thread_data);
+  static_cast<void>(kIsStarted);
+  thread_local const bool kHasThreadData = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  static_cast<void>(kHasThreadData);
 }
 
 class OdeMesh {
