@@ -9,7 +9,6 @@
 namespace graze {
 
 using narrowphase::ContactFace;
-using narrowphase::ContactPoint;
 using narrowphase::Core;
 using narrowphase::CoreGap;
 using narrowphase::Parting;

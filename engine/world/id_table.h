@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,7 @@ class IdTable {
  private:
   std::vector<std::uint16_t> generation_;  // odd while the index is in use
   std::vector<std::uint32_t> free_;        // may be taken, the last first
-  std::vector<std::uint32_t> resting_[2];
+  std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
 };
 

@@ -180,6 +180,7 @@ std::map<Index, Index> true_corners(const std::vector<Vec3>& p,
 void add_faces(const std::vector<Vec3>& p, const std::vector<Corners>& triangles,
                const std::map<Index, Index>& renamed, Hull& hull) {
   std::vector<Vec3> normals;
+  normals.reserve(triangles.size());
   for (const Corners& t : triangles)
     normals.push_back(normal_of(p, t));
   FaceBuilder builder(triangles);
