@@ -43,17 +43,20 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
 
 Aabb bounds_of(std::span<const Eigen::Vector3d> vertices,
                std::span<const TriangleIndices> triangles) {
-  Aabb box{vertices[triangles[0][0]], vertices[triangles[0][0]]};
+  // A box for each corner: with one alone every step would wait for the one before.
+  const Eigen::Vector3d& any = vertices[triangles[0][0]];
+  Aabb boxes[3] = {{any, any}, {any, any}, {any, any}};
   for (const TriangleIndices& triangle : triangles) {
-    for (std::uint32_t index : triangle) {
-      const double* p = vertices[index].data();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double* p = vertices[triangle[c]].data();
       for (int k = 0; k < 3; ++k) {
-        box.min.data()[k] = std::min(box.min.data()[k], p[k]);
-        box.max.data()[k] = std::max(box.max.data()[k], p[k]);
+        boxes[c].min.data()[k] = std::min(boxes[c].min.data()[k], p[k]);
+        boxes[c].max.data()[k] = std::max(boxes[c].max.data()[k], p[k]);
       }
     }
   }
-  return box;
+  return {boxes[0].min.cwiseMin(boxes[1].min).cwiseMin(boxes[2].min),
+          boxes[0].max.cwiseMax(boxes[1].max).cwiseMax(boxes[2].max)};
 }
 
 }  // namespace
