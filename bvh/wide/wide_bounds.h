@@ -22,6 +22,13 @@
 // child's half diagonal is at most 1.74 D. In all less than 88 u D + 51 u times the guest's half
 // diagonal; a half diagonal is at most the sum of the half extents.
 //
+// Eight guests that share a node. Their middles are M c + t, t the way between the nodes' origins,
+// c a box's centre in its node, |c| <= 2.74 E for the half diagonal E of the slot that holds them
+// all. M c is off by 10 u |c|_1 in each component for M's sake and rounds by 4 u |c|: 38 u |c| in
+// all. t is longer than the way between middles by |c| at most, which is 4 u |c| more, and the sum
+// rounds by u (|c'| + W), c' the host box's centre. With 52 u of the guest's half diagonal, which
+// is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers it.
+//
 // Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
 // and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +
 // 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by

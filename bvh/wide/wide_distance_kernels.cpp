@@ -149,7 +149,7 @@ HWY_INLINE void set_bounds(float* bounds, const HostTriangle& host, const GuestL
       of_boxes = hn::MulAdd(step, step, of_boxes);
       extent = hn::Max(extent, hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low)));
     }
-    const Four bound = height_error(extent, error);
+    const Four bound = height_error(tag, extent, error);
     Four normal[3], point[3];
     for (int i = 0; i < 3; ++i) {
       normal[i] = hn::Set(tag, host.normal[i]);

@@ -5,9 +5,9 @@
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
 #include <graze/bvh/wide/wide_pair_walk.h>
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/guest_leaf.inc>
+#include <graze/bvh/wide/guest_node.inc>
+#include <graze/bvh/wide/near_primitives.inc>
 
 #include <bit>
 
@@ -15,9 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
+/// A box along the axes of a host node: what the test of the host's children reads of it.
+struct OneGuest {
+  const GuestInNode& in_node;
+
+  HWY_INLINE float axis(int k, int i) const { return in_node.axes[k][i]; }
+  HWY_INLINE float size(int k, int i) const { return in_node.size[k][i]; }
+  HWY_INLINE float crossed(int k, int i) const { return in_node.crossed[k][i]; }
+  HWY_INLINE float way(int i) const { return in_node.way[i]; }
+  HWY_INLINE float reach(int i) const { return in_node.reach[i]; }
+  HWY_INLINE float half(int k) const { return in_node.half[k]; }
+};
+
+/// One of eight.
+struct GuestAmongOthers {
+  const GuestsInNode& in_node;
+  std::uint32_t lane;
+
+  HWY_INLINE float axis(int k, int i) const { return in_node.axes[k][i]; }
+  HWY_INLINE float size(int k, int i) const { return in_node.size[k][i]; }
+  HWY_INLINE float crossed(int k, int i) const { return in_node.crossed[k][i][lane]; }
+  HWY_INLINE float way(int i) const { return in_node.way[i][lane]; }
+  HWY_INLINE float reach(int i) const { return in_node.reach[i][lane]; }
+  HWY_INLINE float half(int k) const { return in_node.half[k][lane]; }
+};
+
 /// The bits of the children that the guest is not proved apart from, and how far their middles are
 /// from its own, squared.
-HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& guest,
+template <typename AnyGuest>
+HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const AnyGuest& guest,
                                     float* squared_ways) {
   const Tag tag;
   std::uint32_t near = 0;
@@ -26,19 +52,19 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& gue
     auto apart = hn::Gt(hn::Zero(tag), hn::Zero(tag));
     for (int i = 0; i < 3; ++i) {
       half[i] = hn::Load(tag, host.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
+      way[i] = hn::Sub(hn::Set(tag, guest.way(i)), hn::Load(tag, host.centre[i] + lane));
       apart =
-          hn::Or(apart, hn::Gt(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, guest.reach[i]))));
+          hn::Or(apart, hn::Gt(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, guest.reach(i)))));
     }
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
-                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
-                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
-                                                           hn::Set(tag, guest.half[k]))));
+          hn::MulAdd(way[0], hn::Set(tag, guest.axis(k, 0)),
+                     hn::MulAdd(way[1], hn::Set(tag, guest.axis(k, 1)),
+                                hn::Mul(way[2], hn::Set(tag, guest.axis(k, 2)))));
+      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size(k, 0)),
+                                     hn::MulAdd(half[1], hn::Set(tag, guest.size(k, 1)),
+                                                hn::MulAdd(half[2], hn::Set(tag, guest.size(k, 2)),
+                                                           hn::Set(tag, guest.half(k)))));
       apart = hn::Or(apart, hn::Gt(hn::Abs(distance), reach));
     }
     if (hn::AllTrue(tag, apart)) continue;
@@ -46,11 +72,11 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& gue
       for (int i = 0; i < 3; ++i) {
         const int i1 = (i + 1) % 3;
         const int i2 = (i + 2) % 3;
-        const Lanes distance = hn::MulSub(way[i2], hn::Set(tag, guest.axes[k][i1]),
-                                          hn::Mul(way[i1], hn::Set(tag, guest.axes[k][i2])));
-        const Lanes reach = hn::MulAdd(half[i1], hn::Set(tag, guest.size[k][i2]),
-                                       hn::MulAdd(half[i2], hn::Set(tag, guest.size[k][i1]),
-                                                  hn::Set(tag, guest.crossed[k][i])));
+        const Lanes distance = hn::MulSub(way[i2], hn::Set(tag, guest.axis(k, i1)),
+                                          hn::Mul(way[i1], hn::Set(tag, guest.axis(k, i2))));
+        const Lanes reach = hn::MulAdd(half[i1], hn::Set(tag, guest.size(k, i2)),
+                                       hn::MulAdd(half[i2], hn::Set(tag, guest.size(k, i1)),
+                                                  hn::Set(tag, guest.crossed(k, i))));
         apart = hn::Or(apart, hn::Gt(hn::Abs(distance), reach));
       }
     }
@@ -64,17 +90,37 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& gue
   return near & host.lanes();
 }
 
+/// The bits of the children that are leaves.
+HWY_INLINE std::uint32_t leaf_lanes(const WideNode& node) {
+  std::uint32_t lanes = 0;
+  for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+    lanes |= static_cast<std::uint32_t>(ChildLink::is_leaf(node.child[lane])) << lane;
+  return lanes;
+}
+
+/// The bits of the children whose boxes are smaller than this.
+HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
+  const Tag tag;
+  std::uint32_t lanes = 0;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    const Lanes sizes =
+        hn::Add(hn::Add(hn::Load(tag, node.half[0] + lane), hn::Load(tag, node.half[1] + lane)),
+                hn::Load(tag, node.half[2] + lane));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, hn::Lt(sizes, hn::Set(tag, size)), bits);
+    lanes |= std::uint32_t{bits[0]} << lane;
+  }
+  return lanes;
+}
+
 HWY_INLINE float size_of(const WideSlot& slot) {
   const WideNode& node = *slot.node;
   return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
 }
 
-/// Asks for the memory of a node that is looked at soon.
-HWY_INLINE void fetch_ahead(const WideNode& node) {
-  constexpr std::size_t kLine = 64;  // bytes
-  for (std::size_t offset = 0; offset < sizeof(WideNode) + kLine; offset += kLine)
-    hwy::Prefetch(reinterpret_cast<const char*>(&node) + offset);
-}
+/// More children than these near one box, and something is likely to be hit soon: then the nearest
+/// is followed before the others are looked at.
+constexpr int kMostAtATime = 3;
 
 /// One walk, from where it stopped to where it has found enough.
 class Walker {
@@ -108,40 +154,102 @@ class Walker {
     }
   }
 
+  /// The children of one slot's node are tried against the other slot's box. Those near that are
+  /// smaller than that box are what the children of its node are then tried against.
   HWY_INLINE void open_host(int host_side, const WideSlot& host, std::uint32_t host_link,
                             const WideSlot& guest, std::uint32_t guest_link) {
     const WideWay& way = state_.into[host_side];
-    if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
-      set_guest(guest_, *guest.node, guest.lane, way);
-      guest_slot_ = guest;
-      guest_side_ = 1 - host_side;
-    }
+    set_guest(guest_, *guest.node, guest.lane, way);
     const WideSlot below = first_below(host_side, host, host_link);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
-    std::uint32_t near = near_lanes(node, in_node_, squared_ways_);
-    counts_.box_tests += node.count;
-    counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
+    const std::uint32_t near = near_lanes(node, OneGuest{in_node_}, squared_ways_);
+    count(node, near);
+    if (near == 0) return;
+    if (ChildLink::is_leaf(guest_link)) {
+      push_or_compare(host_side, below, near, squared_ways_, guest, guest_link);
+      return;
+    }
+    const std::uint32_t next =
+        near &
+        (leaf_lanes(node) | smaller_lanes(node, size_of(guest) * static_cast<float>(way.scale)));
+    for (std::uint32_t rest = near & ~next; rest != 0; rest &= rest - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
+      push(host_side, {&node, lane, below.treelet}, guest);
+    }
+    if (next != 0) open_guest(1 - host_side, guest, guest_link, host, below, next);
+  }
+
+  /// The same the other way round, for some children at once, which lie in the slot `above`.
+  HWY_INLINE void open_guest(int host_side, const WideSlot& host, std::uint32_t host_link,
+                             const WideSlot& above, const WideSlot& guests, std::uint32_t lanes) {
+    const WideWay& way = state_.into[host_side];
+    const WideSlot below = first_below(host_side, host, host_link);
+    const WideNode& node = *below.node;
+    const float sizes = size_of(host) + 2 * size_of(above) * static_cast<float>(way.scale);
+    set_guests_in_node(guests_in_node_, *guests.node, node, way,
+                       way.slack + kComparisonError * sizes);
+    const bool are_many = std::popcount(lanes) > kMostAtATime;
+    alignas(32) float squared_ways[WideNode::kWidth];
+    while (lanes != 0 && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
+      const std::uint32_t lane =
+          are_many ? nearest(lanes, squared_ways_) : farthest(lanes, squared_ways_);
+      lanes &= ~(1u << lane);
+      const std::uint32_t near =
+          near_lanes(node, GuestAmongOthers{guests_in_node_, lane}, squared_ways);
+      count(node, near);
+      if (are_many && near != 0) {
+        push_all(1 - host_side, guests, lanes, host);
+        lanes = 0;
+      }
+      push_or_compare(host_side, below, near, squared_ways, {guests.node, lane, guests.treelet},
+                      guests.node->child[lane]);
+    }
+    push_all(1 - host_side, guests, lanes, host);
+  }
+
+  /// What of a host's children is near a guest: leaves are compared with leaves at once.
+  HWY_INLINE void push_or_compare(int host_side, const WideSlot& below, std::uint32_t near,
+                                  const float* squared_ways, const WideSlot& guest,
+                                  std::uint32_t guest_link) {
     const bool is_guest_leaf = ChildLink::is_leaf(guest_link);
     bool is_guest_leaf_set = false;
     while (near != 0) {
-      const std::uint32_t lane = farthest(near);
+      const std::uint32_t lane = farthest(near, squared_ways);
       near &= ~(1u << lane);
-      const std::uint32_t link = node.child[lane];
+      const std::uint32_t link = below.node->child[lane];
       if (is_guest_leaf && ChildLink::is_leaf(link)) {
         const WideTree::Treelet& host_treelet = state_.tree[host_side]->treelet(below.treelet);
         const WideTree::Treelet& guest_treelet = state_.tree[1 - host_side]->treelet(guest.treelet);
         if (!is_guest_leaf_set)
-          set_guest_leaf(guest_leaf_, guest_treelet, guest_link, host_treelet, way);
+          set_guest_leaf(guest_leaf_, guest_treelet, guest_link, host_treelet,
+                         state_.into[host_side]);
         is_guest_leaf_set = true;
         compare_leaves(host_side, host_treelet, link, guest_treelet, guest_link);
         continue;
       }
-      if (ChildLink::is_node(link)) fetch_ahead((&node)[ChildLink::index(link)]);
-      const WideSlot child = {&node, lane, below.treelet};
-      state_.open.push(host_side == 0 ? WidePairWalk::Waiting{child, guest}
-                                      : WidePairWalk::Waiting{guest, child});
+      push(host_side, {below.node, lane, below.treelet}, guest);
     }
+  }
+
+  HWY_INLINE void push(int side, const WideSlot& slot, const WideSlot& other) {
+    state_.open.push(side == 0 ? WidePairWalk::Waiting{slot, other}
+                               : WidePairWalk::Waiting{other, slot});
+  }
+
+  /// Children of one node, the nearest last.
+  HWY_INLINE void push_all(int side, const WideSlot& first, std::uint32_t lanes,
+                           const WideSlot& other) {
+    while (lanes != 0) {
+      const std::uint32_t lane = farthest(lanes, squared_ways_);
+      lanes &= ~(1u << lane);
+      push(side, {first.node, lane, first.treelet}, other);
+    }
+  }
+
+  HWY_INLINE void count(const WideNode& node, std::uint32_t near) {
+    counts_.box_tests += node.count;
+    counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
   }
 
   /// The first lane of the node that a link leads to.
@@ -152,11 +260,20 @@ class Walker {
   }
 
   /// Of these lanes. What is pushed last is looked at first: the nearest.
-  HWY_INLINE std::uint32_t farthest(std::uint32_t lanes) const {
+  HWY_INLINE static std::uint32_t farthest(std::uint32_t lanes, const float* squared_ways) {
     auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
     for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
       const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
-      if (squared_ways_[other] > squared_ways_[lane]) lane = other;
+      if (squared_ways[other] > squared_ways[lane]) lane = other;
+    }
+    return lane;
+  }
+
+  HWY_INLINE static std::uint32_t nearest(std::uint32_t lanes, const float* squared_ways) {
+    auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+    for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
+      const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
+      if (squared_ways[other] < squared_ways[lane]) lane = other;
     }
     return lane;
   }
@@ -164,20 +281,18 @@ class Walker {
   HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,
                                  std::uint32_t host_link, const WideTree::Treelet& guest,
                                  std::uint32_t guest_link) {
-    const std::uint32_t count = ChildLink::count(host_link);
     const std::uint32_t first = host.first + ChildLink::first(host_link);
     const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
-    const std::uint32_t guests = (1u << ChildLink::count(guest_link)) - 1;
-    const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
-    counts_.primitive_tests += count * ChildLink::count(guest_link);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      std::uint32_t near = near_primitives(HostTriangle(rows, count, i), guest_leaf_) & guests;
-      for (; near != 0; near &= near - 1) {
-        const std::uint32_t place =
-            first_guest + static_cast<std::uint32_t>(std::countr_zero(near));
-        found_[size_++] =
-            host_side == 0 ? PlacePair{first + i, place} : PlacePair{place, first + i};
-      }
+    counts_.primitive_tests += ChildLink::count(host_link) * ChildLink::count(guest_link);
+    set_host_leaf(host_leaf_, host, host_link);
+    std::uint32_t near = near_primitives(host_leaf_, guest_leaf_) &
+                         pairs_of(ChildLink::count(host_link), ChildLink::count(guest_link));
+    for (; near != 0; near &= near - 1) {
+      const auto pair = static_cast<std::uint32_t>(std::countr_zero(near));
+      const std::uint32_t place = first + pair / 4;
+      const std::uint32_t place_of_guest = first_guest + pair % 4;
+      found_[size_++] =
+          host_side == 0 ? PlacePair{place, place_of_guest} : PlacePair{place_of_guest, place};
     }
   }
 
@@ -187,9 +302,9 @@ class Walker {
   std::size_t size_ = 0;
   float scale_b_;
   Guest guest_{};
-  WideSlot guest_slot_{};  // of guest_, in the tree of
-  int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
+  GuestsInNode guests_in_node_;
+  LeafLanes host_leaf_;
   GuestLeaf guest_leaf_;
   alignas(32) float squared_ways_[WideNode::kWidth];
 };

@@ -6,8 +6,31 @@
 #include <graze/engine/mesh/candidates.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <hwy/cache_control.h>
 
 namespace graze {
+
+/// The triangles of a placed mesh, one by one.
+struct PlacedTriangles {
+  const Pose& pose;
+  std::span<const Eigen::Vector3d> vertices;
+  std::span<const TriangleIndices> triangles;
+
+  explicit PlacedTriangles(const PlacedMesh& placed)
+      : pose(placed.pose), vertices(placed.mesh.vertices()), triangles(placed.mesh.triangles()) {}
+
+  Triangle operator[](std::uint32_t index) const {
+    const TriangleIndices& t = triangles[index];
+    return place(pose, {vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+  }
+
+  // Large meshes are not in the cache, and where a triangle's corners stand is known last.
+  void fetch_indices(std::uint32_t index) const { hwy::Prefetch(&triangles[index]); }
+  void fetch_corners(std::uint32_t index) const {
+    for (const std::uint32_t corner : triangles[index])
+      hwy::Prefetch(&vertices[corner]);
+  }
+};
 
 /// Two placed meshes that a query walks by their wide trees.
 struct WideQuery {
@@ -15,6 +38,8 @@ struct WideQuery {
   const PlacedMesh& b;
   const bvh::WideTree& tree_a;
   const bvh::WideTree& tree_b;
+  PlacedTriangles triangles_a;
+  PlacedTriangles triangles_b;
   PlacedFrame frame_a;
   PlacedFrame frame_b;
   bvh::RelativeFrame b_in_a;
@@ -42,15 +67,16 @@ struct WideQuery {
     return {tree_a.primitive(places.a), tree_b.primitive(places.b)};
   }
 
-  Triangle triangle_a(TrianglePair pair) const { return place(a.pose, a.mesh.triangle(pair.a)); }
-  Triangle triangle_b(TrianglePair pair) const { return place(b.pose, b.mesh.triangle(pair.b)); }
+  Triangle triangle_a(TrianglePair pair) const { return triangles_a[pair.a]; }
+  Triangle triangle_b(TrianglePair pair) const { return triangles_b[pair.b]; }
 
   /// Decides some of the pairs that a walk hands out; the rest of them wait in `candidates`.
   template <typename OnPair>
   bvh::Walk decide(std::span<const bvh::PlacePair> places, Candidates& candidates,
                    OnPair&& on_pair) const {
-    for (const bvh::PlacePair& place : places) {
-      const TrianglePair pair = pair_at(place);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      fetch_ahead(places, i);
+      const TrianglePair pair = pair_at(places[i]);
       candidates.add(pair, triangle_a(pair), triangle_b(pair));
       if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
         return bvh::Walk::Stop;
@@ -69,12 +95,29 @@ struct WideQuery {
   }
 
  private:
+  void fetch_ahead(std::span<const bvh::PlacePair> places, std::size_t i) const {
+    constexpr std::size_t kIndicesAhead = 8;
+    constexpr std::size_t kCornersAhead = 4;
+    if (i + kIndicesAhead < places.size()) {
+      const TrianglePair pair = pair_at(places[i + kIndicesAhead]);
+      triangles_a.fetch_indices(pair.a);
+      triangles_b.fetch_indices(pair.b);
+    }
+    if (i + kCornersAhead < places.size()) {
+      const TrianglePair pair = pair_at(places[i + kCornersAhead]);
+      triangles_a.fetch_corners(pair.a);
+      triangles_b.fetch_corners(pair.b);
+    }
+  }
+
   WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double deviation_a,
             double deviation_b, Work& work)
       : a(mesh_a),
         b(mesh_b),
         tree_a(a.mesh.wide_tree(&work)),
         tree_b(b.mesh.wide_tree(&work)),
+        triangles_a(a),
+        triangles_b(b),
         frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()},
         frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()},
         b_in_a(relative_frame(frame_a, frame_b)) {}
