@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/parallel_pairs.h>
 #include <graze/engine/mesh/threads.h>
-#include <tbb/parallel_sort.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -9,12 +9,14 @@
 namespace graze {
 namespace {
 
-/// Parts for each thread: they differ in cost, and what is left at the end should be short.
-constexpr std::size_t kPartsPerThread = 32;
+/// Parts for each thread, and subtrees for each part, that lie apart from each other: they differ
+/// in cost, and what is left at the end should be short.
+constexpr std::size_t kPartsPerThread = 16;
+constexpr std::size_t kStartsPerPart = 2;
 
 /// Pairs that a walk hands out before it is shared: what ends sooner takes less time than to wake
 /// another thread.
-constexpr std::size_t kPairsAlone = 1000;
+constexpr std::size_t kPairsAlone = 200;
 
 struct Part {
   std::vector<bvh::WidePairWalk::Waiting> starts;
@@ -61,20 +63,32 @@ std::vector<bvh::WidePairWalk::Waiting> split(const WideQuery& query, bvh::WideP
   return next;
 }
 
-/// Where the parts' pairs come together: each pair is found once, so that sorted they are the same
+/// Merges sorted runs that follow each other; run i ends at ends[i].
+void merge_runs(std::vector<TrianglePair>& pairs, std::span<const std::size_t> ends,
+                std::size_t begin) {
+  if (ends.size() < 2) return;
+  const std::size_t half = ends.size() / 2;
+  const std::size_t middle = ends[half - 1];
+  tbb::parallel_invoke([&] { merge_runs(pairs, ends.first(half), begin); },
+                       [&] { merge_runs(pairs, ends.subspan(half), middle); });
+  const auto at = [&](std::size_t i) { return pairs.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::inplace_merge(at(begin), at(middle), at(ends.back()));
+}
+
+/// Where the parts' pairs come together, sorted: each pair is found once, so that they are the same
 /// whoever found them.
 std::vector<TrianglePair> merged(std::vector<TrianglePair> found, const std::vector<Part>& parts) {
   std::size_t total = found.size();
   for (const Part& part : parts)
     total += part.found.size();
   found.reserve(total);
-  for (const Part& part : parts)
+  std::sort(found.begin(), found.end());
+  std::vector<std::size_t> ends{found.size()};
+  for (const Part& part : parts) {
     found.insert(found.end(), part.found.begin(), part.found.end());
-  if (parts.empty()) {
-    std::sort(found.begin(), found.end());
-  } else {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_sort(found.begin(), found.end()); });
+    ends.push_back(found.size());
   }
+  tbb::this_task_arena::isolate([&] { merge_runs(found, ends, 0); });
   return found;
 }
 
@@ -96,7 +110,7 @@ std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch t
   if (begin_alone(query, walk, candidates, into(found))) {
     candidates.decide(into(found));
   } else {
-    waiting = split(query, walk, most, candidates, into(found));
+    waiting = split(query, walk, kStartsPerPart * most, candidates, into(found));
   }
   add_counts(walk.counts(), work);
   // Neighbours lie in different parts, so that where much meets is shared out.
@@ -110,6 +124,7 @@ std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch t
       own.start_at(start);
     Candidates own_candidates(touch, part.work);
     query.decide_all(own, own_candidates, into(part.found));
+    std::sort(part.found.begin(), part.found.end());
     add_counts(own.counts(), part.work);
   });
   for (const Part& part : parts)
