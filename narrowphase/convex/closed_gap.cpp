@@ -7,9 +7,9 @@ namespace graze::narrowphase {
 namespace {
 
 // Of the pair's scale, u = 2^-53: ends of segments are off by 2 u each. Where the lines cross is
-// off by 11 u, and by 11 u of the one segment's length, at most 2 (segments.cpp); its point by 5 u;
-// two feet of points on segments by 12 u each, the way between them by 4 u. A point's foot on a box
-// is off by less. Below 64 u in all.
+// off by 8 u, 2 u, and 17 u of the one segment's length, at most 2 (segments.cpp); its point by 5
+// u; two feet of points on segments by 12 u each, the way between them by 4 u. A point's foot on a
+// box is off by less. Below 76 u in all.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
 struct Ends {
