@@ -11,6 +11,10 @@ namespace {
 // long: in between a patch is taken for flat.
 constexpr double kFlatness = 0.5;
 
+// Squares of shorter vectors could underflow: what is divided by their root would not be of length
+// 1. Sums of normals need no such limit, for products of floats are at least 2^-298.
+constexpr double kShortest = 0x1p-500;
+
 struct Covariance {
   double value[3][3];
 
@@ -69,7 +73,7 @@ void turn_to_principal(const Covariance& c, double* u, double* v) {
   double cosine = half >= 0 ? root + half : mixed;
   double sine = half >= 0 ? mixed : root - half;
   const double norm = std::sqrt(cosine * cosine + sine * sine);
-  if (!(norm > 0)) return;
+  if (!(norm > kShortest)) return;
   cosine /= norm;
   sine /= norm;
   for (int k = 0; k < 3; ++k) {

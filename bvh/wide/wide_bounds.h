@@ -1,26 +1,35 @@
 #pragma once
 
 // How far the float arithmetic of wide trees can be off. Private to bvh/wide. u = 2^-24, the unit
-// roundoff of float; |.| of a vector is its length where nothing else is said.
+// roundoff of float; |.| of a vector is its length where nothing else is said. tests/proofs/wide_*
+// proves these bounds from the constants, and names what is left to argue.
 //
 // Fitting. A node's axes f_i are unit vectors at right angles but for rounding: |f_i . f_j - [i =
-// j]| < 2 u. A corner p is known to u |p|; its coordinate f_i . (p - o) is computed with an error
-// of less than 4 u |p - o|; centre and half extent add 2 u. A box stands for the points o + sum s_i
-// f_i, although what was bounded is f_i . (p - o): exchanging the dual basis for the f_i themselves
-// costs 6 u |p - o|. All of it is below 22 u of S, the sum of the sizes of o, the centre and the
-// half extents, and kFitError S is added to each half extent.
+// j]| < 2.01 u. A corner p is known to u |p|; its coordinate f_i . (p - o) is computed with an
+// error of less than 4 u |p - o|; the half extent adds u. A box stands for the points o + sum s_i
+// f_i, although what was bounded is f_i . (p - o): the dual basis in place of the f_i themselves
+// changes a coordinate by 2.01 u times the sum of all |s_j|. All of it is below 8.1 u of S, the sum
+// of the sizes of o, the centre and the half extents, and kFitError S is added to each half extent.
 //
 // Comparing. Coordinates are those along the host node's axes, y = F (p - o), in which a host's box
 // is a box exactly and every vector is a direction to look along: no axis has to be a unit vector
-// at right angles to others but the guest's, and their deviation from that is part of the query's
-// slack (tripled, as for obb_separation.cpp). The guest's axes there, M_k = F R g_k, are off by 4 u
-// in each component after the rotation, which rounding R to float begins, and by 10 u in the end.
-// The way between the middles is off by 4 u (|c| + W) + u W, where c is the host box's centre and
-// W, for boxes that do meet, at most the sum of both half diagonals. Along a cross product, the
-// worst of the axes, the distance is off by 6 u |c| + 24 u W and the reach by 17 u W. All that a
-// host slot's children hold lies in the slot's box: with its half diagonal D, |c| <= 2.74 D and a
-// child's half diagonal is at most 1.74 D. In all less than 88 u D + 51 u times the guest's half
-// diagonal; a half diagonal is at most the sum of the half extents.
+// at right angles to others but the guest's, and the deviation of the rotation between the trees is
+// part of the query's slack (tripled, as for obb_separation.cpp). The guest's axes there, M_k = F R
+// g_k, are off by 4 u in each component after the rotation, which rounding R to float begins, and
+// by 10 u in the end; from unit vectors at right angles by 5.5 u, their cross products from the
+// third axis by 10.5 u in each component. The way between the middles is off by 4 u (|c| + W) + u
+// W, where c is the host box's centre and W, for boxes that do meet, at most the sum of both half
+// diagonals. Along a cross product, the worst of the axes, the distance is off by 6 u |c| + 24 u W,
+// the reach by 10 u for each half extent that it takes, 10.5 u more for a guest's, and its
+// rounding.
+//
+// All that a host slot's children hold lies in the slot's box. Let D be the sum of its half
+// extents, which is at least the half diagonal of what it holds plus three times the fit's margin
+// there. An origin inside, and the middle of an interval of length 2 D at most along each of three
+// axes, are |c| <= 2.74 D apart; a child's half extents are D at most each, although its own margin
+// may be 1.74 times the slot's, and its half diagonal 1.74 D. In all less than 101 u D + 54 u times
+// the sum of the guest's half extents. Hosts in the top of the tree have the origin of the
+// coordinates in place of one inside, and half extents with 512 u more (treelet_build.cpp).
 //
 // Eight guests that share a node. Their middles are M c + t, t the way between the nodes' origins,
 // c a box's centre in its node, |c| <= 2.74 E for the half diagonal E of the slot that holds them
@@ -32,16 +41,22 @@
 // Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
 // and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +
 // 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
-// twice as much. With delta for the error of a difference, slack included, and no component of any
-// difference above L, the determinant of three differences is off by 18 L^2 (delta + u L) in first
-// order, and its evaluation by 30 u L^3. Where delta is above 0.19 L nothing can be sure, for no
-// determinant exceeds 6 L^3; below, higher orders add 3.6 L^2 delta.
+// twice as much.
+//
+// Planes. Let delta be the error of a difference, slack included, and L what no component of any
+// difference exceeds. Any vector n will do to look along, the normal n = e x f as computed, too:
+// if n . (q - p) is above both n . e and n . f, q is apart from the primitive of corner p and edges
+// e and f, by the excess over |n|. As computed, n . (q - p) rounds by 16 u L^3. n . e would be zero
+// for the exact product, from which a component of n is off by 4 u L^2: 12 u L^3. Exact
+// differences are off by delta + u L in each component from those computed, that is 6 L^2 (delta +
+// u L) for each of the two. In all 12 L^2 delta + 40 u L^3.
 //
 // Distances. A gap along an axis is computed as the excess over a reach that has the margins above,
-// which cover what grows with the boxes; what grows with the gap itself is below 25 u of it, for
-// the way is at most the reaches and the gap. Axes are unit vectors at right angles but for 20 u,
-// squares and sums of three of them round by 5 u, the division by a normal's square by 10 u.
-// Squared bounds are too large by less than 2^-15 of themselves.
+// which cover what grows with the boxes; what grows with the gap itself is below 5.1 u of it in
+// each of the host's axes and 24 u in the guest's, for the way is at most the reaches and the gap:
+// as a vector of three, 42 u. Axes lengthen by 5.3 u, squares and sums of three round by 5 u, and a
+// plane's gap, divided by the root of a square, by 6 u. Squared bounds are too large by less than
+// 101 u = 2^-17.3 of themselves.
 
 namespace graze::bvh {
 

@@ -8,8 +8,8 @@ namespace graze::bvh {
 /// node of a WideTree. Lane j of each array speaks of child j.
 ///
 /// A point p, in the tree's LocalFrame, of what child j holds, has |axis k . (p - origin)
-/// - centre[k][j]| <= half[k][j] for each k, with room for the rounding of what compares them (law
-/// 5: wide_separation.h).
+/// - centre[k][j]| <= half[k][j] for each k, and is the sum of the origin and of s_k axis k with
+/// |s_k - centre[k][j]| <= half[k][j] (law 5: wide_bounds.h).
 struct alignas(32) WideNode {
   static constexpr std::uint32_t kWidth = 8;
 

@@ -25,11 +25,12 @@ Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
   return to_eigen(point + to_vec3(origin));
 }
 
-// One support point, off by 20 u of the scale (core_gap.cpp), and a dot product by 5 u more.
+// One support point, off by 31 u of the scale (core_gap.cpp), a dot product by 4 u more, and the
+// normal by 11 u.
 Height height_of(const Core& core, const PlacedHalfSpace& plane) {
   const Vec3 lowest = rounded_support(core, -plane.normal);
   const double size = core.reach + core.radius + 2 * largest(core.at) + std::abs(plane.offset);
-  return {dot(plane.normal, lowest) - plane.offset, 0x20p-53 * size + plane.slack, lowest};
+  return {dot(plane.normal, lowest) - plane.offset, 0x40p-53 * size + plane.slack, lowest};
 }
 
 struct Situation {

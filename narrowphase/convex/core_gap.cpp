@@ -6,10 +6,11 @@
 namespace graze::narrowphase {
 namespace {
 
-// u = 2^-53. A support point carries at most 3 roundings from the direction's way into the core's
-// frame, where a wrong choice of the farthest point costs as much as the direction is off, 3 to 6
-// for the core's own formula, 5 for the way back: below 20 u of its scale; two of them and their
-// difference below 41 u, and the dot product with a unit vector below 45 u. 128 u covers that.
+// u = 2^-53. The direction is off by 3 u in each coordinate of the core's frame, where a wrong
+// choice of the farthest point costs as much times twice the reach: 10.4 u of it. The core's own
+// formula takes 12.5 u at most, the way back 5.2 u, sums 2 u: below 31 u of the reach and 2 u of
+// the largest coordinate. For both, of which the scale is the sum, with their difference, the dot
+// product and the direction's length, that is below 40 u. 128 u covers it.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
 // Bounds that are closer than this to each other, relative to the gap, are one.

@@ -1,6 +1,38 @@
 #include <graze/narrowphase/convex/segments.h>
 
 namespace graze::narrowphase {
+namespace {
+
+/// What brings the largest coordinate of a vector, not zero, to between 1 and 2.
+double to_units_of(const Vec3& a) {
+  return std::scalbn(1.0, -std::ilogb(largest(a)));
+}
+
+// Where the line from r along a is nearest to that from 0 along b, in lengths of a. The way between
+// them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the angle: lines part
+// by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is e = 3.5 u / t of
+// itself.
+//   Of r, what lies in the plane of a and b makes the numerator s c.c, which is off by e of itself
+//   and the square by 2 e: the way is off by 11 u s |a|, and by 4 u of it that sum and quotient
+//   round. The numerator's own rounding, 7.5 u |r| |b| |c|, costs 7.5 u |r|.
+//   What stands on the plane, d, makes the numerator 0, but for 3.5 u d |a| |b|^2: the way is off
+//   by 3.5 u d / t, at right angles to d, and longer by half the square of that over d, 6.2 u^2 d /
+//   t^2. From ends, which are offered as well, it is longer by t^2 l^2 / 2 d, with the length l of
+//   the shorter segment: one of these is below 1.8 u l.
+// Where t is below 35 u, ends are within 35 u l of the best. By the determinant of squares, whose
+// error is u / t^2 of itself, the way would be off by u / t.
+bool find_crossing(const Vec3& a, const Vec3& b, const Vec3& r, double& share) {
+  if (!(largest(a) > 0) || !(largest(b) > 0)) return false;
+  const double scale = to_units_of(a);
+  const Vec3 unit_b = b * to_units_of(b);
+  const Vec3 normal = cross(a * scale, unit_b);
+  const double square = dot(normal, normal);
+  if (!(square > 0)) return false;
+  share = -dot(cross(r * scale, unit_b), normal) / square;
+  return share > 0 && share < 1;
+}
+
+}  // namespace
 
 Vec3 nearest_on_segment(const Vec3& p, const Vec3& q, const Vec3& point) {
   const Vec3 edge = q - p;
@@ -25,14 +57,8 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
 
   const Vec3 a = q_a - p_a;
   const Vec3 b = q_b - p_b;
-  const Vec3 r = p_a - p_b;
-  const double aa = dot(a, a);
-  const double bb = dot(b, b);
-  const double ab = dot(a, b);
-  const double determinant = aa * bb - ab * ab;
-  if (!(determinant > 0)) return best;
-  const double share = (ab * dot(b, r) - bb * dot(a, r)) / determinant;
-  if (share > 0 && share < 1) {
+  double share;
+  if (find_crossing(a, b, p_a - p_b, share)) {
     const Vec3 on_a = p_a + a * share;
     const Vec3 on_b = nearest_on_segment(p_b, q_b, on_a);
     offer(nearest_on_segment(p_a, q_a, on_b), on_b);

@@ -10,9 +10,9 @@
 // Vertex and face: the normal is off by 8 w U V, the height by 50 w U V W. When n.n >= 2^-36 U^2
 // V^2, the point, h n / n.n, moves by at most 2^18 * 300 w W < 2^-74 W.
 //
-// Two edges: each of the parameters' numerators is off by less than 100 w U W V^2 (or with U and V
-// exchanged), their determinant by 60 w U^2 V^2. When it is at least 2^-36 U^2 V^2, a point moves
-// by less than 2^36 * 160 w (W + U) < 2^-57 (W + U) <= 2^-55 M. The way between the points moves by
+// Two edges: each of the parameters' numerators is off by less than 145 w U W V^2 (or with U and V
+// exchanged), their determinant by 136 w U^2 V^2. When it is at least 2^-36 U^2 V^2, a point moves
+// by less than 2^36 * 150 w (W + U) < 2^-57 (W + U) <= 2^-55 M. The way between the points moves by
 // 2^-55 D in each component: the distance by less than 2^-54 D.
 
 #include <graze/narrowphase/derived/double_pair.h>

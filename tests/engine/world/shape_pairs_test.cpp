@@ -204,6 +204,33 @@ TEST(Law11Shapes, OthersTouchWithinTheTolerance) {
   }
 }
 
+// Axes cross at a third of their length, or pass there at a known distance, at all angles and
+// sizes: a bound of the distance holds however badly the crossing is known.
+TEST(Law11Shapes, ThinCapsulesThatCrossAreHits) {
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(1, 2, 3, 4).normalized().toRotationMatrix();
+  Pose own = Pose::Identity();
+  own.linear() = turn;
+  for (const double length : {1e-85, 1e-3, 1.0, 1e90}) {
+    const double radius = 0x1p-36 * length;
+    const Shape rod = Capsule{radius, length};
+    for (double sine = 0.5; sine > 0x1p-56; sine *= 0.71) {
+      const double cosine = std::sqrt(1 - sine * sine);
+      Eigen::Matrix3d across;
+      across << 1, 0, 0, 0, cosine, -sine, 0, sine, cosine;
+      Pose pose = Pose::Identity();
+      pose.linear() = turn * across;
+      for (double way = 0; way < 0.1; way = way == 0 ? 0x1p-35 : 16 * way) {
+        pose.translation() = turn * Vector3d(way, -0.2 * sine, 0.3 + 0.2 * cosine) * length;
+        EXPECT_EQ(intersects(rod, own, rod, pose), way <= 0x1p-35)
+            << length << " " << sine << " " << way;
+        const ShapeDistance found = distance(rod, own, rod, pose);
+        EXPECT_LE(found.lower_bound, std::max(way - 0x1p-35 + 0x1p-50, 0.0) * length) << sine;
+        EXPECT_NEAR(found.distance / length, std::max(way - 0x1p-35, 0.0), 0x1p-44) << sine;
+      }
+    }
+  }
+}
+
 TEST(ShapePairs, RigidMotionsOfBothChangeNothingButRounding) {
   RandomSource source(14);
   for (int n = 0; n < 1000; ++n) {
