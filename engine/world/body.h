@@ -2,11 +2,13 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/world/manifold.h>
 
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace graze {
 
@@ -49,6 +51,10 @@ class BodyShape {
   /// A way, metres: while the two near each other by less, from these poses on, touches() stays
   /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// Where a ray meets it first, at most ray.max_distance away. A shape that does not know throws
+  /// UnsupportedPairError.
+  virtual std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const;
 
   /// No point of the shape is further than this from its frame's origin, metres; infinite if not
   /// known.

@@ -3,6 +3,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_ray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,10 @@ class ShapeBody final : public BodyShape {
     return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
   }
 
+  std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {
+    return graze::cast_ray(shape_, pose, ray);
+  }
+
   double reach() const override { return reach_; }
 
  private:
@@ -104,6 +109,10 @@ Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
 double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,
                       const Pose& /*other_pose*/) const {
   return 0;
+}
+
+std::optional<RayHit> BodyShape::cast_ray(const Pose& /*pose*/, const Ray& /*ray*/) const {
+  throw UnsupportedPairError("cast_ray: a shape of a user's own does not know where rays meet it");
 }
 
 double BodyShape::reach() const {

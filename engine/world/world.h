@@ -65,6 +65,12 @@ struct BodyDistance {
   ShapeDistance distance;
 };
 
+/// A body and where a ray meets it first.
+struct BodyRayHit {
+  BodyId id;
+  RayHit hit;
+};
+
 /// A copy of a world's state, for World::restore().
 class WorldSnapshot {
  public:
@@ -148,6 +154,17 @@ class World {
   /// The body whose distance() is least, the first of equals; none in an empty world.
   std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
                                            const BodyQuerySettings& settings = {}) const;
+
+  // What a ray meets, as cast_ray() of a shape says, bodies being as they are now. Throw as
+  // check_ray() does, and UnsupportedPairError if the ray comes near a shape of a user's own that
+  // does not know.
+
+  /// The body that it meets first, of equal distances the one with the smaller id.
+  std::optional<BodyRayHit> cast_ray(const Ray& ray, const BodyQuerySettings& settings = {}) const;
+
+  /// Where it first meets each body that it meets, by distance, then by id.
+  std::vector<BodyRayHit> cast_ray_all(const Ray& ray,
+                                       const BodyQuerySettings& settings = {}) const;
 
   /// A copy of all there is, and the world as it was. Throws InputError while changes wait for an
   /// update. From a restored world on, all is as it was from there the first time, bit for bit.

@@ -109,6 +109,8 @@ struct World::State {
   void end(std::uint32_t at);
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
+  template <typename OnHit>
+  void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
   void check_is_settled(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
   void find_contacts();
