@@ -70,6 +70,12 @@ enum class Motion : std::uint8_t {
   Dynamic     // moved by a solver; meets all
 };
 
+enum class Role : std::uint8_t {
+  Solid,  // meets as its motion says
+  Sensor  // is told of solid bodies that move: dynamic and kinematic ones, whatever its own motion
+          // is; of no static body and no other sensor. Its pairs have no contacts
+};
+
 /// Who meets whom: two bodies do if each one's category is in the other's mask; of one group other
 /// than 0, if the group is positive whatever the masks say, and if it is negative never.
 struct Filter {

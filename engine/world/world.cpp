@@ -63,6 +63,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   body.shape = std::move(shape);
   body.pose = pose;
   body.motion = settings.motion;
+  body.role = settings.role;
   body.filter = settings.filter;
   body.user_data = settings.user_data;
   state.insert_box(index);
@@ -129,6 +130,11 @@ void World::set_motion(BodyId id, Motion motion) {
   state_->note_other_filter(id.index);
 }
 
+void World::set_role(BodyId id, Role role) {
+  state_->body(id, "set_role").role = role;
+  state_->note_other_filter(id.index);
+}
+
 void World::set_user_data(BodyId id, std::uint64_t data) {
   state_->body(id, "set_user_data").user_data = data;
 }
@@ -179,6 +185,10 @@ const Pose& World::pose(BodyId id) const {
 
 Motion World::motion(BodyId id) const {
   return state_->body(id, "motion").motion;
+}
+
+Role World::role(BodyId id) const {
+  return state_->body(id, "role").role;
 }
 
 const Filter& World::filter(BodyId id) const {

@@ -18,6 +18,7 @@ struct BodySettings {
   Motion motion = Motion::Dynamic;
   Filter filter = {};
   std::uint64_t user_data = 0;
+  Role role = Role::Solid;
 };
 
 struct WorldSettings {
@@ -26,8 +27,8 @@ struct WorldSettings {
   bool skip_apart = true;  // pairs whose gap cannot have closed are not tested; changes no answer
 };
 
-/// Where two bodies that touch meet. Half-spaces among themselves, and shapes of a user's own that
-/// tell of none, touch with an empty manifold.
+/// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own
+/// that tell of none, touch with an empty manifold.
 struct BodyContact {
   BodyPair pair;
   Manifold manifold;  // as find_contacts() says, normals from pair.a to pair.b
@@ -41,7 +42,7 @@ struct WorldWork {
   std::uint64_t shape_tests = 0;
   std::uint64_t gaps_measured = 0;     // of pairs that were tested
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
-  std::uint64_t contacts_skipped = 0;  // pairs in `moved` whose contacts nobody asked for
+  std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the
@@ -51,12 +52,13 @@ struct WorldUpdate {
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
       moved;  // touch now, and one of them moved or came or changed its filter
-  std::span<const BodyContact> contacts;  // of the pairs in `moved`, if the settings ask for them
+  std::span<const BodyContact> contacts;  // of the solid pairs in `moved`, if the settings ask
   WorldWork work;
 };
 
 struct BodyQuerySettings {
   std::optional<Filter> filter = {};  // only bodies that lets_pass() lets meet it; else all bodies
+  std::optional<Role> role = {};      // only solid bodies, or only sensors; else both
 };
 
 /// A body and how far it is from a shape: A is the shape that was asked about, B the body's.
@@ -104,6 +106,7 @@ class World {
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   void set_filter(BodyId id, const Filter& filter);
   void set_motion(BodyId id, Motion motion);
+  void set_role(BodyId id, Role role);
   void set_user_data(BodyId id, std::uint64_t data);
 
   /// Pairs of bodies none of which is awake are not looked at. A static body sleeps always.
@@ -122,6 +125,7 @@ class World {
   std::size_t size() const;
   const Pose& pose(BodyId id) const;
   Motion motion(BodyId id) const;
+  Role role(BodyId id) const;
   const Filter& filter(BodyId id) const;
   std::uint64_t user_data(BodyId id) const;
   bool is_awake(BodyId id) const;
@@ -132,7 +136,7 @@ class World {
   /// All pairs that touch, in ascending order. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
-  /// The contacts of all pairs that touch, in the order of pairs(). Computes each. Throws
+  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each. Throws
   /// InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
 

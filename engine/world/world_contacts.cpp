@@ -23,16 +23,20 @@ void World::State::find_contacts() {
     work.contacts_skipped = moved.size();
     return;
   }
-  for (const BodyPair& pair : moved)
-    contacts.push_back(contact_of(pair));
+  for (const BodyPair& pair : moved) {
+    if (all.are_solid(pair.a.index, pair.b.index)) contacts.push_back(contact_of(pair));
+  }
   work.contacts_found = contacts.size();
+  work.contacts_skipped = moved.size() - contacts.size();
 }
 
 std::vector<BodyContact> World::contacts() const {
   state_->check_is_settled("contacts");
   std::vector<BodyContact> contacts;
-  for (const BodyPair& pair : pairs())
-    contacts.push_back(state_->contact_of(pair));
+  for (const BodyPair& pair : pairs()) {
+    if (state_->all.are_solid(pair.a.index, pair.b.index))
+      contacts.push_back(state_->contact_of(pair));
+  }
   return contacts;
 }
 

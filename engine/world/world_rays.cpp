@@ -24,7 +24,7 @@ void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
   const auto look = [&](std::uint32_t box) {
     const std::uint32_t index = body_of_box[box];
     const Bodies::Body& body = all.bodies[index];
-    if (query.filter && !lets_pass(*query.filter, body.filter)) return shorter.max_distance;
+    if (!is_asked_for(index, query)) return shorter.max_distance;
     if (const auto hit = body.shape->cast_ray(body.pose, shorter))
       shorter.max_distance = on_hit(BodyRayHit{all.id(index), *hit});
     return shorter.max_distance;

@@ -21,6 +21,7 @@ struct Bodies {
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
     Motion motion = Motion::Dynamic;
+    Role role = Role::Solid;
     bool is_awake = true;
     bool has_changed = false;       // came, moved or changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
@@ -38,6 +39,9 @@ struct Bodies {
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
+  bool are_solid(std::uint32_t a, std::uint32_t b) const {
+    return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
+  }
 };
 
 /// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
@@ -107,6 +111,7 @@ struct World::State {
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
+  bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   template <typename OnHit>

@@ -19,10 +19,22 @@ bool lets_pass(const Filter& a, const Filter& b) {
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+namespace {
+
+/// Whether bodies of these roles and motions are of interest to each other at all.
+bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
+  if (s.role == Role::Sensor && t.role == Role::Sensor) return false;
+  if (s.role == Role::Sensor) return t.motion != Motion::Static;
+  if (t.role == Role::Sensor) return s.motion != Motion::Static;
+  return s.motion == Motion::Dynamic || t.motion == Motion::Dynamic;
+}
+
+}  // namespace
+
 bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
   const Body& s = bodies[a];
   const Body& t = bodies[b];
-  if (s.motion != Motion::Dynamic && t.motion != Motion::Dynamic) return false;
+  if (!can_meet(s, t)) return false;
   if (!lets_pass(s.filter, t.filter)) return false;
   if (s.exclusions != 0 && t.exclusions != 0 &&
       excluded.contains(static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b))) {
