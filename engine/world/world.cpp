@@ -120,6 +120,22 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   }
 }
 
+void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
+  State& state = *state_;
+  Bodies::Body& body = state.body(id, "set_shape");
+  if (shape == nullptr) throw InputError("set_shape: no shape");
+  const Aabb box = bounds_of(*shape, body.pose, "set_shape");
+  state.broad.move(state.broad.id(body.box), box);
+  body.shape = std::move(shape);
+  body.is_awake = true;
+  body.has_other_shape = true;
+  state.note_change(id.index);
+}
+
+void World::set_shape(BodyId id, const Shape& shape) {
+  set_shape(id, share(shape));
+}
+
 void World::set_filter(BodyId id, const Filter& filter) {
   state_->body(id, "set_filter").filter = filter;
   state_->note_other_filter(id.index);

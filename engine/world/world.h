@@ -104,6 +104,11 @@ class World {
   void remove(BodyId id);
   void move(BodyId id, const Pose& pose);  // wakes the body
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
+  /// each step. Throws as add() does, and leaves the body as it was.
+  void set_shape(BodyId id, const Shape& shape);
+  void set_shape(BodyId id, std::shared_ptr<const BodyShape> shape);
+
   void set_filter(BodyId id, const Filter& filter);
   void set_motion(BodyId id, Motion motion);
   void set_role(BodyId id, Role role);

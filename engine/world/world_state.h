@@ -25,6 +25,7 @@ struct Bodies {
     bool is_awake = true;
     bool has_changed = false;       // came, moved or changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
+    bool has_other_shape = false;   // what was known of gaps is void
   };
 
   IdTable ids;

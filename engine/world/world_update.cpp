@@ -122,6 +122,7 @@ void World::State::test_pairs(std::uint32_t index) {
     if (at == Candidates::kNowhere) continue;
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
+    if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
     if (is_apart_for_sure(at)) continue;
     ++work.shape_tests;
     const bool touches = a.shape->touches(a.pose, *b.shape, b.pose);
@@ -172,8 +173,10 @@ WorldUpdate World::update() {
   }
   for (const std::uint32_t index : state.changed)
     state.test_pairs(index);
-  for (const std::uint32_t index : state.changed)
-    state.all.bodies[index].has_changed = state.all.bodies[index].has_other_filter = false;
+  for (const std::uint32_t index : state.changed) {
+    Bodies::Body& body = state.all.bodies[index];
+    body.has_changed = body.has_other_filter = body.has_other_shape = false;
+  }
   state.changed.clear();
   state.removed = 0;
   std::sort(state.begun.begin(), state.begun.end());

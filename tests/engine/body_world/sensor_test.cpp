@@ -2,10 +2,12 @@
 
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <vector>
@@ -85,6 +87,9 @@ void change(Body& body, World& world, RandomSource& source) {
     case 1:
       body.motion = next.motion;
       return world.set_motion(body.id, body.motion);
+    case 2:
+      body.shape = next.shape;
+      return world.set_shape(body.id, body.shape);
     default:
       body.pose.translation() += source.vector(-0.1, 0.1);
       return world.move(body.id, body.pose);
@@ -134,6 +139,50 @@ TEST(Sensors, EqualBruteForceOverRandomHistories) {
     ASSERT_FALSE(HasFailure()) << frame;
   }
   EXPECT_GT(sensed, 300u);
+}
+
+/// A pair that is known to be apart by far, until one of the two is another.
+TEST(SetShape, VoidsWhatWasKnownOfGaps) {
+  World world;
+  const BodyId drum = world.add(Cylinder{1, 1}, at(0, 0, 0));
+  const BodyId cone = world.add(Cone{0.5, 0.5}, at(1.3, 1.3, 0));
+  std::uint64_t skipped = 0;
+  for (int i = 0; i < 10; ++i) {
+    world.move(cone, at(1.3, 1.3, 1e-3 * i));
+    skipped += world.update().work.pairs_apart;
+  }
+  EXPECT_GT(skipped, 5u);
+  world.set_shape(drum, Cylinder{1.5, 1});
+  EXPECT_EQ(world.update().begun.size(), 1u);
+  world.set_shape(drum, Cylinder{1, 1});
+  EXPECT_EQ(world.update().ended.size(), 1u);
+  EXPECT_EQ(world.update().work.shape_tests, 0u);
+  const double nan = std::nan("");
+  EXPECT_THROW(world.set_shape(drum, Cylinder{nan, 1}), InputError);
+  EXPECT_THROW(world.set_shape(drum, std::shared_ptr<const BodyShape>()), InputError);
+  world.remove(drum);
+  EXPECT_THROW(world.set_shape(drum, Cylinder{1, 1}), StaleIdError);
+}
+
+/// A mesh that breathes, and a ball beside it.
+TEST(SetShape, ADeformingMeshIsANewOneInEachStep) {
+  World world;
+  const Shape ball = Sphere{{0, 0, 0}, 0.5};
+  world.add(ball, at(1.6, 0, 0), {.motion = Motion::Static});
+  const BodyId body = world.add(tests::make_sphere(1, 8, 12), at(0, 0, 0));
+  int touching = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Shape mesh = tests::make_sphere(1 + 0.2 * std::sin(0.3 * i), 8, 12);
+    world.set_shape(body, mesh);
+    world.update();
+    const bool touches = intersects(mesh, at(0, 0, 0), ball, at(1.6, 0, 0));
+    ASSERT_EQ(world.pairs().size(), touches ? 1u : 0u) << i;
+    ASSERT_EQ(world.cast_ray({{0, 0.1, 0}, {-1, 0.01, 0}})->hit.distance,
+              cast_ray(mesh, at(0, 0, 0), Ray{{0, 0.1, 0}, {-1, 0.01, 0}})->distance);
+    touching += touches;
+  }
+  EXPECT_GT(touching, 5);
+  EXPECT_LT(touching, 35);
 }
 
 TEST(Sensors, QueriesMayLeaveThemOut) {
