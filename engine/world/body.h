@@ -48,6 +48,10 @@ class BodyShape {
   /// know offers none.
   virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
+  /// Both in one: what contacts() says where touches() is true, else nothing.
+  virtual std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
+                                       const Pose& other_pose) const;
+
   /// A way, metres: while the two near each other by less, from these poses on, touches() stays
   /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;

@@ -70,6 +70,22 @@ class ShapeBody final : public BodyShape {
     return find_contacts(shape_, pose, *shape, other_pose);
   }
 
+  std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
+                               const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr) {
+      std::optional<Manifold> found = other.meet(other_pose, *this, pose);
+      if (found) found = mirrored(*found);
+      return found;
+    }
+    if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
+      return BodyShape::meet(pose, other, other_pose);
+    // Empty exactly when they do not touch.
+    Manifold found = find_contacts(shape_, pose, *shape, other_pose);
+    if (found.empty()) return std::nullopt;
+    return found;
+  }
+
   // distance() proves a way that the two can near each other before they meet. touches() may say
   // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
   // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
@@ -104,6 +120,12 @@ class ShapeBody final : public BodyShape {
 Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
                              const Pose& /*other_pose*/) const {
   return {};
+}
+
+std::optional<Manifold> BodyShape::meet(const Pose& pose, const BodyShape& other,
+                                        const Pose& other_pose) const {
+  if (!touches(pose, other, other_pose)) return std::nullopt;
+  return contacts(pose, other, other_pose);
 }
 
 double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,

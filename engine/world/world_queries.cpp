@@ -47,13 +47,13 @@ bool World::State::is_asked_for(std::uint32_t index, const BodyQuerySettings& qu
 
 std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
                                                      const BodyQuerySettings& query) const {
-  std::vector<std::uint32_t> found;
-  broad.find_overlapping(box, found);
-  for (std::uint32_t& index : found)
+  std::vector<std::uint32_t> bodies;
+  broad.find_overlapping(box, bodies);
+  for (std::uint32_t& index : bodies)
     index = body_of_box[index];
-  std::erase_if(found, [&](std::uint32_t index) { return !is_asked_for(index, query); });
-  std::sort(found.begin(), found.end());
-  return found;
+  std::erase_if(bodies, [&](std::uint32_t index) { return !is_asked_for(index, query); });
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
 }
 
 BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,

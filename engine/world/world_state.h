@@ -90,7 +90,9 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
-  std::vector<BodyContact> contacts;  // of `moved`
+  std::vector<BodyContact> found;     // contacts in the order in which pairs were tested
+  std::vector<std::uint32_t> order;   // of those
+  std::vector<BodyContact> contacts;  // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -119,7 +121,8 @@ struct World::State {
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
   void check_is_settled(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
-  void find_contacts();
+  bool test(BoxPair pair);
+  void sort_contacts();
 };
 
 }  // namespace graze

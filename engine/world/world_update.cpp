@@ -125,7 +125,7 @@ void World::State::test_pairs(std::uint32_t index) {
     if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
     if (is_apart_for_sure(at)) continue;
     ++work.shape_tests;
-    const bool touches = a.shape->touches(a.pose, *b.shape, b.pose);
+    const bool touches = test(pair);
     if (touches) moved.push_back(all.id_pair(pair));
     if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
     candidates.set_touches(at, touches);
@@ -158,7 +158,7 @@ void World::State::learn_gap(std::uint32_t at) {
 
 WorldUpdate World::update() {
   State& state = *state_;
-  state.begun.clear(), state.ended.clear(), state.moved.clear();
+  state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
   state.work = {};
   state.broad.update();
   state.end_pairs();
@@ -182,7 +182,7 @@ WorldUpdate World::update() {
   std::sort(state.begun.begin(), state.begun.end());
   std::sort(state.ended.begin(), state.ended.end());
   std::sort(state.moved.begin(), state.moved.end());
-  state.find_contacts();
+  state.sort_contacts();
   state.all.ids.next_round();
   state.work.pairs_at_rest =
       state.candidates.list().size() - state.work.shape_tests - state.work.pairs_apart;
