@@ -11,7 +11,7 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
 }
 
 Aabb bounds_of(const BodyShape& shape, const Pose& pose, const char* what) {
-  const Aabb box = shape.bounds(pose);
+  Aabb box = shape.bounds(pose);
   check_box(box, what);
   return box;
 }
@@ -235,6 +235,7 @@ std::vector<BodyId> World::find_in_box(const Aabb& box) const {
   std::vector<std::uint32_t> found;
   state_->broad.find_overlapping(box, found);
   std::vector<BodyId> bodies;
+  bodies.reserve(found.size());
   for (const std::uint32_t index : found)
     bodies.push_back(state_->all.id(state_->body_of_box[index]));
   std::sort(bodies.begin(), bodies.end());
