@@ -12,6 +12,7 @@
 #include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
+#include <graze/bvh/ray.h>
 #include <graze/bvh/sphere.h>
 #include <graze/bvh/volume.h>
 #include <graze/engine/mesh/contacts/mesh_contacts.h>
@@ -23,6 +24,7 @@
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placed_mesh.h>
@@ -42,11 +44,13 @@
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/stale_id_error.h>
 #include <graze/engine/world/world.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/ray/triangle_ray.h>
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>

@@ -243,6 +243,13 @@ void BoxSet::find_overlapping_either(const OrderedBox& before, const OrderedBox&
   }
 }
 
+void BoxSet::walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const {
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
+      bvh::walk_along(view(layer), ray, limit, visit);
+  }
+}
+
 void BoxSet::sort_if_crowded() {
   const double blocks = static_cast<double>(high_.size());
   if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||

@@ -3,6 +3,7 @@
 #include <graze/bvh/box_set/kd_order.h>
 #include <graze/bvh/box_set/layer.h>
 #include <graze/bvh/box_set/pair_kernels.h>
+#include <graze/bvh/box_set/ray_walk.h>
 #include <graze/bvh/box_set/workers.h>
 
 #include <cstdint>
@@ -64,6 +65,9 @@ class BoxSet {
   /// Appends what overlaps a mover where it was or where it is.
   void find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
                                std::vector<MoverHit>& out) const;
+
+  /// Visits the boxes along a ray, as bvh::walk_along() says.
+  void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;
 
   std::uint64_t sorts() const { return sorts_; }
   std::uint64_t blocks_met() const { return met_; }

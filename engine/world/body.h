@@ -2,11 +2,13 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/world/manifold.h>
 
 #include <compare>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace graze {
 
@@ -46,9 +48,17 @@ class BodyShape {
   /// know offers none.
   virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
+  /// Both in one: what contacts() says where touches() is true, else nothing.
+  virtual std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
+                                       const Pose& other_pose) const;
+
   /// A way, metres: while the two near each other by less, from these poses on, touches() stays
   /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// Where a ray meets it first, at most ray.max_distance away. A shape that does not know throws
+  /// UnsupportedPairError.
+  virtual std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const;
 
   /// No point of the shape is further than this from its frame's origin, metres; infinite if not
   /// known.
@@ -62,6 +72,12 @@ enum class Motion : std::uint8_t {
   Static,     // does not move by itself; meets only dynamic bodies
   Kinematic,  // moved by its user, as by rails; meets only dynamic bodies
   Dynamic     // moved by a solver; meets all
+};
+
+enum class Role : std::uint8_t {
+  Solid,  // meets as its motion says
+  Sensor  // is told of solid bodies that move: dynamic and kinematic ones, whatever its own motion
+          // is; of no static body and no other sensor. Its pairs have no contacts
 };
 
 /// Who meets whom: two bodies do if each one's category is in the other's mask; of one group other

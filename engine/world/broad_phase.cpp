@@ -209,6 +209,30 @@ void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& i
   }
 }
 
+void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
+  check_ray(ray, "visit_along");
+  const State& state = *state_;
+  const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
+  const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
+  const auto limit_for = [&](double distance) {
+    return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
+  };
+  double limit = limit_for(ray.max_distance);
+  const auto look = [&](std::uint32_t index) {
+    return state.is_staged[index] ? limit : limit_for(visit(index));
+  };
+  state.tracker.set().walk_along(slabs, limit, std::cref(look));
+  // What was asked for since the last update is not in the trees yet.
+  for (std::size_t i = 0; i < state.changes.size(); ++i) {
+    const std::uint32_t index = state.changes.owner[i];
+    const Aabb& box = state.changes.box[i];
+    if (!state.ids.is_live(index) ||
+        bvh::padded_entry(slabs, box.min.data(), box.max.data(), limit) == bvh::kNever)
+      continue;
+    if (state.staged(index) == i) limit = std::min(limit, limit_for(visit(index)));
+  }
+}
+
 const BroadPhaseWork& BroadPhase::work() const {
   return state_->work;
 }

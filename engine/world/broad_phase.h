@@ -2,6 +2,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/box_set/box_pair.h>
+#include <graze/bvh/ray.h>
 #include <graze/engine/world/stale_id_error.h>
 
 #include <compare>
@@ -34,6 +35,10 @@ struct BroadPhaseWork {
 struct BroadPhaseSettings {
   int threads = 1;  // at least 1; no result depends on it
 };
+
+/// Is told of a box that a ray may meet, by index; returns the distance along the ray, metres,
+/// beyond which no more boxes are of interest.
+using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 
 /// Which of many moving boxes overlap: exactly, on their own doubles, touching included.
 ///
@@ -88,6 +93,11 @@ class BroadPhase {
 
   /// Appends the indices of all boxes that share a point with `box`, in an order of no meaning.
   void find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const;
+
+  /// Calls `visit` once for each box that the ray meets before that distance, and perhaps for some
+  /// that it misses by less than 2^-36 of how far they reach from its origin; those near its origin
+  /// roughly first. `visit` must not change the boxes. Throws as check_ray() does.
+  void visit_along(const Ray& ray, const RayBoxVisitor& visit) const;
 
   const BroadPhaseWork& work() const;
 

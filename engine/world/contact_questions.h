@@ -16,6 +16,7 @@ struct Touches {
   std::vector<narrowphase::ContactPoint> list;
   std::vector<narrowphase::ContactPoint> from_behind;  ///< of a mesh, its triangles seen so
   std::vector<narrowphase::ContactPoint> found;        ///< what is at hand
+  std::vector<bool> is_seen;                           ///< of a mesh, its vertices
 
   void clear() {
     list.clear();

@@ -158,7 +158,8 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
   const Aabb& box = mesh.bounds();
   const double size =
       largest(to_vec3(box.min)) + largest(to_vec3(box.max)) + std::abs(plane.offset) + plane.slack;
-  std::vector<bool> is_seen(mesh.vertices().size(), false);
+  std::vector<bool>& is_seen = touches.is_seen;
+  is_seen.assign(mesh.vertices().size(), false);
   double lowest = std::numeric_limits<double>::infinity();
   ContactPoint deepest{};
   for (const TriangleIndices& triangle : mesh.triangles()) {
@@ -184,7 +185,8 @@ void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touc
   const Vec3 origin = to_vec3(touches.origin);
   const MeshContacts contacts = find_contacts(mesh_a, mesh_b, {}, &work);
   for (const MeshContact& contact : contacts) {
-    std::vector<ContactPoint> of_piece;
+    std::vector<ContactPoint>& of_piece = touches.found;
+    of_piece.clear();
     for (const Eigen::Vector3d& point : contacts.points_of(contact)) {
       of_piece.push_back({to_vec3(point) - origin, to_vec3(contact.normal), contact.depth, 0, 0});
     }

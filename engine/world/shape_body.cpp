@@ -3,6 +3,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_ray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,22 @@ class ShapeBody final : public BodyShape {
     return find_contacts(shape_, pose, *shape, other_pose);
   }
 
+  std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
+                               const Pose& other_pose) const override {
+    const Shape* shape = other.shape();
+    if (shape == nullptr) {
+      std::optional<Manifold> found = other.meet(other_pose, *this, pose);
+      if (found) found = mirrored(*found);
+      return found;
+    }
+    if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
+      return BodyShape::meet(pose, other, other_pose);
+    // Empty exactly when they do not touch.
+    Manifold found = find_contacts(shape_, pose, *shape, other_pose);
+    if (found.empty()) return std::nullopt;
+    return found;
+  }
+
   // distance() proves a way that the two can near each other before they meet. touches() may say
   // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
   // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
@@ -87,6 +104,10 @@ class ShapeBody final : public BodyShape {
     return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
   }
 
+  std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {
+    return graze::cast_ray(shape_, pose, ray);
+  }
+
   double reach() const override { return reach_; }
 
  private:
@@ -101,9 +122,19 @@ Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
   return {};
 }
 
+std::optional<Manifold> BodyShape::meet(const Pose& pose, const BodyShape& other,
+                                        const Pose& other_pose) const {
+  if (!touches(pose, other, other_pose)) return std::nullopt;
+  return contacts(pose, other, other_pose);
+}
+
 double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,
                       const Pose& /*other_pose*/) const {
   return 0;
+}
+
+std::optional<RayHit> BodyShape::cast_ray(const Pose& /*pose*/, const Ray& /*ray*/) const {
+  throw UnsupportedPairError("cast_ray: a shape of a user's own does not know where rays meet it");
 }
 
 double BodyShape::reach() const {

@@ -63,6 +63,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   body.shape = std::move(shape);
   body.pose = pose;
   body.motion = settings.motion;
+  body.role = settings.role;
   body.filter = settings.filter;
   body.user_data = settings.user_data;
   state.insert_box(index);
@@ -119,6 +120,22 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   }
 }
 
+void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
+  State& state = *state_;
+  Bodies::Body& body = state.body(id, "set_shape");
+  if (shape == nullptr) throw InputError("set_shape: no shape");
+  const Aabb box = bounds_of(*shape, body.pose, "set_shape");
+  state.broad.move(state.broad.id(body.box), box);
+  body.shape = std::move(shape);
+  body.is_awake = true;
+  body.has_other_shape = true;
+  state.note_change(id.index);
+}
+
+void World::set_shape(BodyId id, const Shape& shape) {
+  set_shape(id, share(shape));
+}
+
 void World::set_filter(BodyId id, const Filter& filter) {
   state_->body(id, "set_filter").filter = filter;
   state_->note_other_filter(id.index);
@@ -126,6 +143,11 @@ void World::set_filter(BodyId id, const Filter& filter) {
 
 void World::set_motion(BodyId id, Motion motion) {
   state_->body(id, "set_motion").motion = motion;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_role(BodyId id, Role role) {
+  state_->body(id, "set_role").role = role;
   state_->note_other_filter(id.index);
 }
 
@@ -179,6 +201,10 @@ const Pose& World::pose(BodyId id) const {
 
 Motion World::motion(BodyId id) const {
   return state_->body(id, "motion").motion;
+}
+
+Role World::role(BodyId id) const {
+  return state_->body(id, "role").role;
 }
 
 const Filter& World::filter(BodyId id) const {

@@ -18,6 +18,7 @@ struct BodySettings {
   Motion motion = Motion::Dynamic;
   Filter filter = {};
   std::uint64_t user_data = 0;
+  Role role = Role::Solid;
 };
 
 struct WorldSettings {
@@ -26,8 +27,8 @@ struct WorldSettings {
   bool skip_apart = true;  // pairs whose gap cannot have closed are not tested; changes no answer
 };
 
-/// Where two bodies that touch meet. Half-spaces among themselves, and shapes of a user's own that
-/// tell of none, touch with an empty manifold.
+/// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own
+/// that tell of none, touch with an empty manifold.
 struct BodyContact {
   BodyPair pair;
   Manifold manifold;  // as find_contacts() says, normals from pair.a to pair.b
@@ -41,7 +42,7 @@ struct WorldWork {
   std::uint64_t shape_tests = 0;
   std::uint64_t gaps_measured = 0;     // of pairs that were tested
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
-  std::uint64_t contacts_skipped = 0;  // pairs in `moved` whose contacts nobody asked for
+  std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the
@@ -51,18 +52,25 @@ struct WorldUpdate {
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
       moved;  // touch now, and one of them moved or came or changed its filter
-  std::span<const BodyContact> contacts;  // of the pairs in `moved`, if the settings ask for them
+  std::span<const BodyContact> contacts;  // of the solid pairs in `moved`, if the settings ask
   WorldWork work;
 };
 
 struct BodyQuerySettings {
   std::optional<Filter> filter = {};  // only bodies that lets_pass() lets meet it; else all bodies
+  std::optional<Role> role = {};      // only solid bodies, or only sensors; else both
 };
 
 /// A body and how far it is from a shape: A is the shape that was asked about, B the body's.
 struct BodyDistance {
   BodyId id;
   ShapeDistance distance;
+};
+
+/// A body and where a ray meets it first.
+struct BodyRayHit {
+  BodyId id;
+  RayHit hit;
 };
 
 /// A copy of a world's state, for World::restore().
@@ -96,8 +104,14 @@ class World {
   void remove(BodyId id);
   void move(BodyId id, const Pose& pose);  // wakes the body
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
+  /// each step. Throws as add() does, and leaves the body as it was.
+  void set_shape(BodyId id, const Shape& shape);
+  void set_shape(BodyId id, std::shared_ptr<const BodyShape> shape);
+
   void set_filter(BodyId id, const Filter& filter);
   void set_motion(BodyId id, Motion motion);
+  void set_role(BodyId id, Role role);
   void set_user_data(BodyId id, std::uint64_t data);
 
   /// Pairs of bodies none of which is awake are not looked at. A static body sleeps always.
@@ -116,6 +130,7 @@ class World {
   std::size_t size() const;
   const Pose& pose(BodyId id) const;
   Motion motion(BodyId id) const;
+  Role role(BodyId id) const;
   const Filter& filter(BodyId id) const;
   std::uint64_t user_data(BodyId id) const;
   bool is_awake(BodyId id) const;
@@ -126,7 +141,7 @@ class World {
   /// All pairs that touch, in ascending order. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
-  /// The contacts of all pairs that touch, in the order of pairs(). Computes each. Throws
+  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each. Throws
   /// InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
 
@@ -148,6 +163,17 @@ class World {
   /// The body whose distance() is least, the first of equals; none in an empty world.
   std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
                                            const BodyQuerySettings& settings = {}) const;
+
+  // What a ray meets, as cast_ray() of a shape says, bodies being as they are now. Throw as
+  // check_ray() does, and UnsupportedPairError if the ray comes near a shape of a user's own that
+  // does not know.
+
+  /// The body that it meets first, of equal distances the one with the smaller id.
+  std::optional<BodyRayHit> cast_ray(const Ray& ray, const BodyQuerySettings& settings = {}) const;
+
+  /// Where it first meets each body that it meets, by distance, then by id.
+  std::vector<BodyRayHit> cast_ray_all(const Ray& ray,
+                                       const BodyQuerySettings& settings = {}) const;
 
   /// A copy of all there is, and the world as it was. Throws InputError while changes wait for an
   /// update. From a restored world on, all is as it was from there the first time, bit for bit.

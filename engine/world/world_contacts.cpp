@@ -2,6 +2,8 @@
 
 #include <graze/engine/world/world_state.h>
 
+#include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace graze {
@@ -17,22 +19,36 @@ BodyContact World::State::contact_of(const BodyPair& pair) const {
   return {pair, a.shape->contacts(a.pose, *b.shape, b.pose)};
 }
 
-void World::State::find_contacts() {
+/// Whether the two touch; if so, and if anyone asks, their contacts are found in the same go.
+bool World::State::test(BoxPair pair) {
+  const Bodies::Body& a = all.bodies[pair.a];
+  const Bodies::Body& b = all.bodies[pair.b];
+  if (!settings.contacts || !all.are_solid(pair.a, pair.b))
+    return a.shape->touches(a.pose, *b.shape, b.pose);
+  const std::optional<Manifold> manifold = a.shape->meet(a.pose, *b.shape, b.pose);
+  if (manifold) found.push_back({all.id_pair(pair), *manifold});
+  return manifold.has_value();
+}
+
+void World::State::sort_contacts() {
+  order.resize(found.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t s, std::uint32_t t) { return found[s].pair < found[t].pair; });
   contacts.clear();
-  if (!settings.contacts) {
-    work.contacts_skipped = moved.size();
-    return;
-  }
-  for (const BodyPair& pair : moved)
-    contacts.push_back(contact_of(pair));
+  for (const std::uint32_t at : order)
+    contacts.push_back(found[at]);
   work.contacts_found = contacts.size();
+  work.contacts_skipped = moved.size() - contacts.size();
 }
 
 std::vector<BodyContact> World::contacts() const {
   state_->check_is_settled("contacts");
   std::vector<BodyContact> contacts;
-  for (const BodyPair& pair : pairs())
-    contacts.push_back(state_->contact_of(pair));
+  for (const BodyPair& pair : pairs()) {
+    if (state_->all.are_solid(pair.a.index, pair.b.index))
+      contacts.push_back(state_->contact_of(pair));
+  }
   return contacts;
 }
 

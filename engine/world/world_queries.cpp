@@ -39,19 +39,21 @@ bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
 
 }  // namespace
 
+bool World::State::is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const {
+  const Bodies::Body& body = all.bodies[index];
+  if (query.filter && !lets_pass(*query.filter, body.filter)) return false;
+  return !query.role || *query.role == body.role;
+}
+
 std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
                                                      const BodyQuerySettings& query) const {
-  std::vector<std::uint32_t> found;
-  broad.find_overlapping(box, found);
-  for (std::uint32_t& index : found)
+  std::vector<std::uint32_t> bodies;
+  broad.find_overlapping(box, bodies);
+  for (std::uint32_t& index : bodies)
     index = body_of_box[index];
-  if (query.filter) {
-    std::erase_if(found, [&](std::uint32_t index) {
-      return !lets_pass(*query.filter, all.bodies[index].filter);
-    });
-  }
-  std::sort(found.begin(), found.end());
-  return found;
+  std::erase_if(bodies, [&](std::uint32_t index) { return !is_asked_for(index, query); });
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
 }
 
 BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,

@@ -21,9 +21,11 @@ struct Bodies {
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
     Motion motion = Motion::Dynamic;
+    Role role = Role::Solid;
     bool is_awake = true;
     bool has_changed = false;       // came, moved or changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
+    bool has_other_shape = false;   // what was known of gaps is void
   };
 
   IdTable ids;
@@ -38,6 +40,9 @@ struct Bodies {
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
+  bool are_solid(std::uint32_t a, std::uint32_t b) const {
+    return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
+  }
 };
 
 /// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
@@ -85,7 +90,9 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
-  std::vector<BodyContact> contacts;  // of `moved`
+  std::vector<BodyContact> found;     // contacts in the order in which pairs were tested
+  std::vector<std::uint32_t> order;   // of those
+  std::vector<BodyContact> contacts;  // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -107,11 +114,15 @@ struct World::State {
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
+  bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
+  template <typename OnHit>
+  void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
   void check_is_settled(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
-  void find_contacts();
+  bool test(BoxPair pair);
+  void sort_contacts();
 };
 
 }  // namespace graze

@@ -19,10 +19,22 @@ bool lets_pass(const Filter& a, const Filter& b) {
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+namespace {
+
+/// Whether bodies of these roles and motions are of interest to each other at all.
+bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
+  if (s.role == Role::Sensor && t.role == Role::Sensor) return false;
+  if (s.role == Role::Sensor) return t.motion != Motion::Static;
+  if (t.role == Role::Sensor) return s.motion != Motion::Static;
+  return s.motion == Motion::Dynamic || t.motion == Motion::Dynamic;
+}
+
+}  // namespace
+
 bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
   const Body& s = bodies[a];
   const Body& t = bodies[b];
-  if (s.motion != Motion::Dynamic && t.motion != Motion::Dynamic) return false;
+  if (!can_meet(s, t)) return false;
   if (!lets_pass(s.filter, t.filter)) return false;
   if (s.exclusions != 0 && t.exclusions != 0 &&
       excluded.contains(static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b))) {
@@ -110,9 +122,10 @@ void World::State::test_pairs(std::uint32_t index) {
     if (at == Candidates::kNowhere) continue;
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
+    if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
     if (is_apart_for_sure(at)) continue;
     ++work.shape_tests;
-    const bool touches = a.shape->touches(a.pose, *b.shape, b.pose);
+    const bool touches = test(pair);
     if (touches) moved.push_back(all.id_pair(pair));
     if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
     candidates.set_touches(at, touches);
@@ -145,7 +158,7 @@ void World::State::learn_gap(std::uint32_t at) {
 
 WorldUpdate World::update() {
   State& state = *state_;
-  state.begun.clear(), state.ended.clear(), state.moved.clear();
+  state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
   state.work = {};
   state.broad.update();
   state.end_pairs();
@@ -160,14 +173,16 @@ WorldUpdate World::update() {
   }
   for (const std::uint32_t index : state.changed)
     state.test_pairs(index);
-  for (const std::uint32_t index : state.changed)
-    state.all.bodies[index].has_changed = state.all.bodies[index].has_other_filter = false;
+  for (const std::uint32_t index : state.changed) {
+    Bodies::Body& body = state.all.bodies[index];
+    body.has_changed = body.has_other_filter = body.has_other_shape = false;
+  }
   state.changed.clear();
   state.removed = 0;
   std::sort(state.begun.begin(), state.begun.end());
   std::sort(state.ended.begin(), state.ended.end());
   std::sort(state.moved.begin(), state.moved.end());
-  state.find_contacts();
+  state.sort_contacts();
   state.all.ids.next_round();
   state.work.pairs_at_rest =
       state.candidates.list().size() - state.work.shape_tests - state.work.pairs_apart;

@@ -320,5 +320,38 @@ TEST(ShapeWorld, MeetsShapesOfAUsersOwn) {
   EXPECT_EQ(update.contacts[1].manifold.size(), 1u);
 }
 
+/// A shape of a user's own that counts what it is asked.
+class Counting : public BodyShape {
+ public:
+  Aabb bounds(const Pose& pose) const override {
+    const Eigen::Vector3d p = pose.translation();
+    return {p, p + Eigen::Vector3d::Ones()};
+  }
+  bool touches(const Pose&, const BodyShape&, const Pose&) const override { return ++tests > 0; }
+  Manifold contacts(const Pose&, const BodyShape&, const Pose&) const override {
+    ++contacts_asked;
+    return {};
+  }
+  mutable int tests = 0;
+  mutable int contacts_asked = 0;
+};
+
+TEST(ShapeWorld, AsksAPairThatTouchesOnce) {
+  for (const bool is_asked_first : {true, false}) {
+    World world;
+    const auto counting = std::make_shared<Counting>();
+    const Shape ball = Sphere{{0, 0, 0}, 0.2};
+    if (is_asked_first) world.add(counting, at(0, 0, 0));
+    const BodyId id = world.add(ball, at(0.5, 0.5, 0.5));
+    if (!is_asked_first) world.add(counting, at(0, 0, 0));
+    for (int i = 1; i < 4; ++i) {
+      EXPECT_EQ(world.update().contacts.size(), 1u);
+      EXPECT_EQ(counting->tests, i);
+      EXPECT_EQ(counting->contacts_asked, i);
+      world.move(id, at(0.5, 0.5, 0.5 + 0.01 * i));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace graze

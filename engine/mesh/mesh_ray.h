@@ -1,0 +1,36 @@
+#pragma once
+
+#include <graze/bvh/ray.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace graze {
+
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
+
+/// Where a ray meets something first.
+struct RayHit {
+  double distance;         ///< metres along the ray
+  Eigen::Vector3d point;   ///< in the world's frame
+  Eigen::Vector3d normal;  ///< unit, against the ray: of the surface, or of a triangle on the side
+                           ///< that the ray comes from; the ray's own where there is no other
+  std::uint32_t triangle = kNoTriangle;  ///< of a mesh
+};
+
+/// The placed triangle that the ray meets first (law 1), if any: the hit of least distance, of
+/// equal ones that of the lowest index. What a hit is, and how far off the values may be, is as for
+/// one triangle (narrowphase/ray/triangle_ray.h): nothing slips through between neighbours.
+/// O(log n) for compact meshes. Throws as check_ray() does, and PoseError for a pose that is
+/// refused by law 10 or by law 1.
+std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work = nullptr);
+
+/// All triangles that the ray meets, by distance, then by index: a ray through an edge meets both.
+/// Throws as cast_ray() does.
+std::vector<RayHit> cast_ray_all(const PlacedMesh& mesh, const Ray& ray, Work* work = nullptr);
+
+}  // namespace graze

@@ -1,0 +1,48 @@
+#pragma once
+
+// The stages of a ray and a triangle: signs that decide, then values. Private.
+//
+// With w = a - o, n = (b - a) x (c - a), ray points are o + s d. The line through the ray passes
+// the edge p q on the side that the sign of ((p - o) x (q - o)) . d says; the three add up to
+// n . d. It goes through the triangle, and not along it, if none of them is against the others and
+// not all are zero; there s = (n . w) / (n . d). Neighbours compute the sign of their common edge
+// with p and q swapped, which is exactly the opposite: nothing slips through between them.
+
+#include <graze/bvh/ray_slabs.h>
+#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/ray/triangle_ray.h>
+#include <graze/narrowphase/verdict.h>
+
+namespace graze::narrowphase {
+
+/// A ray that has been checked, which must outlive it.
+struct PreparedRay {
+  explicit PreparedRay(const Ray& checked)
+      : ray(checked), scaled(bvh::scaled_direction(checked.direction.data())) {}
+
+  const Ray& ray;
+  bvh::ScaledDirection scaled;
+};
+
+/// As cast_ray() of a triangle that is finite; `stage` says whether a rounded stage sufficed to
+/// decide whether they meet.
+std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedRay& ray,
+                                       Stage& stage);
+
+/// Where the ray is in the triangle first, or would be if there were no largest distance.
+struct RayPlace {
+  double scale;  ///< of the scaled direction: the point is origin + scale * component
+  Eigen::Vector3d point;
+};
+
+/// For a ray that goes through the triangle, by the signs above.
+RayPlace place_on_face(const Triangle& triangle, const PreparedRay& ray);
+
+/// For a ray whose line passes all three edges with sign zero: it and the triangle lie in one
+/// plane, or the triangle has no area. Decides whether they meet at all. In integers.
+std::optional<RayPlace> place_in_plane(const Triangle& triangle, const PreparedRay& ray);
+
+/// The unit normal of a triangle with area, on the side where its corners turn counter-clockwise.
+Eigen::Vector3d unit_normal(const Triangle& triangle);
+
+}  // namespace graze::narrowphase
