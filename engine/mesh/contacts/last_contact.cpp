@@ -1,5 +1,4 @@
 #include <graze/bvh/error.h>
-#include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/contacts/last_contact.h>
 #include <graze/engine/mesh/contacts/swept_nodes.h>
 #include <graze/engine/mesh/contacts/swept_triangles.h>
@@ -7,34 +6,83 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace graze::contacts {
 namespace {
 
-/// Prunes what cannot meet later than the latest contact found so far.
-class LaterContact {
- public:
-  LaterContact(const SweptNodes& nodes, const bvh::Tree& tree_a, const bvh::Tree& tree_b,
-               const double& latest, Work& work)
-      : nodes_(nodes), tree_a_(tree_a), tree_b_(tree_b), latest_(latest), work_(work) {}
+/// Two nodes, and no less than how far B can go until nothing in them meets any more.
+struct OpenPair {
+  double bound;
+  std::uint32_t a;
+  std::uint32_t b;
+};
 
-  bool are_apart(std::uint32_t a, std::uint32_t b) const {
-    ++work_.volume_tests;
-    const bool is_pruned =
-        nodes_.last_contact(tree_a_.nodes[a].box, tree_b_.nodes[b].box) <= latest_;
-    work_.volume_rejections += is_pruned;
-    return is_pruned;
+/// The pair of nodes that can meet latest is opened first. So no pair is opened whose bound is
+/// below the answer: no order opens fewer. Bounds beyond the translation that is enough are cut to
+/// it; of equals the one with the higher nodes, which stand further down the trees, is first.
+class LatestFirst {
+ public:
+  LatestFirst(const bvh::Tree& tree_a, const bvh::Tree& tree_b, const SweptNodes& nodes,
+              double enough, Work& work)
+      : tree_a_(tree_a), tree_b_(tree_b), nodes_(nodes), enough_(enough), work_(work) {
+    open_.reserve(256);
+    note(0, 0);
   }
-  bool is_first_larger(std::uint32_t a, std::uint32_t b) const {
-    return nodes_.is_first_larger(tree_a_.nodes[a].box, tree_b_.nodes[b].box);
+
+  /// `sweep_leaves(a, b)` raises `latest()`.
+  template <typename SweepLeaves>
+  void run(const SweepLeaves& sweep_leaves) {
+    while (!open_.empty() && latest_ < enough_) {
+      std::pop_heap(open_.begin(), open_.end(), is_sooner);
+      const OpenPair pair = open_.back();
+      open_.pop_back();
+      if (pair.bound <= latest_) return;
+      const bvh::Node& a = tree_a_.nodes[pair.a];
+      const bvh::Node& b = tree_b_.nodes[pair.b];
+      if (a.is_leaf() && b.is_leaf()) {
+        sweep_leaves(a, b);
+      } else if (b.is_leaf() || (!a.is_leaf() && nodes_.is_first_larger(a.box, b.box))) {
+        note(a.first, pair.b);
+        note(a.first + 1, pair.b);
+      } else {
+        note(pair.a, b.first);
+        note(pair.a, b.first + 1);
+      }
+    }
   }
+
+  double latest() const { return latest_; }
+  void raise_latest(double translation) { latest_ = std::max(latest_, translation); }
 
  private:
-  const SweptNodes& nodes_;
+  /// Total, so that no heap's ways show.
+  static bool is_sooner(const OpenPair& p, const OpenPair& q) {
+    if (p.bound != q.bound) return p.bound < q.bound;
+    const std::uint64_t depth_p = std::uint64_t{p.a} + p.b;
+    const std::uint64_t depth_q = std::uint64_t{q.a} + q.b;
+    return depth_p != depth_q ? depth_p < depth_q : p.a < q.a;
+  }
+
+  void note(std::uint32_t a, std::uint32_t b) {
+    ++work_.volume_tests;
+    const double bound =
+        nodes_.last_contact(tree_a_.nodes[a].box, tree_b_.nodes[b].box, latest_);
+    if (bound <= latest_) {
+      ++work_.volume_rejections;
+      return;
+    }
+    open_.push_back({std::min(bound, enough_), a, b});
+    std::push_heap(open_.begin(), open_.end(), is_sooner);
+  }
+
   const bvh::Tree& tree_a_;
   const bvh::Tree& tree_b_;
-  const double& latest_;
+  const SweptNodes& nodes_;
+  double enough_;
+  double latest_ = 0;
   Work& work_;
+  std::vector<OpenPair> open_;
 };
 
 }  // namespace
@@ -61,9 +109,8 @@ double last_contact(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vecto
   const SweepUnits units(a, b);
   const double d[3] = {direction.data()[0], direction.data()[1], direction.data()[2]};
   const SweptNodes nodes(a, b, units, d);
-  double latest = 0;
-  const double wanted = limit * units.per_metre;
-  const auto sweep_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+  LatestFirst search(tree_a, tree_b, nodes, limit * units.per_metre, work);
+  search.run([&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const SweptTriangle swept_a(place(a.pose, a.mesh.triangle(tree_a.primitives[i])),
                                   units.per_metre);
@@ -71,14 +118,11 @@ double last_contact(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vecto
         const SweptTriangle swept_b(place(b.pose, b.mesh.triangle(tree_b.primitives[j])),
                                     units.per_metre);
         ++work.triangle_tests;
-        latest = std::max(latest, last_contact(swept_a, swept_b, d, latest));
+        search.raise_latest(last_contact(swept_a, swept_b, d, search.latest()));
       }
     }
-    return latest < wanted ? bvh::Walk::Continue : bvh::Walk::Stop;
-  };
-  bvh::traverse_pair(tree_a, tree_b, LaterContact(nodes, tree_a, tree_b, latest, work),
-                     sweep_leaves);
-  return latest * units.metres;
+  });
+  return search.latest() * units.metres;
 }
 
 }  // namespace graze::contacts

@@ -74,7 +74,8 @@ SweptNodes::SweptNodes(const PlacedMesh& a, const PlacedMesh& b, const SweepUnit
   }
 }
 
-double SweptNodes::last_contact(const bvh::FloatBox& a, const bvh::FloatBox& b) const {
+double SweptNodes::last_contact(const bvh::FloatBox& a, const bvh::FloatBox& b,
+                                double enough) const {
   SweepBounds bounds(kMargin);
   for (const Direction& n : directions_) {
     double lowest = n.between;
@@ -89,6 +90,7 @@ double SweptNodes::last_contact(const bvh::FloatBox& a, const bvh::FloatBox& b) 
     }
     bounds.note(n.along, n.size, lowest, highest);
     if (bounds.is_empty()) return -1;
+    if (bounds.upper() <= enough) break;
   }
   return bounds.upper();
 }

@@ -15,8 +15,8 @@ class SweptNodes {
              const double (&direction)[3]);
 
   /// No less than the largest translation at which something in box `a` meets something in box `b`;
-  /// negative if there is none.
-  double last_contact(const bvh::FloatBox& a, const bvh::FloatBox& b) const;
+  /// negative if there is none. Once it is known to be `enough` or less, any value that is.
+  double last_contact(const bvh::FloatBox& a, const bvh::FloatBox& b, double enough) const;
 
   /// Which box is larger, to choose the one to open.
   bool is_first_larger(const bvh::FloatBox& a, const bvh::FloatBox& b) const;

@@ -1,0 +1,326 @@
+// Bolts and nuts pour into a bin and come to rest: a loop of a small solver around graze::World.
+// simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] [--gltf FILE] [--picture FILE.pov]
+// Exits with 1 if anything fell through the bin, flew out of it or gained energy.
+
+#include <graze/graze.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "samples/render/picture.h"
+#include "samples/simulation/bin.h"
+#include "samples/simulation/contact_solver.h"
+#include "samples/simulation/gltf_writer.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using graze::samples::ContactSolver;
+using graze::samples::RigidBody;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kGravity = 9.81;            // m/s^2
+constexpr double kSteel = 7850;              // kg/m^3
+constexpr double kPoured = 40;               // bodies a second
+constexpr double kDrop = 0.02;               // metres from the mouth to where they start
+constexpr double kSpinDecay = 2;             // 1/s: stands for what rolling costs
+constexpr double kStillSpeed = 0.015;        // m/s of any point: below, a body counts as still
+constexpr double kTimeToSleep = 0.2;         // s that it stays so until it sleeps
+constexpr double kUnseen = 1e-5;             // metres that a body moves before the world is told
+constexpr double kFramesPerSecond = 30;      // of the animation
+constexpr double kWaiting = 2;               // metres above: where it has bodies before they start
+
+struct Options {
+  std::filesystem::path data;
+  int bodies = 200;
+  double seconds = 10;
+  std::uint64_t seed = 1;
+  std::string gltf, picture;
+};
+
+struct Totals {
+  double world_seconds = 0, solver_seconds = 0;
+  double awake = 0, pairs = 0, contacts = 0;
+  std::uint64_t at_rest = 0, apart = 0, tests = 0, found = 0;
+  int steps = 0;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A shape that pours, with what the world and the solver need of it.
+struct Kind {
+  Kind(const graze::Mesh& of, const char* called)
+      : name(called),
+        mesh(of),
+        shape(graze::share(of)),
+        mass(graze::samples::mass_properties(of, kSteel)) {
+    for (const Vector3d& vertex : of.vertices())
+      reach = std::max(reach, (vertex - mass.centre).norm());
+    graze::prepare(of);
+  }
+
+  const char* name;
+  graze::Mesh mesh;
+  std::shared_ptr<const graze::BodyShape> shape;
+  graze::samples::MassProperties mass;
+  double reach = 0;
+};
+
+class Simulation {
+ public:
+  explicit Simulation(const Options& options)
+      : options_(options), random_(options.seed), solver_(settings_) {
+    kinds_.reserve(2);  // bodies point into it
+    kinds_.emplace_back(graze::load_mesh(options.data / "meshes/bolt.obj"), "bolt");
+    kinds_.emplace_back(graze::load_mesh(options.data / "meshes/nut.stl"), "nut");
+    bodies_.reserve(static_cast<std::size_t>(options.bodies));
+    world_.add(bin_mesh_, graze::Pose::Identity(),
+               {.motion = graze::Motion::Static, .user_data = ContactSolver::kFixed});
+  }
+
+  int run() {
+    const auto start = Clock::now();
+    std::printf("  second  awake  pairs  contacts   world ms/step  solver ms/step   tested  at rest  "
+                "apart\n");
+    const int steps = static_cast<int>(std::lround(options_.seconds / settings_.step));
+    for (int step = 0; step < steps; ++step) {
+      const double time = step * settings_.step;
+      if (bodies_.size() < static_cast<std::size_t>(options_.bodies) &&
+          time * kPoured >= static_cast<double>(bodies_.size())) {
+        pour();
+      }
+      advance();
+      if (time * kFramesPerSecond >= static_cast<double>(times_.size())) record(time);
+      if ((step + 1) % static_cast<int>(std::lround(1 / settings_.step)) == 0 || step + 1 == steps)
+        report(time + settings_.step);
+    }
+    wall_ = seconds_since(start);
+    return judge();
+  }
+
+ private:
+  double uniform(double from, double to) {
+    return from + (to - from) * static_cast<double>(random_() >> 11) * 0x1p-53;
+  }
+
+  /// Adds a body above the mouth, turned at random, unless there is one in its way.
+  void pour() {
+    const Kind& kind = kinds_[bodies_.size() % kinds_.size()];
+    const double radius = 0.5 * size_.floor_radius * std::sqrt(uniform(0, 1));
+    const double angle = uniform(0, 6.283185307179586);
+    const Vector3d at(radius * std::cos(angle), radius * std::sin(angle), size_.height + kDrop);
+    const Vector3d half = Vector3d::Constant(kind.reach);
+    if (!world_.find_in_box({at - half, at + half}).empty()) return;
+    Eigen::Quaterniond turn;
+    do {  // uniform among rotations: a point of the ball of four dimensions
+      for (int k = 0; k < 4; ++k)
+        turn.coeffs()[k] = uniform(-1, 1);
+    } while (turn.norm() > 1 || turn.norm() < 0.1);
+    turn.normalize();
+    RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
+    body.id = world_.add(kind.shape, body.pose(), {.user_data = bodies_.size()});
+    poured_energy_ += energy_of(body);
+    bodies_.push_back(body);
+    seen_.push_back(body);
+    first_frame_.push_back(times_.size());
+    frames_.emplace_back();
+  }
+
+  static double energy_of(const RigidBody& body) {
+    return body.kinetic_energy() + body.mass->mass * kGravity * body.at.z();
+  }
+
+  void advance() {
+    const auto begin = Clock::now();
+    const graze::WorldUpdate update = world_.update();
+    const auto middle = Clock::now();
+    woken_.clear();
+    solver_.take(world_, update, bodies_, woken_);
+    for (RigidBody& body : bodies_) {
+      if (!body.is_asleep) body.velocity.z() -= kGravity * settings_.step;
+    }
+    solver_.solve(bodies_, woken_);
+    for (RigidBody& body : bodies_) {
+      if (!body.is_asleep) move(body);
+    }
+    solver_.relax(bodies_);
+    const auto end = Clock::now();
+    tell_world();
+    totals_.solver_seconds += std::chrono::duration<double>(end - middle).count();
+    totals_.world_seconds +=
+        std::chrono::duration<double>(middle - begin).count() + seconds_since(end);
+    count(update.work);
+  }
+
+  void move(RigidBody& body) const {
+    const double step = settings_.step;
+    body.spin *= 1 / (1 + step * kSpinDecay);
+    body.at += step * body.velocity;
+    const Eigen::Quaterniond rate(0, body.spin.x(), body.spin.y(), body.spin.z());
+    body.turn.coeffs() += 0.5 * step * (rate * body.turn).coeffs();
+    body.turn.normalize();
+  }
+
+  /// The world sees what moved by more than a hair; still bodies sleep, those that were hit wake.
+  void tell_world() {
+    moved_.clear(), poses_.clear();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      RigidBody& body = bodies_[i];
+      if (body.is_asleep) continue;
+      const double turned = 2 * (body.turn * seen_[i].turn.conjugate()).vec().norm();
+      if ((body.at - seen_[i].at).norm() + turned * body.reach > kUnseen) {
+        seen_[i] = body;
+        moved_.push_back(body.id);
+        poses_.push_back(body.pose());
+      }
+      const double speed = body.velocity.norm() + body.spin.norm() * body.reach;
+      body.stillness = speed < kStillSpeed ? body.stillness + settings_.step : 0;
+    }
+    world_.move(moved_, poses_);
+    for (RigidBody& body : bodies_) {
+      if (body.is_asleep || body.stillness < kTimeToSleep) continue;
+      body.is_asleep = true;
+      body.velocity = body.spin = Vector3d::Zero();
+      world_.sleep(body.id);
+    }
+    for (const std::size_t i : woken_) {
+      bodies_[i].is_asleep = false;
+      bodies_[i].stillness = 0;
+      world_.wake(bodies_[i].id);
+    }
+  }
+
+  void count(const graze::WorldWork& work) {
+    ++totals_.steps;
+    for (const RigidBody& body : bodies_)
+      totals_.awake += !body.is_asleep;
+    totals_.pairs += static_cast<double>(solver_.pair_count());
+    totals_.contacts += static_cast<double>(solver_.contact_count());
+    totals_.at_rest += work.pairs_at_rest;
+    totals_.apart += work.pairs_apart;
+    totals_.tests += work.shape_tests;
+    totals_.found += work.contacts_found;
+  }
+
+  void report(double time) {
+    const double n = totals_.steps;
+    const auto a_step = [&](std::uint64_t value) { return static_cast<double>(value) / n; };
+    std::printf("  %6.2f  %5.0f  %5.0f  %8.0f  %14.3f  %14.3f  %7.1f  %7.1f  %5.1f\n", time,
+                totals_.awake / n, totals_.pairs / n, totals_.contacts / n,
+                1e3 * totals_.world_seconds / n, 1e3 * totals_.solver_seconds / n,
+                a_step(totals_.tests), a_step(totals_.at_rest), a_step(totals_.apart));
+    std::fflush(stdout);
+    totals_ = {};
+  }
+
+  void record(double time) {
+    times_.push_back(time);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      frames_[i].push_back(bodies_[i].pose());
+  }
+
+  int judge() {
+    bool is_inside = true;
+    bool is_finite = true;
+    std::size_t asleep = 0;
+    double energy = 0;
+    for (const RigidBody& body : bodies_) {
+      is_inside &= body.at.z() > 0 && std::hypot(body.at.x(), body.at.y()) <
+                                          graze::samples::inner_radius(size_, body.at.z());
+      is_finite &= body.at.allFinite() && body.velocity.allFinite() && body.spin.allFinite();
+      asleep += body.is_asleep;
+      energy += energy_of(body);
+    }
+    double deepest = 0;
+    world_.update();
+    for (const graze::BodyContact& contact : world_.contacts()) {
+      for (const graze::ShapeContact& point : contact.manifold)
+        deepest = std::max(deepest, point.depth);
+    }
+    std::printf("%zu of %d bodies poured, %zu at rest; deepest penetration %.3f mm; energy %.4g J, "
+                "%.4g J when poured\n",
+                bodies_.size(), options_.bodies, asleep, 1e3 * deepest, energy, poured_energy_);
+    std::printf("%.2f s simulated in %.2f s: %.2f times real time\n", options_.seconds, wall_,
+                options_.seconds / wall_);
+    const bool is_right = is_inside && is_finite && energy < poured_energy_;
+    if (!is_right) std::printf("WRONG: a body left the bin, or energy rose\n");
+    return is_right ? 0 : 1;
+  }
+
+ public:
+  void write_gltf(const std::string& path) const {
+    graze::samples::GltfScene scene{.shapes = {}, .bodies = {}, .times = times_};
+    for (const Kind& kind : kinds_)
+      scene.shapes.push_back({kind.name, kind.mesh, {0.5, 0.5, 0.55}});
+    scene.shapes[1].colour = {0.72, 0.53, 0.25};
+    scene.shapes.push_back({"bin", bin_mesh_, {0.2, 0.25, 0.3}});
+    scene.bodies.push_back({2, {graze::Pose::Identity()}});
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      graze::Pose waiting = frames_[i].empty() ? bodies_[i].pose() : frames_[i].front();
+      waiting.translation().z() += kWaiting;
+      std::vector<graze::Pose> poses(first_frame_[i], waiting);
+      poses.insert(poses.end(), frames_[i].begin(), frames_[i].end());
+      scene.bodies.push_back({i % kinds_.size(), std::move(poses)});
+    }
+    graze::samples::write_gltf(path, scene);
+  }
+
+ private:
+  Options options_;
+  std::mt19937_64 random_;
+  graze::samples::BinSize size_;
+  graze::samples::SolverSettings settings_;
+  ContactSolver solver_;
+  std::vector<Kind> kinds_;
+  graze::Mesh bin_mesh_ = graze::samples::make_bin({});
+  graze::World world_;
+  std::vector<RigidBody> bodies_, seen_;  // as they are, and as the world has them
+  std::vector<std::vector<graze::Pose>> frames_;
+  std::vector<std::size_t> first_frame_;
+  std::vector<double> times_;
+  std::vector<std::size_t> woken_;
+  std::vector<graze::BodyId> moved_;
+  std::vector<graze::Pose> poses_;
+  Totals totals_;
+  double poured_energy_ = 0;
+  double wall_ = 0;
+};
+
+int usage() {
+  std::fprintf(stderr, "usage: simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] "
+                       "[--gltf FILE] [--picture FILE.pov]\n");
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc % 2 != 0) return usage();
+  Options options;
+  options.data = argv[1];
+  for (int i = 2; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name == "--bodies") options.bodies = std::atoi(argv[i + 1]);
+    else if (name == "--seconds") options.seconds = std::atof(argv[i + 1]);
+    else if (name == "--seed") options.seed = std::strtoull(argv[i + 1], nullptr, 10);
+    else if (name == "--gltf") options.gltf = argv[i + 1];
+    else if (name == "--picture") options.picture = argv[i + 1];
+    else return usage();
+  }
+  if (options.bodies < 1 || !(options.seconds > 0)) return usage();
+  try {
+    Simulation simulation(options);
+    const int status = simulation.run();
+    if (!options.gltf.empty()) simulation.write_gltf(options.gltf);
+    return status;
+  } catch (const graze::Error& error) {
+    std::fprintf(stderr, "simulation_loop: %s\n", error.what());
+    return 1;
+  }
+}
