@@ -23,14 +23,13 @@ using graze::samples::ContactSolver;
 using graze::samples::RigidBody;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGravity = 9.81;            // m/s^2
 constexpr double kSteel = 7850;              // kg/m^3
-constexpr double kPoured = 40;               // bodies a second
-constexpr double kDrop = 0.02;               // metres from the mouth to where they start
+constexpr double kPoured = 20;               // bodies a second
+constexpr double kDrop = 0.015;              // metres from the top of the pile to what starts to fall
 constexpr double kSpinDecay = 2;             // 1/s: stands for what rolling costs
-constexpr double kStillSpeed = 0.015;        // m/s of any point: below, a body counts as still
-constexpr double kTimeToSleep = 0.2;         // s that it stays so until it sleeps
-constexpr double kUnseen = 1e-5;             // metres that a body moves before the world is told
+constexpr double kStillSpeed = 0.04;        // m/s of any point: below, a body counts as still
+constexpr double kTimeToSleep = 0.15;         // s that it stays so until it sleeps
+constexpr double kUnseen = 3e-5;             // metres that a body moves before the world is told
 constexpr double kFramesPerSecond = 30;      // of the animation
 constexpr double kWaiting = 2;               // metres above: where it has bodies before they start
 
@@ -109,14 +108,26 @@ class Simulation {
     return from + (to - from) * static_cast<double>(random_() >> 11) * 0x1p-53;
   }
 
-  /// Adds a body above the mouth, turned at random, unless there is one in its way.
+  double top_of_pile() const {
+    double top = 0;
+    for (const RigidBody& body : bodies_) {
+      if (body.stillness > 0) top = std::max(top, body.at.z() + body.reach);
+    }
+    return top + kinds_[0].reach;
+  }
+
+  /// Adds a body above the pile, turned at random, unless there is one in its way.
   void pour() {
     const Kind& kind = kinds_[bodies_.size() % kinds_.size()];
-    const double radius = 0.5 * size_.floor_radius * std::sqrt(uniform(0, 1));
+    const double z = top_of_pile() + kDrop;
+    const double free = 0.92 * graze::samples::inner_radius(size_, z) - kind.reach;
+    const double radius = free * std::sqrt(uniform(0, 1));
     const double angle = uniform(0, 6.283185307179586);
-    const Vector3d at(radius * std::cos(angle), radius * std::sin(angle), size_.height + kDrop);
+    const Vector3d at(radius * std::cos(angle), radius * std::sin(angle), z);
     const Vector3d half = Vector3d::Constant(kind.reach);
-    if (!world_.find_in_box({at - half, at + half}).empty()) return;
+    for (const graze::BodyId id : world_.find_in_box({at - half, at + half})) {
+      if (world_.user_data(id) != ContactSolver::kFixed) return;
+    }
     Eigen::Quaterniond turn;
     do {  // uniform among rotations: a point of the ball of four dimensions
       for (int k = 0; k < 4; ++k)
@@ -132,8 +143,8 @@ class Simulation {
     frames_.emplace_back();
   }
 
-  static double energy_of(const RigidBody& body) {
-    return body.kinetic_energy() + body.mass->mass * kGravity * body.at.z();
+  double energy_of(const RigidBody& body) const {
+    return body.kinetic_energy() + body.mass->mass * settings_.gravity * body.at.z();
   }
 
   void advance() {
@@ -143,7 +154,7 @@ class Simulation {
     woken_.clear();
     solver_.take(world_, update, bodies_, woken_);
     for (RigidBody& body : bodies_) {
-      if (!body.is_asleep) body.velocity.z() -= kGravity * settings_.step;
+      if (!body.is_asleep) body.velocity.z() -= settings_.gravity * settings_.step;
     }
     solver_.solve(bodies_, woken_);
     for (RigidBody& body : bodies_) {

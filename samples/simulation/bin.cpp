@@ -2,9 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace graze::samples {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Four triangles for each one, between the middles of its edges.
+std::vector<TriangleIndices> halved(const std::vector<TriangleIndices>& triangles,
+                                    std::vector<Eigen::Vector3d>& vertices) {
+  std::map<Edge, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t i, std::uint32_t j) {
+    const auto next = static_cast<std::uint32_t>(vertices.size());
+    const auto [found, is_new] = middles.try_emplace(std::minmax(i, j), next);
+    if (is_new) vertices.emplace_back(0.5 * (vertices[i] + vertices[j]));
+    return found->second;
+  };
+  std::vector<TriangleIndices> result;
+  for (const auto& [a, b, c] : triangles) {
+    const std::uint32_t ab = middle(a, b);
+    const std::uint32_t bc = middle(b, c);
+    const std::uint32_t ca = middle(c, a);
+    for (const TriangleIndices& part :
+         {TriangleIndices{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+      result.push_back(part);
+    }
+  }
+  return result;
+}
+
+}  // namespace
 
 Mesh make_bin(const BinSize& size) {
   // Rings from the middle of the floor over the rim to the middle below, and the two middles.
@@ -39,6 +69,8 @@ Mesh make_bin(const BinSize& size) {
     const std::uint32_t last = (kRings - 1) * sides;
     triangles.push_back({last + i, floor + 1, last + next});
   }
+  for (int i = 0; i < size.halvings; ++i)
+    triangles = halved(triangles, vertices);
   return Mesh(vertices, triangles);
 }
 

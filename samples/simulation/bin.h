@@ -11,6 +11,7 @@ struct BinSize {
   double mouth_radius = 0.075;
   double height = 0.07;
   double thickness = 0.015;
+  int halvings = 3;  ///< of its triangles' edges: small ones meet few of what lies on them
 };
 
 /// A closed mesh; the floor's upper side is at z = 0, the mouth at z = height.

@@ -59,8 +59,15 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
   for (const BodyPair& pair : update.ended) {
     const auto found = touches_.find(pair);
     if (found == touches_.end()) continue;
+    double load = 0;
+    for (const Point& point : found->second.points)
+      load += point.impulse[0];
     for (const std::uint64_t index : {found->second.a, found->second.b}) {
-      if (index < bodies.size() && bodies[index].is_asleep) woken.push_back(index);
+      if (index >= bodies.size() || !bodies[index].is_asleep) continue;
+      if (load > settings_.load_share * bodies[index].mass->mass * settings_.gravity *
+                     settings_.step) {
+        woken.push_back(index);
+      }
     }
     touches_.erase(found);
   }

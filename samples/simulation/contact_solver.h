@@ -9,7 +9,8 @@
 namespace graze::samples {
 
 struct SolverSettings {
-  double step = 1.0 / 240;  // seconds
+  double step = 1.0 / 150;  // seconds
+  double gravity = 9.81;    // m/s^2
   double friction = 0.4;    // Coulomb's coefficient, of all surfaces
   int iterations = 10;
   int relaxations = 4;      // more of these, without pushing bodies apart
@@ -17,6 +18,7 @@ struct SolverSettings {
   double push_share = 0.2;  // of the rest, in a step
   double push_speed = 0.3;  // metres a second, at most
   double wake_speed = 0.1;  // metres a second, at which a body that arrives wakes one that sleeps
+  double load_share = 0.1;  // of a sleeping body's weight: it wakes if a contact that bore this ends
 };
 
 /// Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005). It knows
@@ -31,7 +33,7 @@ class ContactSolver {
   /// What is no body of the span: World::user_data() of what does not move.
   static constexpr std::uint64_t kFixed = ~0ull;
 
-  /// Lists in `woken` the sleeping bodies that lost a neighbour.
+  /// Lists in `woken` the sleeping bodies that lost a support.
   void take(const World& world, const WorldUpdate& update, std::span<const RigidBody> bodies,
             std::vector<std::size_t>& woken);
 
