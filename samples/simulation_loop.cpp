@@ -24,25 +24,26 @@ using graze::samples::ContactSolver;
 using graze::samples::RigidBody;
 using Clock = std::chrono::steady_clock;
 
-/// Seconds of one core that this program has used: what a step costs, whatever else the machine does.
+/// Seconds of one core that this program has used: what a step costs, whatever else the machine
+/// does.
 double core_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-constexpr double kSteel = 7850;              // kg/m^3
-constexpr double kPoured = 20;               // bodies a second
-constexpr double kDrop = 0.015;              // metres from the top of the pile to what starts to fall
-constexpr double kSpinDecay = 2;             // 1/s: stands for what rolling costs
-constexpr double kStillSpeed = 0.05;        // m/s of any point: below, a body counts as still
-constexpr double kTimeToSleep = 0.10;         // s that it stays so until it sleeps
-constexpr double kUnseen = 1e-4;             // metres that a body moves before the world is told
-constexpr double kFramesPerSecond = 30;      // of the animation
-constexpr double kWaiting = 2;               // metres above: where it has bodies before they start
+constexpr double kSteel = 7850;          // kg/m^3
+constexpr double kPoured = 12;           // bodies a second
+constexpr double kDrop = 0.015;          // metres from the top of the pile to what starts to fall
+constexpr double kSpinDecay = 4;         // 1/s: stands for what rolling costs
+constexpr double kStillSpeed = 0.05;     // m/s of any point: below, a body counts as still
+constexpr double kTimeToSleep = 0.10;    // s that it stays so until it sleeps
+constexpr double kUnseen = 1e-4;         // metres that a body moves before the world is told
+constexpr double kFramesPerSecond = 30;  // of the animation
+constexpr double kWaiting = 2;           // metres above: where it has bodies before they start
 
 struct Options {
   std::filesystem::path data;
   int bodies = 200;
-  double seconds = 10;
+  double seconds = 20;
   std::uint64_t seed = 1;
   std::string gltf, picture;
 };
@@ -88,8 +89,9 @@ class Simulation {
   int run() {
     const auto start = Clock::now();
     const double core_start = core_seconds();
-    std::printf("  second  awake  pairs  contacts   world ms/step  solver ms/step   tested  at rest  "
-                "apart\n");
+    std::printf(
+        "  second  awake  pairs  contacts   world ms/step  solver ms/step   tested  at rest  "
+        "apart\n");
     const int steps = static_cast<int>(std::lround(options_.seconds / settings_.step));
     for (int step = 0; step < steps; ++step) {
       const double time = step * settings_.step;
@@ -258,10 +260,11 @@ class Simulation {
         deepest = std::max(deepest, point.depth);
     }
     const bool is_right = is_inside && is_finite && energy < poured_energy_;
-    std::printf("%s: %zu of %d bodies in the bin, %zu at rest; deepest penetration %.3f mm; energy "
-                "%.4g J, %.4g J when poured\n",
-                is_right ? "as it must be" : "WRONG, a body left the bin or energy rose",
-                bodies_.size(), options_.bodies, asleep, 1e3 * deepest, energy, poured_energy_);
+    std::printf(
+        "%s: %zu of %d bodies in the bin, %zu at rest; deepest penetration %.3f mm; energy "
+        "%.4g J, %.4g J when poured\n",
+        is_right ? "as it must be" : "WRONG, a body left the bin or energy rose", bodies_.size(),
+        options_.bodies, asleep, 1e3 * deepest, energy, poured_energy_);
     std::printf("%.2f s simulated in %.2f s, %.2f s of one core: %.2f and %.2f times real time\n",
                 options_.seconds, wall_, core_, options_.seconds / wall_, options_.seconds / core_);
     return is_right ? 0 : 1;
@@ -298,21 +301,21 @@ class Simulation {
     const Vector3d front(0.3, -1, 0);
     const Vector3d up(0, 0, 1);
     const Vector3d middle(0, 0, 0.5 * size_.height);
-    graze::render::write_scene(
-        path, {std::to_string(bodies_.size()) + " bolts and nuts at rest in a bin",
-               parts,
-               {{.caption = "The bin cut open",
-                 .centre = middle,
-                 .towards_viewer = front + 0.45 * up,
-                 .up = up,
-                 .height = 0.19,
-                 .cut = graze::render::Cut{0.03 * front, front.normalized(), {0}}},
-                {.caption = "From above",
-                 .centre = middle,
-                 .towards_viewer = up,
-                 .up = -front,
-                 .height = 0.19,
-                 .cut = {}}}});
+    graze::render::write_scene(path,
+                               {std::to_string(bodies_.size()) + " bolts and nuts at rest in a bin",
+                                parts,
+                                {{.caption = "The bin cut open",
+                                  .centre = middle,
+                                  .towards_viewer = front + 0.45 * up,
+                                  .up = up,
+                                  .height = 0.19,
+                                  .cut = graze::render::Cut{0.03 * front, front.normalized(), {0}}},
+                                 {.caption = "From above",
+                                  .centre = middle,
+                                  .towards_viewer = up,
+                                  .up = -front,
+                                  .height = 0.19,
+                                  .cut = {}}}});
   }
 
  private:
@@ -338,8 +341,9 @@ class Simulation {
 };
 
 int usage() {
-  std::fprintf(stderr, "usage: simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] "
-                       "[--gltf FILE] [--picture FILE.pov]\n");
+  std::fprintf(stderr,
+               "usage: simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] "
+               "[--gltf FILE] [--picture FILE.pov]\n");
   return 2;
 }
 
@@ -351,12 +355,18 @@ int main(int argc, char** argv) {
   options.data = argv[1];
   for (int i = 2; i < argc; i += 2) {
     const std::string name = argv[i];
-    if (name == "--bodies") options.bodies = std::atoi(argv[i + 1]);
-    else if (name == "--seconds") options.seconds = std::atof(argv[i + 1]);
-    else if (name == "--seed") options.seed = std::strtoull(argv[i + 1], nullptr, 10);
-    else if (name == "--gltf") options.gltf = argv[i + 1];
-    else if (name == "--picture") options.picture = argv[i + 1];
-    else return usage();
+    if (name == "--bodies")
+      options.bodies = std::atoi(argv[i + 1]);
+    else if (name == "--seconds")
+      options.seconds = std::atof(argv[i + 1]);
+    else if (name == "--seed")
+      options.seed = std::strtoull(argv[i + 1], nullptr, 10);
+    else if (name == "--gltf")
+      options.gltf = argv[i + 1];
+    else if (name == "--picture")
+      options.picture = argv[i + 1];
+    else
+      return usage();
   }
   if (options.bodies < 1 || !(options.seconds > 0)) return usage();
   try {

@@ -67,8 +67,9 @@ std::string legend(const Picture& picture) {
     add(part.name, part.colour);
   const bool has_alarms =
       std::ranges::any_of(picture.parts, [](const Part& part) { return !part.marked.empty(); }) ||
-      std::ranges::any_of(picture.panels,
-                          [](const Panel& panel) { return panel.cut && panel.cut->parts.size() > 1; });
+      std::ranges::any_of(picture.panels, [](const Panel& panel) {
+        return panel.cut && panel.cut->parts.size() > 1;
+      });
   if (has_alarms) add("intersecting triangles, overlap", kAlarm);
   return text;
 }

@@ -64,8 +64,8 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
       load += point.impulse[0];
     for (const std::uint64_t index : {found->second.a, found->second.b}) {
       if (index >= bodies.size() || !bodies[index].is_asleep) continue;
-      if (load > settings_.load_share * bodies[index].mass->mass * settings_.gravity *
-                     settings_.step) {
+      if (load >
+          settings_.load_share * bodies[index].mass->mass * settings_.gravity * settings_.step) {
         woken.push_back(index);
       }
     }
@@ -107,8 +107,8 @@ void ContactSolver::prepare(Touch& touch, std::span<const RigidBody> bodies) con
     const Vector3d apart = (place_b.at + point.arm_b) - (place_a.at + point.arm_a);
     point.gap = point.axis[0].dot(apart) - point.depth;
     for (int k = 0; k < 3; ++k) {
-      point.mass[k] = 1 / (mobility(a, point.arm_a, point.axis[k]) +
-                           mobility(b, point.arm_b, point.axis[k]));
+      point.mass[k] =
+          1 / (mobility(a, point.arm_a, point.axis[k]) + mobility(b, point.arm_b, point.axis[k]));
     }
   }
 }
@@ -142,7 +142,8 @@ void ContactSolver::iterate(Touch& touch, std::span<RigidBody> bodies, bool is_p
     const double overlap = -point.gap - settings_.slop;
     double wanted_speed = std::min(-point.gap, 0.0) / settings_.step;  // it may close, no more
     if (is_pushing && overlap > 0) {
-      wanted_speed = std::min(settings_.push_share * overlap / settings_.step, settings_.push_speed);
+      wanted_speed =
+          std::min(settings_.push_share * overlap / settings_.step, settings_.push_speed);
     }
     const double by = point.mass[0] * (wanted_speed - speed(point, 0));
     change(point, 0, std::max(point.impulse[0] + by, 0.0));
@@ -168,8 +169,8 @@ void ContactSolver::solve(std::span<RigidBody> bodies, std::vector<std::size_t>&
     prepare(touch, bodies);
     if (moves(a) && moves(b)) continue;
     for (const Point& point : touch.points) {
-      const double nearing = point.axis[0].dot(velocity_at(a, point.arm_a) -
-                                               velocity_at(b, point.arm_b));
+      const double nearing =
+          point.axis[0].dot(velocity_at(a, point.arm_a) - velocity_at(b, point.arm_b));
       if (nearing < settings_.wake_speed) continue;
       for (const std::uint64_t index : {touch.a, touch.b}) {
         if (index < bodies.size() && bodies[index].is_asleep) woken.push_back(index);

@@ -13,12 +13,13 @@ struct SolverSettings {
   double gravity = 9.81;    // m/s^2
   double friction = 0.4;    // Coulomb's coefficient, of all surfaces
   int iterations = 10;
-  int relaxations = 4;      // more of these, without pushing bodies apart
-  double slop = 5e-5;       // metres that bodies may overlap without being pushed apart
-  double push_share = 0.2;  // of the rest, in a step
-  double push_speed = 0.3;  // metres a second, at most
-  double wake_speed = 0.1;  // metres a second, at which a body that arrives wakes one that sleeps
-  double load_share = 0.1;  // of a sleeping body's weight: it wakes if a contact that bore this ends
+  int relaxations = 4;       // more of these, without pushing bodies apart
+  double slop = 5e-5;        // metres that bodies may overlap without being pushed apart
+  double push_share = 0.2;   // of the rest, in a step
+  double push_speed = 0.3;   // metres a second, at most
+  double wake_speed = 0.25;  // metres a second, at which a body that arrives wakes one that sleeps
+  double load_share =
+      0.25;  // of a sleeping body's weight: it wakes if a contact that bore this ends
 };
 
 /// Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005). It knows
@@ -54,9 +55,10 @@ class ContactSolver {
     double depth = 0;                    // where it was found
     Eigen::Vector3d axis[3];             // the normal, from A to B, and two across it
     double impulse[3] = {0, 0, 0};
-    Eigen::Vector3d arm_a{0, 0, 0}, arm_b{0, 0, 0};  // from the centres of mass, as they are turned now
-    double mass[3] = {0, 0, 0};                // that an impulse along each axis moves
-    double gap = 0;                  // now; negative where they overlap
+    Eigen::Vector3d arm_a{0, 0, 0},
+        arm_b{0, 0, 0};          // from the centres of mass, as they are turned now
+    double mass[3] = {0, 0, 0};  // that an impulse along each axis moves
+    double gap = 0;              // now; negative where they overlap
   };
   struct Touch {
     std::uint64_t a, b;

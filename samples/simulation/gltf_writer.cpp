@@ -171,7 +171,8 @@ void write_gltf(const std::filesystem::path& path, const GltfScene& scene) {
   for (std::size_t i = 0; i < file["nodes"].size(); ++i)
     all.push_back(i);
   const double half = std::sqrt(0.5);
-  file["nodes"].push_back({{"name", "world"}, {"rotation", {-half, 0, 0, half}}, {"children", all}});
+  file["nodes"].push_back(
+      {{"name", "world"}, {"rotation", {-half, 0, 0, half}}, {"children", all}});
   file["scenes"] = json::array({{{"nodes", {file["nodes"].size() - 1}}}});
   buffer.write();
   std::ofstream stream(path);

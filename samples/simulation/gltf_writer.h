@@ -16,7 +16,8 @@ struct GltfShape {
   std::array<double, 3> colour;
 };
 
-/// A shape in a pose, or in one after the other: of `times[i]` in `poses[i]`. One pose stands still.
+/// A shape in a pose, or in one after the other: of `times[i]` in `poses[i]`. One pose stands
+/// still.
 struct GltfBody {
   std::size_t shape;
   std::vector<Pose> poses;

@@ -27,8 +27,7 @@ MassProperties mass_properties(const Mesh& mesh, double kilograms_per_cubic_metr
   const Eigen::Vector3d centre = moment / volume;
   second -= volume * centre * centre.transpose();
   const Eigen::Matrix3d inertia =
-      kilograms_per_cubic_metre *
-      (second.trace() * Eigen::Matrix3d::Identity() - second);
+      kilograms_per_cubic_metre * (second.trace() * Eigen::Matrix3d::Identity() - second);
   return {kilograms_per_cubic_metre * volume, centre, inertia, inertia.inverse()};
 }
 

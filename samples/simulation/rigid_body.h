@@ -15,8 +15,8 @@ struct RigidBody {
   Eigen::Quaterniond turn;
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
-  double reach;         ///< of the mesh from the centre of mass
-  double stillness = 0; /// for how long it has hardly moved, seconds
+  double reach;          ///< of the mesh from the centre of mass
+  double stillness = 0;  /// for how long it has hardly moved, seconds
   bool is_asleep = false;
 
   /// Of the mesh's frame.

@@ -32,7 +32,8 @@ TEST(MassProperties, OfAPrismAreThoseOfTheFormulas) {
   const MassProperties m = mass_properties(prism(1), 10);
   EXPECT_NEAR(m.mass, 240, 1e-9);
   EXPECT_TRUE(m.centre.isApprox(Eigen::Vector3d(2.0 / 3, 4.0 / 3, 3), 1e-12));
-  // About the centre of a right triangle: the integral of x^2 is area a^2 / 18, of xy -area ab / 36.
+  // About the centre of a right triangle: the integral of x^2 is area a^2 / 18, of xy -area ab
+  // / 36.
   EXPECT_NEAR(m.inertia(0, 0), 240 * (16.0 / 18 + 36.0 / 12), 1e-9);
   EXPECT_NEAR(m.inertia(1, 1), 240 * (4.0 / 18 + 36.0 / 12), 1e-9);
   EXPECT_NEAR(m.inertia(2, 2), 240 * 20.0 / 18, 1e-9);
