@@ -4,13 +4,16 @@
 
 #include <graze/graze.h>
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "samples/render/picture.h"
 #include "samples/simulation/bin.h"
@@ -347,33 +350,53 @@ int usage() {
   return 2;
 }
 
-}  // namespace
+/// The whole text as a number; nothing, if it is none.
+template <typename T>
+std::optional<T> number_of(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
-int main(int argc, char** argv) {
-  if (argc < 2 || argc % 2 != 0) return usage();
+std::optional<Options> options_of(int argc, char** argv) {
+  if (argc < 2 || argc % 2 != 0) return std::nullopt;
   Options options;
   options.data = argv[1];
   for (int i = 2; i < argc; i += 2) {
-    const std::string name = argv[i];
-    if (name == "--bodies")
-      options.bodies = std::atoi(argv[i + 1]);
-    else if (name == "--seconds")
-      options.seconds = std::atof(argv[i + 1]);
-    else if (name == "--seed")
-      options.seed = std::strtoull(argv[i + 1], nullptr, 10);
-    else if (name == "--gltf")
-      options.gltf = argv[i + 1];
-    else if (name == "--picture")
-      options.picture = argv[i + 1];
-    else
-      return usage();
+    const std::string_view name = argv[i];
+    const std::string_view value = argv[i + 1];
+    if (name == "--bodies") {
+      options.bodies = number_of<int>(value).value_or(0);
+    } else if (name == "--seconds") {
+      options.seconds = number_of<double>(value).value_or(0);
+    } else if (name == "--seed") {
+      const std::optional<std::uint64_t> seed = number_of<std::uint64_t>(value);
+      if (!seed) return std::nullopt;
+      options.seed = *seed;
+    } else if (name == "--gltf") {
+      options.gltf = value;
+    } else if (name == "--picture") {
+      options.picture = value;
+    } else {
+      return std::nullopt;
+    }
   }
-  if (options.bodies < 1 || !(options.seconds > 0)) return usage();
+  const bool is_sound = options.bodies > 0 && options.bodies <= 100000 && options.seconds > 0 &&
+                        options.seconds <= 1e5;
+  return is_sound ? std::optional(options) : std::nullopt;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::optional<Options> options = options_of(argc, argv);
+  if (!options) return usage();
   try {
-    Simulation simulation(options);
+    Simulation simulation(*options);
     const int status = simulation.run();
-    if (!options.gltf.empty()) simulation.write_gltf(options.gltf);
-    if (!options.picture.empty()) simulation.write_picture(options.picture);
+    if (!options->gltf.empty()) simulation.write_gltf(options->gltf);
+    if (!options->picture.empty()) simulation.write_picture(options->picture);
     return status;
   } catch (const graze::Error& error) {
     std::fprintf(stderr, "simulation_loop: %s\n", error.what());
