@@ -23,13 +23,15 @@ inline constexpr Colour kSand{0.87, 0.76, 0.55};
 inline constexpr Colour kAlarm{0.90, 0.16, 0.06};
 
 /// A placed mesh in one colour; the triangles listed in `marked` are drawn in kAlarm. It refers to
-/// the mesh, which must outlive it.
+/// the mesh, which must outlive it. All `copies` belong to the part, too: they show the same, in
+/// other poses, for little more than the space of a pose.
 struct Part {
   std::string name;
   const Mesh& mesh;
   Pose pose;
   Colour colour;
   std::vector<std::uint32_t> marked;
+  std::vector<Pose> copies{};
 };
 
 /// Takes away what lies on the side of a plane that `normal` points to. The parts are solids: the

@@ -44,6 +44,26 @@ std::string face(const TriangleIndices& triangle) {
          std::to_string(triangle[2]) + ">";
 }
 
+// POV-Ray multiplies rows from the left: row i is where unit vector i goes.
+std::string moved(const std::string& name, const Pose& by) {
+  std::string text = "object { " + name + " matrix <";
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      text += number(by.linear()(k, i)) + ", ";
+  }
+  const Eigen::Vector3d way = by.translation() * kMillimetres;
+  return text + number(way.x()) + ", " + number(way.y()) + ", " + number(way.z()) + "> }\n";
+}
+
+/// Makes of a name that is declared the same with all the part's copies. A mesh is stored once.
+std::string with_copies(const Part& part, const std::string& name) {
+  if (part.copies.empty()) return "";
+  std::string text = "#declare " + name + " = union {\nobject { " + name + " }\n";
+  for (const Pose& copy : part.copies)
+    text += moved(name, copy * part.pose.inverse());
+  return text + "}\n";
+}
+
 }  // namespace
 
 std::string solid_name(std::size_t index) {
@@ -83,7 +103,9 @@ std::string declare_part(const Part& part, std::size_t index) {
          coloured_name(index, Marks::Hidden) + " = object { " + solid_name(index) + " texture { " +
          skin + " } }\n#declare " + coloured_name(index, Marks::Shown) + " = mesh2 {\n" + vertices +
          "  texture_list { 2, texture { " + skin + " } texture { marked } }\n  face_indices { " +
-         count + marked + " }\n}\n";
+         count + marked + " }\n}\n" + with_copies(part, solid_name(index)) +
+         with_copies(part, coloured_name(index, Marks::Hidden)) +
+         with_copies(part, coloured_name(index, Marks::Shown));
 }
 
 }  // namespace graze::render

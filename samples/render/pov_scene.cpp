@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <algorithm>
 #include <fstream>
 
 #include "samples/render/picture.h"
@@ -64,7 +65,12 @@ std::string legend(const Picture& picture) {
   };
   for (const Part& part : picture.parts)
     add(part.name, part.colour);
-  add("intersecting triangles, overlap", kAlarm);
+  const bool has_alarms =
+      std::ranges::any_of(picture.parts, [](const Part& part) { return !part.marked.empty(); }) ||
+      std::ranges::any_of(picture.panels, [](const Panel& panel) {
+        return panel.cut && panel.cut->parts.size() > 1;
+      });
+  if (has_alarms) add("intersecting triangles, overlap", kAlarm);
   return text;
 }
 

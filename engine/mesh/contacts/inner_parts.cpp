@@ -1,12 +1,13 @@
 #include <graze/engine/mesh/contacts/inner_parts.h>
 #include <graze/engine/mesh/contacts/surface_sides.h>
+#include <graze/engine/mesh/contacts/vertex_numbers.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/vertex_fans.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <unordered_map>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace graze::contacts {
@@ -18,60 +19,97 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 /// and the corners that they are. Several vertices are one corner where placing rounds them so.
 class CornersOfMesh {
  public:
-  explicit CornersOfMesh(const MeshSide& side) : vertices_(side.own.count()) {
+  explicit CornersOfMesh(const MeshSide& side)
+      : corner_(2 * side.own.count()), first_(side.own.count() + 1, 0) {
     const std::span<const std::uint32_t> welded = side.own_mesh.mesh.welded();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known;  // corners and vertices
     for (std::uint32_t triangle : side.own.triangles()) {
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t vertex = welded[side.own_mesh.mesh.triangles()[triangle][k]];
-        const std::uint32_t corner = side.own.corners(triangle)[k];
-        if (corner_.emplace(vertex, corner).second) vertices_[corner].push_back(vertex);
+      const std::array<std::uint32_t, 3>& corners = side.own.corners(triangle);
+      const TriangleIndices& indices = side.own_mesh.mesh.triangles()[triangle];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = welded[indices[k]];
+        if (corner_.add(vertex, corners[k])) known.emplace_back(corners[k], vertex);
       }
     }
+    std::stable_sort(known.begin(), known.end(),
+                     [](const auto& s, const auto& t) { return s.first < t.first; });
+    for (const auto& [corner, vertex] : known) {
+      ++first_[corner + 1];
+      vertices_.push_back(vertex);
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  const std::vector<std::uint32_t>& vertices(std::uint32_t corner) const {
-    return vertices_[corner];
+  std::span<const std::uint32_t> vertices(std::uint32_t corner) const {
+    return {vertices_.data() + first_[corner], first_[corner + 1] - first_[corner]};
   }
   /// FeatureName::kNone for a vertex of no triangle of the intersection.
-  std::uint32_t corner(std::uint32_t vertex) const {
-    const auto found = corner_.find(vertex);
-    return found == corner_.end() ? FeatureName::kNone : found->second;
-  }
+  std::uint32_t corner(std::uint32_t vertex) const { return corner_.find(vertex); }
 
  private:
-  std::unordered_map<std::uint32_t, std::uint32_t> corner_;
-  std::vector<std::vector<std::uint32_t>> vertices_;
+  VertexNumbers corner_;
+  std::vector<std::uint32_t> vertices_;  // of one corner after the other
+  std::vector<std::uint32_t> first_;
 };
+static_assert(VertexNumbers::kNone == FeatureName::kNone);
 
 /// The nodes on the vertices and edges of a mesh.
 class NodesOfMesh {
  public:
   NodesOfMesh(const CellComplex& complex, const MeshSide& side) : at_corner_(side.own.count()) {
+    std::vector<std::pair<Edge, std::uint32_t>> all;
     for (std::uint32_t i = 0; i < complex.nodes.size(); ++i) {
       const FeatureName& name = complex.nodes[i].name.*side.own_name;
       if (name.is_vertex()) at_corner_[name.corner[0]].push_back(i);
-      if (name.is_edge()) on_edge_[{name.corner[0], name.corner[1]}].push_back(i);
+      if (name.is_edge()) all.push_back({{name.corner[0], name.corner[1]}, i});
     }
-    for (auto& [edge, nodes] : on_edge_)
-      sort_along(edge, nodes, complex, side.own);
+    std::sort(all.begin(), all.end());
+    for (const auto& [edge, node] : all) {
+      if (on_edge_.empty() || on_edge_.back().edge != edge) {
+        on_edge_.push_back({edge, static_cast<std::uint32_t>(on_edges_.size()), 0});
+      }
+      ++on_edge_.back().count;
+      on_edges_.push_back(node);
+    }
+    for (const NodesOnEdge& on : on_edge_)
+      sort_along(on.edge, {on_edges_.data() + on.first, on.count}, complex, side.own);
   }
 
   const std::vector<std::uint32_t>& at_corner(std::uint32_t corner) const {
     return at_corner_[corner];
   }
-  const std::map<Edge, std::vector<std::uint32_t>>& on_edges() const { return on_edge_; }
+  /// `fn(edge, nodes)` for each edge with nodes, ascending; they from its lower corner on.
+  template <typename Fn>
+  void for_each_edge(const Fn& fn) const {
+    for (const NodesOnEdge& on : on_edge_)
+      fn(on.edge, nodes_of(on));
+  }
 
   /// The node nearest to the corner on its edge to another; kNone if there is none.
   std::uint32_t nearest(std::uint32_t corner, std::uint32_t other) const {
-    const auto found = on_edge_.find(std::minmax(corner, other));
-    if (found == on_edge_.end()) return FeatureName::kNone;
-    return corner < other ? found->second.front() : found->second.back();
+    const Edge edge = std::minmax(corner, other);
+    const auto found =
+        std::lower_bound(on_edge_.begin(), on_edge_.end(), edge,
+                         [](const NodesOnEdge& on, const Edge& e) { return on.edge < e; });
+    if (found == on_edge_.end() || found->edge != edge) return FeatureName::kNone;
+    return corner < other ? nodes_of(*found).front() : nodes_of(*found).back();
   }
 
  private:
+  struct NodesOnEdge {
+    Edge edge;
+    std::uint32_t first;  // in on_edges_
+    std::uint32_t count;
+  };
+
+  std::span<const std::uint32_t> nodes_of(const NodesOnEdge& on) const {
+    return {on_edges_.data() + on.first, on.count};
+  }
+
   /// From the lower corner on, along the coordinate that changes most.
-  static void sort_along(const Edge& edge, std::vector<std::uint32_t>& nodes,
+  static void sort_along(const Edge& edge, std::span<std::uint32_t> nodes,
                          const CellComplex& complex, const PlacedCorners& own) {
+    if (nodes.size() == 1) return;
     const double* from = own.position(edge.first).data();
     const double* to = own.position(edge.second).data();
     int axis = 0;
@@ -88,7 +126,8 @@ class NodesOfMesh {
   }
 
   std::vector<std::vector<std::uint32_t>> at_corner_;
-  std::map<Edge, std::vector<std::uint32_t>> on_edge_;
+  std::vector<NodesOnEdge> on_edge_;  // ascending by edge
+  std::vector<std::uint32_t> on_edges_;
 };
 
 /// The ends of edges next to the nodes of each region.
@@ -117,15 +156,15 @@ class Search {
     for (std::size_t r = 0; r < regions_.size(); ++r) {
       if (regions_[r].has_loose_end) continue;
       for (std::uint32_t seed : shores_.inside[r]) {
-        if (part_of_.contains(seed)) continue;
+        if (part_of_.find(seed) != VertexNumbers::kNone) continue;
         const auto part = static_cast<std::uint32_t>(result.parts.size());
         follow(seed, part, result.parts.emplace_back());
       }
     }
     is_leaky.resize(result.parts.size());
     for (std::uint32_t vertex : shores_.outside) {
-      const auto found = part_of_.find(vertex);
-      if (found != part_of_.end()) is_leaky[found->second] = true;
+      const std::uint32_t part = part_of_.find(vertex);
+      if (part != VertexNumbers::kNone) is_leaky[part] = true;
     }
     for (std::size_t r = 0; r < regions_.size(); ++r)
       share_out(r, is_leaky, result);
@@ -144,10 +183,10 @@ class Search {
       for (std::uint32_t node : regions_[r].nodes)
         region_of[node] = r;
     }
-    for (const auto& [edge, nodes] : nodes_.on_edges()) {
+    nodes_.for_each_edge([&](const Edge& edge, std::span<const std::uint32_t> nodes) {
       add_shore(nodes.front(), edge.first, region_of[nodes.front()]);
       add_shore(nodes.back(), edge.second, region_of[nodes.back()]);
-    }
+    });
     for (std::uint32_t triangle : side_.own.triangles()) {
       const Elements& elements = side_.own.elements(triangle);
       if (!elements.has_area()) continue;
@@ -166,6 +205,7 @@ class Search {
   /// An edge from a corner that is a node.
   void add_edge_at_vertex(std::uint32_t from, std::uint32_t to,
                           const std::vector<std::size_t>& region_of) {
+    if (nodes_.at_corner(from).empty()) return;
     if (nodes_.nearest(from, to) != FeatureName::kNone) return;
     for (std::uint32_t node : nodes_.at_corner(from))
       add_shore(node, to, region_of[node]);
@@ -177,7 +217,7 @@ class Search {
     const SurfaceSide side =
         surface_.side_of(side_.own.position(corner), complex_.nodes[node].name.*side_.other_name);
     if (side == SurfaceSide::Unknown) return;
-    const std::vector<std::uint32_t>& vertices = corners_.vertices(corner);
+    const std::span<const std::uint32_t> vertices = corners_.vertices(corner);
     std::vector<std::uint32_t>& shore =
         side == SurfaceSide::Inside ? shores_.inside[region] : shores_.outside;
     shore.insert(shore.end(), vertices.begin(), vertices.end());
@@ -185,7 +225,7 @@ class Search {
 
   void follow(std::uint32_t seed, std::uint32_t part, std::vector<Eigen::Vector3d>& points) {
     std::vector<std::uint32_t> open = {seed};
-    part_of_.emplace(seed, part);
+    part_of_.add(seed, part);
     while (!open.empty()) {
       const std::uint32_t vertex = open.back();
       open.pop_back();
@@ -196,7 +236,7 @@ class Search {
         for (std::uint32_t index : side_.own_mesh.mesh.triangles()[triangle]) {
           const std::uint32_t next = welded_[index];
           if (!leads_on(corner, corners_.corner(next), points)) continue;
-          if (part_of_.emplace(next, part).second) open.push_back(next);
+          if (part_of_.add(next, part)) open.push_back(next);
         }
       }
     }
@@ -229,11 +269,11 @@ class Search {
     std::vector<std::uint32_t>& parts = result.of_region[r];
     bool is_enclosed = !regions_[r].has_loose_end;
     for (std::uint32_t seed : shores_.inside[r]) {
-      const auto found = part_of_.find(seed);
-      if (found == part_of_.end() || is_leaky[found->second]) {
+      const std::uint32_t part = part_of_.find(seed);
+      if (part == VertexNumbers::kNone || is_leaky[part]) {
         is_enclosed = false;
       } else {
-        parts.push_back(found->second);
+        parts.push_back(part);
       }
     }
     if (!is_enclosed) {
@@ -255,7 +295,7 @@ class Search {
   NodesOfMesh nodes_;
   SurfaceSides surface_;
   Shores shores_;
-  std::unordered_map<std::uint32_t, std::uint32_t> part_of_;
+  VertexNumbers part_of_;
 };
 
 }  // namespace

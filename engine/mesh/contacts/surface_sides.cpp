@@ -30,29 +30,35 @@ SurfaceSides::SurfaceSides(const PlacedCorners& corners) : corners_(corners) {
     const Elements& elements = corners.elements(triangle);
     if (!elements.has_area()) continue;
     const std::array<std::uint32_t, 3>& c = elements.corners[0];
-    triangles_[{c}].push_back(triangle);
+    triangles_.push_back({{c}, triangle});
     for (int i = 0; i < 3; ++i) {
       const auto [from, to] = std::minmax(c[i], c[(i + 1) % 3]);
-      triangles_[{{from, to, FeatureName::kNone}}].push_back(triangle);
+      triangles_.push_back({{{from, to, FeatureName::kNone}}, triangle});
     }
   }
+  std::sort(triangles_.begin(), triangles_.end());
 }
 
 SurfaceSide SurfaceSides::side_of(const Eigen::Vector3d& point, const FeatureName& feature) const {
-  const auto found = triangles_.find(feature);
-  if (found == triangles_.end()) return SurfaceSide::Unknown;
-  const std::vector<std::uint32_t>& triangles = found->second;
-  const Sign first = side_of_plane(corners_, triangles[0], point);
+  const auto first_at = std::lower_bound(triangles_.begin(), triangles_.end(),
+                                         std::pair<FeatureName, std::uint32_t>(feature, 0));
+  const auto is_at = [&](std::ptrdiff_t i) {
+    return triangles_.end() - first_at > i && first_at[i].first == feature;
+  };
+  if (!is_at(0)) return SurfaceSide::Unknown;
+  const std::uint32_t triangle = first_at->second;
+  const Sign first = side_of_plane(corners_, triangle, point);
   if (feature.is_face()) {
     if (first == Sign::Zero) return SurfaceSide::Unknown;
     return first == Sign::Negative ? SurfaceSide::Inside : SurfaceSide::Outside;
   }
-  if (triangles.size() != 2) return SurfaceSide::Unknown;
-  const Sign second = side_of_plane(corners_, triangles[1], point);
+  if (!is_at(1) || is_at(2)) return SurfaceSide::Unknown;
+  const std::uint32_t neighbour = first_at[1].second;
+  const Sign second = side_of_plane(corners_, neighbour, point);
   // Behind both planes of a convex edge, or behind either of a concave one.
-  const std::uint32_t corner = opposite(corners_.elements(triangles[1]), feature);
+  const std::uint32_t corner = opposite(corners_.elements(neighbour), feature);
   const bool is_concave =
-      side_of_plane(corners_, triangles[0], corners_.position(corner)) == Sign::Positive;
+      side_of_plane(corners_, triangle, corners_.position(corner)) == Sign::Positive;
   const auto either = [&](Sign sign) { return first == sign || second == sign; };
   const auto both = [&](Sign sign) { return first == sign && second == sign; };
   if (is_concave ? either(Sign::Negative) : both(Sign::Negative)) return SurfaceSide::Inside;

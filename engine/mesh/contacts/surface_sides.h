@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <utility>
 #include <vector>
 
 #include <graze/engine/mesh/contacts/placed_corners.h>
@@ -21,7 +21,7 @@ class SurfaceSides {
 
  private:
   const PlacedCorners& corners_;
-  std::map<FeatureName, std::vector<std::uint32_t>> triangles_;  // at faces and edges
+  std::vector<std::pair<FeatureName, std::uint32_t>> triangles_;  // at faces and edges, ascending
 };
 
 }  // namespace graze::contacts

@@ -25,7 +25,7 @@ constexpr double kAlongBound = 4 * kUnitRoundoff;
 // 2 sqrt(3) < 4, so that s (n.d) is below 48 u.
 constexpr double kAcrossBound = 48 * kUnitRoundoff;
 
-// The quotient of positive numbers, rounded thrice on its way.
+// The product with an inverse of positive numbers, rounded four times on its way.
 constexpr double kUp = 1 + 8 * kUnitRoundoff;
 constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
@@ -40,9 +40,18 @@ SweepUnits::SweepUnits(const PlacedMesh& a, const PlacedMesh& b) {
   per_metre = 1 / metres;
 }
 
+SweepScale::SweepScale(double along, double size) : across(-1), up(0), down(0) {
+  if (along <= 2 * kAlongBound * size) {
+    // Across the motion n.(p - q) hardly changes: it must be able to be zero.
+    across = kAcrossBound * size;
+    return;
+  }
+  up = kUp / (along - kAlongBound * size);
+  down = kDown / (along + kAlongBound * size);
+}
+
 void SweepBounds::note(double along, double size, double lowest, double highest) {
-  // Products of smaller vectors could underflow.
-  if (!(size >= 0x1p-400)) return;
+  if (!says_something(size)) return;
   if (along < 0) {
     along = -along;
     std::swap(lowest, highest);
@@ -51,14 +60,13 @@ void SweepBounds::note(double along, double size, double lowest, double highest)
   }
   const double low = lowest - margin_ * size;
   const double high = highest + margin_ * size;
-  if (along <= 2 * kAlongBound * size) {
-    // Across the motion n.(p - q) hardly changes: it must be able to be zero.
-    const double across = kAcrossBound * size;
-    if (high < -across || low > across) upper_ = -1;
+  const SweepScale scale(along, size);
+  if (scale.across >= 0) {
+    if (high < -scale.across || low > scale.across) upper_ = -1;
     return;
   }
-  upper_ = high < 0 ? -1 : std::min(upper_, high / (along - kAlongBound * size) * kUp);
-  if (low > 0) lower_ = std::max(lower_, low / (along + kAlongBound * size) * kDown);
+  upper_ = high < 0 ? -1 : std::min(upper_, high * scale.up);
+  if (low > 0) lower_ = std::max(lower_, low * scale.down);
 }
 
 }  // namespace graze::contacts

@@ -20,6 +20,21 @@ struct SweepUnits {
   double metres;  // of one unit
 };
 
+/// Products with smaller vectors could underflow; they say nothing.
+inline bool says_something(double size_of_n) {
+  return size_of_n >= 0x1p-400;
+}
+
+/// What bounds of n.(p - q) are multiplied by to bound the translation, for n.d = `along` >= 0 and
+/// `size`, the sum of the absolute components of n.
+struct SweepScale {
+  SweepScale(double along, double size);
+
+  double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this
+  double up;      ///< else: for an upper bound that is not negative
+  double down;    ///< and for a lower one that is positive
+};
+
 /// The translations, 0 and more, that some vectors n leave possible.
 class SweepBounds {
  public:

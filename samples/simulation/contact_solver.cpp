@@ -1,0 +1,202 @@
+#include "samples/simulation/contact_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace graze::samples {
+namespace {
+
+using Eigen::Vector3d;
+
+const RigidBody* body_of(std::uint64_t index, std::span<const RigidBody> bodies) {
+  return index < bodies.size() ? &bodies[index] : nullptr;
+}
+
+/// Bodies that sleep stand like walls until they are woken.
+bool moves(const RigidBody* body) {
+  return body != nullptr && !body->is_asleep;
+}
+
+Vector3d velocity_at(const RigidBody* body, const Vector3d& arm) {
+  return moves(body) ? Vector3d(body->velocity + body->spin.cross(arm)) : Vector3d::Zero();
+}
+
+Vector3d turned_by_inertia(const RigidBody& body, const Vector3d& moment) {
+  return body.turn * (body.mass->inverse_inertia * (body.turn.conjugate() * moment));
+}
+
+/// By how much an impulse of 1 along a direction at the arm speeds that point up along it.
+double mobility(const RigidBody* body, const Vector3d& arm, const Vector3d& along) {
+  if (!moves(body)) return 0;
+  const Vector3d moment = arm.cross(along);
+  return 1 / body->mass->mass + moment.dot(turned_by_inertia(*body, moment));
+}
+
+void push(RigidBody& body, const Vector3d& arm, const Vector3d& impulse) {
+  body.velocity += impulse / body.mass->mass;
+  body.spin += turned_by_inertia(body, arm.cross(impulse));
+}
+
+/// Where a body's mesh is in its own frame, as seen in the world now and from its centre of mass.
+struct Place {
+  explicit Place(const RigidBody* body)
+      : at(body ? body->at : Vector3d::Zero()),
+        turn(body ? body->turn : Eigen::Quaterniond::Identity()),
+        centre(body ? body->mass->centre : Vector3d::Zero()) {}
+
+  Vector3d arm(const Vector3d& anchor) const { return turn * (anchor - centre); }
+
+  Vector3d at;
+  Eigen::Quaterniond turn;
+  Vector3d centre;
+};
+
+}  // namespace
+
+void ContactSolver::take(const World& world, const WorldUpdate& update,
+                         std::span<const RigidBody> bodies, std::vector<std::size_t>& woken) {
+  for (const BodyPair& pair : update.ended) {
+    const auto found = touches_.find(pair);
+    if (found == touches_.end()) continue;
+    double load = 0;
+    for (const Point& point : found->second.points)
+      load += point.impulse[0];
+    for (const std::uint64_t index : {found->second.a, found->second.b}) {
+      if (index >= bodies.size() || !bodies[index].is_asleep) continue;
+      if (load >
+          settings_.load_share * bodies[index].mass->mass * settings_.gravity * settings_.step) {
+        woken.push_back(index);
+      }
+    }
+    touches_.erase(found);
+  }
+  for (const BodyContact& contact : update.contacts) {
+    Touch& touch = touches_[contact.pair];
+    touch.a = world.user_data(contact.pair.a);
+    touch.b = world.user_data(contact.pair.b);
+    const std::vector<Point> before = std::exchange(touch.points, {});
+    const Pose to_a = world.pose(contact.pair.a).inverse();
+    const Pose to_b = world.pose(contact.pair.b).inverse();
+    for (const ShapeContact& c : contact.manifold) {
+      Point point;
+      point.feature = c.feature;
+      point.anchor_a = to_a * c.point;
+      point.anchor_b = to_b * c.point;
+      point.depth = c.depth;
+      point.axis[0] = c.normal;
+      point.axis[1] = c.normal.unitOrthogonal();
+      point.axis[2] = c.normal.cross(point.axis[1]);
+      for (const Point& old : before) {
+        if (old.feature != point.feature) continue;
+        for (int k = 0; k < 3; ++k)
+          point.impulse[k] = old.impulse[k];
+      }
+      touch.points.push_back(point);
+    }
+  }
+}
+
+void ContactSolver::prepare(Touch& touch, std::span<const RigidBody> bodies) const {
+  const RigidBody* a = body_of(touch.a, bodies);
+  const RigidBody* b = body_of(touch.b, bodies);
+  const Place place_a(a), place_b(b);
+  for (Point& point : touch.points) {
+    point.arm_a = place_a.arm(point.anchor_a);
+    point.arm_b = place_b.arm(point.anchor_b);
+    const Vector3d apart = (place_b.at + point.arm_b) - (place_a.at + point.arm_a);
+    point.gap = point.axis[0].dot(apart) - point.depth;
+    for (int k = 0; k < 3; ++k) {
+      point.mass[k] =
+          1 / (mobility(a, point.arm_a, point.axis[k]) + mobility(b, point.arm_b, point.axis[k]));
+    }
+  }
+}
+
+void ContactSolver::apply(const Touch& touch, const Point& point, int axis, double impulse,
+                          std::span<RigidBody> bodies) const {
+  const Vector3d along = impulse * point.axis[axis];
+  if (moves(body_of(touch.a, bodies))) push(bodies[touch.a], point.arm_a, -along);
+  if (moves(body_of(touch.b, bodies))) push(bodies[touch.b], point.arm_b, along);
+}
+
+void ContactSolver::start_warm(Touch& touch, std::span<RigidBody> bodies) const {
+  for (const Point& point : touch.points) {
+    for (int k = 0; k < 3; ++k)
+      apply(touch, point, k, point.impulse[k], bodies);
+  }
+}
+
+void ContactSolver::iterate(Touch& touch, std::span<RigidBody> bodies, bool is_pushing) const {
+  const auto speed = [&](const Point& point, int k) {
+    const Vector3d between = velocity_at(body_of(touch.b, bodies), point.arm_b) -
+                             velocity_at(body_of(touch.a, bodies), point.arm_a);
+    return between.dot(point.axis[k]);
+  };
+  const auto change = [&](Point& point, int k, double wanted) {
+    const double by = wanted - point.impulse[k];
+    point.impulse[k] = wanted;
+    apply(touch, point, k, by, bodies);
+  };
+  for (Point& point : touch.points) {
+    const double overlap = -point.gap - settings_.slop;
+    double wanted_speed = std::min(-point.gap, 0.0) / settings_.step;  // it may close, no more
+    if (is_pushing && overlap > 0) {
+      wanted_speed =
+          std::min(settings_.push_share * overlap / settings_.step, settings_.push_speed);
+    }
+    const double by = point.mass[0] * (wanted_speed - speed(point, 0));
+    change(point, 0, std::max(point.impulse[0] + by, 0.0));
+  }
+  for (Point& point : touch.points) {
+    double wanted[3];
+    for (int k = 1; k < 3; ++k)
+      wanted[k] = point.impulse[k] - point.mass[k] * speed(point, k);
+    const double most = settings_.friction * point.impulse[0];
+    const double size = std::hypot(wanted[1], wanted[2]);
+    for (int k = 1; k < 3; ++k)
+      change(point, k, size > most ? wanted[k] * most / size : wanted[k]);
+  }
+}
+
+void ContactSolver::solve(std::span<RigidBody> bodies, std::vector<std::size_t>& woken) {
+  active_.clear();
+  for (auto& [pair, touch] : touches_) {
+    const RigidBody* a = body_of(touch.a, bodies);
+    const RigidBody* b = body_of(touch.b, bodies);
+    if (!moves(a) && !moves(b)) continue;
+    active_.push_back(&touch);
+    prepare(touch, bodies);
+    if (moves(a) && moves(b)) continue;
+    for (const Point& point : touch.points) {
+      const double nearing =
+          point.axis[0].dot(velocity_at(a, point.arm_a) - velocity_at(b, point.arm_b));
+      if (nearing < settings_.wake_speed) continue;
+      for (const std::uint64_t index : {touch.a, touch.b}) {
+        if (index < bodies.size() && bodies[index].is_asleep) woken.push_back(index);
+      }
+    }
+  }
+  for (Touch* touch : active_)
+    start_warm(*touch, bodies);
+  for (int i = 0; i < settings_.iterations; ++i) {
+    for (Touch* touch : active_)
+      iterate(*touch, bodies, true);
+  }
+}
+
+void ContactSolver::relax(std::span<RigidBody> bodies) {
+  for (int i = 0; i < settings_.relaxations; ++i) {
+    for (Touch* touch : active_)
+      iterate(*touch, bodies, false);
+  }
+}
+
+std::size_t ContactSolver::contact_count() const {
+  std::size_t count = 0;
+  for (const auto& [pair, touch] : touches_)
+    count += touch.points.size();
+  return count;
+}
+
+}  // namespace graze::samples

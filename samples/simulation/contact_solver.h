@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "samples/simulation/rigid_body.h"
+
+namespace graze::samples {
+
+struct SolverSettings {
+  double step = 1.0 / 150;  // seconds
+  double gravity = 9.81;    // m/s^2
+  double friction = 0.4;    // Coulomb's coefficient, of all surfaces
+  int iterations = 10;
+  int relaxations = 4;       // more of these, without pushing bodies apart
+  double slop = 5e-5;        // metres that bodies may overlap without being pushed apart
+  double push_share = 0.2;   // of the rest, in a step
+  double push_speed = 0.3;   // metres a second, at most
+  double wake_speed = 0.25;  // metres a second, at which a body that arrives wakes one that sleeps
+  double load_share =
+      0.25;  // of a sleeping body's weight: it wakes if a contact that bore this ends
+};
+
+/// Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005). It knows
+/// bodies by their World::user_data(), the index in the span of bodies; what is no body of the span
+/// does not move. Contacts are kept until the world tells of newer ones or of their end, and start
+/// from the impulses that contacts of the same features had before. In between, the depth follows
+/// from how far their points have come.
+class ContactSolver {
+ public:
+  explicit ContactSolver(const SolverSettings& settings) : settings_(settings) {}
+
+  /// What is no body of the span: World::user_data() of what does not move.
+  static constexpr std::uint64_t kFixed = ~0ull;
+
+  /// Lists in `woken` the sleeping bodies that lost a support.
+  void take(const World& world, const WorldUpdate& update, std::span<const RigidBody> bodies,
+            std::vector<std::size_t>& woken);
+
+  /// Changes velocities so that the contacts of bodies that are awake hold at the step's end; lists
+  /// in `woken` the sleeping ones that were hit.
+  void solve(std::span<RigidBody> bodies, std::vector<std::size_t>& woken);
+
+  /// After the positions have followed: takes out the velocities that only pushed bodies apart.
+  void relax(std::span<RigidBody> bodies);
+
+  std::size_t pair_count() const { return touches_.size(); }
+  std::size_t contact_count() const;
+
+ private:
+  struct Point {
+    ContactFeature feature;
+    Eigen::Vector3d anchor_a, anchor_b;  // in the frames of the bodies, or of the world
+    double depth = 0;                    // where it was found
+    Eigen::Vector3d axis[3];             // the normal, from A to B, and two across it
+    double impulse[3] = {0, 0, 0};
+    Eigen::Vector3d arm_a{0, 0, 0},
+        arm_b{0, 0, 0};          // from the centres of mass, as they are turned now
+    double mass[3] = {0, 0, 0};  // that an impulse along each axis moves
+    double gap = 0;              // now; negative where they overlap
+  };
+  struct Touch {
+    std::uint64_t a, b;
+    std::vector<Point> points;
+  };
+
+  void prepare(Touch& touch, std::span<const RigidBody> bodies) const;
+  void start_warm(Touch& touch, std::span<RigidBody> bodies) const;
+  void iterate(Touch& touch, std::span<RigidBody> bodies, bool is_pushing) const;
+  void apply(const Touch& touch, const Point& point, int axis, double impulse,
+             std::span<RigidBody> bodies) const;
+
+  SolverSettings settings_;
+  std::map<BodyPair, Touch> touches_;
+  std::vector<Touch*> active_;
+};
+
+}  // namespace graze::samples

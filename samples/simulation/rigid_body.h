@@ -1,0 +1,36 @@
+#pragma once
+
+#include <graze/engine/world/world.h>
+#include <Eigen/Geometry>
+
+#include "samples/simulation/mass_properties.h"
+
+namespace graze::samples {
+
+/// A body as the solver moves it: about its centre of mass. Metres, kilograms, seconds, radians.
+struct RigidBody {
+  BodyId id;                   ///< in the world
+  const MassProperties* mass;  ///< of its mesh
+  Eigen::Vector3d at;          ///< the centre of mass
+  Eigen::Quaterniond turn;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  double reach;          ///< of the mesh from the centre of mass
+  double stillness = 0;  /// for how long it has hardly moved, seconds
+  bool is_asleep = false;
+
+  /// Of the mesh's frame.
+  Pose pose() const {
+    Pose pose = Pose::Identity();
+    pose.linear() = turn.toRotationMatrix();
+    pose.translation() = at - pose.linear() * mass->centre;
+    return pose;
+  }
+
+  double kinetic_energy() const {
+    const Eigen::Vector3d local = turn.conjugate() * spin;
+    return 0.5 * mass->mass * velocity.squaredNorm() + 0.5 * local.dot(mass->inertia * local);
+  }
+};
+
+}  // namespace graze::samples
