@@ -4,27 +4,26 @@
 
 #include <graze/graze.h>
 
-#include <charconv>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <optional>
 #include <random>
 #include <string>
-#include <string_view>
 
-#include "samples/render/picture.h"
 #include "samples/simulation/bin.h"
 #include "samples/simulation/contact_solver.h"
-#include "samples/simulation/gltf_writer.h"
+#include "samples/simulation/options.h"
+#include "samples/simulation/pile_files.h"
 
 namespace {
 
 using Eigen::Vector3d;
 using graze::samples::ContactSolver;
 using graze::samples::RigidBody;
+using Options = graze::samples::SimulationOptions;
 using Clock = std::chrono::steady_clock;
 
 /// Seconds of one core that this program has used: what a step costs, whatever else the machine
@@ -41,20 +40,11 @@ constexpr double kStillSpeed = 0.05;     // m/s of any point: below, a body coun
 constexpr double kTimeToSleep = 0.10;    // s that it stays so until it sleeps
 constexpr double kUnseen = 1e-4;         // metres that a body moves before the world is told
 constexpr double kFramesPerSecond = 30;  // of the animation
-constexpr double kWaiting = 2;           // metres above: where it has bodies before they start
-
-struct Options {
-  std::filesystem::path data;
-  int bodies = 200;
-  double seconds = 20;
-  std::uint64_t seed = 1;
-  std::string gltf, picture;
-};
 
 struct Totals {
   double world_seconds = 0, solver_seconds = 0;
   double awake = 0, pairs = 0, contacts = 0;
-  std::uint64_t at_rest = 0, apart = 0, tests = 0, found = 0;
+  std::uint64_t at_rest = 0, apart = 0, tests = 0;
   int steps = 0;
 };
 
@@ -224,7 +214,6 @@ class Simulation {
     totals_.at_rest += work.pairs_at_rest;
     totals_.apart += work.pairs_apart;
     totals_.tests += work.shape_tests;
-    totals_.found += work.contacts_found;
   }
 
   void report(double time) {
@@ -274,51 +263,21 @@ class Simulation {
   }
 
  public:
-  void write_gltf(const std::string& path) const {
-    graze::samples::GltfScene scene{.shapes = {}, .bodies = {}, .times = times_};
+  void write_files() const {
+    const bool is_at_rest = std::ranges::all_of(bodies_, &RigidBody::is_asleep);
+    graze::samples::Pile pile{.title = std::to_string(bodies_.size()) + " bolts and nuts " +
+                                       (is_at_rest ? "at rest " : "") + "in a bin",
+                              .bin = bin_mesh_,
+                              .bin_height = size_.height,
+                              .kinds = {},
+                              .bodies = {},
+                              .times = times_};
     for (const Kind& kind : kinds_)
-      scene.shapes.push_back({kind.name, kind.mesh, {0.5, 0.5, 0.55}});
-    scene.shapes[1].colour = {0.72, 0.53, 0.25};
-    scene.shapes.push_back({"bin", bin_mesh_, {0.2, 0.25, 0.3}});
-    scene.bodies.push_back({2, {graze::Pose::Identity()}});
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      graze::Pose waiting = frames_[i].empty() ? bodies_[i].pose() : frames_[i].front();
-      waiting.translation().z() += kWaiting;
-      std::vector<graze::Pose> poses(first_frame_[i], waiting);
-      poses.insert(poses.end(), frames_[i].begin(), frames_[i].end());
-      scene.bodies.push_back({i % kinds_.size(), std::move(poses)});
-    }
-    graze::samples::write_gltf(path, scene);
-  }
-
-  void write_picture(const std::string& path) const {
-    const graze::render::Colour colours[] = {graze::render::kSteel, graze::render::kSand};
-    std::vector<graze::render::Part> parts{
-        {"bin", bin_mesh_, graze::Pose::Identity(), {0.45, 0.5, 0.55}, {}}};
-    for (std::size_t kind = 0; kind < kinds_.size() && kind < bodies_.size(); ++kind) {
-      parts.push_back(
-          {kinds_[kind].name, kinds_[kind].mesh, bodies_[kind].pose(), colours[kind], {}});
-      for (std::size_t i = kind + kinds_.size(); i < bodies_.size(); i += kinds_.size())
-        parts.back().copies.push_back(bodies_[i].pose());
-    }
-    const Vector3d front(0.3, -1, 0);
-    const Vector3d up(0, 0, 1);
-    const Vector3d middle(0, 0, 0.5 * size_.height);
-    graze::render::write_scene(path,
-                               {std::to_string(bodies_.size()) + " bolts and nuts at rest in a bin",
-                                parts,
-                                {{.caption = "The bin cut open",
-                                  .centre = middle,
-                                  .towards_viewer = front + 0.45 * up,
-                                  .up = up,
-                                  .height = 0.19,
-                                  .cut = graze::render::Cut{0.03 * front, front.normalized(), {0}}},
-                                 {.caption = "From above",
-                                  .centre = middle,
-                                  .towards_viewer = up,
-                                  .up = -front,
-                                  .height = 0.19,
-                                  .cut = {}}}});
+      pile.kinds.push_back({kind.name, kind.mesh});
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      pile.bodies.push_back({i % kinds_.size(), bodies_[i].pose(), first_frame_[i], frames_[i]});
+    if (!options_.gltf.empty()) write_animation(options_.gltf, pile);
+    if (!options_.picture.empty()) write_picture(options_.picture, pile);
   }
 
  private:
@@ -343,60 +302,18 @@ class Simulation {
   double core_ = 0;
 };
 
-int usage() {
-  std::fprintf(stderr,
-               "usage: simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] "
-               "[--gltf FILE] [--picture FILE.pov]\n");
-  return 2;
-}
-
-/// The whole text as a number; nothing, if it is none.
-template <typename T>
-std::optional<T> number_of(std::string_view text) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::optional<Options> options_of(int argc, char** argv) {
-  if (argc < 2 || argc % 2 != 0) return std::nullopt;
-  Options options;
-  options.data = argv[1];
-  for (int i = 2; i < argc; i += 2) {
-    const std::string_view name = argv[i];
-    const std::string_view value = argv[i + 1];
-    if (name == "--bodies") {
-      options.bodies = number_of<int>(value).value_or(0);
-    } else if (name == "--seconds") {
-      options.seconds = number_of<double>(value).value_or(0);
-    } else if (name == "--seed") {
-      const std::optional<std::uint64_t> seed = number_of<std::uint64_t>(value);
-      if (!seed) return std::nullopt;
-      options.seed = *seed;
-    } else if (name == "--gltf") {
-      options.gltf = value;
-    } else if (name == "--picture") {
-      options.picture = value;
-    } else {
-      return std::nullopt;
-    }
-  }
-  const bool is_sound = options.bodies > 0 && options.bodies <= 100000 && options.seconds > 0 &&
-                        options.seconds <= 1e5;
-  return is_sound ? std::optional(options) : std::nullopt;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<Options> options = options_of(argc, argv);
-  if (!options) return usage();
+  const std::optional<Options> options = graze::samples::simulation_options(argc, argv);
+  if (!options) {
+    std::fprintf(stderr, "usage: %s\n", Options::kUsage);
+    return 2;
+  }
   try {
     Simulation simulation(*options);
     const int status = simulation.run();
-    if (!options->gltf.empty()) simulation.write_gltf(options->gltf);
-    if (!options->picture.empty()) simulation.write_picture(options->picture);
+    simulation.write_files();
     return status;
   } catch (const graze::Error& error) {
     std::fprintf(stderr, "simulation_loop: %s\n", error.what());

@@ -35,6 +35,21 @@ TEST(Picture, TheSceneHoldsWhatWasGiven) {
   }
 }
 
+TEST(Picture, CopiesMoveWhatIsWrittenOnce) {
+  const Mesh mesh = tetrahedron();
+  const tests::TemporaryDirectory directory;
+  Picture picture = picture_of(mesh);
+  picture.parts[0].pose.translation() = Eigen::Vector3d(5, 0, 0);
+  Pose copy = Pose::Identity();
+  copy.translation() = Eigen::Vector3d(7, 1, 0);
+  picture.parts[0].copies = {copy};
+  write_scene(directory.path("scene.pov"), picture);
+  std::ostringstream text;
+  text << std::ifstream(directory.path("scene.pov")).rdbuf();
+  const std::string moved = "object { solid_0 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 2000, 1000, 0> }";
+  EXPECT_NE(text.str().find(moved), std::string::npos);
+}
+
 TEST(Picture, WhatDoesNotExistIsRefused) {
   const Mesh mesh = tetrahedron();
   const tests::TemporaryDirectory directory;

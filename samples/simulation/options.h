@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace graze::samples {
+
+/// What simulation_loop is asked for.
+struct SimulationOptions {
+  std::filesystem::path data;
+  int bodies = 200;
+  double seconds = 20;  ///< to simulate
+  std::uint64_t seed = 1;
+  std::filesystem::path gltf;  ///< empty for none
+  std::filesystem::path picture;
+
+  static constexpr const char* kUsage =
+      "simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] [--gltf FILE] "
+      "[--picture FILE.pov]";
+};
+
+/// Nothing for a name that is none of these, or a value that is no number or out of range.
+std::optional<SimulationOptions> simulation_options(int argc, char** argv);
+
+}  // namespace graze::samples
