@@ -64,11 +64,6 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const GuestInNode& gue
   return near & host.lanes();
 }
 
-HWY_INLINE float size_of(const WideSlot& slot) {
-  const WideNode& node = *slot.node;
-  return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
-}
-
 /// Asks for the memory of a node that is looked at soon.
 HWY_INLINE void fetch_ahead(const WideNode& node) {
   constexpr std::size_t kLine = 64;  // bytes

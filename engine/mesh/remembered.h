@@ -1,0 +1,102 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/engine/mesh/motion_front.h>
+#include <graze/engine/mesh/pair_memory.h>
+#include <graze/engine/mesh/wide_query.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace graze {
+
+/// A mesh in its last pose, with what bounds how far a motion takes its points.
+class RememberedMesh {
+ public:
+  explicit RememberedMesh(const Mesh& mesh);
+
+  const Mesh& mesh() const { return mesh_; }
+  const Pose& pose() const { return pose_; }
+  double deviation() const { return deviation_; }
+
+  /// The door: check_placement(), unless the pose is the last one, bit for bit.
+  void place(const Pose& pose, const char* what);
+
+  /// No placed point of the mesh is further from where `before` placed it (metres).
+  double motion_from(const Pose& before) const;
+
+ private:
+  Mesh mesh_;
+  double middle_[3];
+  double radius_;   // of the bounds, around their middle
+  double largest_;  // coordinate
+  Pose pose_ = Pose::Identity();
+  double deviation_ = 0;
+  bool is_placed_ = false;
+};
+
+/// What a PairMemory holds of one pair of meshes.
+class Remembered {
+ public:
+  static constexpr std::size_t kMostPairs = 8;
+
+  Remembered(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
+
+  bool is_about(const PlacedMesh& a, const PlacedMesh& b) const {
+    return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
+  }
+
+  /// Where the next query has them. Throws PoseError.
+  void place(const Pose& pose_a, const Pose& pose_b);
+
+  double deviation_a() const { return a_.deviation(); }
+  double deviation_b() const { return b_.deviation(); }
+
+  /// Whether all placed triangles are surely further apart than so many metres: because of the gap
+  /// that was proved last, less the motion since.
+  bool are_beyond(double metres) const;
+
+  /// No triangles are nearer than so many metres in these poses.
+  void learn_gap(double metres);
+
+  /// How B lies in A now: the fronts move along. Whether there was a query before.
+  bool follow(const WideQuery& query);
+
+  std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
+  void remember(std::span<const TrianglePair> found);
+  void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
+
+  std::optional<TrianglePair> nearest;
+  MotionFront meeting{bvh::WideFront::Bounds::Meeting};
+  MotionFront near{bvh::WideFront::Bounds::Distance};
+  std::uint64_t still_apart = 0;
+  std::uint64_t still_touching = 0;
+
+ private:
+  RememberedMesh a_;
+  RememberedMesh b_;
+
+  Pose gap_pose_a_ = Pose::Identity();
+  Pose gap_pose_b_ = Pose::Identity();
+  double gap_ = -1;  // metres, in these poses; less than 0: nothing is known
+
+  double rotation_[3][3];   // of B in A, in common units, when last computed
+  double translation_[3];
+  bool is_followed_ = false;
+
+  std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
+  std::size_t pair_count_ = 0;
+};
+
+/// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
+Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+
+/// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
+/// less than 0.
+double gap_of_bounds(const WideQuery& query);
+
+}  // namespace graze
