@@ -100,6 +100,8 @@ class WideFront {
   struct Leaves {
     WidePairWalk::Waiting pair;
     std::uint32_t listed;
+    int host_side;  // whose primitives are the rows of bits
+    float row_deadlines[ChildLink::kMaxLeafSize];
   };
 
   struct State {

@@ -28,6 +28,9 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 /// What is further counts as so far: squares of it may have overflowed.
 constexpr float kFarthest = static_cast<float>(WideFront::kFarthest);
 
+/// What is rounded to float, times it, is no more than before.
+constexpr float kRoundDown = 1 - 0x1p-22f;
+
 /// Pays for kBoundGrowth, roots and products.
 constexpr float kShrink = 1 - 0x1p-13f;
 
@@ -68,7 +71,95 @@ HWY_INLINE void set_gaps(float* gaps, const WideNode& host, const GuestInNode& g
         gap = hn::Max(gap, hn::Sub(hn::Abs(distance), reach));
       }
     }
-    hn::Store(hn::Mul(known(tag, gap), hn::Set(tag, unit_of_host)), tag, gaps + lane);
+    hn::Store(hn::Mul(known(tag, gap), hn::Set(tag, unit_of_host * kShrink)), tag, gaps + lane);
+  }
+}
+
+/// Of so many squared bounds.
+template <typename Tag>
+HWY_INLINE void set_roots(Tag tag, float* gaps, const float* squares, std::size_t count) {
+  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
+    const auto gap = hn::Min(hn::Sqrt(hn::Load(tag, squares + lane)), hn::Set(tag, kFarthest));
+    hn::Store(hn::Mul(gap, hn::Set(tag, kShrink)), tag, gaps + lane);
+  }
+}
+
+/// One over the lengths of a leaf's normals, in each lane; 0 for none.
+HWY_INLINE void set_inverse_lengths(float* inverse, const GuestLeaf& leaf) {
+  const FourTag tag;
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+    Four square = hn::Set(tag, kWideUnderflow);
+    for (int i = 0; i < 3; ++i) {
+      const Four n = hn::Load(tag, leaf.normal[i] + part);
+      square = hn::MulAdd(n, n, square);
+    }
+    hn::Store(hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(square)), tag, inverse + part);
+  }
+}
+
+/// How far corners on one side of a plane are from it at least.
+template <typename CornerOf>
+HWY_INLINE Four height_beyond(const Four* normal, const Four* point, CornerOf&& corner_of,
+                              Four bound) {
+  const FourTag tag;
+  Four low = hn::Zero(tag);
+  Four high = low;
+  for (int c = 0; c < 3; ++c) {
+    const Four height =
+        hn::MulAdd(normal[0], hn::Sub(corner_of(c, 0), point[0]),
+                   hn::MulAdd(normal[1], hn::Sub(corner_of(c, 1), point[1]),
+                              hn::Mul(normal[2], hn::Sub(corner_of(c, 2), point[2]))));
+    low = c == 0 ? height : hn::Min(low, height);
+    high = c == 0 ? height : hn::Max(high, height);
+  }
+  return known(tag, hn::Sub(hn::Max(low, hn::Neg(high)), bound));
+}
+
+/// How far a host's primitive and the guest's are apart at least, by their boxes and planes.
+HWY_INLINE void set_primitive_gaps(float* gaps, const HostTriangle& host, const GuestLeaf& guest,
+                                   const float* inverse_lengths, float unit_of_host) {
+  const FourTag tag;
+  const Four error = hn::Set(tag, guest.error);
+  const float host_square = host.normal[0] * host.normal[0] + host.normal[1] * host.normal[1] +
+                            host.normal[2] * host.normal[2];
+  const Four host_inverse =
+      hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(hn::Set(tag, host_square + kWideUnderflow)));
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+    Four square = hn::Zero(tag);
+    Four extent = square;
+    for (int i = 0; i < 3; ++i) {
+      const Four low = hn::Load(tag, guest.low[i] + part);
+      const Four high = hn::Load(tag, guest.high[i] + part);
+      const Four host_low = hn::Set(tag, host.low[i]);
+      const Four host_high = hn::Set(tag, host.high[i]);
+      const Four along =
+          known(tag, hn::Sub(hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high)), error));
+      square = hn::MulAdd(along, along, square);
+      extent = hn::Max(extent, hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low)));
+    }
+    const Four of_boxes = hn::Sqrt(square);
+    const Four bound = height_error(extent, error);
+    Four normal[3], point[3];
+    for (int i = 0; i < 3; ++i) {
+      normal[i] = hn::Set(tag, host.normal[i]);
+      point[i] = hn::Set(tag, host.corner[0][i]);
+    }
+    const Four of_host = hn::Mul(
+        height_beyond(
+            normal, point,
+            [&](int c, int i) HWY_ATTR { return hn::Load(tag, guest.corner[c][i] + part); }, bound),
+        host_inverse);
+    for (int i = 0; i < 3; ++i) {
+      normal[i] = hn::Load(tag, guest.normal[i] + part);
+      point[i] = hn::Load(tag, guest.corner[0][i] + part);
+    }
+    const Four of_guest = hn::Mul(
+        height_beyond(
+            normal, point, [&](int c, int i) HWY_ATTR { return hn::Set(tag, host.corner[c][i]); },
+            bound),
+        hn::Load(tag, inverse_lengths + part));
+    const Four gap = hn::Max(of_boxes, hn::Max(of_host, of_guest));
+    hn::Store(hn::Mul(gap, hn::Set(tag, unit_of_host * kShrink)), tag, gaps + part);
   }
 }
 
@@ -111,7 +202,33 @@ class Passer {
   }
 
   float deadline_after(float gap) const {
-    return rounded_down(pass_.moved + static_cast<double>(gap));
+    // Rounded down: the sum is not negative.
+    return gap < kNever ? static_cast<float>(pass_.moved + static_cast<double>(gap)) * kRoundDown
+                        : kNever;
+  }
+
+  struct Nearness {
+    std::uint32_t near;  // the lanes within the limit
+    float least;         // gap of the others
+  };
+
+  /// Of these lanes alone.
+  template <typename Tag>
+  HWY_INLINE Nearness nearness(Tag tag, const float* gaps, std::size_t count,
+                               std::uint32_t lanes) const {
+    std::uint32_t near = 0;
+    auto least = hn::Set(tag, kNever);
+    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane)};
+      const auto is_asked = hn::LoadMaskBits(tag, bits);
+      const auto gap = hn::Load(tag, gaps + lane);
+      const auto is_far = hn::Gt(gap, hn::Set(tag, limit_));
+      least = hn::Min(least, hn::IfThenElse(hn::And(is_far, is_asked), gap, least));
+      std::uint8_t near_bits[8] = {};
+      hn::StoreMaskBits(tag, hn::AndNot(is_far, is_asked), near_bits);
+      near |= std::uint32_t{near_bits[0]} << lane;
+    }
+    return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }
 
   HWY_INLINE void visit(std::size_t index) {
@@ -143,36 +260,27 @@ class Passer {
       set_promises(promises_, node, in_node_,
                    aim_of(node, in_node_, guest_, pass_.direction[host_side]),
                    pass_.units[host_side]);
-      for (std::uint32_t lane = 0; lane < node.count; ++lane)
-        gaps[lane] = std::min(std::sqrt(promises_.bound[lane]), kFarthest);
+      set_roots(Tag(), gaps, promises_.bound, WideNode::kWidth);
     } else {
       set_gaps(gaps, node, in_node_, pass_.units[host_side]);
     }
-    std::uint32_t& open = state_.visits[index].open;
+    WideFront::Visit& visit = state_.visits[index];
     if (state_.visit_deadlines[index] == kAtOnce) state_.lanes += node.count;
-    std::uint32_t near = 0;
-    float least = kNever;
-    std::uint32_t closed = node.lanes() & ~open;
-    state_.counts.box_tests += static_cast<std::uint32_t>(std::popcount(closed));
-    for (; closed != 0; closed &= closed - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(closed));
-      const float gap = gaps[lane] * kShrink;
-      if (gap > limit_) {
-        least = std::min(least, gap);
-        ++state_.counts.box_rejections;
-      } else {
-        near |= 1u << lane;
-      }
-    }
-    open |= near;
-    state_.visit_deadlines[index] = least < kNever ? deadline_after(least) : kNever;
+    const std::uint32_t closed = node.lanes() & ~visit.open;
+    const Nearness found = nearness(Tag(), gaps, WideNode::kWidth, closed);
+    std::uint32_t near = found.near;
+    const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
+    state_.counts.box_tests += tested;
+    state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
+    visit.open |= near;
+    state_.visit_deadlines[index] = deadline_after(found.least);
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideSlot child = {&node, lane, below.treelet};
       const WidePairWalk::Waiting pair =
           host_side == 0 ? WidePairWalk::Waiting{child, guest} : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        state_.leaves.push_back({pair, 0});
+        state_.leaves.push_back({pair, 0, host_side, {kAtOnce, kAtOnce, kAtOnce, kAtOnce}});
         state_.leaves_deadlines.push_back(kAtOnce);
       } else {
         state_.visits.push_back({pair, 0});
@@ -188,44 +296,65 @@ class Passer {
     return {state_.tree[side]->entered(index, state_.counts.treelets_built).nodes.data(), 0, index};
   }
 
-  /// A is the host.
+  /// Of a primitive of the host and these of the guest's leaf.
+  HWY_INLINE Nearness nearness_of_row(const HostTriangle& triangle, int host_side,
+                                      std::uint32_t lanes) const {
+    alignas(16) float gaps[4];
+    if (is_distance_) {
+      set_bounds(gaps, triangle, guest_leaf_, pass_.direction[host_side], pass_.units[host_side]);
+      set_roots(FourTag(), gaps, gaps, 4);
+    } else {
+      set_primitive_gaps(gaps, triangle, guest_leaf_, inverse_lengths_, pass_.units[host_side]);
+    }
+    return nearness(FourTag(), gaps, 4, lanes);
+  }
+
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
-    const WideTree::Treelet& host = state_.tree[0]->treelet(leaves.pair.a.treelet);
-    const WideTree::Treelet& guest = state_.tree[1]->treelet(leaves.pair.b.treelet);
-    const std::uint32_t host_link = leaves.pair.a.node->child[leaves.pair.a.lane];
-    const std::uint32_t guest_link = leaves.pair.b.node->child[leaves.pair.b.lane];
-    if (leaf_slot_ != leaves.pair.b || leaf_host_ != &host) {
-      set_guest_leaf(guest_leaf_, guest, guest_link, host, pass_.into[0]);
-      leaf_slot_ = leaves.pair.b;
+    const int host_side = leaves.host_side;
+    const WideSlot& host_slot = host_side == 0 ? leaves.pair.a : leaves.pair.b;
+    const WideSlot& guest_slot = host_side == 0 ? leaves.pair.b : leaves.pair.a;
+    const WideTree::Treelet& host = state_.tree[host_side]->treelet(host_slot.treelet);
+    const WideTree::Treelet& guest = state_.tree[1 - host_side]->treelet(guest_slot.treelet);
+    const std::uint32_t host_link = host_slot.node->child[host_slot.lane];
+    const std::uint32_t guest_link = guest_slot.node->child[guest_slot.lane];
+    if (leaf_slot_ != guest_slot || leaf_host_ != &host) {
+      set_guest_leaf(guest_leaf_, guest, guest_link, host, pass_.into[host_side]);
+      set_inverse_lengths(inverse_lengths_, guest_leaf_);
+      leaf_slot_ = guest_slot;
       leaf_host_ = &host;
     }
     const std::uint32_t count = ChildLink::count(host_link);
     const std::uint32_t guests = ChildLink::count(guest_link);
+    const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
+    const std::uint32_t row_bits = (1u << guests) - 1;
+    std::uint32_t near = 0;
+    float soonest = kNever;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      float& deadline = leaves.row_deadlines[i];
+      if (deadline <= due_) {
+        state_.counts.primitive_tests += guests;
+        const std::uint32_t shift = ChildLink::kMaxLeafSize * i;
+        const Nearness found = nearness_of_row(HostTriangle(rows, count, i), host_side,
+                                               row_bits & ~(leaves.listed >> shift));
+        near |= found.near << shift;
+        deadline = deadline_after(found.least);
+      }
+      soonest = std::min(soonest, deadline);
+    }
+    state_.leaves_deadlines[index] = soonest;
+    leaves.listed |= near;
     const std::uint32_t first = host.first + ChildLink::first(host_link);
     const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
-    const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
-    state_.counts.primitive_tests += count * guests;
-    float least = kNever;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      alignas(16) float bounds[4];
-      set_bounds(bounds, HostTriangle(rows, count, i), guest_leaf_, pass_.direction[0],
-                 pass_.units[0]);
-      for (std::uint32_t j = 0; j < guests; ++j) {
-        const std::uint32_t bit = 1u << (ChildLink::kMaxLeafSize * i + j);
-        if ((leaves.listed & bit) != 0) continue;
-        const float gap = bounds[j] > 0 ? std::min(std::sqrt(bounds[j]), kFarthest) * kShrink : 0;
-        if (gap > limit_) {
-          least = std::min(least, gap);
-          continue;
-        }
-        leaves.listed |= bit;
-        state_.candidates.push_back(
-            {{first + i, first_guest + j}, static_cast<std::uint32_t>(index), bit});
-        state_.candidate_deadlines.push_back(kAtOnce);
-      }
+    for (; near != 0; near &= near - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(near));
+      const std::uint32_t of_host = first + place / ChildLink::kMaxLeafSize;
+      const std::uint32_t of_guest = first_guest + place % ChildLink::kMaxLeafSize;
+      state_.candidates.push_back(
+          {host_side == 0 ? PlacePair{of_host, of_guest} : PlacePair{of_guest, of_host},
+           static_cast<std::uint32_t>(index), 1u << place});
+      state_.candidate_deadlines.push_back(kAtOnce);
     }
-    state_.leaves_deadlines[index] = least < kNever ? deadline_after(least) : kNever;
   }
 
   WideFront::State& state_;
@@ -241,6 +370,7 @@ class Passer {
   GuestLeaf guest_leaf_;
   WideSlot leaf_slot_{};  // of guest_leaf_, in
   const WideTree::Treelet* leaf_host_ = nullptr;
+  alignas(16) float inverse_lengths_[4];
   Promises promises_;
 };
 
@@ -330,7 +460,10 @@ void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
 
 void WideFront::drop(std::size_t index) {
   const Candidate candidate = state_.candidates[index];
-  state_.leaves[candidate.leaves].listed &= ~candidate.bit;
+  Leaves& leaves = state_.leaves[candidate.leaves];
+  leaves.listed &= ~candidate.bit;
+  leaves.row_deadlines[static_cast<std::size_t>(std::countr_zero(candidate.bit)) /
+                       ChildLink::kMaxLeafSize] = kAtOnce;
   state_.leaves_deadlines[candidate.leaves] = kAtOnce;
   state_.candidates[index] = state_.candidates.back();
   state_.candidate_deadlines[index] = state_.candidate_deadlines.back();

@@ -54,13 +54,16 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   }
   front_.begin(tree_a, tree_b);
   is_live_ = true;
+  ++generation_;
   moved_ = 0;
   passes_ = 0;
   return bvh::WideFront::Pass(b_in_a, a_in_b, bounds_, moved_);
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
+  is_live_ = false;  // should it throw
   front_.advance(pass, limit);
+  is_live_ = true;
   if (passes_++ == 0) first_size_ = front_.size();
   if (front_.size() > kLargest) {
     is_live_ = false;

@@ -6,6 +6,7 @@
 #include <graze/engine/work.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace graze {
@@ -17,7 +18,8 @@ class MotionFront {
 
   bvh::WideFront& front() { return front_; }
 
-  void forget() { is_live_ = false; }
+  /// Another number each time that it begins anew.
+  std::uint64_t generation() const { return generation_; }
 
   /// B has come so much further (common units).
   void move(double step);
@@ -39,6 +41,7 @@ class MotionFront {
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
+  std::uint64_t generation_ = 0;
   double moved_ = 0;
   int passes_ = 0;              // since it was begun
   std::size_t first_size_ = 0;  // after the first of these

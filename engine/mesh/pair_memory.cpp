@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/parity.h>
+#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/remembered.h>
 #include <graze/engine/mesh/solid.h>
@@ -8,7 +9,6 @@
 #include <graze/engine/mesh/wide_query.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace graze {
 
@@ -121,41 +121,58 @@ class MeetingQuery {
   }
 
  private:
-  /// Decides all candidates of the front, from the last on: one that is dropped makes way for one
-  /// that has been decided.
+  /// The corners of all candidates: most are known from the last pass, with A as it is placed if
+  /// that has not moved.
+  void gather_triangles() {
+    const bvh::WideFront& front = remembered_.meeting.front();
+    std::vector<RememberedTriangles>& all = remembered_.triangles;
+    const Pose& pose_a = query_.a.pose;
+    if (remembered_.triangles_generation != remembered_.meeting.generation()) all.clear();
+    remembered_.triangles_generation = remembered_.meeting.generation();
+    if (!are_equal(remembered_.triangles_pose_a, pose_a)) {
+      for (RememberedTriangles& triangles : all)
+        triangles.placed_a = query_.triangle_a(triangles.pair);
+    }
+    remembered_.triangles_pose_a = pose_a;
+    for (std::size_t i = all.size(); i < front.candidate_count(); ++i) {
+      const TrianglePair pair = query_.pair_at(front.candidate(i).places);
+      all.push_back({pair, query_.triangle_a(pair), query_.b.mesh.triangle(pair.b)});
+    }
+  }
+
+  /// One that does not meet: it makes way for the last.
+  void drop(std::size_t index) {
+    remembered_.meeting.front().drop(index);
+    remembered_.triangles[index] = remembered_.triangles.back();
+    remembered_.triangles.pop_back();
+  }
+
+  /// Decides all candidates of the front, from the last on, so that what takes the place of one
+  /// that is dropped has been decided.
   template <typename OnPair>
   bvh::Walk decide_candidates(OnPair&& on_pair) {
-    bvh::WideFront& front = remembered_.meeting.front();
+    gather_triangles();
     Candidates candidates(touch_, work_);
-    std::uint32_t last_a = std::numeric_limits<std::uint32_t>::max();
-    Triangle triangle_a;
-    TrianglePair waiting[Candidates::kCapacity];
-    std::size_t count = 0;
-    for (std::size_t i = front.candidate_count(); i > 0;) {
-      const std::size_t end = i;
-      for (count = 0; i > 0 && count < Candidates::kCapacity; ++count) {
-        const TrianglePair pair = query_.pair_at(front.candidate(--i).places);
-        if (pair.a != last_a) triangle_a = query_.triangle_a(pair);
-        last_a = pair.a;
-        waiting[count] = pair;
-        candidates.add(pair, triangle_a, query_.triangle_b(pair));
+    for (std::size_t end = remembered_.triangles.size(); end > 0;) {
+      const std::size_t begin = end - std::min(end, Candidates::kCapacity);
+      for (std::size_t i = end; i > begin; --i) {
+        const RememberedTriangles& triangles = remembered_.triangles[i - 1];
+        candidates.add(triangles.pair, triangles.placed_a, place(query_.b.pose, triangles.b));
       }
-      std::size_t next = 0;
-      const auto drop_until = [&](std::size_t hit) {
-        for (; next < hit; ++next)
-          front.drop(end - 1 - next);
+      std::size_t next = end;
+      const auto drop_until = [&](auto&& is_it) {
+        while (next > begin && !is_it(remembered_.triangles[next - 1].pair))
+          drop(--next);
       };
-      const bvh::Walk walk = candidates.decide([&](TrianglePair pair) {
-        std::size_t hit = next;
-        while (waiting[hit] != pair)
-          ++hit;
-        drop_until(hit);
-        ++next;
+      const bvh::Walk walk = candidates.decide([&](TrianglePair hit) {
+        drop_until([&](TrianglePair pair) { return pair == hit; });
+        --next;
         has_hit_ = true;
-        return on_pair(pair);
+        return on_pair(hit);
       });
       if (walk == bvh::Walk::Stop) return walk;
-      drop_until(count);
+      drop_until([](TrianglePair) { return false; });
+      end = begin;
     }
     return bvh::Walk::Continue;
   }

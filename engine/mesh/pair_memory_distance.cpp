@@ -176,10 +176,13 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
     if (between.distance <= clearance) found = pair;
     return found ? bvh::Walk::Stop : bvh::Walk::Continue;
   };
-  if (!query.pass_front(on_pair)) {
+  // After a hit another is likelier than a gap.
+  const bool was_within = remembered.was_within;
+  if (was_within || !query.pass_front(on_pair)) {
     found = find_within(mesh_a, mesh_b, clearance, settings.hint, counted.work());
   }
   if (found) remembered.nearest = found;
+  remembered.was_within = found.has_value();
   return found.has_value();
 }
 

@@ -54,6 +54,10 @@ double motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)
 
 }  // namespace
 
+bool are_equal(const Pose& one, const Pose& other) {
+  return std::memcmp(one.data(), other.data(), 16 * sizeof(double)) == 0;
+}
+
 RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
   const double* low = mesh.bounds().min.data();
   const double* high = mesh.bounds().max.data();
@@ -69,7 +73,7 @@ RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
 }
 
 void RememberedMesh::place(const Pose& pose, const char* what) {
-  if (is_placed_ && std::memcmp(pose.data(), pose_.data(), 16 * sizeof(double)) == 0) return;
+  if (is_placed_ && are_equal(pose, pose_)) return;
   is_placed_ = false;
   deviation_ = check_placement(pose, mesh_.bounds(), what);
   pose_ = pose;

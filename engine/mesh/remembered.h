@@ -11,8 +11,13 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace graze {
+
+/// Bit for bit.
+bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
 class RememberedMesh {
@@ -37,6 +42,14 @@ class RememberedMesh {
   Pose pose_ = Pose::Identity();
   double deviation_ = 0;
   bool is_placed_ = false;
+};
+
+/// A candidate of a front about what meets: corners lie side by side in here, and all over the
+/// place in the meshes.
+struct RememberedTriangles {
+  TrianglePair pair;
+  Triangle placed_a;
+  Triangle b;
 };
 
 /// What a PairMemory holds of one pair of meshes.
@@ -71,7 +84,11 @@ class Remembered {
   void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
 
   std::optional<TrianglePair> nearest;
+  bool was_within = false;
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
+  std::vector<RememberedTriangles> triangles;  // candidate by candidate of `meeting`
+  std::uint64_t triangles_generation = 0;      // of which it is
+  Pose triangles_pose_a = Pose::Identity();
   MotionFront near{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;
   std::uint64_t still_touching = 0;

@@ -21,7 +21,9 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string output;
+  std::string only_scene;
   std::string only;
+  std::string only_question;
   SceneSettings scenes;
   PathSettings paths;
   MotionSettings motion;
@@ -82,6 +84,7 @@ Json measured(const Scene& scene, const Options& options, std::size_t& wrong) {
     const std::vector<Path> paths = paths_in(scene, regime, options.paths);
     Json answers = Json::array();
     for (const Question question : kQuestions) {
+      if (!options.only_question.empty() && options.only_question != name_of(question)) continue;
       const MotionResult result = measure_motion(scene, paths, question, options.motion);
       wrong += result.wrong;
       answers.push_back(to_json(result));
@@ -105,8 +108,12 @@ std::size_t run(const Options& options) {
   std::printf("%-16s %-6s %-9s %10s %10s %9s %9s\n", "scene", "regime", "question", "us, cold",
               "with memory", "saved", "median");
   std::size_t wrong = 0;
+  const auto add = [&](const Scene& scene) {
+    if (options.only_scene.empty() || options.only_scene == scene.name)
+      document["scenes"].push_back(measured(scene, options, wrong));
+  };
   for (const SceneMaker& make_scene : mesh_scenes(options.scenes))
-    document["scenes"].push_back(measured(make_scene(), options, wrong));
+    add(make_scene());
   std::ofstream file(options.output);
   file << document.dump(1) << "\n";
   file.close();
@@ -125,7 +132,9 @@ int main(int argc, char** argv) {
   program.add_option("--pair", options.scenes.pairs,
                      "two more meshes, A B, with poses in A-B.REGIME.txt beside A if there are any; "
                      "may be repeated");
+  program.add_option("--scene", options.only_scene, "one alone, such as bolt-nut");
   program.add_option("--regime", options.only, "far, near, touch or deep alone");
+  program.add_option("--question", options.only_question, "any, pairs, distance or within alone");
   program.add_option("--paths", options.paths.count, "in each regime (default 4)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}));
   program.add_option("--steps", options.paths.steps, "of each path (default 100)")
