@@ -41,8 +41,8 @@ class WideFront {
     double moved;
     double slack;  // of both
     WideWay into[2];
-    float units[2];                // of each tree, in common units
-    float direction[2][3] = {};    // in each tree's frame, from it to the other
+    float units[2];              // of each tree, in common units
+    float direction[2][3] = {};  // in each tree's frame, from it to the other
   };
 
   /// Two primitives that are, or were, as near as was asked for.
@@ -79,7 +79,9 @@ class WideFront {
   double proven_gap(const Pass& pass) const;
 
   /// What it holds: pairs that were looked at.
-  std::size_t size() const { return state_.visits.size() + state_.leaves.size() + state_.candidates.size(); }
+  std::size_t size() const {
+    return state_.visits.size() + state_.leaves.size() + state_.candidates.size();
+  }
 
   /// Of all passes since begin(); pairs of boxes that were not due are `skipped`.
   struct Counts {

@@ -45,8 +45,7 @@ HWY_INLINE void set_gaps(float* gaps, const WideNode& host, const GuestInNode& g
     for (int i = 0; i < 3; ++i) {
       half[i] = hn::Load(tag, host.half[i] + lane);
       way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
-      gap = hn::Max(gap, hn::Sub(hn::Abs(way[i]),
-                                 hn::Add(half[i], hn::Set(tag, guest.reach[i]))));
+      gap = hn::Max(gap, hn::Sub(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, guest.reach[i]))));
     }
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
@@ -153,11 +152,11 @@ HWY_INLINE void set_primitive_gaps(float* gaps, const HostTriangle& host, const 
       normal[i] = hn::Load(tag, guest.normal[i] + part);
       point[i] = hn::Load(tag, guest.corner[0][i] + part);
     }
-    const Four of_guest = hn::Mul(
-        height_beyond(
-            normal, point, [&](int c, int i) HWY_ATTR { return hn::Set(tag, host.corner[c][i]); },
-            bound),
-        hn::Load(tag, inverse_lengths + part));
+    const Four of_guest =
+        hn::Mul(height_beyond(
+                    normal, point,
+                    [&](int c, int i) HWY_ATTR { return hn::Set(tag, host.corner[c][i]); }, bound),
+                hn::Load(tag, inverse_lengths + part));
     const Four gap = hn::Max(of_boxes, hn::Max(of_host, of_guest));
     hn::Store(hn::Mul(gap, hn::Set(tag, unit_of_host * kShrink)), tag, gaps + part);
   }
@@ -194,7 +193,8 @@ class Passer {
     std::size_t i = from;
     for (; i + lanes <= size; i += lanes) {
       const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), due);
-      if (!hn::AllFalse(tag, is_due)) return i + static_cast<std::size_t>(hn::FindFirstTrue(tag, is_due));
+      if (!hn::AllFalse(tag, is_due))
+        return i + static_cast<std::size_t>(hn::FindFirstTrue(tag, is_due));
     }
     while (i < size && deadlines[i] > due_)
       ++i;
@@ -277,8 +277,8 @@ class Passer {
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideSlot child = {&node, lane, below.treelet};
-      const WidePairWalk::Waiting pair =
-          host_side == 0 ? WidePairWalk::Waiting{child, guest} : WidePairWalk::Waiting{guest, child};
+      const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
+                                                        : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
         state_.leaves.push_back({pair, 0, host_side, {kAtOnce, kAtOnce, kAtOnce, kAtOnce}});
         state_.leaves_deadlines.push_back(kAtOnce);
@@ -397,8 +397,8 @@ float due_at(const WideFront::Pass& pass, double limit) {
 }
 
 std::size_t count_due(const std::vector<float>& deadlines, float due) {
-  return static_cast<std::size_t>(std::count_if(
-      deadlines.begin(), deadlines.end(), [due](float deadline) { return deadline <= due; }));
+  return static_cast<std::size_t>(std::count_if(deadlines.begin(), deadlines.end(),
+                                                [due](float deadline) { return deadline <= due; }));
 }
 
 }  // namespace

@@ -30,9 +30,7 @@ class DistanceReach {
     margin_ = 64 * 0x1p-53 * (tau + 16);
   }
 
-  void shrink_to(double metres) {
-    units_ = (metres * per_metre_ + margin_) * growth_;
-  }
+  void shrink_to(double metres) { units_ = (metres * per_metre_ + margin_) * growth_; }
 
   double units() const { return units_; }
 

@@ -78,8 +78,8 @@ class MeetingQuery {
     Candidates candidates(touch_, work_);
     std::size_t touching = pairs.size();
     const auto on_pair = [&](TrianglePair pair) {
-      touching = static_cast<std::size_t>(std::find(pairs.begin(), pairs.end(), pair) -
-                                          pairs.begin());
+      touching =
+          static_cast<std::size_t>(std::find(pairs.begin(), pairs.end(), pair) - pairs.begin());
       return bvh::Walk::Stop;
     };
     for (std::size_t i = 0; i < pairs.size() && touching == pairs.size(); ++i) {

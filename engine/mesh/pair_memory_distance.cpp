@@ -77,8 +77,7 @@ class NearQuery {
       front.set_gap(i, *pass, units_between(found.distance));
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
-    remembered_.learn_gap(
-        reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
+    remembered_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
     return true;
   }
 
@@ -101,9 +100,8 @@ class NearQuery {
 };
 
 /// What is nearest, or that something touches; `known` of the remembered pair.
-MeshDistance find_nearest(const PlacedMesh& a, const PlacedMesh& b,
-                                         const TriangleDistance& known, Remembered& remembered,
-                                         Work& work) {
+MeshDistance find_nearest(const PlacedMesh& a, const PlacedMesh& b, const TriangleDistance& known,
+                          Remembered& remembered, Work& work) {
   NearQuery query(a, b, remembered, work);
   MeshDistance best = result_of(known, *remembered.nearest);
   query.shrink_to(best.distance);
@@ -134,11 +132,9 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
   if (!remembered.nearest) {
     best = distance(mesh_a, mesh_b, settings, &counted.work());
   } else {
-    const TriangleDistance known =
-        distance_of(mesh_a, mesh_b, *remembered.nearest, counted.work());
+    const TriangleDistance known = distance_of(mesh_a, mesh_b, *remembered.nearest, counted.work());
     best = result_of(known, *remembered.nearest);
-    if (best.distance > 0)
-      best = find_nearest(mesh_a, mesh_b, known, remembered, counted.work());
+    if (best.distance > 0) best = find_nearest(mesh_a, mesh_b, known, remembered, counted.work());
     if (best.distance == 0) {
       best.pair = find_triangle_pairs(mesh_a, mesh_b, memory, {}, &counted.work()).pairs.front();
       best = result_of(distance_of(mesh_a, mesh_b, best.pair, counted.work()), best.pair);

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace graze {
 namespace {
@@ -55,7 +54,7 @@ double motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)
 }  // namespace
 
 bool are_equal(const Pose& one, const Pose& other) {
-  return std::memcmp(one.data(), other.data(), 16 * sizeof(double)) == 0;
+  return std::equal(one.data(), one.data() + 16, other.data());
 }
 
 RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
@@ -77,10 +76,11 @@ void RememberedMesh::place(const Pose& pose, const char* what) {
   is_placed_ = false;
   deviation_ = check_placement(pose, mesh_.bounds(), what);
   pose_ = pose;
+  ++pose_number_;
   is_placed_ = true;
 }
 
-double RememberedMesh::motion_from(const Pose& before) const {
+RememberedMesh::Motion RememberedMesh::motion_from(const Pose& before) const {
   const double* m = pose_.data();  // column-major 4x4
   const double* n = before.data();
   double moved[3];
@@ -95,9 +95,10 @@ double RememberedMesh::motion_from(const Pose& before) const {
       turned_square += turned * turned;
     }
   }
+  // The square of a sum is at most twice the sum of squares: a root less.
   const double square = moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
-  return (std::sqrt(square) + radius_ * std::sqrt(turned_square)) * (1 + 0x1p-40) +
-         0x1p-46 * sizes + 0x1p-500;
+  return {2 * (square + radius_ * radius_ * turned_square) * (1 + 0x1p-40),
+          0x1p-46 * sizes + 0x1p-500};
 }
 
 void Remembered::place(const Pose& pose_a, const Pose& pose_b) {
@@ -107,15 +108,21 @@ void Remembered::place(const Pose& pose_a, const Pose& pose_b) {
 
 bool Remembered::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const double motion = a_.motion_from(gap_pose_a_) + b_.motion_from(gap_pose_b_);
-  return gap_ - motion > metres * (1 + 0x1p-40) + 0x1p-46 * gap_;
+  const RememberedMesh::Motion of_a = motion_from(gap_place_a_, a_);
+  const RememberedMesh::Motion of_b = motion_from(gap_place_b_, b_);
+  const double left =
+      gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
+  // Of two motions of which one is none the other is the sum.
+  const double both = of_a.square + of_b.square;
+  const double square = of_a.square > 0 && of_b.square > 0 ? 2 * both : both;
+  return left > 0 && left * left * (1 - 0x1p-40) > square;
 }
 
 void Remembered::learn_gap(double metres) {
   if (!(metres > 0) || !std::isfinite(metres)) return;
   gap_ = metres;
-  gap_pose_a_ = a_.pose();
-  gap_pose_b_ = b_.pose();
+  gap_place_a_ = place_of(a_);
+  gap_place_b_ = place_of(b_);
 }
 
 bool Remembered::follow(const WideQuery& query) {

@@ -16,7 +16,7 @@
 
 namespace graze {
 
-/// Bit for bit.
+/// Entry by entry.
 bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
@@ -26,13 +26,20 @@ class RememberedMesh {
 
   const Mesh& mesh() const { return mesh_; }
   const Pose& pose() const { return pose_; }
+  /// Another number each time that the pose changes.
+  std::uint64_t pose_number() const { return pose_number_; }
   double deviation() const { return deviation_; }
 
-  /// The door: check_placement(), unless the pose is the last one, bit for bit.
+  /// The door: check_placement(), unless the pose is the last one.
   void place(const Pose& pose, const char* what);
 
-  /// No placed point of the mesh is further from where `before` placed it (metres).
-  double motion_from(const Pose& before) const;
+  /// No placed point of the mesh is further from where `before` placed it than the root of `square`
+  /// and `rounding` (metres).
+  struct Motion {
+    double square = 0;
+    double rounding = 0;
+  };
+  Motion motion_from(const Pose& before) const;
 
  private:
   Mesh mesh_;
@@ -41,6 +48,7 @@ class RememberedMesh {
   double largest_;  // coordinate
   Pose pose_ = Pose::Identity();
   double deviation_ = 0;
+  std::uint64_t pose_number_ = 0;
   bool is_placed_ = false;
 };
 
@@ -97,11 +105,21 @@ class Remembered {
   RememberedMesh a_;
   RememberedMesh b_;
 
-  Pose gap_pose_a_ = Pose::Identity();
-  Pose gap_pose_b_ = Pose::Identity();
-  double gap_ = -1;  // metres, in these poses; less than 0: nothing is known
+  struct Place {
+    Pose pose = Pose::Identity();
+    std::uint64_t number = 0;
+  };
+  static Place place_of(const RememberedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static RememberedMesh::Motion motion_from(const Place& before, const RememberedMesh& mesh) {
+    return before.number == mesh.pose_number() ? RememberedMesh::Motion()
+                                               : mesh.motion_from(before.pose);
+  }
 
-  double rotation_[3][3];   // of B in A, in common units, when last computed
+  Place gap_place_a_;
+  Place gap_place_b_;
+  double gap_ = -1;  // metres, in these places; less than 0: nothing is known
+
+  double rotation_[3][3];  // of B in A, in common units, when last computed
   double translation_[3];
   bool is_followed_ = false;
 

@@ -42,7 +42,8 @@ Json to_json(const Work& work, std::size_t queries) {
   return {{"volume_tests", mean(work.volume_tests)},
           {"filter_tests", mean(work.filter_tests)},
           {"triangle_tests", mean(work.triangle_tests)},
-          {"exact_tests", mean(work.exact_tests)}};
+          {"exact_tests", mean(work.exact_tests)},
+          {"skipped_by_memory", mean(work.skipped_by_memory)}};
 }
 
 /// Times are means over the paths; `saved` is the share of the whole time, `median_saved` that of
@@ -129,9 +130,10 @@ int main(int argc, char** argv) {
   CLI::App program("Meshes in coherent motion, with a memory and without: measurements as JSON");
   program.add_option("--data", options.scenes.data, "folder of the bundled geometry")->required();
   program.add_option("--output", options.output, "JSON file to write")->required();
-  program.add_option("--pair", options.scenes.pairs,
-                     "two more meshes, A B, with poses in A-B.REGIME.txt beside A if there are any; "
-                     "may be repeated");
+  program.add_option(
+      "--pair", options.scenes.pairs,
+      "two more meshes, A B, with poses in A-B.REGIME.txt beside A if there are any; "
+      "may be repeated");
   program.add_option("--scene", options.only_scene, "one alone, such as bolt-nut");
   program.add_option("--regime", options.only, "far, near, touch or deep alone");
   program.add_option("--question", options.only_question, "any, pairs, distance or within alone");
@@ -139,8 +141,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}));
   program.add_option("--steps", options.paths.steps, "of each path (default 100)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
-  program.add_option("--step", options.paths.step,
-                     "how far B goes in each, as a share of the smaller mesh's size (default 0.001)");
+  program.add_option(
+      "--step", options.paths.step,
+      "how far B goes in each, as a share of the smaller mesh's size (default 0.001)");
   program.add_option("--turn", options.paths.turn,
                      "how far its farthest points turn, likewise (default 0.0005)");
   program.add_option("--clearance", options.motion.clearance,

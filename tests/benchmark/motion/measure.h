@@ -15,13 +15,13 @@ inline constexpr Question kQuestions[] = {Question::Any, Question::Pairs, Questi
 const char* name_of(Question question);
 
 struct MotionSettings {
-  int repetitions = 5;     ///< of each path, of which the median counts
+  int repetitions = 5;      ///< of each path, of which the median counts
   double clearance = 0.01;  ///< of Question::Within, a share of the scene's size
 };
 
 /// One question all along one path, asked with a memory that is new in its first pose, and without.
 struct PathTimes {
-  double cold_microseconds;    ///< a query, the path's mean
+  double cold_microseconds;  ///< a query, the path's mean
   double remembering_microseconds;
 };
 

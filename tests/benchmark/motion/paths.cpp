@@ -26,8 +26,7 @@ class Mover {
         settings_(settings),
         source_(seed),
         middle_(0.5 * (scene.mesh_b.bounds().min + scene.mesh_b.bounds().max)) {
-    const double radius =
-        0.5 * (scene.mesh_b.bounds().max - scene.mesh_b.bounds().min).norm();
+    const double radius = 0.5 * (scene.mesh_b.bounds().max - scene.mesh_b.bounds().min).norm();
     angle_ = settings.turn * scene.size() / radius;
   }
 
@@ -76,8 +75,7 @@ class Mover {
   }
 
   Pose stepped(const Pose& pose) const {
-    const Eigen::Vector3d middle =
-        pose * middle_ + settings_.step * scene_.size() * direction_;
+    const Eigen::Vector3d middle = pose * middle_ + settings_.step * scene_.size() * direction_;
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle_, axis_));
     Pose next = pose;
     next.linear() = (turn * Eigen::Quaterniond(pose.linear())).normalized().toRotationMatrix();

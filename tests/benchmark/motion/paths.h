@@ -21,8 +21,8 @@ using Path = std::vector<Pose>;
 
 /// Paths that begin in poses of the regime and stay in it. B goes straight on, turning about an
 /// axis through its middle by an angle that moves its farthest points by `turn`, for as long as it
-/// is as far from touching as at the beginning to within a factor of two: without a hit and as near,
-/// or with a hit and as many pairs. A step that would leave the regime is replaced by one in
+/// is as far from touching as at the beginning to within a factor of two: without a hit and as
+/// near, or with a hit and as many pairs. A step that would leave the regime is replaced by one in
 /// another direction; where twenty of these are in vain the path ends.
 std::vector<Path> paths_in(const Scene& scene, const RegimePoses& regime,
                            const PathSettings& settings);
