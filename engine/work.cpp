@@ -9,6 +9,7 @@ Work& Work::operator+=(const Work& other) {
   triangle_tests += other.triangle_tests;
   exact_tests += other.exact_tests;
   points_tested += other.points_tested;
+  skipped_by_memory += other.skipped_by_memory;
   trees_built += other.trees_built;
   treelets_built += other.treelets_built;
   skins_built += other.skins_built;

@@ -7,12 +7,15 @@ namespace graze {
 /// What queries did and skipped. A query adds to the counters that it is given, so that one Work
 /// can sum over many queries. Exempt from law 8: counts may differ between versions and settings.
 struct Work {
-  std::uint64_t volume_tests = 0;          ///< pairs of bounding volumes tested
-  std::uint64_t volume_rejections = 0;     ///< of these, found apart: what lies below was skipped
-  std::uint64_t filter_tests = 0;          ///< triangle pairs tested by float before any placing
-  std::uint64_t triangle_tests = 0;        ///< triangle/triangle or triangle/box pairs tested
-  std::uint64_t exact_tests = 0;           ///< of these, those that the rounded stage left unsure
-  std::uint64_t points_tested = 0;         ///< points asked whether a closed mesh encloses them
+  std::uint64_t volume_tests = 0;       ///< pairs of bounding volumes tested
+  std::uint64_t volume_rejections = 0;  ///< of these, found apart: what lies below was skipped
+  std::uint64_t filter_tests = 0;       ///< triangle pairs tested by float before any placing
+  std::uint64_t triangle_tests = 0;     ///< triangle/triangle or triangle/box pairs tested
+  std::uint64_t exact_tests = 0;        ///< of these, those that the rounded stage left unsure
+  std::uint64_t points_tested = 0;      ///< points asked whether a closed mesh encloses them
+  /// Pairs of boxes of an earlier walk that were not tested again, because what a PairMemory holds
+  /// proves them apart; one for a query that it answered without any walk.
+  std::uint64_t skipped_by_memory = 0;
   std::uint64_t trees_built = 0;           ///< because this query was the first to walk them
   std::uint64_t treelets_built = 0;        ///< parts of wide trees, likewise
   std::uint64_t skins_built = 0;           ///< volumes other than boxes fitted to a tree, likewise

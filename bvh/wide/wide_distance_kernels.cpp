@@ -7,6 +7,7 @@
 
 #include <graze/bvh/wide/wide_distance_walk.h>
 #include <hwy/highway.h>
+#include <graze/bvh/wide/guest_gaps.inc>
 #include <graze/bvh/wide/nearest_direction.inc>
 
 #include <algorithm>
@@ -17,171 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
-
-/// A direction along the axes of a host node, and how far a guest reaches along it.
-struct Aim {
-  float axes[3];
-  float size[3];
-  float reach;
-};
-
-HWY_INLINE Aim aim_of(const WideNode& host, const GuestInNode& guest, const Guest& box,
-                      const float (&direction)[3]) {
-  Aim aim;
-  for (int i = 0; i < 3; ++i) {
-    aim.axes[i] = host.axes[0][i] * direction[0] + host.axes[1][i] * direction[1] +
-                  host.axes[2][i] * direction[2];
-    aim.size[i] = std::abs(aim.axes[i]);
-  }
-  aim.reach = guest.half[0] - box.half[0];  // the margins alone
-  for (int k = 0; k < 3; ++k) {
-    aim.reach +=
-        box.half[k] * std::abs(guest.axes[k][0] * aim.axes[0] + guest.axes[k][1] * aim.axes[1] +
-                               guest.axes[k][2] * aim.axes[2]);
-  }
-  return aim;
-}
-
-/// What the children of a host promise of a guest: lanes of squares.
-struct Promises {
-  alignas(32) float bound[WideNode::kWidth];  // of their distance, from below
-  alignas(32) float key[WideNode::kWidth];    // what to look at first: less is nearer
-};
-
-// Middles tell where bounds do not.
-constexpr float kMiddleWeight = 0.1f;
-
-// Squares are taken in common units, the larger of both trees': what overflows then is far.
-HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
-  const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(offset), reach)), unit);
-  return hn::Mul(gap, gap);
-}
-
-// In the axes of the host the way between two points has components of at least the gaps between a
-// host's box and the box around the guest along these axes; so has it in the axes of the guest,
-// with the roles exchanged. Each triple of gaps, squared and summed, is a lower bound.
-HWY_INLINE void set_promises(Promises& promises, const WideNode& host, const GuestInNode& guest,
-                             const Aim& aim, float unit_of_host) {
-  const Tag tag;
-  const Lanes unit = hn::Set(tag, unit_of_host);
-  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
-    Lanes in_host = hn::Zero(tag);
-    Lanes in_guest = in_host;
-    Lanes middles = in_host;
-    Lanes along = in_host;
-    Lanes reach_along = hn::Set(tag, aim.reach);
-    for (int i = 0; i < 3; ++i) {
-      half[i] = hn::Load(tag, host.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
-      in_host = hn::Add(in_host,
-                        squared_gap(way[i], hn::Add(half[i], hn::Set(tag, guest.reach[i])), unit));
-      const Lanes step = hn::Mul(way[i], unit);
-      middles = hn::MulAdd(step, step, middles);
-      along = hn::MulAdd(way[i], hn::Set(tag, aim.axes[i]), along);
-      reach_along = hn::MulAdd(half[i], hn::Set(tag, aim.size[i]), reach_along);
-    }
-    for (int k = 0; k < 3; ++k) {
-      const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
-                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
-                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
-                                                           hn::Set(tag, guest.half[k]))));
-      in_guest = hn::Add(in_guest, squared_gap(distance, reach, unit));
-    }
-    const Lanes gap = hn::Mul(known(tag, hn::Sub(along, reach_along)), unit);
-    const Lanes bound = hn::Max(hn::Max(in_host, in_guest), hn::Mul(gap, gap));
-    hn::Store(bound, tag, promises.bound + lane);
-    hn::Store(hn::MulAdd(middles, hn::Set(tag, kMiddleWeight), bound), tag, promises.key + lane);
-  }
-}
-
-/// How far three corners are beyond a plane, at least, if they are on one side of it.
-template <typename CornerOf>
-HWY_INLINE Four beyond_plane(const Four* normal, const Four* point, CornerOf&& corner_of,
-                             Four bound) {
-  const FourTag tag;
-  Four low = hn::Zero(tag);
-  Four high = low;
-  for (int c = 0; c < 3; ++c) {
-    const Four height =
-        hn::MulAdd(normal[0], hn::Sub(corner_of(c, 0), point[0]),
-                   hn::MulAdd(normal[1], hn::Sub(corner_of(c, 1), point[1]),
-                              hn::Mul(normal[2], hn::Sub(corner_of(c, 2), point[2]))));
-    low = c == 0 ? height : hn::Min(low, height);
-    high = c == 0 ? height : hn::Max(high, height);
-  }
-  const Four gap = known(tag, hn::Sub(hn::Max(low, hn::Neg(high)), bound));
-  const Four square = hn::MulAdd(normal[0], normal[0],
-                                 hn::MulAdd(normal[1], normal[1], hn::Mul(normal[2], normal[2])));
-  // No plane, no gap: a normal that vanishes is shorter than what is added.
-  return hn::Div(gap, hn::Sqrt(hn::Add(square, hn::Set(tag, kWideUnderflow))));
-}
-
-HWY_INLINE float along(const float (&direction)[3], const float (&p)[3]) {
-  return direction[0] * p[0] + direction[1] * p[1] + direction[2] * p[2];
-}
-
-/// Lower bounds of the squared distances of a host's primitive and the guest's: along a direction,
-/// by boxes along the axes of the host's tree, and by the planes of both.
-HWY_INLINE void set_bounds(float* bounds, const HostTriangle& host, const GuestLeaf& guest,
-                           const float (&direction)[3], float unit_of_host) {
-  const FourTag tag;
-  const Four unit = hn::Set(tag, unit_of_host);
-  const float end =
-      std::max(std::max(along(direction, host.corner[0]), along(direction, host.corner[1])),
-               along(direction, host.corner[2]));
-  const Four error = hn::Set(tag, guest.error);
-  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-    Four of_boxes = hn::Zero(tag);
-    Four extent = of_boxes;
-    for (int i = 0; i < 3; ++i) {
-      const Four low = hn::Load(tag, guest.low[i] + part);
-      const Four high = hn::Load(tag, guest.high[i] + part);
-      const Four host_low = hn::Set(tag, host.low[i]);
-      const Four host_high = hn::Set(tag, host.high[i]);
-      const Four gap =
-          known(tag, hn::Sub(hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high)), error));
-      const Four step = hn::Mul(gap, unit);
-      of_boxes = hn::MulAdd(step, step, of_boxes);
-      extent = hn::Max(extent, hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low)));
-    }
-    const Four bound = height_error(tag, extent, error);
-    Four normal[3], point[3];
-    for (int i = 0; i < 3; ++i) {
-      normal[i] = hn::Set(tag, host.normal[i]);
-      point[i] = hn::Set(tag, host.corner[0][i]);
-    }
-    const Four of_host = beyond_plane(
-        normal, point,
-        [&](int c, int i) HWY_ATTR { return hn::Load(tag, guest.corner[c][i] + part); }, bound);
-    for (int i = 0; i < 3; ++i) {
-      normal[i] = hn::Load(tag, guest.normal[i] + part);
-      point[i] = hn::Load(tag, guest.corner[0][i] + part);
-    }
-    const Four of_guest = beyond_plane(
-        normal, point, [&](int c, int i) HWY_ATTR { return hn::Set(tag, host.corner[c][i]); },
-        bound);
-    Four start = hn::Set(tag, std::numeric_limits<float>::infinity());
-    for (int c = 0; c < 3; ++c) {
-      Four corner = hn::Zero(tag);
-      for (int i = 0; i < 3; ++i) {
-        corner = hn::MulAdd(hn::Load(tag, guest.corner[c][i] + part), hn::Set(tag, direction[i]),
-                            corner);
-      }
-      start = hn::Min(start, corner);
-    }
-    // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
-    // products once more.
-    const Four gap =
-        known(tag, hn::Sub(hn::Sub(start, hn::Set(tag, end)), hn::Mul(error, hn::Set(tag, 4.0f))));
-    const Four step = hn::Mul(hn::Max(gap, hn::Max(of_host, of_guest)), unit);
-    hn::Store(hn::Max(of_boxes, hn::Mul(step, step)), tag, bounds + part);
-  }
-}
 
 /// The squared distances of the nearest corners of a host's primitive and the guest's.
 HWY_INLINE void set_squared_corners(float* squares, const HostTriangle& host,
@@ -202,11 +38,6 @@ HWY_INLINE void set_squared_corners(float* squares, const HostTriangle& host,
     }
     hn::Store(least, tag, squares + part);
   }
-}
-
-HWY_INLINE float size_of(const WideSlot& slot) {
-  const WideNode& node = *slot.node;
-  return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
 }
 
 class Walker {

@@ -113,11 +113,6 @@ HWY_INLINE std::uint32_t smaller_lanes(const WideNode& node, float size) {
   return lanes;
 }
 
-HWY_INLINE float size_of(const WideSlot& slot) {
-  const WideNode& node = *slot.node;
-  return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
-}
-
 /// More children than these near one box, and something is likely to be hit soon: then the nearest
 /// is followed before the others are looked at.
 constexpr int kMostAtATime = 3;

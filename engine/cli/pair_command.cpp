@@ -21,7 +21,7 @@ go through each other, and leaves out those that share a vertex or an edge or li
 With --json each pose gives one line:
   {"pose":0,"intersects":true,"pairs":2,"work":{"volume_tests":...,"volume_rejections":...,
    "filter_tests":...,"triangle_tests":...,"exact_tests":...,"points_tested":...,
-   "trees_built":...,"skins_built":...}}
+   "skipped_by_memory":...,"trees_built":...,"skins_built":...}}
 --list adds "list":[[a,b],...] after "pairs", triangles counted from 0 in the order of the files,
 and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b],"graze":...,
 "fcl":...,"truth":...}],"graze_wrong":0,"fcl_wrong":0}. With --query any there is no "pairs".

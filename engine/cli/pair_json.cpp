@@ -21,12 +21,14 @@ void append_list(std::string& line, const TrianglePairs& pairs) {
 }
 
 void append_work(std::string& line, const Work& work) {
-  fmt::format_to(std::back_inserter(line),
-                 ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
-                 "\"triangle_tests\":{},\"exact_tests\":{},\"points_tested\":{},\"trees_built\":{},"
-                 "\"skins_built\":{}}}",
-                 work.volume_tests, work.volume_rejections, work.filter_tests, work.triangle_tests,
-                 work.exact_tests, work.points_tested, work.trees_built, work.skins_built);
+  fmt::format_to(
+      std::back_inserter(line),
+      ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
+      "\"triangle_tests\":{},\"exact_tests\":{},\"points_tested\":{},\"skipped_by_memory\":{},"
+      "\"trees_built\":{},\"skins_built\":{}}}",
+      work.volume_tests, work.volume_rejections, work.filter_tests, work.triangle_tests,
+      work.exact_tests, work.points_tested, work.skipped_by_memory, work.trees_built,
+      work.skins_built);
 }
 
 void append_comparison(std::string& line, const compare::Comparison& comparison, PairQuery query) {

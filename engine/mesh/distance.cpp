@@ -1,6 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/wide/wide_distance_walk.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/distance_parts.h>
+#include <graze/engine/mesh/distance_reach.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
@@ -17,61 +19,9 @@
 namespace graze {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-
 // Of the best distance so far: the first walk looks only where much could be gained, and so hands
 // the second a limit that is not far above the answer. Measured: it saves up to half of the time.
 constexpr double kFirstShare = 0.7;
-
-/// Which bounds of boxes are beyond a distance in metres. A bound is a length in the common frame y
-/// = R_A^T p, along axes of which those of B are the columns of C = R_A^T R_B (relative_frame.cpp,
-/// whose slack the bound has taken off). Neither is quite a rotation: lengths there are longer than
-/// in space by at most the spectral norms 1 + 1.5 dev_A and 1 + 1.5 g, g = 3.01 dev_A + dev_B + 12
-/// u. The computed bound is off by less than 16 u of itself.
-///
-/// A distance as returned may be less than the true one, by 4 ulp of a difference of coordinates:
-/// 8 u times at most 1.8 (tau + 8), in common units, in which centres are tau and boxes 4 apart.
-class Reach {
- public:
-  Reach(const PlacedFrame& a, const PlacedFrame& b, const bvh::RelativeFrame& relative)
-      : per_metre_(std::ldexp(1.0, -std::max(a.frame.exponent, b.frame.exponent))) {
-    const double gram = 3.01 * a.deviation + b.deviation + 64 * kUnitRoundoff;
-    growth_ = 1 + 2 * (a.deviation + gram);
-    const double* t = relative.translation;
-    const double tau = std::max(std::abs(t[0]), std::max(std::abs(t[1]), std::abs(t[2])));
-    margin_ = 64 * kUnitRoundoff * (tau + 16);
-  }
-
-  void shrink_to(double metres) {
-    const double units = (metres * per_metre_ + margin_) * growth_;
-    square_ = units * units;
-  }
-
-  double square() const { return square_; }
-  bvh::LengthMargins margins() const { return {growth_, margin_}; }
-
- private:
-  double per_metre_;
-  double growth_;
-  double margin_;
-  double square_ = std::numeric_limits<double>::infinity();
-};
-
-void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) {
-  if (!settings.hint) return;
-  const auto check = [](std::uint32_t index, std::size_t count, const char* name) {
-    if (index < count) return;
-    throw InputError(std::string("hint: triangle ") + std::to_string(index) + " of mesh " + name +
-                     ", which has " + std::to_string(count));
-  };
-  check(settings.hint->a, a.triangles().size(), "A");
-  check(settings.hint->b, b.triangles().size(), "B");
-}
-
-double largest_of(const PlacedMesh& placed) {
-  const std::array<double, 3> reach = placed_reach(placed.pose, placed.mesh.bounds());
-  return std::max(reach[0], std::max(reach[1], reach[2]));
-}
 
 /// Walks pairs of triangles, nearer ones first, and keeps what is beyond a limit out.
 class Search {
@@ -171,7 +121,7 @@ class Search {
   const bvh::WideTree& tree_b_;
   bvh::RelativeFrame b_in_a_;
   bvh::RelativeFrame a_in_b_;
-  Reach reach_;
+  DistanceReach reach_;
   narrowphase::DirectedGap gap_;
   double direction_in_a_[3] = {0, 0, 0};
   double limit_ = std::numeric_limits<double>::infinity();
@@ -179,7 +129,29 @@ class Search {
   Work& work_;
 };
 
-/// Of two meshes that do meet: which pair this is depends on no direction, hint or kernel.
+}  // namespace
+
+void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) {
+  if (!settings.hint) return;
+  const auto check = [](std::uint32_t index, std::size_t count, const char* name) {
+    if (index < count) return;
+    throw InputError(std::string("hint: triangle ") + std::to_string(index) + " of mesh " + name +
+                     ", which has " + std::to_string(count));
+  };
+  check(settings.hint->a, a.triangles().size(), "A");
+  check(settings.hint->b, b.triangles().size(), "B");
+}
+
+void check_clearance(double clearance) {
+  if (clearance >= 0) return;
+  throw InputError("clearance: " + std::to_string(clearance) + " is not a distance");
+}
+
+double largest_of(const PlacedMesh& placed) {
+  const std::array<double, 3> reach = placed_reach(placed.pose, placed.mesh.bounds());
+  return std::max(reach[0], std::max(reach[1], reach[2]));
+}
+
 TrianglePair first_pair_that_meets(const PlacedMesh& a, const PlacedMesh& b, Work& work) {
   const WideQuery query(a, b, work);
   bvh::WidePairWalk walk = query.walk();
@@ -196,8 +168,6 @@ TrianglePair first_pair_that_meets(const PlacedMesh& a, const PlacedMesh& b, Wor
 MeshDistance result_of(const TriangleDistance& found, TrianglePair pair) {
   return {found.distance, found.point_a, found.point_b, pair};
 }
-
-}  // namespace
 
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                       const DistanceSettings& settings, Work* work) {
@@ -229,20 +199,16 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
   return best;
 }
 
-bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
-            const DistanceSettings& settings, Work* work) {
-  if (!(clearance >= 0)) {
-    throw InputError("clearance: " + std::to_string(clearance) + " is not a distance");
-  }
-  CountedWork counted(work);
-  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-  Search search(mesh_a, mesh_b, counted.work());
-  if (settings.hint && search.distance_of(*settings.hint).distance <= clearance) return true;
+std::optional<TrianglePair> find_within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                        double clearance, std::optional<TrianglePair> hint,
+                                        Work& work) {
+  Search search(mesh_a, mesh_b, work);
+  if (hint && search.distance_of(*hint).distance <= clearance) return hint;
   search.shrink_to(clearance);
-  bool is_within = false;
+  std::optional<TrianglePair> is_within;
   double nearest = std::numeric_limits<double>::infinity();
-  search.run([&](TrianglePair, const TriangleDistance& found) {
-    is_within = found.distance <= clearance;
+  search.run([&](TrianglePair pair, const TriangleDistance& found) {
+    if (found.distance <= clearance) is_within = pair;
     if (found.distance < nearest) {
       nearest = found.distance;
       search.aim_along(found);
@@ -250,6 +216,14 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
     return is_within ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   return is_within;
+}
+
+bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+            const DistanceSettings& settings, Work* work) {
+  check_clearance(clearance);
+  CountedWork counted(work);
+  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+  return find_within(mesh_a, mesh_b, clearance, settings.hint, counted.work()).has_value();
 }
 
 }  // namespace graze

@@ -1,195 +1,210 @@
-// A gap that is proved in one pose holds in others. In the frame of tree A, in common units, a
-// point b of B lies at C b + T, and C, T are relative_frame()'s; where two placed triangles share a
-// point, some points a, b of them have |C b + T - a| <= slack in each component, less than twice
-// the slack in length. Boxes and primitives that a walk proves apart with a slack enlarged by some
-// margin are so for any C b + T moved by that margin. From C1, T1 to C2, T2 no b of the box m +- h
-// moves by more than |dC m + dT| + sum h_j |dC_j|. So a gap less this motion that exceeds twice the
-// new slack leaves no two triangles that meet.
-
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/parity.h>
+#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
+#include <graze/engine/mesh/remembered.h>
 #include <graze/engine/mesh/solid.h>
+#include <graze/engine/mesh/threads.h>
 #include <graze/engine/mesh/wide_query.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace graze {
-namespace {
 
-/// For how many steps a proof is made at most, and how many queries at most pass after a vain one
-/// before the next.
-constexpr double kMostStepsAhead = 32;
-constexpr int kLongestPause = 8;
+PairMemory::PairMemory() = default;
+PairMemory::PairMemory(PairMemory&& other) noexcept = default;
+PairMemory& PairMemory::operator=(PairMemory&& other) noexcept = default;
+PairMemory::~PairMemory() = default;
+
+PairMemory::PairMemory(const PairMemory& other)
+    : remembered_(other.remembered_ ? std::make_unique<Remembered>(*other.remembered_) : nullptr) {}
+
+PairMemory& PairMemory::operator=(const PairMemory& other) {
+  PairMemory copy(other);
+  remembered_ = std::move(copy.remembered_);
+  return *this;
+}
+
+std::uint64_t PairMemory::still_apart() const {
+  return remembered_ ? remembered_->still_apart : 0;
+}
+
+std::uint64_t PairMemory::still_touching() const {
+  return remembered_ ? remembered_->still_touching : 0;
+}
+
+Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+  if (!memory.remembered_ || !memory.remembered_->is_about(mesh_a, mesh_b))
+    memory.remembered_ = std::make_unique<Remembered>(mesh_a.mesh, mesh_b.mesh);
+  memory.remembered_->place(mesh_a.pose, mesh_b.pose);
+  return *memory.remembered_;
+}
+
+namespace {
 
 void require_wide(Volume volume) {
   if (volume != Volume::Wide) throw InputError("volume: a PairMemory needs Volume::Wide");
 }
 
-}  // namespace
+/// Whether what is remembered proves it, at once.
+bool are_still_apart(Remembered& remembered, Work& work) {
+  const bool is_apart = remembered.are_beyond(0);
+  remembered.still_apart += is_apart;
+  work.skipped_by_memory += is_apart;
+  return is_apart;
+}
 
-/// One query with a memory.
-class MemoryQuery {
+/// A query of two meshes of which it is not known that they are apart.
+class MeetingQuery {
  public:
-  MemoryQuery(const PlacedMesh& a, const PlacedMesh& b, PairMemory& memory, Touch touch, Work& work)
-      : query_(a, b, work), memory_(memory), touch_(touch), work_(work) {
-    const bool is_same =
-        memory.mesh_a_ && memory.mesh_b_ && *memory.mesh_a_ == a.mesh && *memory.mesh_b_ == b.mesh;
-    if (!is_same) {
-      memory = PairMemory();
-      memory.mesh_a_ = a.mesh;
-      memory.mesh_b_ = b.mesh;
-    }
-    for (int i = 0; i < 3; ++i) {
-      std::copy_n(query_.b_in_a.rotation[i], 3, now_.rotation[i]);
-      now_.translation[i] = query_.b_in_a.translation[i];
-    }
-    step_ = memory.has_last_ ? motion_from(memory.last_) : 0;
-    memory.last_ = now_;
-    memory.has_last_ = true;
-  }
+  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, Remembered& remembered, Touch touch,
+               Work& work)
+      : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
+        remembered_(remembered),
+        touch_(touch),
+        work_(work) {}
 
-  /// Whether nothing meets, as far as boxes of all and the memory know.
-  bool are_surely_apart() {
-    if (query_.are_far_apart(work_)) return true;
-    const bool is_apart = memory_.gap_ - motion_from(memory_.proven_) > 2 * query_.b_in_a.slack;
-    memory_.still_apart_ += is_apart;
-    return is_apart;
+  /// Whether the boxes of all prove it, which is then remembered.
+  bool are_far_apart() {
+    if (!query_.are_far_apart(work_)) return false;
+    remembered_.learn_gap(gap_of_bounds(query_));
+    return true;
   }
 
   /// Whether triangles that touched when last asked still do.
   bool does_remembered_pair_touch() {
-    if (memory_.gap_ > 0) return false;
+    const std::span<const TrianglePair> pairs = remembered_.pairs();
     Candidates candidates(touch_, work_);
-    const std::size_t count = memory_.pair_count_;
-    std::size_t touching = count;
+    std::size_t touching = pairs.size();
     const auto on_pair = [&](TrianglePair pair) {
-      touching = static_cast<std::size_t>(
-          std::find(memory_.pairs_.begin(), memory_.pairs_.end(), pair) - memory_.pairs_.begin());
+      touching =
+          static_cast<std::size_t>(std::find(pairs.begin(), pairs.end(), pair) - pairs.begin());
       return bvh::Walk::Stop;
     };
-    for (std::size_t i = 0; i < count && touching == count; ++i) {
-      const TrianglePair pair = memory_.pairs_[i];
-      candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
+    for (std::size_t i = 0; i < pairs.size() && touching == pairs.size(); ++i) {
+      candidates.add(pairs[i], query_.triangle_a(pairs[i]), query_.triangle_b(pairs[i]));
       // The first alone: most of the time it is enough.
-      if (i == 0 || i + 1 == count) candidates.decide(on_pair);
+      if (i == 0 || i + 1 == pairs.size()) candidates.decide(on_pair);
     }
-    if (touching == count) return false;
-    std::swap(memory_.pairs_[0], memory_.pairs_[touching]);
-    ++memory_.still_touching_;
+    if (touching == pairs.size()) return false;
+    remembered_.put_first(touching);
+    ++remembered_.still_touching;
+    ++work_.skipped_by_memory;
     return true;
   }
 
-  /// Walks the trees until something meets. If nothing does, remembers how far apart all is.
-  bool walk() {
-    // After a hit another is likelier than a gap, and the first query knows no motion.
-    const bool was_apart = memory_.pair_count_ == 0;
-    memory_.pair_count_ = 0;
-    memory_.gap_ = 0;
-    if (was_apart && step_ > 0 && step_ < 1 && memory_.pause_-- <= 0 && prove_gap()) return false;
+  /// Calls `on_pair(pair)` for each that meets, until it answers Stop. Whether the front could say:
+  /// otherwise it calls for none.
+  template <typename OnPair>
+  bool pass_front(OnPair&& on_pair) {
+    if (!remembered_.follow(query_)) return false;
+    const bvh::RelativeFrame a_in_b = relative_frame(query_.frame_b, query_.frame_a);
+    const auto pass =
+        remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
+    if (!pass) return false;
+    remembered_.meeting.advance(*pass, 0, work_);
+    if (decide_candidates(on_pair) == bvh::Walk::Continue && !has_hit_) {
+      const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
+      remembered_.learn_gap(remembered_.meeting.front().proven_gap(*pass) * unit * (1 - 1e-5));
+    }
+    return true;
+  }
+
+  /// The same by walking the trees.
+  template <typename OnPair>
+  void walk(OnPair&& on_pair) {
     bvh::WidePairWalk walk = query_.walk();
-    const bool is_hit = look_for_pairs(walk);
+    Candidates candidates(touch_, work_);
+    query_.decide_all(walk, candidates, on_pair);
     add_counts(walk.counts(), work_);
-    return is_hit;
-  }
-
-  void remember(TrianglePair pair) {
-    if (memory_.pair_count_ < PairMemory::kMostPairs) memory_.pairs_[memory_.pair_count_++] = pair;
-  }
-
-  void forget() {
-    memory_.pair_count_ = 0;
-    memory_.gap_ = 0;
   }
 
  private:
-  double motion_from(const PairMemory::Placing& before) const {
-    const bvh::FloatBox& box = query_.tree_b.box();
-    const double unit = query_.b_in_a.units_b;
-    double moved[3] = {0, 0, 0};
-    double sizes = 0;
-    double total = 0;
-    for (int j = 0; j < 3; ++j) {
-      const double middle = (0.5 * box.min[j] + 0.5 * box.max[j]) * unit;
-      const double half = (0.5 * box.max[j] - 0.5 * box.min[j]) * unit;
-      double square = 0;
-      for (int i = 0; i < 3; ++i) {
-        const double turned = now_.rotation[i][j] - before.rotation[i][j];
-        moved[i] += turned * middle;
-        square += turned * turned;
-        sizes += std::abs(turned * middle);
-      }
-      total += half * std::sqrt(square);
+  /// The corners of all candidates: most are known from the last pass, with A as it is placed if
+  /// that has not moved.
+  void gather_triangles() {
+    const bvh::WideFront& front = remembered_.meeting.front();
+    std::vector<RememberedTriangles>& all = remembered_.triangles;
+    const Pose& pose_a = query_.a.pose;
+    if (remembered_.triangles_generation != remembered_.meeting.generation()) all.clear();
+    remembered_.triangles_generation = remembered_.meeting.generation();
+    if (!are_equal(remembered_.triangles_pose_a, pose_a)) {
+      for (RememberedTriangles& triangles : all)
+        triangles.placed_a = query_.triangle_a(triangles.pair);
     }
-    double square = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double way = now_.translation[i] - before.translation[i];
-      sizes += std::abs(way);
-      square += (moved[i] + way) * (moved[i] + way);
+    remembered_.triangles_pose_a = pose_a;
+    for (std::size_t i = all.size(); i < front.candidate_count(); ++i) {
+      const TrianglePair pair = query_.pair_at(front.candidate(i).places);
+      all.push_back({pair, query_.triangle_a(pair), query_.b.mesh.triangle(pair.b)});
     }
-    // Rounding of sums of five terms, and squares that underflow.
-    return (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
   }
 
-  /// Decides what waits; whether anything has met.
-  bool decide(Candidates& candidates) {
-    candidates.decide([&](TrianglePair pair) {
-      remember(pair);
-      return bvh::Walk::Continue;
-    });
-    return memory_.pair_count_ > 0;
+  /// One that does not meet: it makes way for the last.
+  void drop(std::size_t index) {
+    remembered_.meeting.front().drop(index);
+    remembered_.triangles[index] = remembered_.triangles.back();
+    remembered_.triangles.pop_back();
   }
 
-  bool look_for_pairs(bvh::WidePairWalk& walk) {
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce + Candidates::kCapacity];
+  /// Decides all candidates of the front, from the last on, so that what takes the place of one
+  /// that is dropped has been decided.
+  template <typename OnPair>
+  bvh::Walk decide_candidates(OnPair&& on_pair) {
+    gather_triangles();
     Candidates candidates(touch_, work_);
-    while (const std::size_t count = walk.next(places)) {
-      for (std::size_t i = 0; i < count; ++i) {
-        const TrianglePair pair = query_.pair_at(places[i]);
-        candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
-        if (candidates.is_full() && decide(candidates)) return true;
+    for (std::size_t end = remembered_.triangles.size(); end > 0;) {
+      const std::size_t begin = end - std::min(end, Candidates::kCapacity);
+      for (std::size_t i = end; i > begin; --i) {
+        const RememberedTriangles& triangles = remembered_.triangles[i - 1];
+        candidates.add(triangles.pair, triangles.placed_a, place(query_.b.pose, triangles.b));
       }
+      std::size_t next = end;
+      const auto drop_until = [&](auto&& is_it) {
+        while (next > begin && !is_it(remembered_.triangles[next - 1].pair))
+          drop(--next);
+      };
+      const bvh::Walk walk = candidates.decide([&](TrianglePair hit) {
+        drop_until([&](TrianglePair pair) { return pair == hit; });
+        --next;
+        has_hit_ = true;
+        return on_pair(hit);
+      });
+      if (walk == bvh::Walk::Stop) return walk;
+      drop_until([](TrianglePair) { return false; });
+      end = begin;
     }
-    return decide(candidates);
-  }
-
-  /// Whether all is further apart than some steps of the motion, which is then remembered. Ends at
-  /// the first primitives for which boxes and planes do not prove it, so that to have tried in vain
-  /// costs little; how many steps are tried follows from what was proved before.
-  bool prove_gap() {
-    const double margin = memory_.steps_ahead_ * step_;
-    bvh::RelativeFrame a_in_b = relative_frame(query_.frame_b, query_.frame_a);
-    bvh::RelativeFrame b_in_a = query_.b_in_a;
-    // A walk triples the slack that it is given.
-    b_in_a.slack += margin * (1.01 / 3);
-    a_in_b.slack += margin * (1.01 / 3);
-    bvh::WidePairWalk walk(query_.tree_a, query_.tree_b, b_in_a, a_in_b);
-    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
-    const bool is_proved = walk.next(places) == 0;
-    add_counts(walk.counts(), work_);
-    if (is_proved) {
-      memory_.gap_ = margin;
-      memory_.proven_ = now_;
-      memory_.steps_ahead_ = std::min(2 * memory_.steps_ahead_, kMostStepsAhead);
-      memory_.next_pause_ = 1;
-    } else if (memory_.steps_ahead_ > 4) {
-      memory_.steps_ahead_ /= 2;
-    } else {
-      memory_.pause_ = memory_.next_pause_;
-      memory_.next_pause_ = std::min(2 * memory_.next_pause_, kLongestPause);
-    }
-    return is_proved;
+    return bvh::Walk::Continue;
   }
 
   WideQuery query_;
-  PairMemory& memory_;
+  Remembered& remembered_;
   Touch touch_;
   Work& work_;
-  PairMemory::Placing now_;
-  double step_ = 0;
+  bool has_hit_ = false;
 };
+
+bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+                      Touch touch, Work& work) {
+  Remembered& remembered = recall(memory, mesh_a, mesh_b);
+  if (are_still_apart(remembered, work)) return false;
+  MeetingQuery query(mesh_a, mesh_b, remembered, touch, work);
+  if (query.are_far_apart()) return false;
+  if (query.does_remembered_pair_touch()) return true;
+  // After a hit another is likelier than a gap.
+  const bool was_apart = remembered.pairs().empty();
+  TrianglePair found[Remembered::kMostPairs];
+  std::size_t count = 0;
+  const auto on_pair = [&](TrianglePair pair) {
+    found[count++] = pair;
+    return bvh::Walk::Stop;
+  };
+  if (!was_apart || !query.pass_front(on_pair)) query.walk(on_pair);
+  remembered.remember({found, count});
+  return count > 0;
+}
+
+}  // namespace
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                 const QuerySettings& settings, Work* work) {
@@ -201,9 +216,7 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& 
     check_closed(mesh_b.mesh, "mesh B");
   }
   CountedWork counted(work);
-  MemoryQuery query(mesh_a, mesh_b, memory, settings.touch, counted.work());
-  if (!query.are_surely_apart() && (query.does_remembered_pair_touch() || query.walk()))
-    return true;
+  if (do_surfaces_meet(mesh_a, mesh_b, memory, settings.touch, counted.work())) return true;
   return settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work());
 }
 
@@ -211,14 +224,24 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
                                   PairMemory& memory, const PairSettings& settings, Work* work) {
   require_wide(settings.volume);
   narrowphase::check_touch(settings.touch);
+  check_threads(settings.threads);
   CountedWork counted(work);
-  MemoryQuery query(mesh_a, mesh_b, memory, settings.touch, counted.work());
-  if (query.are_surely_apart()) return {};
-  if (!query.does_remembered_pair_touch() && !query.walk()) return {};
-  TrianglePairs found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
-  query.forget();
-  for (const TrianglePair& pair : found.pairs)
-    query.remember(pair);
+  Remembered& remembered = recall(memory, mesh_a, mesh_b);
+  TrianglePairs found;
+  if (are_still_apart(remembered, counted.work())) return found;
+  MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
+  if (query.are_far_apart()) return found;
+  const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
+    found.pairs.push_back(pair);
+    return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
+  });
+  if (is_done && found.pairs.size() <= settings.limit) {
+    std::sort(found.pairs.begin(), found.pairs.end());
+  } else {
+    // Which pairs come first is for the walk to say.
+    found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
+  }
+  remembered.remember(found.pairs);
   return found;
 }
 

@@ -1,59 +1,60 @@
 #pragma once
 
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 namespace graze {
 
-/// What the last queries of one pair of meshes learned, for the next pose of a motion: triangles
-/// that touched, and how far apart the meshes certainly were. It saves time and changes no answer,
-/// however the meshes jump between two queries. It keeps handles of the two meshes; asked about two
-/// others, or the same in the other order, it begins anew. One thread at a time may use it.
+class Remembered;
+
+/// What the last queries of one pair of meshes learned, for the next pose of a motion: how far
+/// apart the meshes certainly were, triangles that touched or were nearest, and where the last walk
+/// over the trees ended, with how far each box was from the other there. It saves time and changes
+/// no answer, however the meshes jump between two queries. It keeps handles of the two meshes;
+/// asked about two others, or the same in the other order, it begins anew. One thread at a time may
+/// use it. It grows with what a query walks: some 40 bytes for each eight pairs of boxes.
 class PairMemory {
  public:
+  PairMemory();
+  PairMemory(const PairMemory& other);
+  PairMemory(PairMemory&& other) noexcept;
+  PairMemory& operator=(const PairMemory& other);
+  PairMemory& operator=(PairMemory&& other) noexcept;
+  ~PairMemory();
+
   /// Queries that ended without a look at the trees: because the motion since some earlier one is
-  /// less than how far apart the meshes then were, and because triangles that touched still do.
-  std::uint64_t still_apart() const { return still_apart_; }
-  std::uint64_t still_touching() const { return still_touching_; }
+  /// less than how far apart the meshes then were, and because triangles that touched, or were
+  /// within the clearance, still do.
+  std::uint64_t still_apart() const;
+  std::uint64_t still_touching() const;
 
  private:
-  friend class MemoryQuery;
+  friend Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
 
-  /// The mesh B in the frame of A, in common units, when last a walk proved a gap.
-  struct Placing {
-    double rotation[3][3];
-    double translation[3];
-  };
-
-  static constexpr std::size_t kMostPairs = 8;
-
-  std::optional<Mesh> mesh_a_;
-  std::optional<Mesh> mesh_b_;
-  std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
-  std::size_t pair_count_ = 0;
-  Placing proven_{};
-  double gap_ = 0;  // at proven_, common units; 0: nothing is proven
-  Placing last_{};  // of the last query
-  bool has_last_ = false;
-  double steps_ahead_ = 8;  // how many steps a proof is to last
-  int pause_ = 0;           // queries until the next attempt at one
-  int next_pause_ = 1;
-  std::uint64_t still_apart_ = 0;
-  std::uint64_t still_touching_ = 0;
+  std::unique_ptr<Remembered> remembered_;
 };
 
 /// intersects(), beginning with what the memory holds and leaving in it what was learned. Volumes
-/// other than Volume::Wide are refused by InputError. Allocates nothing once the trees are built.
+/// other than Volume::Wide are refused by InputError.
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                 const QuerySettings& settings = {}, Work* work = nullptr);
 
-/// find_triangle_pairs(), likewise: it saves where nothing touches.
+/// find_triangle_pairs(), likewise. With more threads than one, and where there are more pairs than
+/// a limit, it saves only where nothing touches.
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   PairMemory& memory, const PairSettings& settings = {},
                                   Work* work = nullptr);
+
+/// distance(), likewise, to the last bit. The settings' hint is looked at where the memory has none
+/// of its own.
+MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+                      const DistanceSettings& settings = {}, Work* work = nullptr);
+
+/// within(), likewise.
+bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+            PairMemory& memory, const DistanceSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -50,6 +50,19 @@ struct WideQuery {
                   check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A"),
                   check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B"), work) {}
 
+  /// For poses that have been checked.
+  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double deviation_a,
+            double deviation_b, Work& work)
+      : a(mesh_a),
+        b(mesh_b),
+        tree_a(a.mesh.wide_tree(&work)),
+        tree_b(b.mesh.wide_tree(&work)),
+        triangles_a(a),
+        triangles_b(b),
+        frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()},
+        frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()},
+        b_in_a(relative_frame(frame_a, frame_b)) {}
+
   /// Whether the boxes of all that there is prove it: far apart is the common case, which is over
   /// after one test.
   bool are_far_apart(Work& work) const {
@@ -109,18 +122,6 @@ struct WideQuery {
       triangles_b.fetch_corners(pair.b);
     }
   }
-
-  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double deviation_a,
-            double deviation_b, Work& work)
-      : a(mesh_a),
-        b(mesh_b),
-        tree_a(a.mesh.wide_tree(&work)),
-        tree_b(b.mesh.wide_tree(&work)),
-        triangles_a(a),
-        triangles_b(b),
-        frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()},
-        frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()},
-        b_in_a(relative_frame(frame_a, frame_b)) {}
 };
 
 inline void add_counts(const bvh::WideWalkCounts& counts, Work& work) {

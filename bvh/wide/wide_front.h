@@ -1,0 +1,126 @@
+#pragma once
+
+#include <graze/bvh/box_separation.h>
+#include <graze/bvh/wide/wide_pair_walk.h>
+#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/wide/wide_way.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Where a walk over two trees ended, kept for the next pose of a motion: the pairs of a box and
+/// the children of a node, the pairs of leaves, and the pairs of primitives that it looked at. Each
+/// has a deadline: how far B may have moved, as measured from begin() on, until what keeps it out
+/// could be gone. A pass looks only at what is due, and opens what has come near. What was opened
+/// stays so until begin(), so that the front grows.
+///
+/// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
+/// further in A's frame than their sum.
+class WideFront {
+ public:
+  /// What the bounds are good at: telling that boxes are apart at all, or how far.
+  enum class Bounds { Meeting, Distance };
+
+  /// What `moved` and limit must stay below.
+  static constexpr double kFarthest = 0x1p60;
+
+  /// The poses of a query, and what it asks.
+  struct Pass {
+    /// How tree B lies in tree A and how A lies in B, each with its slack (law 5), in the same
+    /// common units. `moved`: since begin().
+    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds, double moved);
+
+    /// As in WideDistanceWalk.
+    void aim_along(const double (&direction)[3]);
+
+    Bounds bounds;
+    double moved;
+    double slack;  // of both
+    WideWay into[2];
+    float units[2];              // of each tree, in common units
+    float direction[2][3] = {};  // in each tree's frame, from it to the other
+  };
+
+  /// Two primitives that are, or were, as near as was asked for.
+  struct Candidate {
+    PlacePair places;
+    std::uint32_t leaves;  // of which pair of leaves
+    std::uint32_t bit;     // which of its pairs
+  };
+
+  /// Forgets everything and begins with the roots, which must outlive it.
+  void begin(const WideTree& tree_a, const WideTree& tree_b);
+
+  /// The share of all that is due in this pass.
+  double share_due(const Pass& pass, double limit) const;
+
+  /// Looks at all boxes and leaves that are due. Afterwards no two primitives that are not among
+  /// candidates() are `limit` apart or nearer; a limit of 0 is about those that meet.
+  void advance(const Pass& pass, double limit);
+
+  std::size_t candidate_count() const { return state_.candidates.size(); }
+  const Candidate& candidate(std::size_t index) const { return state_.candidates[index]; }
+
+  /// Whether a candidate may be `limit` apart or nearer, after what was said of it.
+  bool is_due(std::size_t index, const Pass& pass, double limit) const;
+
+  /// Candidate `index` is at least so far apart in this pass.
+  void set_gap(std::size_t index, const Pass& pass, double gap);
+
+  /// Candidate `index` is none now. Its leaves are looked at again in the next pass; the last
+  /// candidate takes its index.
+  void drop(std::size_t index);
+
+  /// How far apart all is at least, if no candidate was near: valid after advance().
+  double proven_gap(const Pass& pass) const;
+
+  /// What it holds: pairs that were looked at.
+  std::size_t size() const {
+    return state_.visits.size() + state_.leaves.size() + state_.candidates.size();
+  }
+
+  /// Of all passes since begin(); pairs of boxes that were not due are `skipped`.
+  struct Counts {
+    WideWalkCounts walk;
+    std::uint64_t skipped = 0;
+  };
+  Counts take_counts();
+
+  // What the kernels see.
+
+  /// A box beside the children of a node: of which of these something further down is in the front.
+  struct Visit {
+    WidePairWalk::Waiting pair;
+    std::uint32_t open;
+  };
+
+  /// Two leaves: which of their pairs of primitives are candidates.
+  struct Leaves {
+    WidePairWalk::Waiting pair;
+    std::uint32_t listed;
+    int host_side;  // whose primitives are the rows of bits
+    float row_deadlines[ChildLink::kMaxLeafSize];
+  };
+
+  struct State {
+    const WideTree* tree[2] = {nullptr, nullptr};
+    std::vector<Visit> visits;
+    std::vector<float> visit_deadlines;
+    std::vector<Leaves> leaves;
+    std::vector<float> leaves_deadlines;
+    std::vector<Candidate> candidates;
+    std::vector<float> candidate_deadlines;
+    std::uint64_t lanes = 0;  // of all visits
+    WideWalkCounts counts;
+  };
+
+ private:
+  State state_;
+  std::uint64_t skipped_ = 0;
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,83 @@
+#include <graze/engine/mesh/motion_front.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+/// Measured: what is due lies scattered in memory, so that half of a front costs about as much as a
+/// walk of its own.
+constexpr double kMostDue = 0.45;
+constexpr int kLongestPause = 16;  // queries
+
+/// To begin a front costs a third more than a walk: so many passes pay for that.
+constexpr int kEnoughPasses = 4;
+
+/// A front grows with what opens and never closes.
+constexpr int kMostPasses = 64;
+constexpr double kMostGrowth = 1.5;
+constexpr std::size_t kFewMore = 64;
+
+/// Of pairs of boxes, leaves and triangles: some 40 bytes each.
+constexpr std::size_t kLargest = std::size_t{1} << 21;
+
+}  // namespace
+
+void MotionFront::move(double step) {
+  // The sum rounds up.
+  moved_ = (moved_ + step) * (1 + 0x1p-50);
+  if (!(moved_ < bvh::WideFront::kFarthest)) is_live_ = false;
+}
+
+bool MotionFront::is_outgrown() const {
+  return passes_ >= kMostPasses || static_cast<double>(front_.size()) >
+                                       kMostGrowth * static_cast<double>(first_size_) + kFewMore;
+}
+
+std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_a,
+                                                      const bvh::WideTree& tree_b,
+                                                      const bvh::RelativeFrame& b_in_a,
+                                                      const bvh::RelativeFrame& a_in_b,
+                                                      double limit) {
+  if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
+  if (is_live_ && !is_outgrown()) {
+    bvh::WideFront::Pass pass(b_in_a, a_in_b, bounds_, moved_);
+    if (front_.share_due(pass, limit) <= kMostDue) {
+      if (passes_ >= kEnoughPasses) next_pause_ = 1;
+      return pass;
+    }
+    is_live_ = false;
+    pause_ = next_pause_;
+    next_pause_ = std::min(2 * next_pause_, kLongestPause);
+    return std::nullopt;
+  }
+  if (!is_live_ && pause_ > 0) {
+    --pause_;
+    return std::nullopt;
+  }
+  front_.begin(tree_a, tree_b);
+  is_live_ = true;
+  ++generation_;
+  moved_ = 0;
+  passes_ = 0;
+  return bvh::WideFront::Pass(b_in_a, a_in_b, bounds_, moved_);
+}
+
+void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
+  is_live_ = false;  // should it throw
+  front_.advance(pass, limit);
+  is_live_ = true;
+  if (passes_++ == 0) first_size_ = front_.size();
+  if (front_.size() > kLargest) {
+    is_live_ = false;
+    pause_ = kLongestPause;
+  }
+  const bvh::WideFront::Counts counts = front_.take_counts();
+  work.volume_tests += counts.walk.box_tests;
+  work.volume_rejections += counts.walk.box_rejections;
+  work.treelets_built += counts.walk.treelets_built;
+  work.filter_tests += counts.walk.primitive_tests;
+  work.skipped_by_memory += counts.skipped;
+}
+
+}  // namespace graze

@@ -1,0 +1,52 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/bvh/wide/wide_front.h>
+#include <graze/engine/work.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace graze {
+
+/// A front (bvh/wide/wide_front.h) that follows a motion for as long as that saves time.
+class MotionFront {
+ public:
+  explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
+
+  bvh::WideFront& front() { return front_; }
+
+  /// Another number each time that it begins anew.
+  std::uint64_t generation() const { return generation_; }
+
+  /// B has come so much further (common units).
+  void move(double step);
+
+  /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
+  /// be: where more than half of it is due, the query had better walk the trees, and so had the
+  /// next ones, the more of them the more often that happens in turn. `limit` as in
+  /// WideFront::advance().
+  std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
+                                           const bvh::RelativeFrame& b_in_a,
+                                           const bvh::RelativeFrame& a_in_b, double limit);
+
+  /// Looks at what is due, and counts that.
+  void advance(const bvh::WideFront::Pass& pass, double limit, Work& work);
+
+ private:
+  bool is_outgrown() const;
+
+  bvh::WideFront::Bounds bounds_;
+  bvh::WideFront front_;
+  bool is_live_ = false;
+  std::uint64_t generation_ = 0;
+  double moved_ = 0;
+  int passes_ = 0;              // since it was begun
+  std::size_t first_size_ = 0;  // after the first of these
+  int pause_ = 0;               // queries until it may begin
+  int next_pause_ = 1;
+};
+
+}  // namespace graze

@@ -1,0 +1,137 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/engine/mesh/motion_front.h>
+#include <graze/engine/mesh/pair_memory.h>
+#include <graze/engine/mesh/wide_query.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace graze {
+
+/// Entry by entry.
+bool are_equal(const Pose& one, const Pose& other);
+
+/// A mesh in its last pose, with what bounds how far a motion takes its points.
+class RememberedMesh {
+ public:
+  explicit RememberedMesh(const Mesh& mesh);
+
+  const Mesh& mesh() const { return mesh_; }
+  const Pose& pose() const { return pose_; }
+  /// Another number each time that the pose changes.
+  std::uint64_t pose_number() const { return pose_number_; }
+  double deviation() const { return deviation_; }
+
+  /// The door: check_placement(), unless the pose is the last one.
+  void place(const Pose& pose, const char* what);
+
+  /// No placed point of the mesh is further from where `before` placed it than the root of `square`
+  /// and `rounding` (metres).
+  struct Motion {
+    double square = 0;
+    double rounding = 0;
+  };
+  Motion motion_from(const Pose& before) const;
+
+ private:
+  Mesh mesh_;
+  double middle_[3];
+  double radius_;   // of the bounds, around their middle
+  double largest_;  // coordinate
+  Pose pose_ = Pose::Identity();
+  double deviation_ = 0;
+  std::uint64_t pose_number_ = 0;
+  bool is_placed_ = false;
+};
+
+/// A candidate of a front about what meets: corners lie side by side in here, and all over the
+/// place in the meshes.
+struct RememberedTriangles {
+  TrianglePair pair;
+  Triangle placed_a;
+  Triangle b;
+};
+
+/// What a PairMemory holds of one pair of meshes.
+class Remembered {
+ public:
+  static constexpr std::size_t kMostPairs = 8;
+
+  Remembered(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
+
+  bool is_about(const PlacedMesh& a, const PlacedMesh& b) const {
+    return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
+  }
+
+  /// Where the next query has them. Throws PoseError.
+  void place(const Pose& pose_a, const Pose& pose_b);
+
+  double deviation_a() const { return a_.deviation(); }
+  double deviation_b() const { return b_.deviation(); }
+
+  /// Whether all placed triangles are surely further apart than so many metres: because of the gap
+  /// that was proved last, less the motion since.
+  bool are_beyond(double metres) const;
+
+  /// No triangles are nearer than so many metres in these poses.
+  void learn_gap(double metres);
+
+  /// How B lies in A now: the fronts move along. Whether there was a query before.
+  bool follow(const WideQuery& query);
+
+  std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
+  void remember(std::span<const TrianglePair> found);
+  void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
+
+  std::optional<TrianglePair> nearest;
+  bool was_within = false;
+  MotionFront meeting{bvh::WideFront::Bounds::Meeting};
+  std::vector<RememberedTriangles> triangles;  // candidate by candidate of `meeting`
+  std::uint64_t triangles_generation = 0;      // of which it is
+  Pose triangles_pose_a = Pose::Identity();
+  MotionFront near{bvh::WideFront::Bounds::Distance};
+  std::uint64_t still_apart = 0;
+  std::uint64_t still_touching = 0;
+
+ private:
+  RememberedMesh a_;
+  RememberedMesh b_;
+
+  struct Place {
+    Pose pose = Pose::Identity();
+    std::uint64_t number = 0;
+  };
+  static Place place_of(const RememberedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static RememberedMesh::Motion motion_from(const Place& before, const RememberedMesh& mesh) {
+    return before.number == mesh.pose_number() ? RememberedMesh::Motion()
+                                               : mesh.motion_from(before.pose);
+  }
+
+  Place gap_place_a_;
+  Place gap_place_b_;
+  double gap_ = -1;  // metres, in these places; less than 0: nothing is known
+
+  double rotation_[3][3];  // of B in A, in common units, when last computed
+  double translation_[3];
+  bool is_followed_ = false;
+
+  std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
+  std::size_t pair_count_ = 0;
+};
+
+/// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
+Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+
+/// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
+/// less than 0.
+double gap_of_bounds(const WideQuery& query);
+
+}  // namespace graze
