@@ -100,18 +100,11 @@ float surface_of(const Extent& extent) {
   return x * y + y * z + z * x;
 }
 
-FittedSurfaces surfaces_of(const ChildExtents& extents, std::size_t children) {
-  FittedSurfaces surfaces;
-  Extent all;
-  for (std::size_t j = 0; j < children; ++j) {
-    surfaces.children += surface_of(extents.of[j]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      all[k].low = std::min(all[k].low, extents.of[j][k].low);
-      all[k].high = std::max(all[k].high, extents.of[j][k].high);
-    }
-  }
-  surfaces.all = surface_of(all);
-  return surfaces;
+float sum_of_surfaces(const ChildExtents& extents, std::size_t children) {
+  float sum = 0;
+  for (std::size_t j = 0; j < children; ++j)
+    sum += surface_of(extents.of[j]);
+  return sum;
 }
 
 /// The middle of the corners' box, roughly: any point near by will do.
@@ -146,9 +139,9 @@ void clear_empty_lanes(WideNode& node) {
 
 }  // namespace
 
-FittedSurfaces fit_node(const CornerRows& rows, const MomentSums& sums,
-                        std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
-                        WideNode& node) {
+float fit_node(const CornerRows& rows, const MomentSums& sums,
+               std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
+               WideNode& node) {
   const std::size_t begin = children.front().begin;
   const std::size_t end = children.back().end;
   node.count = static_cast<std::uint32_t>(children.size());
@@ -160,9 +153,9 @@ FittedSurfaces fit_node(const CornerRows& rows, const MomentSums& sums,
   NodeAxes axes = axes_of(moments, 3 * (end - begin));
   ChildExtents extents = extents_along(rows, axes, origin, children);
   const ChildExtents aligned = extents_along(rows, kCoordinateAxes, origin, children);
-  FittedSurfaces surfaces = surfaces_of(extents, node.count);
-  const FittedSurfaces of_aligned = surfaces_of(aligned, node.count);
-  if (!(surfaces.children < of_aligned.children)) {
+  float surfaces = sum_of_surfaces(extents, node.count);
+  const float of_aligned = sum_of_surfaces(aligned, node.count);
+  if (!(surfaces < of_aligned)) {
     axes = kCoordinateAxes;
     extents = aligned;
     surfaces = of_aligned;
@@ -177,8 +170,8 @@ FittedSurfaces fit_node(const CornerRows& rows, const MomentSums& sums,
   return surfaces;
 }
 
-FittedSurfaces refit_node(const CornerRows& rows, std::span<const PrimitiveRange> children,
-                          const double (&rows_origin)[3], WideNode& node) {
+float refit_node(const CornerRows& rows, std::span<const PrimitiveRange> children,
+                 const double (&rows_origin)[3], WideNode& node) {
   // A corner of the primitive in the middle: any point near by will do.
   const std::size_t middle = (children.front().begin + children.back().end) / 2;
   float origin[3];
@@ -191,7 +184,7 @@ FittedSurfaces refit_node(const CornerRows& rows, std::span<const PrimitiveRange
   }
   const ChildExtents extents = extents_along(rows, axes, origin, children);
   set_boxes(extents, origin, node);
-  return surfaces_of(extents, node.count);
+  return sum_of_surfaces(extents, node.count);
 }
 
 }  // namespace graze::bvh

@@ -27,8 +27,7 @@ struct Treelet {
   float reach = 0;  // no coordinate of a corner is larger in size
   std::uint32_t first = 0;
 
-  // What a walk through the box of all has to expect, in nodes: of the nodes when they were built,
-  // and when their axes were last chosen.
+  // cost_of() the nodes when they were built, and when their axes were last chosen.
   float built_cost = 0;
   float fitted_cost = 0;
 };

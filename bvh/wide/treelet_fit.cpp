@@ -1,6 +1,7 @@
 #include <graze/bvh/wide/treelet_fit.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze::bvh {
 namespace {
@@ -23,7 +24,33 @@ std::vector<float> leaf_blocks(std::span<const WideTopologyNode> nodes, const Co
   return blocks;
 }
 
+/// The sum of the areas, twice over, and of a share of the edges' squares, for lines have no area.
+/// Every fourth primitive stands for its neighbours: what matters is how the sum changes.
+double size_of(const CornerRows& rows) {
+  constexpr float kOfEdges = 0x1p-8f;
+  double sum = 0;
+  for (std::size_t i = 0; i < rows.size(); i += 4) {
+    float e[3], f[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      e[k] = rows.row(1, k)[i] - rows.row(0, k)[i];
+      f[k] = rows.row(2, k)[i] - rows.row(0, k)[i];
+    }
+    const float x = e[1] * f[2] - e[2] * f[1];
+    const float y = e[2] * f[0] - e[0] * f[2];
+    const float z = e[0] * f[1] - e[1] * f[0];
+    const float edges =
+        (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]) + (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+    sum += 4 * (std::sqrt(x * x + y * y + z * z) + kOfEdges * edges);
+  }
+  return sum;
+}
+
 }  // namespace
+
+float cost_of(double surfaces, const TreeletCorners& corners) {
+  const double size = size_of(corners.rows);
+  return size > 0 ? static_cast<float>(surfaces / size) : 0;
+}
 
 TreeletCorners::TreeletCorners(const TreeletPart& part, std::span<const std::uint32_t> order,
                                const LocalFrame& frame, const CornerSource& source)
@@ -44,12 +71,12 @@ void set_corners(Treelet& treelet, const TreeletPart& part, const TreeletCorners
 float fit_nodes(Treelet& treelet, const TreeletCorners& corners,
                 std::span<const WideTopologyNode> topology) {
   const MomentSums sums(corners.rows);
-  TreeletCost cost;
+  double surfaces = 0;
   for (std::size_t i = 0; i < topology.size(); ++i) {
-    cost.add(
-        fit_node(corners.rows, sums, ranges_of(topology[i]), corners.origin, treelet.nodes[i]));
+    surfaces +=
+        fit_node(corners.rows, sums, ranges_of(topology[i]), corners.origin, treelet.nodes[i]);
   }
-  return cost.value();
+  return cost_of(surfaces, corners);
 }
 
 }  // namespace graze::bvh

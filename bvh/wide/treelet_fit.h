@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace graze::bvh {
 
@@ -22,22 +21,6 @@ struct TreeletCorners {
   CornerRows rows;
 };
 
-/// What makes up the cost of a treelet, node by node, the first being its root.
-class TreeletCost {
- public:
-  void add(const FittedSurfaces& node) {
-    if (children_ == 0) root_ = node.all;
-    children_ += node.children;
-  }
-
-  /// How many nodes and leaves a line through the root's box meets.
-  float value() const { return root_ > 0 ? children_ / root_ : 1; }
-
- private:
-  float root_ = 0;
-  float children_ = 0;
-};
-
 /// The ranges of a node's children, as fit_node() takes them.
 inline std::span<const PrimitiveRange> ranges_of(const WideTopologyNode& node) {
   return {node.range, node.count};
@@ -46,6 +29,10 @@ inline std::span<const PrimitiveRange> ranges_of(const WideTopologyNode& node) {
 /// Moves the corners into the treelet, leaf by leaf.
 void set_corners(Treelet& treelet, const TreeletPart& part, const TreeletCorners& corners,
                  std::span<const WideTopologyNode> topology);
+
+/// How many boxes a line that meets a primitive has to expect, where all boxes have these surfaces:
+/// per area of the primitives, which no rotation changes, as it would the box of all of them.
+float cost_of(double surfaces, const TreeletCorners& corners);
 
 /// Fits axes and boxes to all nodes, whose links are set, and says what that costs.
 float fit_nodes(Treelet& treelet, const TreeletCorners& corners,

@@ -8,8 +8,8 @@ namespace {
 
 /// How many times what it cost a treelet may cost: along the axes that it has before others are
 /// chosen, and along the best ones before it is built anew.
-constexpr float kToleratedTurn = 1.15f;
-constexpr float kToleratedDecay = 1.5f;
+constexpr float kToleratedTurn = 1.1f;
+constexpr float kToleratedDecay = 1.3f;
 
 /// What collapse() said when the nodes were built, but for the binary nodes, which are gone.
 /// Children stand behind their parents.
@@ -35,10 +35,11 @@ std::vector<WideTopologyNode> topology_of(std::span<const WideNode> nodes) {
 
 float refit_nodes(Treelet& treelet, const TreeletCorners& corners,
                   std::span<const WideTopologyNode> topology) {
-  TreeletCost cost;
-  for (std::size_t i = 0; i < topology.size(); ++i)
-    cost.add(refit_node(corners.rows, ranges_of(topology[i]), corners.origin, treelet.nodes[i]));
-  return cost.value();
+  double surfaces = 0;
+  for (std::size_t i = 0; i < topology.size(); ++i) {
+    surfaces += refit_node(corners.rows, ranges_of(topology[i]), corners.origin, treelet.nodes[i]);
+  }
+  return cost_of(surfaces, corners);
 }
 
 }  // namespace

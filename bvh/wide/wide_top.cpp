@@ -14,9 +14,9 @@ namespace {
 /// Primitives of a treelet at most: what a walk builds at once, a fraction of a millisecond.
 constexpr std::size_t kTreeletSize = 2048;
 
-/// How many times what it cost a part of the top may cost before it is split anew. Lower than for
-/// binary trees: what is below the top is not lost with it.
-constexpr float kToleratedDecay = 1.5f;
+/// How many times what it cost a part of the top may cost before it is split anew. More than for
+/// treelets, because all treelets below are lost with it.
+constexpr float kToleratedDecay = 1.65f;
 
 using Places = std::span<std::uint32_t>;
 
