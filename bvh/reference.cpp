@@ -10,4 +10,12 @@ References references_to(std::span<const Aabb> boxes, const LocalFrame& frame) {
   });
 }
 
+References references_to(std::span<const Aabb> boxes, const LocalFrame& frame,
+                         std::span<const std::uint32_t> primitives) {
+  const ToLocal to_local(frame);
+  return references_made(primitives, [&](std::size_t i) {
+    return to_local.box(boxes[i].min.data(), boxes[i].max.data());
+  });
+}
+
 }  // namespace graze::bvh

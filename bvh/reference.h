@@ -54,7 +54,24 @@ References references_made(std::size_t count, const BoxOf& box_of) {
   return references;
 }
 
+/// To these primitives, in this order. Parallel.
+template <typename BoxOf>
+References references_made(std::span<const std::uint32_t> primitives, const BoxOf& box_of) {
+  References references(primitives.size());
+  constexpr std::size_t kGrain = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, primitives.size(), kGrain),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
+                    });
+  return references;
+}
+
 /// To all boxes, in their order, rounded outward in the frame. Parallel.
 References references_to(std::span<const Aabb> boxes, const LocalFrame& frame);
+
+/// To those of these primitives, in this order.
+References references_to(std::span<const Aabb> boxes, const LocalFrame& frame,
+                         std::span<const std::uint32_t> primitives);
 
 }  // namespace graze::bvh

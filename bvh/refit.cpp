@@ -2,7 +2,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/node_lanes.h>
 #include <graze/bvh/refit.h>
-#include <graze/bvh/to_local.h>
+#include <graze/bvh/refit_references.h>
 #include <tbb/parallel_for.h>
 
 #include <string>
@@ -13,29 +13,21 @@ namespace {
 /// Nodes whose leaves one task fits.
 constexpr std::size_t kGrain = 2048;
 
-void fit_leaf(Tree& tree, Node& leaf, std::span<const Aabb> boxes, const ToLocal& to_local) {
+void fit_leaf(Node& leaf, std::span<const Reference> references) {
   Bounds bounds = empty_bounds();
-  for (std::uint32_t k = leaf.first; k < leaf.first + leaf.count; ++k) {
-    const Aabb& box = boxes[tree.primitives[k]];
-    bounds = merged(bounds, to_local.box(box.min.data(), box.max.data()));
-  }
+  for (const Reference& reference : references.subspan(leaf.first, leaf.count))
+    bounds = merged(bounds, reference.box);
   leaf = node_over(bounds, leaf.first, leaf.count);
 }
 
 }  // namespace
 
-void refit(Tree& tree, std::span<const Aabb> boxes) {
-  const Aabb bounds = checked_bounds(boxes);
-  if (boxes.size() != tree.primitives.size()) {
-    throw InputError("refit: " + std::to_string(boxes.size()) + " boxes for a tree of " +
-                     std::to_string(tree.primitives.size()));
-  }
-  tree.frame = LocalFrame::around(bounds);
-  const ToLocal to_local(tree.frame);
+void refit(Tree& tree, std::span<const Reference> references, const LocalFrame& frame) {
+  tree.frame = frame;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        if (tree.nodes[i].is_leaf()) fit_leaf(tree, tree.nodes[i], boxes, to_local);
+                        if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
                       }
                     });
   // Children stand behind their parents.
@@ -44,6 +36,21 @@ void refit(Tree& tree, std::span<const Aabb> boxes) {
     if (!node.is_leaf())
       node = node_around(tree.nodes[node.first], tree.nodes[node.first + 1], node.first);
   }
+}
+
+FittedReferences fitted_references(const Tree& tree, std::span<const Aabb> boxes) {
+  const Aabb bounds = checked_bounds(boxes);
+  if (boxes.size() != tree.primitives.size()) {
+    throw InputError("refit: " + std::to_string(boxes.size()) + " boxes for a tree of " +
+                     std::to_string(tree.primitives.size()));
+  }
+  const LocalFrame frame = LocalFrame::around(bounds);
+  return {frame, references_to(boxes, frame, tree.primitives)};
+}
+
+void refit(Tree& tree, std::span<const Aabb> boxes) {
+  FittedReferences fitted = fitted_references(tree, boxes);
+  refit(tree, fitted.references.all(), fitted.frame);
 }
 
 }  // namespace graze::bvh

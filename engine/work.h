@@ -16,12 +16,15 @@ struct Work {
   /// Pairs of boxes of an earlier walk that were not tested again, because what a PairMemory holds
   /// proves them apart; one for a query that it answered without any walk.
   std::uint64_t skipped_by_memory = 0;
-  std::uint64_t trees_built = 0;           ///< because this query was the first to walk them
-  std::uint64_t treelets_built = 0;        ///< parts of wide trees, likewise
-  std::uint64_t skins_built = 0;           ///< volumes other than boxes fitted to a tree, likewise
-  std::uint64_t convex_tests = 0;          ///< distances of two convex cores
-  std::uint64_t convex_failures = 0;       ///< of these, searches that proved neither answer: hits
-  std::uint64_t penetration_tests = 0;     ///< depths searched for by a polytope
+  std::uint64_t trees_built = 0;        ///< because this query was the first to walk them
+  std::uint64_t treelets_built = 0;     ///< parts of wide trees, likewise
+  std::uint64_t trees_refitted = 0;     ///< trees of deformed meshes, from those before: not built
+  std::uint64_t treelets_refitted = 0;  ///< parts of wide trees, likewise
+  std::uint64_t triangles_rebuilt = 0;  ///< below decayed parts of refitted binary trees
+  std::uint64_t skins_built = 0;        ///< volumes other than boxes fitted to a tree, likewise
+  std::uint64_t convex_tests = 0;       ///< distances of two convex cores
+  std::uint64_t convex_failures = 0;    ///< of these, searches that proved neither answer: hits
+  std::uint64_t penetration_tests = 0;  ///< depths searched for by a polytope
   std::uint64_t penetration_failures = 0;  ///< of these, not proved the least, even with libccd
 
   /// Adds counter by counter.

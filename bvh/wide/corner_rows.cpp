@@ -1,15 +1,20 @@
+#include <graze/bvh/lanes.h>
 #include <graze/bvh/wide/corner_rows.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 
 namespace graze::bvh {
 
+// Four at a time: the room behind the last row is zero.
 float CornerRows::reach() const {
-  float reach = 0;
-  for (const float value : values_)
-    reach = std::max(reach, std::abs(value));
-  return reach;
+  Lanes reach = all_lanes(0);
+  for (std::size_t i = 0; i < kRows * size_; i += 4) {
+    Lanes values;
+    std::memcpy(&values, values_.data() + i, sizeof(values));
+    reach = larger(reach, larger(values, -values));
+  }
+  return std::max(std::max(reach[0], reach[1]), std::max(reach[2], reach[3]));
 }
 
 }  // namespace graze::bvh

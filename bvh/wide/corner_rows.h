@@ -6,12 +6,12 @@
 namespace graze::bvh {
 
 /// Primitives that are the convex hulls of three points each, coordinate by coordinate, rounded to
-/// float.
+/// float. Four values may be read from any place of a row on; what lies behind the row is finite.
 class CornerRows {
  public:
   static constexpr std::size_t kRows = 9;
 
-  explicit CornerRows(std::size_t size) : size_(size), values_(kRows * size) {}
+  explicit CornerRows(std::size_t size) : size_(size), values_(kRows * size + kRoom) {}
 
   std::size_t size() const { return size_; }
 
@@ -25,6 +25,8 @@ class CornerRows {
   float reach() const;
 
  private:
+  static constexpr std::size_t kRoom = 3;  // for whole vectors that begin in the last row
+
   std::size_t size_;
   std::vector<float> values_;
 };

@@ -1,16 +1,18 @@
+#include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
 #include <graze/bvh/wide/fit_node.h>
 #include <graze/bvh/wide/node_axes.h>
 #include <graze/bvh/wide/wide_bounds.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kChunk = 64;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Interval {
@@ -18,73 +20,90 @@ struct Interval {
   float high = -kInfinity;
 };
 
-/// Where the children of one node lie along three axes, from an origin.
+/// Where something lies along three axes, from an origin.
+using Extent = std::array<Interval, 3>;
+
+/// The children of one node.
 struct ChildExtents {
-  Interval along[WideNode::kWidth][3];
+  Extent of[WideNode::kWidth];
 };
 
-float smaller(float a, float b) {
-  return a < b ? a : b;
-}
-float larger(float a, float b) {
-  return a > b ? a : b;
+Lanes load(const float* values) {
+  Lanes lanes;
+  std::memcpy(&lanes, values, sizeof(lanes));
+  return lanes;
 }
 
-/// Along one axis, the extents of `count` primitives from `first` on.
-void project(const CornerRows& rows, const float* axis, const float* origin, std::size_t first,
-             std::size_t count, float* low, float* high) {
-  const float* x[3];
-  const float* y[3];
-  const float* z[3];
-  for (std::size_t c = 0; c < 3; ++c) {
-    x[c] = rows.row(c, 0) + first;
-    y[c] = rows.row(c, 1) + first;
-    z[c] = rows.row(c, 2) + first;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    float along[3];
-    for (std::size_t c = 0; c < 3; ++c) {
-      along[c] = (axis[0] * (x[c][i] - origin[0]) + axis[1] * (y[c][i] - origin[1])) +
-                 axis[2] * (z[c][i] - origin[2]);
+float least(Lanes v) {
+  return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+}
+float greatest(Lanes v) {
+  return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+}
+
+/// Three axes and an origin in all lanes.
+struct Projection {
+  Projection(const NodeAxes& axes, const float* from) {
+    for (int k = 0; k < 3; ++k) {
+      origin[k] = all_lanes(from[k]);
+      for (int axis = 0; axis < 3; ++axis)
+        rows[axis][k] = all_lanes(axes.rows[axis][k]);
     }
-    low[i] = smaller(smaller(along[0], along[1]), along[2]);
-    high[i] = larger(larger(along[0], along[1]), along[2]);
   }
+
+  Lanes origin[3];
+  Lanes rows[3][3];
+};
+
+/// The extent of consecutive primitives, four at a time.
+Extent extent_of(const CornerRows& rows, const Projection& onto, const PrimitiveRange& range) {
+  Lanes low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = all_lanes(kInfinity);
+    high[axis] = all_lanes(-kInfinity);
+  }
+  for (std::size_t i = range.begin; i < range.end; i += 4) {
+    // Lanes behind the last primitive change nothing.
+    const auto left = static_cast<std::int32_t>(range.end - i);
+    const IntLanes is_there = IntLanes{0, 1, 2, 3} < IntLanes{left, left, left, left};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Lanes x = load(rows.row(c, 0) + i) - onto.origin[0];
+      const Lanes y = load(rows.row(c, 1) + i) - onto.origin[1];
+      const Lanes z = load(rows.row(c, 2) + i) - onto.origin[2];
+      for (int axis = 0; axis < 3; ++axis) {
+        const Lanes* row = onto.rows[axis];
+        const Lanes along = (row[0] * x + row[1] * y) + row[2] * z;
+        low[axis] = smaller(low[axis], chosen(is_there, along, low[axis]));
+        high[axis] = larger(high[axis], chosen(is_there, along, high[axis]));
+      }
+    }
+  }
+  Extent extent;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    extent[axis] = {least(low[axis]), greatest(high[axis])};
+  return extent;
 }
 
 ChildExtents extents_along(const CornerRows& rows, const NodeAxes& axes, const float* origin,
                            std::span<const PrimitiveRange> children) {
+  const Projection onto(axes, origin);
   ChildExtents extents;
-  float low[kChunk], high[kChunk];
-  std::size_t child = 0;
-  const std::size_t end = children.back().end;
-  for (std::size_t first = children.front().begin; first < end; first += kChunk) {
-    const std::size_t count = std::min(kChunk, end - first);
-    const std::size_t first_child = child;
-    for (int k = 0; k < 3; ++k) {
-      project(rows, axes.rows[k], origin, first, count, low, high);
-      child = first_child;
-      for (std::size_t i = 0; i < count; ++i) {
-        while (first + i >= children[child].end)
-          ++child;
-        Interval& interval = extents.along[child][k];
-        interval.low = smaller(interval.low, low[i]);
-        interval.high = larger(interval.high, high[i]);
-      }
-    }
-  }
+  for (std::size_t j = 0; j < children.size(); ++j)
+    extents.of[j] = extent_of(rows, onto, children[j]);
   return extents;
+}
+
+float surface_of(const Extent& extent) {
+  const float x = extent[0].high - extent[0].low;
+  const float y = extent[1].high - extent[1].low;
+  const float z = extent[2].high - extent[2].low;
+  return x * y + y * z + z * x;
 }
 
 float sum_of_surfaces(const ChildExtents& extents, std::size_t children) {
   float sum = 0;
-  for (std::size_t j = 0; j < children; ++j) {
-    const Interval(&e)[3] = extents.along[j];
-    const float x = e[0].high - e[0].low;
-    const float y = e[1].high - e[1].low;
-    const float z = e[2].high - e[2].low;
-    sum += x * y + y * z + z * x;
-  }
+  for (std::size_t j = 0; j < children; ++j)
+    sum += surface_of(extents.of[j]);
   return sum;
 }
 
@@ -99,9 +118,9 @@ void set_boxes(const ChildExtents& extents, const float* origin, WideNode& node)
     float size = std::abs(origin[0]) + std::abs(origin[1]) + std::abs(origin[2]);
     float half[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const Interval& interval = extents.along[j][k];
+      const Interval& interval = extents.of[j][k];
       node.centre[k][j] = 0.5f * interval.low + 0.5f * interval.high;
-      half[k] = larger(interval.high - node.centre[k][j], node.centre[k][j] - interval.low);
+      half[k] = std::max(interval.high - node.centre[k][j], node.centre[k][j] - interval.low);
       size += half[k] + std::abs(node.centre[k][j]);
     }
     const float margin = kFitError * size + kWideUnderflow;
@@ -120,9 +139,9 @@ void clear_empty_lanes(WideNode& node) {
 
 }  // namespace
 
-void fit_node(const CornerRows& rows, const MomentSums& sums,
-              std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
-              WideNode& node) {
+float fit_node(const CornerRows& rows, const MomentSums& sums,
+               std::span<const PrimitiveRange> children, const double (&rows_origin)[3],
+               WideNode& node) {
   const std::size_t begin = children.front().begin;
   const std::size_t end = children.back().end;
   node.count = static_cast<std::uint32_t>(children.size());
@@ -134,9 +153,12 @@ void fit_node(const CornerRows& rows, const MomentSums& sums,
   NodeAxes axes = axes_of(moments, 3 * (end - begin));
   ChildExtents extents = extents_along(rows, axes, origin, children);
   const ChildExtents aligned = extents_along(rows, kCoordinateAxes, origin, children);
-  if (!(sum_of_surfaces(extents, node.count) < sum_of_surfaces(aligned, node.count))) {
+  float surfaces = sum_of_surfaces(extents, node.count);
+  const float of_aligned = sum_of_surfaces(aligned, node.count);
+  if (!(surfaces < of_aligned)) {
     axes = kCoordinateAxes;
     extents = aligned;
+    surfaces = of_aligned;
   }
   for (int k = 0; k < 3; ++k) {
     for (int axis = 0; axis < 3; ++axis)
@@ -145,6 +167,24 @@ void fit_node(const CornerRows& rows, const MomentSums& sums,
   }
   set_boxes(extents, origin, node);
   clear_empty_lanes(node);
+  return surfaces;
+}
+
+float refit_node(const CornerRows& rows, std::span<const PrimitiveRange> children,
+                 const double (&rows_origin)[3], WideNode& node) {
+  // A corner of the primitive in the middle: any point near by will do.
+  const std::size_t middle = (children.front().begin + children.back().end) / 2;
+  float origin[3];
+  NodeAxes axes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    origin[k] = rows.row(0, k)[middle];
+    node.origin[k] = rows_origin[k] + origin[k];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      axes.rows[axis][k] = node.axes[k][axis];
+  }
+  const ChildExtents extents = extents_along(rows, axes, origin, children);
+  set_boxes(extents, origin, node);
+  return sum_of_surfaces(extents, node.count);
 }
 
 }  // namespace graze::bvh

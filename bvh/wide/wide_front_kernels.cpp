@@ -293,7 +293,7 @@ class Passer {
   HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
     const std::uint32_t index = ChildLink::index(link);
     if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
-    return {state_.tree[side]->entered(index, state_.counts.treelets_built).nodes.data(), 0, index};
+    return {state_.tree[side]->entered(index, state_.counts.treelets).nodes.data(), 0, index};
   }
 
   /// Of a primitive of the host and these of the guest's leaf.

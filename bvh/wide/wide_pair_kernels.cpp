@@ -251,7 +251,7 @@ class Walker {
   HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
     const std::uint32_t index = ChildLink::index(link);
     if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
-    return {state_.tree[side]->entered(index, counts_.treelets_built).nodes.data(), 0, index};
+    return {state_.tree[side]->entered(index, counts_.treelets).nodes.data(), 0, index};
   }
 
   /// Of these lanes. What is pushed last is looked at first: the nearest.

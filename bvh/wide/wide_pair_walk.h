@@ -22,7 +22,7 @@ struct WideWalkCounts {
   std::uint64_t box_tests = 0;        ///< pairs of boxes, eight at most by one kernel
   std::uint64_t box_rejections = 0;   ///< of these, found apart
   std::uint64_t primitive_tests = 0;  ///< pairs of primitives in leaves that may meet
-  std::uint64_t treelets_built = 0;   ///< because this walk was the first to enter them
+  TreeletCounts treelets;             ///< because this walk was the first to enter them
 };
 
 /// Finds the pairs of leaves of two trees that their boxes do not prove apart: a box of one tree

@@ -1,65 +1,91 @@
 #include <graze/bvh/wide/treelet_build.h>
+#include <graze/bvh/wide/treelet_refit.h>
 #include <graze/bvh/wide/wide_tree.h>
 #include <tbb/parallel_for.h>
 
-#include <numeric>
+#include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace graze::bvh {
-namespace {
-
-/// Primitives of a treelet at most: what a walk builds at once, a fraction of a millisecond.
-constexpr std::size_t kTreeletSize = 2048;
-
-}  // namespace
 
 WideTree::WideTree(const Aabb& bounds, const CornerSource& source)
+    : frame_(LocalFrame::around(bounds)), box_(frame_.to_local(bounds)), source_(source) {
+  set_top(split_all(source, frame_, primitives_));
+}
+
+WideTree::WideTree(const Aabb& bounds, const CornerSource& source, const WideStock& stock)
     : frame_(LocalFrame::around(bounds)),
       box_(frame_.to_local(bounds)),
       source_(source),
-      primitives_(source.size()) {
-  References references = source.references(frame_);
-  const TopTree top = split_top(references.all(), kTreeletSize, kWideSettings);
-  for (std::size_t i = 0; i < primitives_.size(); ++i)
-    primitives_[i] = references.data[i].index();
+      primitives_(stock.primitives) {
+  set_top(refitted(stock.top, source, frame_, primitives_));
+}
+
+void WideTree::set_top(WideTop top) {
   treelet_count_ = top.parts.size() + 1;
   treelets_ = std::make_unique<LazyTreelet[]>(treelet_count_);
-  treelets_[0].treelet.nodes = top_nodes(top, box_);
-  treelets_[0].is_built = true;
+  const auto above = std::make_shared<Treelet>();
+  above->nodes = top_nodes(top.nodes, box_);
+  treelets_[0].owned = above;
+  treelets_[0].built = above.get();
   for (std::size_t i = 0; i < top.parts.size(); ++i) {
-    Treelet& treelet = treelets_[i + 1].treelet;
-    treelet.first = static_cast<std::uint32_t>(top.parts[i].begin);
-    treelet.count = static_cast<std::uint32_t>(top.parts[i].size());
-    treelet.depth = top.parts[i].depth;
+    treelets_[i + 1].part = top.parts[i];
+    treelets_[i + 1].inherited = std::move(top.inherited[i]);
   }
+  top_ = std::move(top);
 }
 
 // Not inline: kernels are not instrumented in sanitized builds, and what a thread acquires there
 // ThreadSanitizer does not see.
-const WideTree::Treelet& WideTree::entered(std::uint32_t index, std::uint64_t& built) const {
-  const LazyTreelet& lazy = treelets_[index];
-  if (!lazy.is_built.load(std::memory_order_acquire)) build(index, built);
-  return lazy.treelet;
+const Treelet& WideTree::entered(std::uint32_t index, TreeletCounts& counts) const {
+  const Treelet* built = treelets_[index].built.load(std::memory_order_acquire);
+  return built != nullptr ? *built : build(index, counts);
 }
 
-void WideTree::build(std::uint32_t index, std::uint64_t& built) const {
-  const LazyTreelet& lazy = treelets_[index];
+const Treelet& WideTree::build(std::uint32_t index, TreeletCounts& counts) const {
+  LazyTreelet& lazy = treelets_[index];
   std::call_once(lazy.flag, [&] {
-    Treelet& treelet = lazy.treelet;
-    build_treelet(treelet, std::span(primitives_).subspan(treelet.first, treelet.count), frame_,
-                  source_);
-    lazy.is_built.store(true, std::memory_order_release);
-    ++built;
+    // Nobody else writes to these places: only here are they read without the mutex.
+    const auto places = primitives_.begin() + lazy.part.first;
+    std::vector<std::uint32_t> order(places, places + lazy.part.count);
+    std::optional<Treelet> refitted;
+    if (lazy.inherited != nullptr)
+      refitted = refitted_treelet(*lazy.inherited, lazy.part, order, frame_, source_);
+    counts.refitted += refitted.has_value();
+    counts.built += !refitted.has_value();
+    auto treelet = std::make_shared<const Treelet>(
+        refitted ? *std::move(refitted) : built_treelet(lazy.part, order, frame_, source_));
+    const std::scoped_lock lock(mutex_);
+    std::copy(order.begin(), order.end(), places);
+    lazy.owned = std::move(treelet);
+    lazy.inherited.reset();
+    lazy.built.store(lazy.owned.get(), std::memory_order_release);
   });
+  return treelet(index);
 }
 
-std::size_t WideTree::build_all() const {
-  std::atomic<std::size_t> built = 0;
+WideStock WideTree::stock() const {
+  WideStock stock{top_, {}};
+  const std::scoped_lock lock(mutex_);
+  stock.primitives = primitives_;
+  for (std::size_t i = 0; i < top_.parts.size(); ++i) {
+    const LazyTreelet& lazy = treelets_[i + 1];
+    stock.top.inherited[i] = lazy.owned != nullptr ? lazy.owned : lazy.inherited;
+  }
+  return stock;
+}
+
+TreeletCounts WideTree::build_all() const {
+  std::atomic<std::uint64_t> built = 0;
+  std::atomic<std::uint64_t> refitted = 0;
   tbb::parallel_for(std::size_t{1}, treelet_count_, [&](std::size_t i) {
-    std::uint64_t one = 0;
-    if (!is_built(static_cast<std::uint32_t>(i))) build(static_cast<std::uint32_t>(i), one);
-    built += one;
+    TreeletCounts one;
+    entered(static_cast<std::uint32_t>(i), one);
+    built += one.built;
+    refitted += one.refitted;
   });
-  return built;
+  return {built, refitted};
 }
 
 std::size_t WideTree::bytes() const {

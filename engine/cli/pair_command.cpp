@@ -37,6 +37,7 @@ Examples:
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" --list
   graze pair bolt.obj nut.stl --poses path.txt --query any --json
   graze pair bolt.obj nut.stl --poses path.txt --check fcl
+  graze pair bolt.obj nut.stl --threads 0
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -85,6 +86,10 @@ void add_pair_command(CLI::App& program, Action& action) {
                    "compare with FCL, settling differences in exact arithmetic")
       ->type_name("fcl")
       ->check(CLI::IsMember({"fcl"}).description(""));
+  command
+      ->add_option("--threads", options->threads,
+                   "threads for each --query pairs; 0: all there are (default: 1)")
+      ->type_name("N");
   command->add_flag("--json", options->is_json, "one JSON object per line and pose");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");

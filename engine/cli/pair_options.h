@@ -16,6 +16,7 @@ struct PairOptions {
   std::string volume = "wide";
   std::string touch = "include";
   std::string check;
+  std::string threads;
   bool is_solid = false;
   bool is_listing = false;
   bool is_json = false;

@@ -1,3 +1,4 @@
+#include <graze/engine/cli/count_argument.h>
 #include <graze/engine/cli/fcl_check.h>
 #include <graze/engine/cli/pair_report.h>
 #include <graze/engine/cli/pair_run.h>
@@ -36,6 +37,9 @@ void check_combinations(const PairOptions& options) {
   if (!options.check.empty() && options.is_solid) {
     throw UsageError("--check fcl and --solid exclude each other: FCL knows surfaces only");
   }
+  if (!options.threads.empty() && (options.query == "any" || options.volume != "wide")) {
+    throw UsageError("--threads needs --query pairs and --volume wide: no other query is shared");
+  }
   if (options.touch == "exclude" && options.is_solid) {
     throw UsageError("--solid needs --touch include");
   }
@@ -65,6 +69,7 @@ struct PairJob {
   Volume volume;
   Touch touch;
   Interior interior;
+  int threads;
   std::unique_ptr<FclCheck> fcl;
 };
 
@@ -86,6 +91,10 @@ void check_solids(const PairOptions& options, const PairJob& job) {
 
 PairJob read_job(const PairOptions& options) {
   check_combinations(options);
+  const int threads =
+      options.threads.empty()
+          ? 1
+          : static_cast<int>(parse_count(options.threads, "--threads", 0, kMaxThreads));
   const Pose pose_a =
       options.pose_a.empty() ? Pose::Identity() : parse_pose(options.pose_a, "--pose-a");
   std::vector<PoseLine> poses_b = read_poses_b(options);
@@ -100,6 +109,7 @@ PairJob read_job(const PairOptions& options) {
                  volume_named(options.volume),
                  options.touch == "exclude" ? Touch::Exclude : Touch::Include,
                  options.is_solid ? Interior::Solid : Interior::Surface,
+                 threads,
                  nullptr};
   check_placements(options, job);
   check_solids(options, job);
@@ -120,8 +130,9 @@ PairAnswer ask(const PairJob& job, std::size_t index) {
     answer.intersects =
         intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b}, settings_of(job), &answer.work);
   } else {
-    answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                       {.volume = job.volume, .touch = job.touch}, &answer.work);
+    answer.pairs = find_triangle_pairs(
+        {job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
+        {.volume = job.volume, .touch = job.touch, .threads = job.threads}, &answer.work);
     answer.intersects = !answer.pairs->empty();
     if (!answer.intersects && job.interior == Interior::Solid) {
       answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},

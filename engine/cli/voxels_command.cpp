@@ -1,3 +1,4 @@
+#include <graze/engine/cli/count_argument.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
@@ -8,7 +9,6 @@
 #include <graze/engine/mesh/write_voxels.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -41,7 +41,6 @@ Exit codes:
   2  bad input, or a file that cannot be written, with one line on stderr and nothing on stdout)";
 
 constexpr std::uint32_t kMaxResolution = 65535;
-constexpr std::uint32_t kMaxThreads = 1024;
 
 struct VoxelsOptions {
   std::string mesh;
@@ -52,18 +51,6 @@ struct VoxelsOptions {
   bool is_json = false;
   bool has_progress = false;
 };
-
-/// Decimal digits alone: the parser of options would read 010 as eight.
-std::uint32_t parse_count(const std::string& text, const char* option, std::uint32_t lowest,
-                          std::uint32_t highest) {
-  std::uint32_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && stop == end && value >= lowest && value <= highest) return value;
-  throw UsageError(std::string(option) + ": " + mesh_io::quoted(text) +
-                   " is not a whole number from " + std::to_string(lowest) + " to " +
-                   std::to_string(highest));
-}
 
 /// Refuses what would be found out only after the work is done, or destroy the mesh.
 void check_file(const VoxelsOptions& options) {

@@ -7,6 +7,7 @@
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
 #include <graze/engine/mesh/wide_query.h>
+#include <graze/engine/mesh/wide_counts.h>
 #include <graze/narrowphase/derived/directed_gap.h>
 #include <graze/narrowphase/derived/distance_stages.h>
 
@@ -74,10 +75,7 @@ class Search {
         is_stopped = visit(found[i].places, on_pair) == bvh::Walk::Stop;
       }
     }
-    work_.volume_tests += walk.counts().box_tests;
-    work_.volume_rejections += walk.counts().box_rejections;
-    work_.filter_tests += walk.counts().primitive_tests;
-    work_.treelets_built += walk.counts().treelets_built;
+    add_counts(walk.counts(), work_);
   }
 
  private:

@@ -66,7 +66,9 @@ std::shared_ptr<const Mesh::Data> Mesh::make(std::span<const Eigen::Vector3d> ve
                                              std::span<const Indices> triangles) {
   check_vertices(vertices);
   auto data = std::make_shared<Data>();
-  data->triangles = checked_triangles(triangles, vertices.size());
+  data->shared_triangles = std::make_shared<const std::vector<TriangleIndices>>(
+      checked_triangles(triangles, vertices.size()));
+  data->triangles = *data->shared_triangles;
   data->vertices.assign(vertices.begin(), vertices.end());
   data->bounds = bounds_of(data->vertices, data->triangles);
   return data;
@@ -77,6 +79,22 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIn
 
 Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles)
     : data_(make(vertices, triangles)) {}
+
+Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
+  if (vertices.size() != data_->vertices.size()) {
+    throw MeshError("deformed: " + std::to_string(vertices.size()) + " vertices for a mesh of " +
+                    std::to_string(data_->vertices.size()));
+  }
+  check_vertices(vertices);
+  auto data = std::make_shared<Data>();
+  data->shared_triangles = data_->shared_triangles;
+  data->triangles = data_->triangles;
+  data->vertices.assign(vertices.begin(), vertices.end());
+  data->bounds = bounds_of(data->vertices, data->triangles);
+  data->older_tree.set(data_->tree_to_inherit());
+  data->older_wide.set(data_->wide_to_inherit());
+  return Mesh(std::move(data));
+}
 
 std::span<const Eigen::Vector3d> Mesh::vertices() const {
   return data_->vertices;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 
 #include <graze/bvh/aabb.h>
 #include <graze/engine/mesh/mesh_error.h>
@@ -45,6 +46,15 @@ class Mesh {
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles);
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles);
 
+  /// The mesh with its vertices elsewhere: as many, in the same order, between the same triangles,
+  /// whose indices both meshes share. What has been built of this mesh's trees is fitted to the new
+  /// positions when a query first walks it, a fraction of the time that building takes, except for
+  /// parts whose boxes have grown into each other, which are built anew: answers are those of
+  /// Mesh(vertices, triangles()), and take about as long. Copies `vertices`; holds on to no other
+  /// part of this mesh than what it still has to fit. Safe beside queries on this mesh. Throws
+  /// MeshError for another number of vertices, or a coordinate that is not finite. Linear time.
+  Mesh deformed(std::span<const Eigen::Vector3d> vertices) const;
+
   std::span<const Eigen::Vector3d> vertices() const;
   std::span<const TriangleIndices> triangles() const;
 
@@ -67,8 +77,8 @@ class Mesh {
   /// The triangles around each welded vertex. Computed when first asked for, O(n log n).
   const VertexFans& vertex_fans() const;
 
-  /// The hierarchy over the triangles, built when first asked for, O(n log n). The call that builds
-  /// it counts that in `work`.
+  /// The hierarchy over the triangles, built when first asked for, O(n log n), or, of a deformed
+  /// mesh, fitted to the one before. The call that does it counts that in `work`.
   const bvh::Tree& tree(Work* work = nullptr) const;
 
   /// The same hierarchy in wide nodes, whose parts are built when a query first walks them.
@@ -87,6 +97,7 @@ class Mesh {
 
  private:
   struct Data;
+  explicit Mesh(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   template <typename Indices>
   static std::shared_ptr<const Data> make(std::span<const Eigen::Vector3d> vertices,
                                           std::span<const Indices> triangles);

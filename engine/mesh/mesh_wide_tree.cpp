@@ -30,6 +30,22 @@ class MeshCorners : public bvh::CornerSource {
     return references;
   }
 
+  bvh::Bounds bounds(const bvh::LocalFrame& frame,
+                     std::span<const std::uint32_t> primitives) const override {
+    bvh::PointPairs low = bvh::load_point(vertices_[triangles_[primitives[0]][0]].data());
+    bvh::PointPairs high = low;
+    for (const std::uint32_t primitive : primitives) {
+      for (const std::uint32_t vertex : triangles_[primitive]) {
+        const bvh::PointPairs p = bvh::load_point(vertices_[vertex].data());
+        low = bvh::smaller(low, p);
+        high = bvh::larger(high, p);
+      }
+    }
+    const double min[3] = {low.xy[0], low.xy[1], low.yz[1]};
+    const double max[3] = {high.xy[0], high.xy[1], high.yz[1]};
+    return bvh::ToLocal(frame).box(min, max);
+  }
+
   void fill(std::span<const std::uint32_t> primitives, const bvh::LocalFrame& frame,
             const double (&origin)[3], bvh::CornerRows& rows) const override {
     const double scale = std::ldexp(1.0, -frame.exponent);
@@ -53,13 +69,26 @@ class MeshCorners : public bvh::CornerSource {
 
 }  // namespace
 
+std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
+  // In this order: once it has been given up, the mesh's own is there.
+  std::shared_ptr<const bvh::WideStock> older = older_wide.get();
+  if (!is_wide_made.load(std::memory_order_acquire)) return older;
+  return std::make_shared<const bvh::WideStock>(wide->stock());
+}
+
 const bvh::WideTree& Mesh::wide_tree(Work* work) const {
   std::call_once(data_->wide_flag, [&] {
     data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
+    const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();
     // Isolated, as the building of the tree is.
-    tbb::this_task_arena::isolate(
-        [&] { data_->wide = std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners); });
-    if (work != nullptr) ++work->trees_built;
+    tbb::this_task_arena::isolate([&] {
+      data_->wide = older != nullptr
+                        ? std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners, *older)
+                        : std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners);
+    });
+    data_->is_wide_made.store(true, std::memory_order_release);
+    data_->older_wide.set(nullptr);
+    if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
   });
   return *data_->wide;
 }

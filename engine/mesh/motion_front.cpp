@@ -75,7 +75,8 @@ void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& 
   const bvh::WideFront::Counts counts = front_.take_counts();
   work.volume_tests += counts.walk.box_tests;
   work.volume_rejections += counts.walk.box_rejections;
-  work.treelets_built += counts.walk.treelets_built;
+  work.treelets_built += counts.walk.treelets.built;
+  work.treelets_refitted += counts.walk.treelets.refitted;
   work.filter_tests += counts.walk.primitive_tests;
   work.skipped_by_memory += counts.skipped;
 }

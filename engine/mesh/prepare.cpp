@@ -1,15 +1,16 @@
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/engine/mesh/prepare.h>
+#include <graze/engine/mesh/wide_counts.h>
 #include <tbb/task_arena.h>
 
 namespace graze {
 
 void prepare(const Mesh& mesh, Work* work) {
   const bvh::WideTree& tree = mesh.wide_tree(work);
-  std::size_t built = 0;
+  bvh::TreeletCounts counts;
   // Isolated: a thread that waits here must not take up a task of the caller's own loop.
-  tbb::this_task_arena::isolate([&] { built = tree.build_all(); });
-  if (work != nullptr) work->treelets_built += built;
+  tbb::this_task_arena::isolate([&] { counts = tree.build_all(); });
+  if (work != nullptr) add_counts(counts, *work);
 }
 
 }  // namespace graze

@@ -63,7 +63,7 @@ std::uint64_t count_odd(std::vector<Edge>& edges) {
 }
 
 /// Fills `component_vertices` with one vertex of each component.
-Topology topology_of(const std::vector<TriangleIndices>& triangles,
+Topology topology_of(std::span<const TriangleIndices> triangles,
                      std::span<const std::uint32_t> welded,
                      std::vector<std::uint32_t>& component_vertices) {
   Topology topology;

@@ -4,7 +4,7 @@ namespace graze {
 namespace {
 
 /// By counting: where each vertex's triangles end, and then filled from there backwards.
-VertexFans fans_of(const std::vector<TriangleIndices>& triangles,
+VertexFans fans_of(std::span<const TriangleIndices> triangles,
                    std::span<const std::uint32_t> welded) {
   VertexFans fans;
   fans.first.resize(welded.size() + 1);

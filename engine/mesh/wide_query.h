@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/candidates.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/relative_frame.h>
+#include <graze/engine/mesh/wide_counts.h>
 #include <hwy/cache_control.h>
 
 namespace graze {
@@ -123,12 +124,5 @@ struct WideQuery {
     }
   }
 };
-
-inline void add_counts(const bvh::WideWalkCounts& counts, Work& work) {
-  work.volume_tests += counts.box_tests;
-  work.volume_rejections += counts.box_rejections;
-  work.treelets_built += counts.treelets_built;
-  work.filter_tests += counts.primitive_tests;
-}
 
 }  // namespace graze

@@ -94,6 +94,29 @@ TEST(Law5WideTree, BoxesHoldAllCornersBelowThem) {
         {.count = 200, .centre = Eigen::Vector3d(1, -0.7, 0.3) * offset}, source));
 }
 
+/// Refitted, in all or in part, or built anew: in the end after a chain of moves.
+TEST(Law5WideTree, BoxesOfDeformedMeshesHoldAllCornersBelowThem) {
+  RandomSource source(507);
+  for (const double size : {1e-3, 0.05, 0.5}) {
+    Mesh mesh = tests::make_torus(1, 0.3, 80, 40);
+    for (int n = 0; n < 3; ++n) {
+      mesh.wide_tree().build_all();
+      std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+      const double scale = std::exp2(source.integer(-300, 300));
+      for (Eigen::Vector3d& p : vertices) {
+        if (p.z() < 0) p += size * source.vector(-1, 1);
+        p = p * scale + Eigen::Vector3d(1000 * scale, 0, 0);
+      }
+      const Mesh moved = mesh.deformed(vertices);
+      expect_sound(moved);
+      for (Eigen::Vector3d& p : vertices)
+        p = p / scale - Eigen::Vector3d(1000, 0, 0);
+      mesh = moved.deformed(vertices);
+      expect_sound(mesh);
+    }
+  }
+}
+
 /// All nodes and corners, treelet by treelet.
 std::vector<unsigned char> bytes_of(const WideTree& tree) {
   std::vector<unsigned char> bytes;
@@ -114,12 +137,36 @@ TEST(WideTree, IsTheSameInWhateverOrderItIsBuilt) {
   one.wide_tree().build_all();
   const WideTree& tree = other.wide_tree();
   ASSERT_GT(tree.treelet_count(), 5u);
-  std::uint64_t built = 0;
+  bvh::TreeletCounts counts;
   for (auto i = static_cast<std::uint32_t>(tree.treelet_count()); i-- > 1;)
-    tree.entered(i, built);
-  EXPECT_EQ(built, tree.treelet_count() - 1);
-  EXPECT_EQ(tree.build_all(), 0u);
+    tree.entered(i, counts);
+  EXPECT_EQ(counts.built, tree.treelet_count() - 1);
+  EXPECT_EQ(tree.build_all().built, 0u);
   EXPECT_EQ(bytes_of(one.wide_tree()), bytes_of(tree));
+}
+
+TEST(WideTree, IsTheSameInWhateverOrderItIsRefitted) {
+  RandomSource source(508);
+  const Mesh mesh = tests::random_soup({.count = 12000, .size = 0.02}, source);
+  mesh.wide_tree().build_all();
+  // On one side triangles trade places, on the other they tremble.
+  std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    vertices[i] += 1e-4 * source.vector(-1, 1);
+    const std::size_t triangle = i / 3;
+    if (mesh.vertices()[3 * triangle].x() > 0.6 && triangle % 2 == 1) vertices[i].z() *= -1;
+  }
+  const Mesh one = mesh.deformed(vertices);
+  const Mesh other = mesh.deformed(vertices);
+  const bvh::TreeletCounts all = one.wide_tree().build_all();
+  bvh::TreeletCounts counts;
+  for (auto i = static_cast<std::uint32_t>(other.wide_tree().treelet_count()); i-- > 1;)
+    other.wide_tree().entered(i, counts);
+  EXPECT_EQ(counts.built, all.built);
+  EXPECT_EQ(counts.refitted, all.refitted);
+  EXPECT_GT(counts.built, 0u);
+  EXPECT_GT(counts.refitted, 0u);
+  EXPECT_EQ(bytes_of(one.wide_tree()), bytes_of(other.wide_tree()));
 }
 
 TEST(WideTree, OnlyWhatIsWalkedIsBuilt) {

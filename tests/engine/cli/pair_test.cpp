@@ -68,6 +68,17 @@ TEST_F(CliPair, VolumesChangeNoAnswer) {
   EXPECT_EQ(graze({"pair", "a.off", "b.off", "--volume", "cone"}).exit_code, 2);
 }
 
+TEST_F(CliPair, ThreadsChangeNoAnswer) {
+  const Json expected = json_lines({"--pose-b", kCrossing, "--list"}).at(0)["list"];
+  for (const char* threads : {"0", "1", "3"})
+    EXPECT_EQ(json_lines({"--pose-b", kCrossing, "--list", "--threads", threads}).at(0)["list"],
+              expected);
+  for (const char* wrong : {"-1", "1025", "two"})
+    EXPECT_EQ(graze({"pair", "a.off", "b.off", "--threads", wrong}).exit_code, 2);
+  EXPECT_EQ(graze({"pair", "a.off", "b.off", "--threads", "2", "--query", "any"}).exit_code, 2);
+  EXPECT_EQ(graze({"pair", "a.off", "b.off", "--threads", "2", "--volume", "obb"}).exit_code, 2);
+}
+
 TEST_F(CliPair, TouchSaysWhichPairsCount) {
   const std::string on_top = "1 0 0 0 0 1 0 0 0 0 1 2";
   write_mesh("b.off", make_box({1, 1, 1}));

@@ -45,7 +45,7 @@ TEST_F(CliUsage, HelpNamesEveryOption) {
   }
   const std::string pair = graze({"pair", "--help"}).out;
   for (const char* part : {"--pose-a", "--pose-b", "--poses", "--query", "any|pairs", "--list",
-                           "--check", "--json", "--progress", "FILE:LINE"}) {
+                           "--check", "--json", "--progress", "--threads", "FILE:LINE"}) {
     EXPECT_TRUE(contains(pair, part)) << part;
   }
   const std::string voxels = graze({"voxels", "--help"}).out;
