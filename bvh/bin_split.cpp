@@ -39,10 +39,9 @@ void fill(SweepRow* bins, std::span<const Reference> references, std::size_t str
 
 /// Adds a box where a mask is not set; NaN adds nothing.
 void extend(Bounds& bounds, const Bounds& box, IntLanes mask) {
-  bounds.minus_min = larger(
-      std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.minus_min) | mask), bounds.minus_min);
-  bounds.max =
-      larger(std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.max) | mask), bounds.max);
+  bounds.minus_min =
+      larger(std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.minus_min) | mask), bounds.minus_min);
+  bounds.max = larger(std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.max) | mask), bounds.max);
 }
 
 /// Each reference is written to both sides, and the place on the wrong one is written again: a

@@ -75,11 +75,17 @@ const std::string& JsonCursor::text() const {
 }
 
 std::uint32_t JsonCursor::index(std::uint32_t max) const {
+  return static_cast<std::uint32_t>(whole(0, max));
+}
+
+// The tree keeps whole numbers as doubles: exact to 2^53, which is beyond every range asked for.
+std::int64_t JsonCursor::whole(std::int64_t min, std::int64_t max) const {
   require(JsonKind::Number);
-  if (!value_.is_whole || value_.number < 0 || value_.number > max) {
-    fail("is not a whole number from 0 to " + std::to_string(max));
+  if (!value_.is_whole || value_.number < static_cast<double>(min) ||
+      value_.number > static_cast<double>(max)) {
+    fail("is not a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   }
-  return static_cast<std::uint32_t>(value_.number);
+  return static_cast<std::int64_t>(value_.number);
 }
 
 double JsonCursor::number() const {

@@ -25,6 +25,7 @@ class JsonCursor {
   /// Throws unless this is an object with keys of this list only.
   void require_keys(std::initializer_list<std::string_view> known) const;
 
+  bool is_object() const { return value_.kind == JsonKind::Object; }
   bool has(std::string_view key) const { return find(key) != nullptr; }
   JsonCursor member(std::string_view key) const;  ///< throws if there is none
 
@@ -36,6 +37,8 @@ class JsonCursor {
   const std::string& text() const;
   /// A whole number from 0 to `max`.
   std::uint32_t index(std::uint32_t max) const;
+  /// A whole number from `min` to `max`.
+  std::int64_t whole(std::int64_t min, std::int64_t max) const;
   /// A hex float as a string, or a JSON number, which is rounded once.
   double number() const;
   Eigen::Vector3d point() const;

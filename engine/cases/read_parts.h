@@ -23,4 +23,7 @@ CaseAnswer read_answer(const JsonCursor& at, Ask ask, bool has_volume_b);
 
 Pose read_pose(const JsonCursor& at);
 
+/// A mesh by its vertices and triangles.
+Mesh read_inline_mesh(const JsonCursor& at);
+
 }  // namespace graze::cases

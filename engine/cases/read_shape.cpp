@@ -1,4 +1,4 @@
-#include <graze/bvh/error.h>
+#include <graze/engine/cases/at_place.h>
 #include <graze/engine/cases/case_mesh_file.h>
 #include <graze/engine/cases/read_parts.h>
 #include <graze/engine/mesh/placement.h>
@@ -9,16 +9,6 @@
 
 namespace graze::cases {
 namespace {
-
-/// Calls `make()` and gives its error the place that the cursor stands at.
-template <typename Make>
-auto at_place(const JsonCursor& at, Make&& make) {
-  try {
-    return make();
-  } catch (const Error& error) {
-    at.fail(error.what());
-  }
-}
 
 Triangle read_triangle(const JsonCursor& at) {
   at.require_size(3);
@@ -44,33 +34,6 @@ Sphere read_sphere(const JsonCursor& at) {
   Sphere sphere{at.member("centre").point(), at.member("radius").number()};
   at_place(at, [&] { check_sphere(sphere, "the sphere"); });
   return sphere;
-}
-
-Mesh read_inline_mesh(const JsonCursor& at) {
-  at.require_keys({"vertices", "triangles"});
-  const JsonCursor vertex_list = at.member("vertices");
-  std::vector<Eigen::Vector3d> vertices;
-  vertices.reserve(vertex_list.size());
-  for (std::size_t i = 0; i < vertex_list.size(); ++i)
-    vertices.push_back(vertex_list.item(i).point());
-  const JsonCursor triangle_list = at.member("triangles");
-  std::vector<TriangleIndices> triangles;
-  triangles.reserve(triangle_list.size());
-  for (std::size_t i = 0; i < triangle_list.size(); ++i) {
-    const JsonCursor triangle = triangle_list.item(i);
-    triangle.require_size(3);
-    TriangleIndices indices{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const JsonCursor index = triangle.item(k);
-      indices[k] = index.index(std::numeric_limits<std::uint32_t>::max());
-      if (indices[k] >= vertices.size()) {
-        index.fail("there is no vertex " + std::to_string(indices[k]) + "; the mesh has " +
-                   std::to_string(vertices.size()));
-      }
-    }
-    triangles.push_back(indices);
-  }
-  return at_place(at, [&] { return Mesh(vertices, triangles); });
 }
 
 CaseMeshFile read_mesh_file(const JsonCursor& at) {
@@ -152,6 +115,33 @@ bool refers(const JsonCursor& root, std::string_view side) {
 }
 
 }  // namespace
+
+Mesh read_inline_mesh(const JsonCursor& at) {
+  at.require_keys({"vertices", "triangles"});
+  const JsonCursor vertex_list = at.member("vertices");
+  std::vector<Eigen::Vector3d> vertices;
+  vertices.reserve(vertex_list.size());
+  for (std::size_t i = 0; i < vertex_list.size(); ++i)
+    vertices.push_back(vertex_list.item(i).point());
+  const JsonCursor triangle_list = at.member("triangles");
+  std::vector<TriangleIndices> triangles;
+  triangles.reserve(triangle_list.size());
+  for (std::size_t i = 0; i < triangle_list.size(); ++i) {
+    const JsonCursor triangle = triangle_list.item(i);
+    triangle.require_size(3);
+    TriangleIndices indices{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const JsonCursor index = triangle.item(k);
+      indices[k] = index.index(std::numeric_limits<std::uint32_t>::max());
+      if (indices[k] >= vertices.size()) {
+        index.fail("there is no vertex " + std::to_string(indices[k]) + "; the mesh has " +
+                   std::to_string(vertices.size()));
+      }
+    }
+    triangles.push_back(indices);
+  }
+  return at_place(at, [&] { return Mesh(vertices, triangles); });
+}
 
 Pose read_pose(const JsonCursor& at) {
   at.require_size(12);

@@ -1,5 +1,6 @@
 #include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/compare_run.h>
+#include <graze/engine/scenes/read_scene.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -13,8 +14,16 @@ differ, a referee in exact arithmetic that shares no formula with graze says who
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
 triangles, and written as cases to --cases.
 
+Of a scene (see graze simulate) each pair of bodies at each step is put to graze::World, to graze alone
+and to the engines that know such shapes. Two meshes, and boxes and balls with them, are the referee's;
+for other shapes a plane between them or a point in both is proof, and errors within 1e-6 of their size are
+called touching. What is not proved is not judged.
+
 With --json each pose gives one line, and the last one is
   {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],"cases":[{"file":...},...]}
+
+and of a scene each difference:
+  {"step":3,"time":0.06,"a":"gear","b":"pinion","answers":[{"engine":"world","says":true,...},...]}
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
@@ -26,6 +35,7 @@ Examples:
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
   graze compare data/regressions
+  graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
 
 Exit codes:
   0  graze is right everywhere
@@ -46,6 +56,19 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
       ->check(CLI::Range(1, 100'000'000).description(""));
   command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
       ->type_name("S");
+}
+
+void add_scene_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("--steps", options.steps, "of a scene (default: as it says)")
+      ->type_name("N")
+      ->check(CLI::Range(0, static_cast<int>(kMaxSceneSteps)).description(""));
+  command.add_option("--dt", options.step, "of a scene, seconds a step (default: as it says)")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber.description(""));
+  command
+      .add_option("--meshes", options.mesh_folder,
+                  "the folder of a scene's meshes (default: that of the scene)")
+      ->type_name("DIR");
 }
 
 void add_output_options(CLI::App& command, CompareOptions& options) {
@@ -78,7 +101,8 @@ void add_compare_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command =
       program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
-  command->add_option("A", options->mesh_a, "first mesh, or a folder of cases")->required();
+  command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")
+      ->required();
   command->add_option("B", options->mesh_b, "second mesh");
   command->add_option("--query", options->query, "any (default), pairs, distance, within, contacts")
       ->type_name("QUESTION")
@@ -89,6 +113,7 @@ void add_compare_command(CLI::App& program, Action& action) {
   command->add_option("--engines", options->engines, "names with commas (default: all)")
       ->type_name("NAMES");
   add_pose_options(*command, *options);
+  add_scene_options(*command, *options);
   add_output_options(*command, *options);
   command->footer(kFooter);
   command->callback([options, &action] {

@@ -71,32 +71,43 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<EngineSummary> summarise(std::span<const PoseRecord> records) {
-  std::vector<EngineSummary> summaries;
-  std::vector<std::vector<double>> times;
-  for (const PoseRecord& record : records) {
-    for (const AnswerRecord& answer : record.answers) {
-      auto at = std::find_if(summaries.begin(), summaries.end(), [&](const EngineSummary& summary) {
-        return summary.engine == answer.engine;
-      });
-      if (at == summaries.end()) {
-        summaries.push_back({.engine = answer.engine});
-        times.emplace_back();
-        at = std::prev(summaries.end());
-      }
-      add(*at, answer);
-      times[static_cast<std::size_t>(at - summaries.begin())].push_back(answer.time);
-    }
+void Summaries::add(const AnswerRecord& answer) {
+  auto at = std::find_if(summaries_.begin(), summaries_.end(), [&](const EngineSummary& summary) {
+    return summary.engine == answer.engine;
+  });
+  if (at == summaries_.end()) {
+    summaries_.push_back({.engine = answer.engine});
+    times_.emplace_back();
+    at = std::prev(summaries_.end());
   }
+  cli::add(*at, answer);
+  times_[static_cast<std::size_t>(at - summaries_.begin())].push_back(answer.time);
+}
+
+std::vector<EngineSummary> Summaries::take() const {
+  std::vector<EngineSummary> summaries = summaries_;
   for (std::size_t i = 0; i < summaries.size(); ++i)
-    summaries[i].median_time = median(times[i]);
+    summaries[i].median_time = median(times_[i]);
   return summaries;
+}
+
+std::vector<EngineSummary> summarise(std::span<const PoseRecord> records) {
+  Summaries all;
+  for (const PoseRecord& record : records) {
+    for (const AnswerRecord& answer : record.answers)
+      all.add(answer);
+  }
+  return all.take();
 }
 
 std::string compare_text(std::span<const PoseRecord> records, std::span<const WrittenCase> cases) {
   std::string out = wrong_rows(records);
   for (const WrittenCase& each : cases)
     out += "shrunk: graze replay " + mesh_io::printable(each.file) + "\n";
+  return out + summary_text(summarise(records));
+}
+
+std::string summary_text(std::span<const EngineSummary> summaries) {
   const Table table({{"engine", 8},
                      {"answers", 8},
                      {"agreed", 8},
@@ -109,8 +120,8 @@ std::string compare_text(std::span<const PoseRecord> records, std::span<const Wr
                      {"real", 6},
                      {"largest (m)", 11},
                      {"median (us)", 11}});
-  out += table.header();
-  for (const EngineSummary& s : summarise(records)) {
+  std::string out = table.header();
+  for (const EngineSummary& s : summaries) {
     std::vector<std::string> row = {s.engine, std::to_string(s.answers), std::to_string(s.agreed),
                                     std::to_string(s.right), std::to_string(s.wrong)};
     for (const std::size_t count : s.classes)

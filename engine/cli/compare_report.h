@@ -25,7 +25,19 @@ struct EngineSummary {
   double total_time = 0;
 };
 
-/// In the order in which engines first answered.
+/// Adds up answers, engine by engine.
+class Summaries {
+ public:
+  void add(const compare::AnswerRecord& answer);
+
+  /// In the order in which engines first answered.
+  std::vector<EngineSummary> take() const;
+
+ private:
+  std::vector<EngineSummary> summaries_;
+  std::vector<std::vector<double>> times_;
+};
+
 std::vector<EngineSummary> summarise(std::span<const compare::PoseRecord> records);
 
 /// A shrunk case and the file that it went to.
@@ -37,6 +49,9 @@ struct WrittenCase {
 /// Tables for people: wrong answers one by one, then a line an engine.
 std::string compare_text(std::span<const compare::PoseRecord> records,
                          std::span<const WrittenCase> cases);
+
+/// A line an engine.
+std::string summary_text(std::span<const EngineSummary> summaries);
 
 /// One JSON object on one line: {"summary":[...],"cases":[...]}.
 std::string summary_json(std::span<const EngineSummary> summaries,

@@ -2,6 +2,8 @@
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare_report.h>
 #include <graze/engine/cli/compare_run.h>
+#include <graze/engine/cli/compare_scene.h>
+#include <graze/engine/cli/engine_field.h>
 #include <graze/engine/cli/html_report.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/replay_run.h>
@@ -36,6 +38,9 @@ Ask ask_named(const std::string& name) {
 }
 
 void check_combinations(const CompareOptions& options) {
+  if (options.steps || options.step > 0 || !options.mesh_folder.empty()) {
+    throw UsageError("--steps, --dt and --meshes belong to scenes");
+  }
   const int sources = !options.pose_b.empty() + options.poses.has_value() + (options.random > 0) +
                       (options.grazing > 0);
   if (sources > 1) {
@@ -77,30 +82,6 @@ ComparisonJob read_job(const CompareOptions& options) {
   for (const Pose& pose : job.poses_b)
     check_placement(pose, mesh_b.bounds(), "the pose of B");
   return job;
-}
-
-/// Which of the engines `--engines` names. graze is always there: it is what is on trial.
-std::vector<bool> chosen(const CompareOptions& options, std::span<const EngineEntry> engines) {
-  std::vector<bool> is_chosen(engines.size(), options.engines.empty());
-  std::string_view names = options.engines;
-  while (!names.empty()) {
-    const std::size_t end = std::min(names.find(','), names.size());
-    const std::string_view name = names.substr(0, end);
-    names.remove_prefix(std::min(end + 1, names.size()));
-    const auto at = std::find_if(engines.begin(), engines.end(),
-                                 [&](const EngineEntry& entry) { return entry.name == name; });
-    if (at == engines.end()) {
-      throw UsageError("--engines: there is no engine " + mesh_io::quoted(name));
-    }
-    if (at->engine == nullptr) {
-      throw UsageError(
-          fmt::format("--engines: {} was not found when this command was built", name));
-    }
-    is_chosen[static_cast<std::size_t>(at - engines.begin())] = true;
-  }
-  for (std::size_t i = 0; i < engines.size(); ++i)
-    if (engines[i].name == "graze") is_chosen[i] = true;
-  return is_chosen;
 }
 
 /// Records of an earlier run of the same job.
@@ -206,40 +187,17 @@ bool is_graze_wrong(std::span<const PoseRecord> records) {
   });
 }
 
-/// The engines that take part, as if there were no others.
-class Field {
- public:
-  Field(std::span<const EngineEntry> engines, const std::vector<bool>& is_chosen) {
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      if (!is_chosen[i] || engines[i].engine == nullptr) continue;
-      engines_.push_back({engines[i].name, std::make_unique<Borrowed>(*engines[i].engine)});
-    }
-  }
-  std::span<const EngineEntry> engines() const { return engines_; }
-
- private:
-  class Borrowed : public compare::Engine {
-   public:
-    explicit Borrowed(const compare::Engine& engine) : engine_(engine) {}
-    CaseWitness name() const override { return engine_.name(); }
-    std::unique_ptr<compare::LoadedPair> load(const Mesh& a, const Mesh& b) const override {
-      return engine_.load(a, b);
-    }
-
-   private:
-    const compare::Engine& engine_;
-  };
-  std::vector<EngineEntry> engines_;
-};
-
 }  // namespace
 
 ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry> engines,
                      Output& output) {
   if (options.mesh_b.empty()) {
     std::error_code ignored;
+    if (fs::path(options.mesh_a).extension() == ".json") {
+      return run_compare_scene(options, engines, output);
+    }
     if (!fs::is_directory(options.mesh_a, ignored)) {
-      throw UsageError("a mesh B is needed, or a folder of cases alone");
+      throw UsageError("a mesh B is needed, or a folder of cases alone, or a scene, a .json file");
     }
     return run_replay({.files = {options.mesh_a},
                        .mesh_folder = "",
@@ -247,7 +205,7 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
                        .has_progress = options.has_progress},
                       engines, output);
   }
-  const Field field(engines, chosen(options, engines));
+  const Field field(engines, options.engines);
   const ComparisonJob job = read_job(options);
   if (!options.against.empty()) compare::read_journal(options.against);  // bad input comes first
   const std::vector<PoseRecord> records = run_all(options, job, field.engines());

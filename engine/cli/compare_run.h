@@ -14,7 +14,7 @@ namespace graze::cli {
 
 /// The arguments of `graze compare` as they are given.
 struct CompareOptions {
-  std::string mesh_a;  ///< or a folder of cases
+  std::string mesh_a;  ///< or a folder of cases, or a scene
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
@@ -33,6 +33,10 @@ struct CompareOptions {
   std::string resume;
   double time_tolerance = 1.5;
   std::size_t threads = 0;
+  // Of scenes alone:
+  std::optional<std::size_t> steps = {};
+  double step = 0;               ///< seconds; 0: as the scene says
+  std::string mesh_folder = {};  ///< empty: that of the scene
   bool is_json = false;
   bool has_progress = false;
 };

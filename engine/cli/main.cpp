@@ -6,6 +6,7 @@
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
 #include <graze/engine/cli/replay_command.h>
+#include <graze/engine/cli/simulate_command.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
 #include <graze/engine/mesh/io/source.h>
@@ -30,6 +31,7 @@ Examples:
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
   graze contacts bolt.obj nut.stl --separate
   graze voxels bolt.obj --resolution 200 -o voxels.ply
+  graze simulate scene.json --contacts
   graze compare bolt.obj nut.stl --grazing 100 --report out.html
   graze explain bolt.obj nut.stl
 
@@ -89,6 +91,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_pair_command(program, action);
   add_contacts_command(program, action);
   add_voxels_command(program, action);
+  add_simulate_command(program, action);
   add_replay_command(program, action);
   add_compare_command(program, action);
   add_explain_command(program, action);

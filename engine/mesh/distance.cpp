@@ -6,8 +6,8 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/relative_frame.h>
-#include <graze/engine/mesh/wide_query.h>
 #include <graze/engine/mesh/wide_counts.h>
+#include <graze/engine/mesh/wide_query.h>
 #include <graze/narrowphase/derived/directed_gap.h>
 #include <graze/narrowphase/derived/distance_stages.h>
 

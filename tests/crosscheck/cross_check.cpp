@@ -1,9 +1,12 @@
 #include "tests/crosscheck/cross_check.h"
 
+#include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/compare.h>
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "tests/files/failed_case.h"
 
 namespace graze::tests {
 namespace {
@@ -26,6 +29,10 @@ CrossCheckCounts cross_check(const Mesh& mesh_a, const Mesh& mesh_b,
     SCOPED_TRACE("pose " + std::to_string(i));
     const compare::Side side_a = {{mesh_a}, fcl_a};
     const compare::Side side_b = {{mesh_b, poses[i]}, fcl_b};
+    const CaseOnFailure keep([&] {
+      return to_case(side_a.placed, side_b.placed,
+                     find_triangle_pairs(side_a.placed, side_b.placed));
+    });
     const compare::Comparison pairs = compare_pairs(side_a, side_b);
     const compare::Comparison any = compare_any(side_a, side_b);
     expect_graze_right(pairs);

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <string>
 
+#include "tests/files/failed_case.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -63,6 +65,7 @@ MeshDistance expect_one_that_meets(const PlacedMesh& a, const PlacedMesh& b) {
 double expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
   MeshDistance expected = brute_force(a, b);
   if (expected.distance == 0) expected = expect_one_that_meets(a, b);
+  const tests::CaseOnFailure keep([&] { return tests::by_brute_force(to_case(a, b, expected)); });
   expect_same(distance(a, b), expected);
   const TrianglePair last{static_cast<std::uint32_t>(a.mesh.triangles().size() - 1),
                           static_cast<std::uint32_t>(b.mesh.triangles().size() - 1)};

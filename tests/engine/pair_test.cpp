@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_triangle.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/files/failed_case.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -31,6 +33,9 @@ std::vector<TrianglePair> brute_force(const PlacedMesh& a, const PlacedMesh& b) 
 /// Laws 9 and 4: the tree changes nothing, nor does the order of the meshes.
 std::size_t expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
   const std::vector<TrianglePair> expected = brute_force(a, b);
+  const tests::CaseOnFailure keep([&] {
+    return tests::by_brute_force(to_case(a, b, TrianglePairs{expected, Completeness::Complete}));
+  });
   const TrianglePairs found = find_triangle_pairs(a, b);
   EXPECT_EQ(found.pairs, expected);
   EXPECT_EQ(found.completeness, Completeness::Complete);

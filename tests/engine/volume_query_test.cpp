@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/files/failed_case.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -24,6 +26,10 @@ std::size_t expect_brute_force(const PlacedMesh& placed, const Box& box) {
   for (std::uint32_t i = 0; i < placed.mesh.triangles().size(); ++i) {
     if (intersects(place(placed.pose, placed.mesh.triangle(i)), box)) expected.push_back(i);
   }
+  const tests::CaseOnFailure keep([&] {
+    return tests::by_brute_force(
+        to_case(placed, box, TriangleList{expected, Completeness::Complete}));
+  });
   const TriangleList found = find_triangles(placed, box);
   EXPECT_EQ(found.triangles, expected);
   EXPECT_EQ(found.completeness, Completeness::Complete);

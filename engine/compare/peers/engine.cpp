@@ -17,6 +17,10 @@ std::optional<CaseMesh> as_mesh(const CaseShape& shape) {
 
 }  // namespace
 
+std::unique_ptr<LoadedShapes> Engine::load_shapes(std::span<const Shape>) const {
+  return nullptr;
+}
+
 std::optional<MeshCase> as_meshes(const Case& query) {
   std::optional<CaseMesh> a = as_mesh(query.a);
   std::optional<CaseMesh> b = query.b ? as_mesh(*query.b) : std::nullopt;

@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <graze/engine/cases/case.h>
+#include <graze/engine/world/shape.h>
 
 namespace graze::compare {
 
@@ -25,6 +27,16 @@ class LoadedPair {
                                            const Pose& pose_b) const = 0;
 };
 
+/// Shapes of bodies as an engine holds them, asked about by their indices.
+class LoadedShapes {
+ public:
+  virtual ~LoadedShapes() = default;
+
+  /// Whether two of them intersect in these poses; nothing if the engine does not know such shapes.
+  virtual std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a,
+                                         std::size_t shape_b, const Pose& pose_b) const = 0;
+};
+
 /// A collision engine behind one page. No type of the engine's own appears here.
 class Engine {
  public:
@@ -33,6 +45,9 @@ class Engine {
 
   /// Builds what the engine needs for queries: its trees, for example. Throws Error if it refuses.
   virtual std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const = 0;
+
+  /// The same for shapes of all kinds; null if the engine's adaptor knows meshes only.
+  virtual std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const;
 };
 
 /// An engine, or the word why it is not here.

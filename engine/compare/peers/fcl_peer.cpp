@@ -1,6 +1,7 @@
 // FCL behind the page that every engine has. fcl_engine.h does the work.
 
 #include <graze/engine/compare/fcl_engine.h>
+#include <graze/engine/compare/fcl_shapes.h>
 #include <graze/engine/compare/peers/engine.h>
 
 namespace graze::compare {
@@ -47,11 +48,30 @@ class FclPair : public LoadedPair {
   FclMesh mesh_b_;
 };
 
+class FclShapes : public LoadedShapes {
+ public:
+  explicit FclShapes(std::span<const Shape> shapes) {
+    for (const Shape& shape : shapes)
+      shapes_.emplace_back(shape);
+  }
+
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    return compare::intersects(shapes_[shape_a], pose_a, shapes_[shape_b], pose_b);
+  }
+
+ private:
+  std::vector<FclShape> shapes_;
+};
+
 class FclEngine : public Engine {
  public:
   CaseWitness name() const override { return {"fcl", fcl_version()}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<FclPair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<FclShapes>(shapes);
   }
 };
 

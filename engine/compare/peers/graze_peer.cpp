@@ -2,6 +2,7 @@
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/world/shape_pairs.h>
 
 namespace graze::compare {
 namespace {
@@ -27,11 +28,27 @@ class GrazePair : public LoadedPair {
   Mesh mesh_b_;
 };
 
+class GrazeShapes : public LoadedShapes {
+ public:
+  explicit GrazeShapes(std::span<const Shape> shapes) : shapes_(shapes.begin(), shapes.end()) {}
+
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    return graze::intersects(shapes_[shape_a], pose_a, shapes_[shape_b], pose_b);
+  }
+
+ private:
+  std::vector<Shape> shapes_;
+};
+
 class GrazeEngine : public Engine {
  public:
   CaseWitness name() const override { return this_library(); }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<GrazePair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<GrazeShapes>(shapes);
   }
 };
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::cli {
+
+/// The engines that take part, as if there were no others.
+class Field {
+ public:
+  /// `names` are separated by commas; empty: all that are here. graze is always among them: it is
+  /// what is on trial. Throws UsageError for a name that is none, or of an engine that is not here.
+  /// The engines must outlive this.
+  Field(std::span<const compare::EngineEntry> engines, std::string_view names);
+
+  std::span<const compare::EngineEntry> engines() const { return engines_; }
+
+ private:
+  std::vector<compare::EngineEntry> engines_;
+};
+
+}  // namespace graze::cli

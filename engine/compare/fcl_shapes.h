@@ -1,0 +1,30 @@
+#pragma once
+
+// Shapes of all kinds as FCL holds them. No type of FCL appears here.
+
+#include <memory>
+#include <optional>
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze::compare {
+
+/// A shape of FCL's own, made once for many poses. Safe to query from many threads at once.
+class FclShape {
+ public:
+  explicit FclShape(const Shape& shape);
+  ~FclShape();
+  FclShape(FclShape&&) noexcept;
+
+ private:
+  struct Geometry;
+  friend std::optional<bool> intersects(const FclShape&, const Pose&, const FclShape&, const Pose&);
+  std::unique_ptr<const Geometry> geometry_;
+};
+
+/// FCL's answer, by its default solver; nothing of two half-spaces, which it does not know.
+std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
+                               const Pose& pose_b);
+
+}  // namespace graze::compare

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze::compare {
+
+// What shapes are, by definitions that share nothing with the library's solvers. In double, off by
+// some ulp of the largest coordinate that takes part.
+
+/// The largest n . x over the placed shape, for a unit n; of a mesh over its vertices. Infinite for
+/// a half-space in all directions but its own, to 1e-7.
+double reach_along(const Shape& shape, const Pose& pose, const Eigen::Vector3d& n);
+
+/// How far a point is outside of the placed shape, at about its surface: at least this for a hull
+/// and a box, at most this for an ellipsoid. Negative inside. Of a mesh, a surface, the distance.
+double outside_by(const Shape& shape, const Pose& pose, const Eigen::Vector3d& point);
+
+}  // namespace graze::compare

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze::compare {
+
+/// Beyond this share of the scale of a pair (their sizes and the distance of their middles) an
+/// error about curved shapes is no longer one of tolerance: solvers by support mappings stop at
+/// 1e-6.
+inline constexpr double kShapeTolerance = 1e-6;
+
+/// A shape in a pose.
+struct PlacedBody {
+  const Shape& shape;
+  const Pose& pose;
+};
+
+/// Whether two placed shapes intersect, as far as it can be proved.
+///
+/// Two meshes, a mesh and a ball or box, two balls, a ball and a box: the referee decides, exactly.
+/// All others by proof: "apart" by a plane that has both on different sides, "hit" by a point that
+/// is in both. The library proposes plane and point; whether they prove anything is computed from
+/// what the shapes are. Where neither is proved, as between a cone and the hollow of a mesh,
+/// nothing is judged.
+class ShapeJudge {
+ public:
+  /// Shapes and poses must outlive the judge.
+  ShapeJudge(const PlacedBody& a, const PlacedBody& b);
+  ~ShapeJudge();
+
+  /// Of a wrong answer about shapes other than two meshes the error is the gap or the depth, and
+  /// the class touching up to kShapeTolerance of the pair's scale, else real. graze is right to
+  /// call shapes a hit that miss each other by its own kTouchTolerance, or for which its search
+  /// does not end, where law 11 says so.
+  Judgement judge(bool says, const CaseWitness& witness, const JudgeSettings& settings = {}) const;
+
+  /// The question as a case, if there is one: of meshes, boxes and balls.
+  const std::optional<Case>& as_case() const;
+
+ private:
+  struct Truth;
+  std::unique_ptr<Truth> truth_;
+};
+
+}  // namespace graze::compare

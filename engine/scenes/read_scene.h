@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <graze/engine/scenes/scene.h>
+#include <graze/engine/scenes/scene_error.h>
+
+namespace graze {
+
+struct ReadSceneSettings {
+  /// Where the meshes lie that a scene names by file. Empty: in the folder of the scene.
+  std::filesystem::path mesh_folder = {};
+};
+
+/// Reads a scene, format version 1 (data/README.md, data/scene.schema.json). Throws SceneError
+/// `file:line: /place: why` for what is no scene: unknown and repeated keys, wrong types, numbers
+/// that are not finite, names that stand twice or for nothing, poses that are not rigid, shapes
+/// that the library refuses, files that are missing or outside of the folder. A scene refers to
+/// mesh files and its own shapes alone, so that there are no circles; each file is loaded once.
+/// Linear time and memory, but for hulls, which may have kMaxHullPoints points each.
+Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& settings = {});
+
+/// The same from memory; errors begin with `name`.
+Scene parse_scene(std::string_view bytes, const std::string& name,
+                  const ReadSceneSettings& settings = {});
+
+inline constexpr std::size_t kMaxHullPoints = 4096;
+inline constexpr std::size_t kMaxSceneSteps = 10'000'000;
+
+}  // namespace graze

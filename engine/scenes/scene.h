@@ -1,0 +1,55 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <graze/engine/scenes/body_path.h>
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze {
+
+/// A shape that bodies share.
+struct SceneShape {
+  std::string name;
+  Shape shape;
+};
+
+struct SceneBody {
+  std::string name;
+  std::size_t shape = 0;  ///< index into Scene::shapes
+  Pose pose;              ///< at time 0
+  Motion motion = Motion::Dynamic;
+  Filter filter = {};
+  BodyPath path = {};
+};
+
+/// Two bodies by their indices, the smaller first.
+struct ScenePair {
+  std::size_t a = 0;
+  std::size_t b = 0;
+  friend auto operator<=>(const ScenePair&, const ScenePair&) = default;
+};
+
+/// Bodies and how they move by themselves, as a file describes them. Metres and seconds.
+struct Scene {
+  std::string note;
+  double step = 1.0 / 60;   ///< seconds from one update to the next
+  std::size_t steps = 100;  ///< how many, unless the user says otherwise
+  std::vector<SceneShape> shapes;
+  std::vector<SceneBody> bodies;
+  std::vector<ScenePair> exclusions;  ///< which never meet
+};
+
+/// Where a body of the scene is at a time, seconds.
+inline Pose pose_at(const SceneBody& body, double time) {
+  return pose_at(body.path, body.pose, time);
+}
+
+/// The pairs that a world looks at, ascending: one of the two is dynamic, filters let them pass and
+/// nothing excludes them. Quadratic in the bodies.
+std::vector<ScenePair> meeting_pairs(const Scene& scene);
+
+}  // namespace graze

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <graze/engine/scenes/scene.h>
+#include <graze/engine/world/world.h>
+
+namespace graze {
+
+struct SimulationSettings {
+  double step = 0;  ///< seconds; 0: as the scene says
+  WorldSettings world = {};
+};
+
+/// A scene in a world, and the clock that moves it. A body's index in the world is its index in the
+/// scene.
+class Simulation {
+ public:
+  /// Throws what World::add() throws, and InputError for a step that is negative or not finite. The
+  /// scene must outlive this.
+  explicit Simulation(const Scene& scene, const SimulationSettings& settings = {});
+
+  /// The first call brings the world to time 0, each later one a step further: it moves the bodies
+  /// that have paths, and updates. Throws PoseError that names body and time if a path leads beyond
+  /// what a world can hold. The spans are valid until the next call.
+  WorldUpdate advance();
+
+  /// Of the last advance(): how many steps from time 0, and the time, the product, rounded once.
+  std::size_t steps() const { return count_ == 0 ? 0 : count_ - 1; }
+  double time() const { return time_of(steps()); }
+  double time_of(std::size_t steps) const { return static_cast<double>(steps) * step_; }
+
+  const World& world() const { return world_; }
+
+ private:
+  void move_bodies();
+
+  const Scene& scene_;
+  double step_;
+  World world_;
+  std::vector<BodyId> ids_;
+  std::size_t count_ = 0;  // calls of advance()
+};
+
+/// Throws PoseError, naming body and time, if a path leads beyond what a world can hold before
+/// `end`, seconds.
+void check_paths(const Scene& scene, double end);
+
+}  // namespace graze

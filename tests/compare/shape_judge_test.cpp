@@ -1,0 +1,146 @@
+// The judge of placed shapes: proofs on both sides of the touch, errors of known size, and scenes
+// with an engine that is wrong on purpose.
+
+#include <graze/engine/compare/judge/shape_bodies.h>
+#include <graze/engine/compare/judge/shape_judge.h>
+#include <graze/engine/compare/run/scene_comparison.h>
+#include <graze/engine/scenes/read_scene.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <gtest/gtest.h>
+
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::compare {
+namespace {
+
+std::vector<Shape> one_of_each_kind() {
+  const std::vector<Eigen::Vector3d> corners = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                                {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  return {Sphere{{0, 0, 0}, 1},
+          Box{{1, 1, 1}},
+          Capsule{0.5, 0.5},
+          Cylinder{1, 1},
+          Cone{1, 1},
+          Ellipsoid{{0, 0, 0}, {1, 1, 1}},
+          ConvexHull(corners),
+          HalfSpace{{-1, 0, 0}, -0.0},
+          tests::make_box({1, 1, 1})};
+}
+
+Pose at_x(double x, double z = 0) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Eigen::Vector3d(x, 0, z);
+  return pose;
+}
+
+/// The height at which a shape reaches furthest along x, one of them.
+double height_of(const Shape& shape) {
+  return shape.kind() == ShapeKind::Cone ? -1 : 0;
+}
+
+Judgement judged(const Shape& a, const Shape& b, double x, bool says, const char* engine) {
+  const Pose pose_a = Pose::Identity();
+  const Pose pose_b = at_x(x, height_of(a) - height_of(b));
+  return ShapeJudge({a, pose_a}, {b, pose_b}).judge(says, {engine, ""});
+}
+
+/// How far along x a shape reaches, and so where two of them touch.
+double reach_of(const Shape& shape) {
+  return shape.kind() == ShapeKind::HalfSpace ? 0 : reach_along(shape, at_x(0), {1, 0, 0});
+}
+
+TEST(ShapeJudge, EveryPairIsProvedOnBothSidesOfTheTouch) {
+  const std::vector<Shape> shapes = one_of_each_kind();
+  for (const Shape& a : shapes) {
+    for (const Shape& b : shapes) {
+      // Half-spaces here open towards +x: as B they are what A reaches into.
+      if (a.kind() == ShapeKind::HalfSpace) continue;
+      SCOPED_TRACE(std::string(name_of(a.kind())) + "/" + name_of(b.kind()));
+      const double touch = reach_of(a) + reach_of(b);
+      for (const double beyond : {0.25, 1e-3, 1e-8}) {
+        const Judgement gap = judged(a, b, touch + beyond, true, "fcl");
+        EXPECT_EQ(gap.verdict, Verdict::Wrong) << beyond;
+        EXPECT_EQ(gap.error_class, beyond > 1e-5 ? ErrorClass::Real : gap.error_class);
+        EXPECT_EQ(judged(a, b, touch + beyond, false, "fcl").verdict, Verdict::Right) << beyond;
+        const Judgement hit = judged(a, b, touch - beyond, false, "fcl");
+        EXPECT_EQ(hit.verdict, Verdict::Wrong) << -beyond;
+        EXPECT_EQ(judged(a, b, touch - beyond, true, "fcl").verdict, Verdict::Right) << -beyond;
+      }
+    }
+  }
+}
+
+TEST(ShapeJudge, ErrorsHaveTheirSizeAndClass) {
+  const Shape cone = Cone{1, 1};
+  const Shape pill = Capsule{0.5, 0.5};
+  const Judgement far = judged(cone, pill, 1.75, true, "fcl");
+  EXPECT_EQ(far.error_class, ErrorClass::Real);
+  EXPECT_NEAR(far.error, 0.25, 1e-8);
+  const Shape ball = Sphere{{0, 0, 0}, 1};
+  const Judgement near = judged(ball, Shape(Cylinder{1, 1}), 2 + 1e-7, true, "fcl");
+  EXPECT_EQ(near.verdict, Verdict::Wrong);
+  EXPECT_EQ(near.error_class, ErrorClass::Touching);
+  EXPECT_NEAR(near.error, 1e-7, 1e-9);
+}
+
+/// Law 11: graze may call a hit what its own tolerance cannot tell from one, but nothing more.
+TEST(ShapeJudge, GrazeIsHeldToItsOwnTolerance) {
+  const Shape drum = Cylinder{1, 1};
+  const Shape pill = Capsule{0.5, 0.5};
+  EXPECT_EQ(judged(drum, pill, 1.5 + 1e-11, true, "graze").verdict, Verdict::Right);
+  EXPECT_EQ(judged(drum, pill, 1.5 + 1e-8, true, "graze").verdict, Verdict::Wrong);
+  EXPECT_EQ(judged(drum, pill, 1.5 - 1e-8, false, "graze").verdict, Verdict::Wrong);
+  const Shape ball = Sphere{{0, 0, 0}, 1};
+  EXPECT_EQ(judged(ball, ball, 2 + 0x1p-51, true, "graze").verdict, Verdict::Wrong);  // exact
+  EXPECT_EQ(judged(ball, ball, 2, false, "graze").verdict, Verdict::Wrong);
+}
+
+/// In a hollow no plane parts the two, and nothing is claimed.
+TEST(ShapeJudge, WhatIsNotProvedIsNotJudged) {
+  const Shape ring = tests::make_torus(2, 0.5, 24, 12);
+  EXPECT_EQ(judged(ring, Shape(Capsule{0.25, 0.25}), 0, true, "fcl").verdict, Verdict::NotJudged);
+  EXPECT_EQ(judged(ring, Shape(Sphere{{0, 0, 0}, 0.25}), 0, true, "fcl").verdict, Verdict::Wrong);
+}
+
+/// Says that nothing ever touches.
+class Blind : public Engine {
+  class Nothing : public LoadedShapes {
+    std::optional<bool> intersects(std::size_t, const Pose&, std::size_t,
+                                   const Pose&) const override {
+      return false;
+    }
+  };
+
+ public:
+  CaseWitness name() const override { return {"blind", ""}; }
+  std::unique_ptr<LoadedPair> load(const Mesh&, const Mesh&) const override { return nullptr; }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape>) const override {
+    return std::make_unique<Nothing>();
+  }
+};
+
+TEST(SceneComparison, FindsWhoIsWrongAtEachStep) {
+  const Scene scene = read_scene(GRAZE_DATA_DIR "/scenes/shapes.json");
+  std::vector<EngineEntry> engines = all_engines();
+  engines.push_back({"blind", std::make_unique<Blind>()});
+  std::size_t touching = 0;
+  std::size_t overlooked = 0;
+  compare_scene(scene, engines, {.steps = scene.steps}, [&](const SceneRecord& record) {
+    EXPECT_EQ(record.time, static_cast<double>(record.step) * scene.step);
+    for (const AnswerRecord& answer : record.answers) {
+      touching += answer.engine == "world" && answer.brief == "yes";
+      if (answer.engine == "world" || answer.engine == "graze") {
+        EXPECT_FALSE(answer.is_wrong()) << record.step;
+      }
+      if (answer.engine != "blind" || !answer.is_wrong()) continue;
+      ++overlooked;
+      EXPECT_EQ(answer.judgement.truth.substr(0, 3), "hit");
+    }
+  });
+  EXPECT_GT(touching, 100u);
+  EXPECT_GT(overlooked, touching * 9 / 10);
+  EXPECT_LE(overlooked, touching);
+}
+
+}  // namespace
+}  // namespace graze::compare

@@ -1,0 +1,39 @@
+// `graze compare SCENE`: the differences of each step, and what it refuses.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/cli/command_test.h"
+
+namespace graze::tests {
+namespace {
+
+using CliCompareScene = CommandTest;
+
+const std::string kScene = GRAZE_DATA_DIR "/scenes/shapes.json";
+
+TEST_F(CliCompareScene, GrazeIsRightAboutTheBundledShapes) {
+  const CommandResult result = graze({"compare", kScene, "--json", "--steps", "20"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const auto summary = nlohmann::json::parse(lines_of(result.out).back())["summary"];
+  EXPECT_EQ(summary.at(0)["engine"], "world");
+  EXPECT_EQ(summary.at(1)["engine"], "graze");
+  EXPECT_EQ(summary.at(0)["answers"], 21 * 35);
+  EXPECT_EQ(summary.at(0)["wrong"], 0);
+  EXPECT_EQ(summary.at(1)["wrong"], 0);
+}
+
+TEST_F(CliCompareScene, BadInputIsRefused) {
+  expect_refusal({"compare", kScene, "--random", "3"},
+                 "graze: of a scene each pair is asked whether it touches: poses, --query, --save, "
+                 "--against, --resume and --report belong to two meshes");
+  write("bad.json", "{\"graze_scene\": 3}");
+  expect_refusal({"compare", "bad.json"},
+                 "graze: bad.json:1: /graze_scene: is version 3; this program reads 1");
+  expect_refusal({"compare", kScene, "--engines", "nobody"},
+                 "graze: --engines: there is no engine \"nobody\"");
+  expect_refusal({"compare", "a.off", "b.off", "--steps", "3"},
+                 "graze: --steps, --dt and --meshes belong to scenes");
+}
+
+}  // namespace
+}  // namespace graze::tests

@@ -1,0 +1,108 @@
+// `graze simulate`: which pairs begin and end at which step, and what it refuses.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/cli/command_test.h"
+
+namespace graze::tests {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kScene = R"({"graze_scene": 1, "step": 0.5, "steps": 4,
+ "shapes": [{"name": "ball", "sphere": {"radius": 1}}, {"name": "floor", "half_space": {"normal": [0, 0, 1]}}],
+ "bodies": [{"name": "floor", "shape": "floor", "motion": "static"},
+            {"name": "ball", "shape": "ball", "pose": {"position": [0, 0, 2]},
+             "path": {"velocity": [0, 0, -1]}}]})";
+
+class CliSimulate : public CommandTest {
+ protected:
+  CliSimulate() { write("scene.json", kScene); }
+
+  std::vector<Json> json(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"simulate", "scene.json", "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    std::vector<Json> steps;
+    for (const std::string& line : lines_of(result.out))
+      steps.push_back(Json::parse(line));
+    return steps;
+  }
+};
+
+TEST_F(CliSimulate, StepsSayWhatBeginsAndEnds) {
+  const std::vector<Json> steps = json({});
+  ASSERT_EQ(steps.size(), 5u);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(steps[i]["step"], i);
+    EXPECT_EQ(steps[i]["time"], 0.5 * static_cast<double>(i));
+    EXPECT_EQ(steps[i]["touching"], i < 2 ? 0 : 1);
+    EXPECT_EQ(steps[i]["begun"],
+              i == 2 ? Json::array({Json::array({"floor", "ball"})}) : Json::array());
+    EXPECT_EQ(steps[i]["ended"], Json::array());
+    EXPECT_FALSE(steps[i].contains("contacts"));
+    EXPECT_TRUE(steps[i]["work"].contains("shape_tests"));
+  }
+}
+
+TEST_F(CliSimulate, ContactsAreListedOnRequest) {
+  const std::vector<Json> steps = json({"--contacts", "--steps", "1", "--dt", "1.5"});
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0]["contacts"], Json::array());
+  const Json& contact = steps[1]["contacts"].at(0);
+  EXPECT_EQ(contact["a"], "floor");
+  EXPECT_EQ(contact["b"], "ball");
+  EXPECT_EQ(contact["points"].at(0)["depth"], 0.5);
+  EXPECT_EQ(contact["points"].at(0)["normal"], Json::array({0.0, 0.0, 1.0}));
+}
+
+TEST_F(CliSimulate, ATableNamesThePairs) {
+  const CommandResult result = graze({"simulate", "scene.json", "--contacts"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 10u);
+  EXPECT_EQ(lines[4], "  begun: floor - ball");
+  EXPECT_EQ(lines[5], "  contact: floor - ball: depth 0, normal (0, 0, 1), point (0, 0, 0)");
+}
+
+TEST_F(CliSimulate, BundledScenesRun) {
+  const std::string data = GRAZE_DATA_DIR;
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", data + "/scenes/shapes.json", "--threads", "2"},
+        {"simulate", data + "/scenes/machine.json", "--meshes", data + "/meshes", "--steps",
+         "3"}}) {
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+}
+
+TEST_F(CliSimulate, BadInputIsRefused) {
+  write("bad.json", "{\"graze_scene\": 1, \"shapes\": [],\n\"bodies\": [{\"name\": 7}]}");
+  expect_refusal({"simulate", "bad.json"},
+                 "graze: bad.json:2: /bodies/0/name: is a number, not a string");
+  expect_refusal({"simulate", "none.json"}, "graze: none.json: does not exist");
+  expect_refusal({"simulate", GRAZE_DATA_DIR "/regressions/fcl-rock-14.json"},
+                 "graze: " GRAZE_DATA_DIR
+                 "/regressions/fcl-rock-14.json:1: unknown key "
+                 "\"graze_case\"; there are graze_scene, note, units, step, steps, shapes, bodies, "
+                 "exclusions");
+  write("far.json", R"({"graze_scene": 1, "shapes": [{"name": "s", "sphere": {"radius": 1}}],
+    "bodies": [{"name": "b", "shape": "s", "path": {"velocity": [1e99, 0, 0]}}]})");
+  const CommandResult far = graze({"simulate", "far.json", "--dt", "1"});
+  EXPECT_EQ(far.exit_code, 2);
+  EXPECT_EQ(far.out, "");
+  EXPECT_EQ(far.err.find("graze: body \"b\" at 100.000000 s: "), 0u) << far.err;
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--steps", "-1"},
+                                                  {"--dt", "0"},
+                                                  {"--dt", "nan"},
+                                                  {"--threads", "0"}}) {
+    std::vector<std::string> arguments = {"simulate", "scene.json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(graze(arguments).exit_code, 2) << options[0] << options[1];
+  }
+}
+
+}  // namespace
+}  // namespace graze::tests
