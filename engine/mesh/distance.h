@@ -21,11 +21,11 @@ struct DistanceSettings {
 
 /// The least distance() of a placed triangle of A and one of B (laws 1 and 7); of equal ones, that
 /// of the lowest pair. It is 0 if and only if intersects() says yes: surfaces only, and then the
-/// pair is one that meets, always the same one of them. Swapping A and B mirrors distance and
-/// points where one pair alone is nearest. Throws PoseError for a pose that is refused by law 10 or
-/// by law 1, InputError for a hint that is out of range. Bounds of boxes after Quinlan, "Efficient
-/// distance computation between non-convex objects", ICRA 1994: depth first, nearer boxes before
-/// others.
+/// pair is one that meets, the one that a query for pairs with a limit of 1 begins with. Swapping A
+/// and B mirrors distance and points where one pair alone is nearest. Throws PoseError for a pose
+/// that is refused by law 10 or by law 1, InputError for a hint that is out of range. Bounds of
+/// boxes after Quinlan, "Efficient distance computation between non-convex objects", ICRA 1994:
+/// depth first, nearer boxes before others.
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                       const DistanceSettings& settings = {}, Work* work = nullptr);
 

@@ -50,7 +50,8 @@ struct QuerySettings {
 };
 
 struct PairSettings {
-  /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
+  /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`
+  /// and, of deformed meshes, on what had been asked of the meshes that they were made of.
   std::size_t limit = std::numeric_limits<std::size_t>::max();
   /// What prunes: changes the time, never which pairs there are.
   Volume volume = Volume::Wide;
