@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 #include <graze/bvh/wide/guest_gaps.inc>
 #include <graze/bvh/wide/nearest_direction.inc>
+#include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
 #include <bit>
@@ -62,8 +63,7 @@ class Walker {
   HWY_INLINE void compare(const WideDistanceWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    if (ChildLink::is_leaf(link_b) ||
-        (!ChildLink::is_leaf(link_a) && size_of(pair.a) >= size_of(pair.b) * scale_b_)) {
+    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
       open_host(0, pair.a, link_a, pair.b, link_b);
     } else {
       open_host(1, pair.b, link_b, pair.a, link_a);
@@ -78,7 +78,7 @@ class Walker {
       guest_slot_ = guest;
       guest_side_ = 1 - host_side;
     }
-    const WideSlot below = first_below(host_side, host, host_link);
+    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     set_promises(promises_, node, in_node_,
@@ -91,7 +91,7 @@ class Walker {
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
     bool is_guest_leaf_set = false;
     while (near != 0) {
-      const std::uint32_t lane = farthest(near);
+      const std::uint32_t lane = farthest(near, promises_.key);
       near &= ~(1u << lane);
       const std::uint32_t link = node.child[lane];
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(link)) {
@@ -107,23 +107,6 @@ class Walker {
       state_.open.push(
           {host_side == 0 ? child : guest, host_side == 0 ? guest : child, promises_.bound[lane]});
     }
-  }
-
-  /// The first lane of the node that a link leads to.
-  HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
-    const std::uint32_t index = ChildLink::index(link);
-    if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
-    return {state_.tree[side]->entered(index, counts_.treelets).nodes.data(), 0, index};
-  }
-
-  /// Of these lanes. What is pushed last is looked at first: the nearest.
-  HWY_INLINE std::uint32_t farthest(std::uint32_t lanes) const {
-    auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-    for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
-      const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
-      if (promises_.key[other] > promises_.key[lane]) lane = other;
-    }
-    return lane;
   }
 
   HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,

@@ -12,6 +12,7 @@
 #include <graze/bvh/wide/wide_front.h>
 #include <hwy/highway.h>
 #include <graze/bvh/wide/guest_gaps.inc>
+#include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
 #include <bit>
@@ -235,8 +236,7 @@ class Passer {
     const WidePairWalk::Waiting pair = state_.visits[index].pair;
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    if (ChildLink::is_leaf(link_b) ||
-        (!ChildLink::is_leaf(link_a) && size_of(pair.a) >= size_of(pair.b) * scale_b_)) {
+    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
       open_host(index, 0, pair.a, link_a, pair.b, link_b);
     } else {
       open_host(index, 1, pair.b, link_b, pair.a, link_a);
@@ -252,7 +252,8 @@ class Passer {
       guest_slot_ = guest;
       guest_side_ = 1 - host_side;
     }
-    const WideSlot below = first_below(host_side, host, host_link);
+    const WideSlot below =
+        first_below(*state_.tree[host_side], host, host_link, state_.counts.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     alignas(32) float gaps[WideNode::kWidth];
@@ -287,13 +288,6 @@ class Passer {
         state_.visit_deadlines.push_back(kAtOnce);
       }
     }
-  }
-
-  /// The first lane of the node that a link leads to.
-  HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
-    const std::uint32_t index = ChildLink::index(link);
-    if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
-    return {state_.tree[side]->entered(index, state_.counts.treelets).nodes.data(), 0, index};
   }
 
   /// Of a primitive of the host and these of the guest's leaf.

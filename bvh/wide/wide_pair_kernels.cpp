@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 #include <graze/bvh/wide/guest_node.inc>
 #include <graze/bvh/wide/near_primitives.inc>
+#include <graze/bvh/wide/slots.inc>
 
 #include <bit>
 
@@ -141,8 +142,7 @@ class Walker {
   HWY_INLINE void compare(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    if (ChildLink::is_leaf(link_b) ||
-        (!ChildLink::is_leaf(link_a) && size_of(pair.a) >= size_of(pair.b) * scale_b_)) {
+    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
       open_host(0, pair.a, link_a, pair.b, link_b);
     } else {
       open_host(1, pair.b, link_b, pair.a, link_a);
@@ -155,7 +155,7 @@ class Walker {
                             const WideSlot& guest, std::uint32_t guest_link) {
     const WideWay& way = state_.into[host_side];
     set_guest(guest_, *guest.node, guest.lane, way);
-    const WideSlot below = first_below(host_side, host, host_link);
+    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     const std::uint32_t near = near_lanes(node, OneGuest{in_node_}, squared_ways_);
@@ -179,7 +179,7 @@ class Walker {
   HWY_INLINE void open_guest(int host_side, const WideSlot& host, std::uint32_t host_link,
                              const WideSlot& above, const WideSlot& guests, std::uint32_t lanes) {
     const WideWay& way = state_.into[host_side];
-    const WideSlot below = first_below(host_side, host, host_link);
+    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
     const WideNode& node = *below.node;
     const float sizes = size_of(host) + 2 * size_of(above) * static_cast<float>(way.scale);
     set_guests_in_node(guests_in_node_, *guests.node, node, way,
@@ -245,32 +245,6 @@ class Walker {
   HWY_INLINE void count(const WideNode& node, std::uint32_t near) {
     counts_.box_tests += node.count;
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
-  }
-
-  /// The first lane of the node that a link leads to.
-  HWY_INLINE WideSlot first_below(int side, const WideSlot& slot, std::uint32_t link) {
-    const std::uint32_t index = ChildLink::index(link);
-    if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
-    return {state_.tree[side]->entered(index, counts_.treelets).nodes.data(), 0, index};
-  }
-
-  /// Of these lanes. What is pushed last is looked at first: the nearest.
-  HWY_INLINE static std::uint32_t farthest(std::uint32_t lanes, const float* squared_ways) {
-    auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-    for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
-      const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
-      if (squared_ways[other] > squared_ways[lane]) lane = other;
-    }
-    return lane;
-  }
-
-  HWY_INLINE static std::uint32_t nearest(std::uint32_t lanes, const float* squared_ways) {
-    auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-    for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
-      const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
-      if (squared_ways[other] < squared_ways[lane]) lane = other;
-    }
-    return lane;
   }
 
   HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,
