@@ -59,16 +59,26 @@ void visit_boxes(const TreeView& tree, const RaySlabs& ray, std::uint32_t block,
 
 }  // namespace
 
+// Seen from the ray's origin: where boxes and ray are far from that of the coordinates, the padding
+// would be lost in theirs.
 double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit) {
+  double from_origin_low[3], from_origin_high[3];
   double reach = 0;
   for (int k = 0; k < 3; ++k) {
-    reach = std::max(reach, std::abs(low[k] - ray.origin[k]));
-    reach = std::max(reach, std::abs(high[k] - ray.origin[k]));
+    from_origin_low[k] = low[k] - ray.origin[k];
+    from_origin_high[k] = high[k] - ray.origin[k];
+    reach = std::max(reach, std::max(std::abs(from_origin_low[k]), std::abs(from_origin_high[k])));
   }
   const double padding = kRayPadding * reach;
-  const double padded_low[3] = {low[0] - padding, low[1] - padding, low[2] - padding};
-  const double padded_high[3] = {high[0] + padding, high[1] + padding, high[2] + padding};
-  return entry(ray, padded_low, padded_high, limit);
+  if (!std::isfinite(padding)) return 0;
+  double padded_low[3], padded_high[3];
+  RaySlabs from_zero = ray;
+  for (int k = 0; k < 3; ++k) {
+    from_zero.origin[k] = 0;
+    padded_low[k] = from_origin_low[k] - padding;
+    padded_high[k] = from_origin_high[k] + padding;
+  }
+  return entry(from_zero, padded_low, padded_high, limit);
 }
 
 void walk_along(const TreeView& tree, const RaySlabs& ray, double& limit, const RayVisitor& visit) {

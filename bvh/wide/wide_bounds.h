@@ -36,7 +36,8 @@
 // all. M c is off by 10 u |c|_1 in each component for M's sake and rounds by 4 u |c|: 38 u |c| in
 // all. t is longer than the way between middles by |c| at most, which is 4 u |c| more, and the sum
 // rounds by u (|c'| + W), c' the host box's centre. With 52 u of the guest's half diagonal, which
-// is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers it.
+// is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers it. The last sum is 8
+// u D more for the host, too: 109 u in all.
 //
 // Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
 // and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +

@@ -25,7 +25,8 @@ constexpr double kAlongBound = 4 * kUnitRoundoff;
 // 2 sqrt(3) < 4, so that s (n.d) is below 48 u.
 constexpr double kAcrossBound = 48 * kUnitRoundoff;
 
-// The product with an inverse of positive numbers, rounded four times on its way.
+// The product with an inverse of positive numbers: the difference, the inverse and the product
+// round.
 constexpr double kUp = 1 + 8 * kUnitRoundoff;
 constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
