@@ -8,7 +8,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kCompareFooter = R"(
 Each pose of B is put to graze and to every other engine that this command was built with. Where they
 differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
@@ -115,7 +115,7 @@ void add_compare_command(CLI::App& program, Action& action) {
   add_pose_options(*command, *options);
   add_scene_options(*command, *options);
   add_output_options(*command, *options);
-  command->footer(kFooter);
+  command->footer(kCompareFooter);
   command->callback([options, &action] {
     action = [options](Output& output) {
       return run_compare(*options, compare::all_engines(), output);

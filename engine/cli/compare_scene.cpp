@@ -23,7 +23,7 @@ using cases::json_string;
 using compare::AnswerRecord;
 using compare::Verdict;
 
-constexpr std::size_t kMaxRows = 40;
+constexpr std::size_t kMostDifferences = 40;
 
 /// A pair at a step of which not all engines said the same.
 struct Difference {
@@ -126,7 +126,7 @@ std::string rows_of(const Scene& scene, const Found& found) {
   std::string out = "differences:\n" + table.header();
   std::size_t count = 0;
   for (const Difference& difference : found.differences) {
-    if (++count > kMaxRows) continue;
+    if (++count > kMostDifferences) continue;
     std::array<std::string, 3> place = {std::to_string(difference.step),
                                         mesh_io::printable(scene.bodies[difference.pair.a].name),
                                         mesh_io::printable(scene.bodies[difference.pair.b].name)};
@@ -140,7 +140,7 @@ std::string rows_of(const Scene& scene, const Found& found) {
       place = {};
     }
   }
-  if (count > kMaxRows) out += fmt::format("... and {} more\n", count - kMaxRows);
+  if (count > kMostDifferences) out += fmt::format("... and {} more\n", count - kMostDifferences);
   return out;
 }
 

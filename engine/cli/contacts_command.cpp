@@ -12,7 +12,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kContactsFooter = R"(
 A contact is a connected piece of what two surfaces have in common: a loop, several loops and patches
 that meet, or a touching point. Its normal is a unit vector from A to B; its depth, along the normal,
 is by how much the parts inside each other at this piece reach past each other, which is 0 for mere
@@ -85,7 +85,7 @@ void add_contacts_command(CLI::App& program, Action& action) {
   command->add_flag("--separate", options->is_separating,
                     "also a translation of B that separates them");
   command->add_flag("--json", options->is_json, "one JSON object on one line");
-  command->footer(kFooter);
+  command->footer(kContactsFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_contacts(*options, output); };
   });

@@ -10,7 +10,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kExplainFooter = R"(
 Why this answer: the pair of triangles that decides, or came closest, the stage of the test that is sure
 of it, a witness point or the separating axis, the axis along which the boxes around the meshes are
 furthest apart, and what each kind of bounding volume let the query skip.
@@ -61,7 +61,7 @@ void add_explain_command(CLI::App& program, Action& action) {
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
   command->add_flag("--json", options->is_json, "one JSON object on one line");
-  command->footer(kFooter);
+  command->footer(kExplainFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_explain(*options, output); };
   });

@@ -10,7 +10,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kInfoFooter = R"(
 Vertices are counted as the file gives them, and once more with equal positions welded into one. A
 mesh is closed if each welded edge has an even number of triangles; the others are its boundary
 edges. Degenerate triangles have no area; duplicate ones have the same welded vertices as an
@@ -71,7 +71,7 @@ void add_info_command(CLI::App& program, Action& action) {
   command->add_flag("--json", options->is_json, "one JSON object per line and mesh");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
-  command->footer(kFooter);
+  command->footer(kInfoFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_info(*options, output); };
   });

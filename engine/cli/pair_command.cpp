@@ -11,7 +11,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kPairFooter = R"(
 A pose is 12 numbers, the rows of the 3x4 matrix [R | t] one after the other: R a rotation, t in
 metres (the meshes' unit). They stand in one quoted argument, separated by blanks or commas, or in
 12 arguments. Coordinates are double precision, and every answer is exact for the placed triangles:
@@ -93,7 +93,7 @@ void add_pair_command(CLI::App& program, Action& action) {
   command->add_flag("--json", options->is_json, "one JSON object per line and pose");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
-  command->footer(kFooter);
+  command->footer(kPairFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_pair(*options, output); };
   });

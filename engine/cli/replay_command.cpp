@@ -7,7 +7,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kReplayFooter = R"(
 A case is a query in a file, bit for bit (data/README.md, data/case.schema.json). Each is put to graze
 and to every other engine that this command was built with, and the referee, exact arithmetic that shares
 no formula with graze, says who is right: about any, pairs, distance, within, and of contacts whether
@@ -44,7 +44,7 @@ void add_replay_command(CLI::App& program, Action& action) {
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
-  command->footer(kFooter);
+  command->footer(kReplayFooter);
   command->callback([options, &action] {
     action = [options](Output& output) {
       return run_replay(*options, compare::all_engines(), output);

@@ -11,7 +11,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kSimulateFooter = R"(
 A scene is a JSON file (data/README.md, data/scene.schema.json): shapes, bodies in poses, filters, and how
 bodies move, by poses at times or at a constant velocity and rate. Step 0 is time 0, step n is n times
 the step later. Each step gives a row: how many pairs of bodies began and ceased to touch and touch
@@ -84,7 +84,7 @@ void add_simulate_command(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 1024).description(""));
   command->add_flag("--contacts", options->has_contacts, "also where bodies touch");
   command->add_flag("--json", options->is_json, "one JSON object per line and step");
-  command->footer(kFooter);
+  command->footer(kSimulateFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_simulate(*options, output); };
   });

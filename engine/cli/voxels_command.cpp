@@ -18,7 +18,7 @@
 namespace graze::cli {
 namespace {
 
-constexpr const char* kFooter = R"(
+constexpr const char* kVoxelsFooter = R"(
 The mesh's bounds are cut into cubic voxels, N along their longest side. Those that share a point
 with a triangle are written as boxes of six quads that share their corners: as text to an OBJ file,
 or as binary doubles to a PLY file, by the name's ending. Every voxel is decided exactly, by the
@@ -130,7 +130,7 @@ void add_voxels_command(CLI::App& program, Action& action) {
       ->add_option("--threads", options->threads,
                    "at most so many threads (default: as many as there are)")
       ->type_name("N");
-  command->footer(kFooter);
+  command->footer(kVoxelsFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_voxels(*options, output); };
   });
