@@ -3,6 +3,7 @@
 // What queries of distances share. Private to engine/mesh.
 
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/wide_query.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 
 #include <optional>
@@ -20,12 +21,21 @@ double largest_of(const PlacedMesh& placed);
 
 MeshDistance result_of(const TriangleDistance& found, TrianglePair pair);
 
-/// Of two meshes that do meet: which pair this is depends on no direction, hint, memory or kernel.
-TrianglePair first_pair_that_meets(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work& work);
+TriangleDistance distance_of(const Triangle& triangle_a, const Triangle& triangle_b, Work& work);
+TriangleDistance distance_of(const WideQuery& query, TrianglePair pair, Work& work);
+
+/// The one that a query for pairs with a limit of 1 begins with, if any meet: which this is depends
+/// on no direction, hint, memory or kernel.
+std::optional<TrianglePair> first_pair_that_meets(const WideQuery& query, Work& work);
+
+/// distance(), for meshes that are placed and a hint that is in range.
+MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> hint, Work& work);
+
+/// The same of two meshes of which it is known that no triangles meet.
+MeshDistance distance_apart(const WideQuery& query, std::optional<TrianglePair> hint, Work& work);
 
 /// A pair within the clearance, if there is one: the hint, or the first that the walk comes by.
-std::optional<TrianglePair> find_within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                        double clearance, std::optional<TrianglePair> hint,
-                                        Work& work);
+std::optional<TrianglePair> find_within(const WideQuery& query, double clearance,
+                                        std::optional<TrianglePair> hint, Work& work);
 
 }  // namespace graze

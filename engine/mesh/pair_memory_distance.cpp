@@ -6,33 +6,19 @@
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/remembered.h>
 #include <graze/narrowphase/derived/directed_gap.h>
-#include <graze/narrowphase/derived/distance_stages.h>
 
 #include <algorithm>
 
 namespace graze {
 namespace {
 
-TriangleDistance decided(const Triangle& triangle_a, const Triangle& triangle_b, Work& work) {
-  const narrowphase::StagedDistance found = narrowphase::decide_distance(triangle_a, triangle_b);
-  ++work.triangle_tests;
-  work.exact_tests += found.stage == narrowphase::Stage::Exact;
-  return found.result;
-}
-
-TriangleDistance distance_of(const PlacedMesh& a, const PlacedMesh& b, TrianglePair pair,
-                             Work& work) {
-  return decided(place(a.pose, a.mesh.triangle(pair.a)), place(b.pose, b.mesh.triangle(pair.b)),
-                 work);
-}
-
 /// A query that knows a pair of triangles near each other.
 class NearQuery {
  public:
-  NearQuery(const PlacedMesh& a, const PlacedMesh& b, Remembered& remembered, Work& work)
-      : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
+  NearQuery(const WideQuery& query, Remembered& remembered, Work& work)
+      : query_(query),
         reach_(query_.frame_a, query_.frame_b, query_.b_in_a),
-        largest_(std::max(largest_of(a), largest_of(b))),
+        largest_(std::max(largest_of(query.a), largest_of(query.b))),
         gap_(largest_),
         remembered_(remembered),
         work_(work) {}
@@ -73,7 +59,7 @@ class NearQuery {
         front.set_gap(i, *pass, units_between(start - end));
         continue;
       }
-      const TriangleDistance found = decided(triangle_a, triangle_b, work_);
+      const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
       front.set_gap(i, *pass, units_between(found.distance));
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
@@ -90,7 +76,7 @@ class NearQuery {
     return reach_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
   }
 
-  WideQuery query_;
+  const WideQuery& query_;
   DistanceReach reach_;
   double largest_;
   narrowphase::DirectedGap gap_;
@@ -99,23 +85,28 @@ class NearQuery {
   Work& work_;
 };
 
-/// What is nearest, or that something touches; `known` of the remembered pair.
-MeshDistance find_nearest(const PlacedMesh& a, const PlacedMesh& b, const TriangleDistance& known,
-                          Remembered& remembered, Work& work) {
-  NearQuery query(a, b, remembered, work);
-  MeshDistance best = result_of(known, *remembered.nearest);
+/// What is nearest, beginning with a pair that was.
+MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, Remembered& remembered,
+                          Work& work) {
+  const TriangleDistance known = distance_of(meshes, pair, work);
+  if (known.distance == 0) return find_distance(meshes, pair, work);
+  NearQuery query(meshes, remembered, work);
+  MeshDistance best = result_of(known, pair);
   query.shrink_to(best.distance);
   query.aim_along(known);
-  const bool is_done = query.pass_front([&](TrianglePair pair, const TriangleDistance& found) {
+  const bool is_done = query.pass_front([&](TrianglePair other, const TriangleDistance& found) {
     if (found.distance < best.distance) {
-      best = result_of(found, pair);
+      best = result_of(found, other);
       query.shrink_to(best.distance);
     }
-    if (found.distance == best.distance && pair < best.pair) best = result_of(found, pair);
+    if (found.distance == best.distance && other < best.pair) best = result_of(found, other);
     return best.distance == 0 ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (!is_done) {
-    best = distance(a, b, DistanceSettings{.hint = best.pair}, &work);
+    best = remembered.are_beyond(0) ? distance_apart(meshes, best.pair, work)
+                                    : find_distance(meshes, best.pair, work);
+  } else if (best.distance == 0) {
+    best = find_distance(meshes, best.pair, work);  // which pair touches is for it to say
   }
   if (best.distance > 0) remembered.learn_gap(query.surely(best.distance));
   return best;
@@ -128,19 +119,15 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
   CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  MeshDistance best;
-  if (!remembered.nearest) {
-    best = distance(mesh_a, mesh_b, settings, &counted.work());
-  } else {
-    const TriangleDistance known = distance_of(mesh_a, mesh_b, *remembered.nearest, counted.work());
-    best = result_of(known, *remembered.nearest);
-    if (best.distance > 0) best = find_nearest(mesh_a, mesh_b, known, remembered, counted.work());
-    if (best.distance == 0) {
-      best.pair = first_pair_that_meets(mesh_a, mesh_b, counted.work());
-      best = result_of(distance_of(mesh_a, mesh_b, best.pair, counted.work()), best.pair);
-    }
-  }
+  const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                        counted.work());
+  const std::optional<TrianglePair> hint = remembered.nearest ? remembered.nearest : settings.hint;
+  // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
+  const bool may_touch = !remembered.nearest || remembered.was_touching;
+  const MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
+                                      : find_nearest(query, *hint, remembered, counted.work());
   remembered.nearest = best.pair;
+  remembered.was_touching = best.distance == 0;
   return best;
 }
 
@@ -155,16 +142,18 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
     ++counted.work().skipped_by_memory;
     return false;
   }
+  const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                         counted.work());
   std::optional<TriangleDistance> known;
   if (remembered.nearest) {
-    known = distance_of(mesh_a, mesh_b, *remembered.nearest, counted.work());
+    known = distance_of(meshes, *remembered.nearest, counted.work());
     if (known->distance <= clearance) {
       ++remembered.still_touching;
       ++counted.work().skipped_by_memory;
       return true;
     }
   }
-  NearQuery query(mesh_a, mesh_b, remembered, counted.work());
+  NearQuery query(meshes, remembered, counted.work());
   query.shrink_to(clearance);
   if (known) query.aim_along(*known);
   std::optional<TrianglePair> found;
@@ -175,7 +164,7 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
   // After a hit another is likelier than a gap.
   const bool was_within = remembered.was_within;
   if (was_within || !query.pass_front(on_pair)) {
-    found = find_within(mesh_a, mesh_b, clearance, settings.hint, counted.work());
+    found = find_within(meshes, clearance, settings.hint, counted.work());
   }
   if (found) remembered.nearest = found;
   remembered.was_within = found.has_value();

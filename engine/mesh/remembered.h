@@ -93,6 +93,7 @@ class Remembered {
 
   std::optional<TrianglePair> nearest;
   bool was_within = false;
+  bool was_touching = false;  // when a distance was last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
   std::vector<RememberedTriangles> triangles;  // candidate by candidate of `meeting`
   std::uint64_t triangles_generation = 0;      // of which it is
