@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/remembered.h>
 #include <graze/engine/mesh/solid.h>
+#include <graze/engine/mesh/sort_pairs.h>
 #include <graze/engine/mesh/threads.h>
 #include <graze/engine/mesh/wide_query.h>
 
@@ -236,7 +237,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (is_done && found.pairs.size() <= settings.limit) {
-    std::sort(found.pairs.begin(), found.pairs.end());
+    sort_pairs(found.pairs);
   } else {
     // Which pairs come first is for the walk to say.
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());

@@ -1,7 +1,6 @@
 #include <graze/engine/mesh/parallel_pairs.h>
+#include <graze/engine/mesh/sort_pairs.h>
 #include <graze/engine/mesh/threads.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,12 +10,12 @@ namespace {
 
 /// Parts for each thread, and subtrees for each part, that lie apart from each other: they differ
 /// in cost, and what is left at the end should be short.
-constexpr std::size_t kPartsPerThread = 16;
+constexpr std::size_t kPartsPerThread = 8;
 constexpr std::size_t kStartsPerPart = 2;
 
 /// Pairs that a walk hands out before it is shared: what ends sooner takes less time than to wake
 /// another thread.
-constexpr std::size_t kPairsAlone = 200;
+constexpr std::size_t kPairsAlone = 100;
 
 struct Part {
   std::vector<bvh::WidePairWalk::Waiting> starts;
@@ -63,32 +62,17 @@ std::vector<bvh::WidePairWalk::Waiting> split(const WideQuery& query, bvh::WideP
   return next;
 }
 
-/// Merges sorted runs that follow each other; run i ends at ends[i].
-void merge_runs(std::vector<TrianglePair>& pairs, std::span<const std::size_t> ends,
-                std::size_t begin) {
-  if (ends.size() < 2) return;
-  const std::size_t half = ends.size() / 2;
-  const std::size_t middle = ends[half - 1];
-  tbb::parallel_invoke([&] { merge_runs(pairs, ends.first(half), begin); },
-                       [&] { merge_runs(pairs, ends.subspan(half), middle); });
-  const auto at = [&](std::size_t i) { return pairs.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::inplace_merge(at(begin), at(middle), at(ends.back()));
-}
-
-/// Where the parts' pairs come together, sorted: each pair is found once, so that they are the same
-/// whoever found them.
-std::vector<TrianglePair> merged(std::vector<TrianglePair> found, const std::vector<Part>& parts) {
+/// All that was found, sorted: each pair is found once, so that they are the same whoever found
+/// them.
+std::vector<TrianglePair> gathered(std::vector<TrianglePair> found,
+                                   const std::vector<Part>& parts) {
   std::size_t total = found.size();
   for (const Part& part : parts)
     total += part.found.size();
   found.reserve(total);
-  std::sort(found.begin(), found.end());
-  std::vector<std::size_t> ends{found.size()};
-  for (const Part& part : parts) {
+  for (const Part& part : parts)
     found.insert(found.end(), part.found.begin(), part.found.end());
-    ends.push_back(found.size());
-  }
-  tbb::this_task_arena::isolate([&] { merge_runs(found, ends, 0); });
+  sort_pairs(found);
   return found;
 }
 
@@ -119,17 +103,17 @@ std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch t
     parts[i % parts.size()].starts.push_back(waiting[i]);
   for_each_part(parts.size(), threads, [&](std::size_t i) {
     Part& part = parts[i];
+    part.found.reserve(kPairsAlone);
     bvh::WidePairWalk own = walk.another();
     for (const bvh::WidePairWalk::Waiting& start : part.starts)
       own.start_at(start);
     Candidates own_candidates(touch, part.work);
     query.decide_all(own, own_candidates, into(part.found));
-    std::sort(part.found.begin(), part.found.end());
     add_counts(own.counts(), part.work);
   });
   for (const Part& part : parts)
     work += part.work;
-  return merged(std::move(found), parts);
+  return gathered(std::move(found), parts);
 }
 
 }  // namespace graze

@@ -6,10 +6,12 @@
 
 #include <graze/bvh/traversal.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/sort_pairs.h>
 #include <graze/engine/work.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace graze {
@@ -55,7 +57,11 @@ Completeness collect(std::vector<Item>& items, std::size_t limit, ForEach&& for_
     items.push_back(item);
     return bvh::Walk::Continue;
   });
-  std::sort(items.begin(), items.end());
+  if constexpr (std::is_same_v<Item, TrianglePair>) {
+    sort_pairs(items);
+  } else {
+    std::sort(items.begin(), items.end());
+  }
   return completeness;
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/engine/mesh/pair.h>
+
+#include <vector>
+
+namespace graze {
+
+/// Ascending. Many of them take a fourth of the time of std::sort.
+void sort_pairs(std::vector<TrianglePair>& pairs);
+
+}  // namespace graze
