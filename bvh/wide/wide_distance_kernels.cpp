@@ -20,27 +20,6 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// The squared distances of the nearest corners of a host's primitive and the guest's.
-HWY_INLINE void set_squared_corners(float* squares, const HostTriangle& host,
-                                    const GuestLeaf& guest) {
-  const FourTag tag;
-  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-    Four least = hn::Set(tag, std::numeric_limits<float>::infinity());
-    for (int c = 0; c < 3; ++c) {
-      const Four x = hn::Load(tag, guest.corner[c][0] + part);
-      const Four y = hn::Load(tag, guest.corner[c][1] + part);
-      const Four z = hn::Load(tag, guest.corner[c][2] + part);
-      for (int d = 0; d < 3; ++d) {
-        const Four dx = hn::Sub(x, hn::Set(tag, host.corner[d][0]));
-        const Four dy = hn::Sub(y, hn::Set(tag, host.corner[d][1]));
-        const Four dz = hn::Sub(z, hn::Set(tag, host.corner[d][2]));
-        least = hn::Min(least, hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))));
-      }
-    }
-    hn::Store(least, tag, squares + part);
-  }
-}
-
 class Walker {
  public:
   Walker(WideDistanceWalk::State& state, std::span<BoundedPlaces> found, float limit,
@@ -116,27 +95,40 @@ class Walker {
     const std::uint32_t guests = ChildLink::count(guest_link);
     const std::uint32_t first = host.first + ChildLink::first(host_link);
     const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
-    const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
-    counts_.primitive_tests += count * guests;
     const float unit = state_.units[host_side];
     const std::size_t begin = size_;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const HostTriangle triangle(rows, count, i);
-      alignas(16) float bounds[4];
-      alignas(16) float corners[4];
-      set_bounds(bounds, triangle, guest_leaf_, state_.direction[host_side], unit);
-      set_squared_corners(corners, triangle, guest_leaf_);
-      for (std::uint32_t j = 0; j < guests; ++j) {
-        const float bound = bounds[j] > 0 ? bounds[j] : 0;  // infinities may have made it NaN
-        if (bound > limit_) continue;
-        reach_to(corners[j], unit);
-        const PlacePair places = host_side == 0 ? PlacePair{first + i, first_guest + j}
-                                                : PlacePair{first_guest + j, first + i};
-        found_[begin + near_.count] = {places, bound};
-        near_.add(triangle, guest_leaf_, j);
-      }
+    set_host_leaf(host_leaf_, host, host_link);
+    set_pairs(host_side);
+    std::uint32_t pairs = pairs_of(count, guests);
+    counts_.primitive_tests += static_cast<std::uint32_t>(std::popcount(pairs));
+    for (; pairs != 0; pairs &= pairs - 1) {
+      const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
+      const float bound = bounds_[pair] > 0 ? bounds_[pair] : 0;  // infinities may have made it NaN
+      if (bound > limit_) continue;
+      reach_to(corners_[pair], unit);
+      const std::uint32_t of_host = pair / 4;
+      const std::uint32_t of_guest = pair % 4;
+      const PlacePair places = host_side == 0 ? PlacePair{first + of_host, first_guest + of_guest}
+                                              : PlacePair{first_guest + of_guest, first + of_host};
+      found_[begin + near_.count] = {places, bound};
+      near_.add(host_leaf_, of_host, guest_leaf_, of_guest);
     }
     if (near_.count > 0) look_closer(begin, unit);
+  }
+
+  /// Of all pairs of the two leaves: lower bounds of their squared distances, and squared distances
+  /// of their nearest corners.
+  HWY_INLINE void set_pairs(int host_side) {
+    const PairTag tag;
+    for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
+      const PairLanes<PairTag> lanes(part);
+      const PairBoxes<PairTag> boxes(lanes, host_leaf_, guest_leaf_);
+      const PairTriangles<PairTag> triangles(lanes, host_leaf_, guest_leaf_);
+      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, state_.direction[host_side],
+                             state_.units[host_side]),
+                tag, bounds_ + part);
+      hn::Store(squared_corners(tag, triangles), tag, corners_ + part);
+    }
   }
 
   /// Keeps those that are not beyond the limit along the way between their nearest points either.
@@ -172,7 +164,10 @@ class Walker {
   WideSlot guest_slot_{};  // of guest_, in the tree of
   int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
+  LeafLanes host_leaf_;
   GuestLeaf guest_leaf_;
+  alignas(64) float bounds_[kLeafPairs];
+  alignas(64) float corners_[kLeafPairs];
   NearPairs near_;
   Promises promises_;
 };

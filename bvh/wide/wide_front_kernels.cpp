@@ -11,7 +11,7 @@
 
 #include <graze/bvh/wide/wide_front.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/guest_gaps.inc>
+#include <graze/bvh/wide/leaf_gaps.inc>
 #include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
@@ -81,85 +81,6 @@ HWY_INLINE void set_roots(Tag tag, float* gaps, const float* squares, std::size_
   for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
     const auto gap = hn::Min(hn::Sqrt(hn::Load(tag, squares + lane)), hn::Set(tag, kFarthest));
     hn::Store(hn::Mul(gap, hn::Set(tag, kShrink)), tag, gaps + lane);
-  }
-}
-
-/// One over the lengths of a leaf's normals, in each lane; 0 for none.
-HWY_INLINE void set_inverse_lengths(float* inverse, const GuestLeaf& leaf) {
-  const FourTag tag;
-  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-    Four square = hn::Set(tag, kWideUnderflow);
-    for (int i = 0; i < 3; ++i) {
-      const Four n = hn::Load(tag, leaf.normal[i] + part);
-      square = hn::MulAdd(n, n, square);
-    }
-    hn::Store(hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(square)), tag, inverse + part);
-  }
-}
-
-/// How far corners on one side of a plane are from it at least.
-template <typename CornerOf>
-HWY_INLINE Four height_beyond(const Four* normal, const Four* point, CornerOf&& corner_of,
-                              Four bound) {
-  const FourTag tag;
-  Four low = hn::Zero(tag);
-  Four high = low;
-  for (int c = 0; c < 3; ++c) {
-    const Four height =
-        hn::MulAdd(normal[0], hn::Sub(corner_of(c, 0), point[0]),
-                   hn::MulAdd(normal[1], hn::Sub(corner_of(c, 1), point[1]),
-                              hn::Mul(normal[2], hn::Sub(corner_of(c, 2), point[2]))));
-    low = c == 0 ? height : hn::Min(low, height);
-    high = c == 0 ? height : hn::Max(high, height);
-  }
-  return known(tag, hn::Sub(hn::Max(low, hn::Neg(high)), bound));
-}
-
-/// How far a host's primitive and the guest's are apart at least, by their boxes and planes.
-HWY_INLINE void set_primitive_gaps(float* gaps, const HostTriangle& host, const GuestLeaf& guest,
-                                   const float* inverse_lengths, float unit_of_host) {
-  const FourTag tag;
-  const Four error = hn::Set(tag, guest.error);
-  const float host_square = host.normal[0] * host.normal[0] + host.normal[1] * host.normal[1] +
-                            host.normal[2] * host.normal[2];
-  const Four host_inverse =
-      hn::Div(hn::Set(tag, 1.0f), hn::Sqrt(hn::Set(tag, host_square + kWideUnderflow)));
-  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-    Four square = hn::Zero(tag);
-    Four extent = square;
-    for (int i = 0; i < 3; ++i) {
-      const Four low = hn::Load(tag, guest.low[i] + part);
-      const Four high = hn::Load(tag, guest.high[i] + part);
-      const Four host_low = hn::Set(tag, host.low[i]);
-      const Four host_high = hn::Set(tag, host.high[i]);
-      const Four along =
-          known(tag, hn::Sub(hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high)), error));
-      square = hn::MulAdd(along, along, square);
-      extent = hn::Max(extent, hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low)));
-    }
-    const Four of_boxes = hn::Sqrt(square);
-    const Four bound = height_error(tag, extent, error);
-    Four normal[3], point[3];
-    for (int i = 0; i < 3; ++i) {
-      normal[i] = hn::Set(tag, host.normal[i]);
-      point[i] = hn::Set(tag, host.corner[0][i]);
-    }
-    const Four of_host = hn::Mul(
-        height_beyond(
-            normal, point,
-            [&](int c, int i) HWY_ATTR { return hn::Load(tag, guest.corner[c][i] + part); }, bound),
-        host_inverse);
-    for (int i = 0; i < 3; ++i) {
-      normal[i] = hn::Load(tag, guest.normal[i] + part);
-      point[i] = hn::Load(tag, guest.corner[0][i] + part);
-    }
-    const Four of_guest =
-        hn::Mul(height_beyond(
-                    normal, point,
-                    [&](int c, int i) HWY_ATTR { return hn::Set(tag, host.corner[c][i]); }, bound),
-                hn::Load(tag, inverse_lengths + part));
-    const Four gap = hn::Max(of_boxes, hn::Max(of_host, of_guest));
-    hn::Store(hn::Mul(gap, hn::Set(tag, unit_of_host * kShrink)), tag, gaps + part);
   }
 }
 
@@ -291,16 +212,19 @@ class Passer {
   }
 
   /// Of a primitive of the host and these of the guest's leaf.
-  HWY_INLINE Nearness nearness_of_row(const HostTriangle& triangle, int host_side,
-                                      std::uint32_t lanes) const {
+  HWY_INLINE Nearness nearness_of_row(std::uint32_t row, int host_side, std::uint32_t lanes) const {
+    const FourTag tag;
     alignas(16) float gaps[4];
-    if (is_distance_) {
-      set_bounds(gaps, triangle, guest_leaf_, pass_.direction[host_side], pass_.units[host_side]);
-      set_roots(FourTag(), gaps, gaps, 4);
-    } else {
-      set_primitive_gaps(gaps, triangle, guest_leaf_, inverse_lengths_, pass_.units[host_side]);
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+      const PairLanes<FourTag> pairs(4 * row + part);
+      const PairBoxes<FourTag> boxes(pairs, host_leaf_, guest_leaf_);
+      const PairTriangles<FourTag> triangles(pairs, host_leaf_, guest_leaf_);
+      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, pass_.direction[host_side],
+                             pass_.units[host_side]),
+                tag, gaps + part);
     }
-    return nearness(FourTag(), gaps, 4, lanes);
+    set_roots(tag, gaps, gaps, 4);
+    return nearness(tag, gaps, 4, lanes);
   }
 
   HWY_INLINE void compare_leaves(std::size_t index) {
@@ -314,13 +238,12 @@ class Passer {
     const std::uint32_t guest_link = guest_slot.node->child[guest_slot.lane];
     if (leaf_slot_ != guest_slot || leaf_host_ != &host) {
       set_guest_leaf(guest_leaf_, guest, guest_link, host, pass_.into[host_side]);
-      set_inverse_lengths(inverse_lengths_, guest_leaf_);
       leaf_slot_ = guest_slot;
       leaf_host_ = &host;
     }
     const std::uint32_t count = ChildLink::count(host_link);
     const std::uint32_t guests = ChildLink::count(guest_link);
-    const float* rows = host.corners.data() + CornerRows::kRows * ChildLink::first(host_link);
+    set_host_leaf(host_leaf_, host, host_link);
     const std::uint32_t row_bits = (1u << guests) - 1;
     std::uint32_t near = 0;
     float soonest = kNever;
@@ -329,8 +252,7 @@ class Passer {
       if (deadline <= due_) {
         state_.counts.primitive_tests += guests;
         const std::uint32_t shift = ChildLink::kMaxLeafSize * i;
-        const Nearness found = nearness_of_row(HostTriangle(rows, count, i), host_side,
-                                               row_bits & ~(leaves.listed >> shift));
+        const Nearness found = nearness_of_row(i, host_side, row_bits & ~(leaves.listed >> shift));
         near |= found.near << shift;
         deadline = deadline_after(found.least);
       }
@@ -361,10 +283,10 @@ class Passer {
   WideSlot guest_slot_{};  // of guest_, in the tree of
   int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
+  LeafLanes host_leaf_;
   GuestLeaf guest_leaf_;
   WideSlot leaf_slot_{};  // of guest_leaf_, in
   const WideTree::Treelet* leaf_host_ = nullptr;
-  alignas(16) float inverse_lengths_[4];
   Promises promises_;
 };
 
