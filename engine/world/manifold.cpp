@@ -74,7 +74,10 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
-  if (!intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
+  // Two meshes have a contact where triangles meet, which is found out once.
+  const bool are_meshes = shape_a.kind() == ShapeKind::Mesh && shape_b.kind() == ShapeKind::Mesh;
+  if (are_meshes) check_poses(pose_a, pose_b);
+  if (!are_meshes && !intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};

@@ -178,7 +178,10 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
   ++work.convex_tests;
 }
 
-void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+namespace {
+
+/// Of meshes that touch in planes, along lines or in points: by their exact intersection.
+void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
@@ -199,6 +202,12 @@ void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touc
     touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
     touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
   }
+}
+
+}  // namespace
+
+void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  if (!touches_of_crossings(a, b, touches, work)) touches_of_pieces(a, b, touches, work);
 }
 
 }  // namespace graze
