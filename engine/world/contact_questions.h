@@ -29,7 +29,10 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
 void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
                            Work& work);
 void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
-/// Two meshes, which need not touch: no contacts then.
+/// A sphere or a box and a mesh, which need not touch: no contacts then.
+void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                            Work& work);
+/// Two meshes, likewise.
 void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
 /// Likewise, where triangles go through each other. False if that does not tell.
 bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);

@@ -25,6 +25,7 @@ void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touch
     case MeshPlane:
       return touches_of_mesh_plane(a, b, touches, work);
     case MeshVolume:
+      return touches_of_mesh_volume(a, b, touches, work);
     case MeshCore:
       return touches_of_mesh_core(a, b, touches, work);
     case Meshes:
@@ -74,10 +75,13 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
-  // Two meshes have a contact where triangles meet, which is found out once.
-  const bool are_meshes = shape_a.kind() == ShapeKind::Mesh && shape_b.kind() == ShapeKind::Mesh;
-  if (are_meshes) check_poses(pose_a, pose_b);
-  if (!are_meshes && !intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
+  // Where triangles are tested exactly, that they meet is found out along with how.
+  const PairMethod method = pair_method(shape_a.kind(), shape_b.kind());
+  if (method == Meshes || method == MeshVolume) {
+    check_poses(pose_a, pose_b);
+  } else if (!intersects(shape_a, pose_a, shape_b, pose_b, work)) {
+    return {};
+  }
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
