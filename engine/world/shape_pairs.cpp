@@ -54,6 +54,8 @@ bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& wor
   return intersects(mesh, placed_box(a), &work);
 }
 
+}  // namespace
+
 bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
@@ -80,6 +82,8 @@ bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) 
   }
   throw UnsupportedPairError("shape pair: there is no such method");
 }
+
+namespace {
 
 ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
   const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);

@@ -109,7 +109,9 @@ struct World::State {
   void end_pairs();
   void begin_pairs();
   void filter_again(std::uint32_t index);
+  void test_changed();
   void test_pairs(std::uint32_t index);
+  void test_candidate(std::uint32_t at);
   bool is_apart_for_sure(std::uint32_t at);
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);

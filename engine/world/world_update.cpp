@@ -117,23 +117,40 @@ void World::State::test_pairs(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
     if (all.bodies[partner].has_changed && partner < index) continue;
-    const BoxPair pair = ordered_pair(index, partner);
-    const std::uint32_t at = candidates.position(pair);
-    if (at == Candidates::kNowhere) continue;
-    const Bodies::Body& a = all.bodies[pair.a];
-    const Bodies::Body& b = all.bodies[pair.b];
-    if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
-    if (is_apart_for_sure(at)) continue;
-    ++work.shape_tests;
-    const bool touches = test(pair);
-    if (touches) moved.push_back(all.id_pair(pair));
-    if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
-    candidates.set_touches(at, touches);
-    if (touches) {
-      candidates.separation(at) = {};
-    } else {
-      learn_gap(at);
-    }
+    const std::uint32_t at = candidates.position(ordered_pair(index, partner));
+    if (at != Candidates::kNowhere) test_candidate(at);
+  }
+}
+
+void World::State::test_candidate(std::uint32_t at) {
+  const BoxPair pair = candidates.list()[at];
+  const Bodies::Body& a = all.bodies[pair.a];
+  const Bodies::Body& b = all.bodies[pair.b];
+  if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
+  if (is_apart_for_sure(at)) return;
+  ++work.shape_tests;
+  const bool touches = test(pair);
+  if (touches) moved.push_back(all.id_pair(pair));
+  if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
+  candidates.set_touches(at, touches);
+  if (touches) {
+    candidates.separation(at) = {};
+  } else {
+    learn_gap(at);
+  }
+}
+
+/// Where many changed, to go through all pairs is less than to ask for the partners of each.
+void World::State::test_changed() {
+  constexpr std::size_t kPairsABody = 8;
+  if (candidates.list().size() > kPairsABody * changed.size()) {
+    for (const std::uint32_t index : changed)
+      test_pairs(index);
+    return;
+  }
+  for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
+    const BoxPair pair = candidates.list()[at];
+    if (all.bodies[pair.a].has_changed || all.bodies[pair.b].has_changed) test_candidate(at);
   }
 }
 
@@ -171,8 +188,7 @@ WorldUpdate World::update() {
   for (const std::uint32_t index : state.changed) {
     if (state.all.bodies[index].has_other_filter) state.filter_again(index);
   }
-  for (const std::uint32_t index : state.changed)
-    state.test_pairs(index);
+  state.test_changed();
   for (const std::uint32_t index : state.changed) {
     Bodies::Body& body = state.all.bodies[index];
     body.has_changed = body.has_other_filter = body.has_other_shape = false;
