@@ -54,8 +54,8 @@ Mesh terrain(const std::string& data, double width) {
 }  // namespace
 
 Scene make_pile(std::size_t count, const std::string& data) {
-  const double radius = 0.16 * std::sqrt(static_cast<double>(count));
-  Scene scene{"pile", terrain(data, 3 * radius), {}, {}, (count + 4) / 5, radius, 1.5};
+  const double radius = 0.08 * std::sqrt(static_cast<double>(count));
+  Scene scene{"pile", terrain(data, 5 * radius), {}, {}, (count + 9) / 10, radius, 0.5};
   std::mt19937_64 random(1);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random() >> 11) * 0x1p-53;

@@ -1,5 +1,6 @@
 #include "tests/benchmark/world/settling.h"
 
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
@@ -63,8 +64,8 @@ class Settling {
 
   /// On rings of a disc above all that has been poured, turned at random.
   void pour_layer() {
-    double top = scene_.ground.bounds().min.z();
-    if (bodies_.empty()) top = std::min(top + 4 * reach_, scene_.ground.bounds().max.z());
+    double top = 0;
+    const bool is_first = bodies_.empty();
     for (const RigidBody& body : bodies_)
       top = std::max(top, body.at.z());
     const std::size_t end = std::min(bodies_.size() + scene_.layer, scene_.bodies.size());
@@ -73,8 +74,16 @@ class Settling {
       const double radius =
           scene_.radius * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(scene_.layer));
       const double angle = golden * static_cast<double>(i);
-      add({radius * std::cos(angle), radius * std::sin(angle), top + 2.2 * reach_});
+      const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+      const double below = is_first ? ground_at(x, y) : top;
+      add({x, y, below + 2.2 * reach_});
     }
+  }
+
+  double ground_at(double x, double y) const {
+    const double high = scene_.ground.bounds().max.z() + reach_;
+    const auto hit = graze::cast_ray(PlacedMesh{scene_.ground}, Ray{{x, y, high}, {0, 0, -1}});
+    return hit ? high - hit->distance : 0;
   }
 
   void add(const Vector3d& at) {
