@@ -1,6 +1,7 @@
 // What a world asks of a Shape, answered by the table of all pairs.
 
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/contact_questions.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
@@ -81,7 +82,8 @@ class ShapeBody final : public BodyShape {
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
       return BodyShape::meet(pose, other, other_pose);
     // Empty exactly when they do not touch.
-    Manifold found = find_contacts(shape_, pose, *shape, other_pose);
+    Work work;
+    Manifold found = contacts_of({shape_, pose}, {*shape, other_pose}, work);
     if (found.empty()) return std::nullopt;
     return found;
   }

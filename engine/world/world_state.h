@@ -91,7 +91,8 @@ struct World::State {
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
   std::vector<BodyContact> found;     // contacts in the order in which pairs were tested
-  std::vector<std::uint32_t> order;   // of those
+  std::vector<std::uint32_t> order;   // of those, or of pairs
+  std::vector<std::uint32_t> first_pair;  // of each body, in that
   std::vector<BodyContact> contacts;  // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
@@ -110,6 +111,7 @@ struct World::State {
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_changed();
+  void list_changed_pairs();
   void test_pairs(std::uint32_t index);
   void test_candidate(std::uint32_t at);
   bool is_apart_for_sure(std::uint32_t at);

@@ -4,6 +4,7 @@
 #include <graze/engine/world/world_state.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace graze {
 namespace {
@@ -142,15 +143,37 @@ void World::State::test_candidate(std::uint32_t at) {
 
 /// Where many changed, to go through all pairs is less than to ask for the partners of each.
 void World::State::test_changed() {
-  constexpr std::size_t kPairsABody = 8;
-  if (candidates.list().size() > kPairsABody * changed.size()) {
+  constexpr std::size_t kMany = 8;
+  if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
     for (const std::uint32_t index : changed)
       test_pairs(index);
     return;
   }
-  for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
-    const BoxPair pair = candidates.list()[at];
-    if (all.bodies[pair.a].has_changed || all.bodies[pair.b].has_changed) test_candidate(at);
+  list_changed_pairs();
+  for (const std::uint32_t at : order)
+    test_candidate(at);
+}
+
+/// In `order`, ascending by their bodies, so that what is found needs no sorting: by counting for
+/// the first body, and then the few of each by the second.
+void World::State::list_changed_pairs() {
+  const std::span<const BoxPair> list = candidates.list();
+  const auto is_due = [&](const BoxPair& pair) {
+    return all.bodies[pair.a].has_changed || all.bodies[pair.b].has_changed;
+  };
+  first_pair.assign(all.bodies.size() + 1, 0);
+  for (const BoxPair& pair : list)
+    first_pair[pair.a + 1] += is_due(pair);
+  std::partial_sum(first_pair.begin(), first_pair.end(), first_pair.begin());
+  order.resize(first_pair.back());
+  for (std::uint32_t at = 0; at < list.size(); ++at) {
+    if (is_due(list[at])) order[first_pair[list[at].a]++] = at;
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : first_pair) {
+    std::sort(order.begin() + begin, order.begin() + std::max(begin, end),
+              [&](std::uint32_t s, std::uint32_t t) { return list[s].b < list[t].b; });
+    begin = std::max(begin, end);
   }
 }
 
@@ -195,9 +218,9 @@ WorldUpdate World::update() {
   }
   state.changed.clear();
   state.removed = 0;
-  std::sort(state.begun.begin(), state.begun.end());
-  std::sort(state.ended.begin(), state.ended.end());
-  std::sort(state.moved.begin(), state.moved.end());
+  for (std::vector<BodyPair>* list : {&state.begun, &state.ended, &state.moved}) {
+    if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
+  }
   state.sort_contacts();
   state.all.ids.next_round();
   state.work.pairs_at_rest =

@@ -1,4 +1,5 @@
 #include <graze/narrowphase/convex/box_axes.h>
+#include <graze/narrowphase/convex/segments.h>
 
 #include <initializer_list>
 #include <limits>
@@ -20,27 +21,48 @@ double reach_of(const Core& box, const Vec3& direction) {
 }  // namespace
 
 Penetration least_axis(const Core& box_a, const Core& box_b) {
-  const Vec3 way = box_b.at - box_a.at;
+  const Vec3 between = box_b.at - box_a.at;
   Vec3 best;
   double depth = std::numeric_limits<double>::infinity();
-  const auto offer = [&](const Vec3& axis, double gain) {
-    const double along_axis = dot(axis, way);
+  int edge_a = -1, edge_b = -1;
+  const auto offer = [&](const Vec3& axis, double gain, int of_a, int of_b) {
+    const double along_axis = dot(axis, between);
     const double found = reach_of(box_a, axis) + reach_of(box_b, axis) - std::abs(along_axis);
     if (!(found < gain * depth)) return;
     depth = found;
     best = along_axis < 0 ? -axis : axis;
+    edge_a = of_a, edge_b = of_b;
   };
   for (const Core* box : {&box_a, &box_b}) {
     for (const Vec3& axis : box->axis)
-      offer(unit_or(axis, {0, 0, 1}), 1);
+      offer(unit_or(axis, {0, 0, 1}), 1, -1, -1);
   }
-  for (const Vec3& u : box_a.axis) {
-    for (const Vec3& v : box_b.axis) {
-      const Vec3 product = cross(u, v);
-      if (largest(product) > kParallel) offer(unit_or(product, {0, 0, 1}), kEdgeGain);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 product = cross(box_a.axis[i], box_b.axis[j]);
+      if (largest(product) > kParallel) offer(unit_or(product, {0, 0, 1}), kEdgeGain, i, j);
     }
   }
-  return along(box_a, box_b, best);
+  Penetration way = along(box_a, box_b, best);
+  if (edge_a < 0) return way;
+  const BoxEdge of_a = edge_along(box_a, edge_a, best);
+  const BoxEdge of_b = edge_along(box_b, edge_b, -best);
+  const NearestPoints met = nearest_of_segments(of_a.from, of_a.to, of_b.from, of_b.to);
+  way.point_a = met.point_a;
+  way.point_b = met.point_b;
+  way.has_witnesses = true;
+  return way;
+}
+
+BoxEdge edge_along(const Core& box, int axis, const Vec3& direction) {
+  const double half[3] = {box.half.x, box.half.y, box.half.z};
+  Vec3 middle = box.at;
+  for (int k = 0; k < 3; ++k) {
+    if (k == axis) continue;
+    middle = middle + box.axis[k] * (dot(box.axis[k], direction) < 0 ? -half[k] : half[k]);
+  }
+  const Vec3 reach = box.axis[axis] * half[axis];
+  return {middle - reach, middle + reach};
 }
 
 Penetration nearest_face(const Core& box, const Core& point) {

@@ -138,6 +138,7 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
     parting.has_witnesses = true;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
     way = least_axis(a, b);
+    parting.has_witnesses = way.has_witnesses;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
     way = nearest_face(a, b);
   } else if (a.kind == CoreKind::Point && b.kind == CoreKind::Box) {
@@ -155,6 +156,10 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
 
 void add_face_touches(const Core& a, const Core& b, const Penetration& way,
                       std::vector<ContactPoint>& touches) {
+  const auto has_face = [](const Core& core) {
+    return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
+  };
+  if (!has_face(a) || !has_face(b)) return;
   const Vec3& normal = way.normal;
   const ContactFace face_a = face_along(a, normal);
   const ContactFace face_b = face_along(b, -normal);

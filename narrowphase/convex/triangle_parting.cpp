@@ -1,3 +1,4 @@
+#include <graze/narrowphase/convex/box_axes.h>
 #include <graze/narrowphase/convex/segments.h>
 #include <graze/narrowphase/convex/triangle_parting.h>
 
@@ -64,17 +65,9 @@ class BoxAndTriangle {
 
   /// The edge of the box that is farthest along the normal, and the triangle's.
   void meet_at_edges(Parting& parting) const {
-    const double half[3] = {box_.half.x, box_.half.y, box_.half.z};
-    Vec3 middle = box_.at;
-    for (int k = 0; k < 3; ++k) {
-      if (k == axis_) continue;
-      const double side = dot(box_.axis[k], normal_) < 0 ? -half[k] : half[k];
-      middle = middle + box_.axis[k] * side;
-    }
-    const Vec3 reach = box_.axis[axis_] * half[axis_];
-    const NearestPoints met =
-        nearest_of_segments(middle - reach, middle + reach, triangle_.corner[edge_],
-                            triangle_.corner[(edge_ + 1) % 3]);
+    const BoxEdge edge = edge_along(box_, axis_, normal_);
+    const NearestPoints met = nearest_of_segments(edge.from, edge.to, triangle_.corner[edge_],
+                                                  triangle_.corner[(edge_ + 1) % 3]);
     parting.way.point_a = met.point_a;
     parting.way.point_b = met.point_b;
     parting.has_witnesses = true;
