@@ -33,7 +33,7 @@ class Separation {
  private:
   // To measure two meshes costs as much as some twenty tests that find them apart.
   static constexpr std::uint32_t kWorthIt = 16;  // skips
-  static constexpr std::uint16_t kFirstWait = 7;
+  static constexpr std::uint16_t kFirstWait = 3;
   static constexpr std::uint16_t kLongestWait = 255;
 
   double limit_ = -std::numeric_limits<double>::infinity();  // of the sum of both paths

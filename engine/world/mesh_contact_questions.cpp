@@ -108,8 +108,8 @@ class TriangleTouches {
 
   void add_point(const Vec3& deepest, const Parting& parting, std::vector<ContactPoint>& found) {
     const Vec3 middle = deepest - parting.way.normal * (0.5 * parting.way.depth);
-    constexpr std::uint64_t kPoint = 0x30000;
-    found.push_back({middle, parting.way.normal, parting.way.depth, kPoint, kPoint});
+    found.push_back({middle, parting.way.normal, parting.way.depth, narrowphase::kPointFeature,
+                     narrowphase::kPointFeature});
   }
 
   const Core& core_;

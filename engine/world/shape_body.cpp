@@ -83,8 +83,8 @@ class ShapeBody final : public BodyShape {
       return BodyShape::meet(pose, other, other_pose);
     // Empty exactly when they do not touch.
     Work work;
-    Manifold found = contacts_of({shape_, pose}, {*shape, other_pose}, work);
-    if (found.empty()) return std::nullopt;
+    std::optional<Manifold> found = contacts_of({shape_, pose}, {*shape, other_pose}, work);
+    if (found->empty()) found.reset();
     return found;
   }
 

@@ -112,6 +112,7 @@ struct World::State {
   void filter_again(std::uint32_t index);
   void test_changed();
   void list_changed_pairs();
+  void fetch(BoxPair pair) const;
   void test_pairs(std::uint32_t index);
   void test_candidate(std::uint32_t at);
   bool is_apart_for_sure(std::uint32_t at);

@@ -2,6 +2,7 @@
 // something changed touch.
 
 #include <graze/engine/world/world_state.h>
+#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <numeric>
@@ -141,6 +142,16 @@ void World::State::test_candidate(std::uint32_t at) {
   }
 }
 
+/// Bodies of one pair lie anywhere in memory.
+void World::State::fetch(BoxPair pair) const {
+  for (const std::uint32_t index : {pair.a, pair.b}) {
+    const char* body = reinterpret_cast<const char*>(&all.bodies[index]);
+    constexpr std::size_t kLine = 64;
+    for (std::size_t at = 0; at < sizeof(Bodies::Body); at += kLine)
+      hwy::Prefetch(body + at);
+  }
+}
+
 /// Where many changed, to go through all pairs is less than to ask for the partners of each.
 void World::State::test_changed() {
   constexpr std::size_t kMany = 8;
@@ -150,8 +161,11 @@ void World::State::test_changed() {
     return;
   }
   list_changed_pairs();
-  for (const std::uint32_t at : order)
-    test_candidate(at);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    constexpr std::size_t kAhead = 4;
+    if (i + kAhead < order.size()) fetch(candidates.list()[order[i + kAhead]]);
+    test_candidate(order[i]);
+  }
 }
 
 /// In `order`, ascending by their bodies, so that what is found needs no sorting: by counting for

@@ -25,24 +25,36 @@ Penetration least_axis(const Core& box_a, const Core& box_b) {
   Vec3 best;
   double depth = std::numeric_limits<double>::infinity();
   int edge_a = -1, edge_b = -1;
-  const auto offer = [&](const Vec3& axis, double gain, int of_a, int of_b) {
-    const double along_axis = dot(axis, between);
-    const double found = reach_of(box_a, axis) + reach_of(box_b, axis) - std::abs(along_axis);
-    if (!(found < gain * depth)) return;
-    depth = found;
-    best = along_axis < 0 ? -axis : axis;
-    edge_a = of_a, edge_b = of_b;
+  const auto reach_past = [&](const Vec3& axis, double along_axis) {
+    return (reach_of(box_a, axis) + reach_of(box_b, axis)) - std::abs(along_axis);
   };
+  // Axes of boxes are of length 1 as far as poses are rotations: near enough to compare by.
   for (const Core* box : {&box_a, &box_b}) {
-    for (const Vec3& axis : box->axis)
-      offer(unit_or(axis, {0, 0, 1}), 1, -1, -1);
+    for (const Vec3& axis : box->axis) {
+      const double along_axis = dot(axis, between);
+      const double found = reach_past(axis, along_axis);
+      if (!(found < depth)) continue;
+      depth = found;
+      best = along_axis < 0 ? -axis : axis;
+    }
   }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 product = cross(box_a.axis[i], box_b.axis[j]);
-      if (largest(product) > kParallel) offer(unit_or(product, {0, 0, 1}), kEdgeGain, i, j);
+      if (!(largest(product) > kParallel)) continue;
+      const double along_axis = dot(product, between);
+      const double found = reach_past(product, along_axis);
+      const double size = dot(product, product);
+      const double wanted = kEdgeGain * depth;
+      if (found > 0 && wanted > 0 && found * found >= (wanted * wanted) * size) continue;
+      const double of_unit = found / std::sqrt(size);
+      if (!(of_unit < wanted)) continue;
+      depth = of_unit;
+      best = along_axis < 0 ? -product : product;
+      edge_a = i, edge_b = j;
     }
   }
+  best = unit_or(best, {0, 0, 1});
   Penetration way = along(box_a, box_b, best);
   if (edge_a < 0) return way;
   const BoxEdge of_a = edge_along(box_a, edge_a, best);

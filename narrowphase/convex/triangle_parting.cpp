@@ -30,18 +30,19 @@ class BoxAndTriangle {
   }
 
   Parting run() {
-    offer(unit_or(outward(triangle_), {0, 0, 1}), 1, -1, -1);
+    offer(unit_or(outward(triangle_), {0, 0, 1}), 1, 1, -1, -1);
     for (const Vec3& axis : box_.axis)
-      offer(unit_or(axis, {0, 0, 1}), 1, -1, -1);
+      offer(axis, 1, 1, -1, -1);
     for (int e = 0; e < 3; ++e) {
       const Vec3 edge = corner_[(e + 1) % 3] - corner_[e];
       const double size = largest(edge);
       for (int k = 0; k < 3; ++k) {
         const Vec3 product = cross(box_.axis[k], edge);
         if (largest(product) > kParallel * size)
-          offer(unit_or(product, {0, 0, 1}), kEdgeGain, k, e);
+          offer(product, length(product), kEdgeGain, k, e);
       }
     }
+    normal_ = unit_or(normal_, {0, 0, 1});
     Parting parting;
     parting.way = along(box_, triangle_, normal_);
     parting.way.depth = std::max(parting.way.depth, 0.0);
@@ -50,15 +51,15 @@ class BoxAndTriangle {
   }
 
  private:
-  /// The triangle leaves by either end of the axis.
-  void offer(const Vec3& axis, double gain, int box_axis, int edge) {
+  /// The triangle leaves by either end of the axis, whose length is `size`.
+  void offer(const Vec3& axis, double size, double gain, int box_axis, int edge) {
     const double a = dot(corner_[0], axis), b = dot(corner_[1], axis), c = dot(corner_[2], axis);
     const double reach = reach_of(box_, axis);
     const double up = reach - std::min(a, std::min(b, c));
     const double down = reach + std::max(a, std::max(b, c));
     const double found = std::min(up, down);
-    if (!(found < gain * depth_)) return;
-    depth_ = found;
+    if (!(found < gain * depth_ * size)) return;
+    depth_ = found / size;
     normal_ = up <= down ? axis : -axis;
     axis_ = box_axis, edge_ = edge;
   }
