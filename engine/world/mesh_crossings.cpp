@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace graze {
@@ -46,6 +45,7 @@ class SideOf {
 /// The two edges of a triangle that go through the other's plane.
 struct PlaneCrossings {
   EdgeCrossing edge[2];
+  Vec3 point[2];
   double along[2];  // the line that the planes share, ascending
 };
 
@@ -70,13 +70,15 @@ bool cross_plane(const Side& own, const Side& other, const Vec3& line, PlaneCros
     edge.low = own.vertex[low], edge.high = own.vertex[high];
     edge.share = height[low] / (height[low] - height[high]);
     edge.is_entry = height[high] < 0;
-    edge.point = own.corner[low] + (own.corner[high] - own.corner[low]) * edge.share;
-    found.along[count++] = dot(line, edge.point);
+    found.point[count] = own.corner[low] + (own.corner[high] - own.corner[low]) * edge.share;
+    found.along[count] = dot(line, found.point[count]);
+    ++count;
   }
   if (count != 2) return false;
   if (found.along[1] < found.along[0]) {
     std::swap(found.along[0], found.along[1]);
     std::swap(found.edge[0], found.edge[1]);
+    std::swap(found.point[0], found.point[1]);
   }
   return true;
 }
@@ -116,7 +118,8 @@ class Finder {
     (is_from_a ? found_.edges_a : found_.edges_b).push_back(first);
     (is_to_a ? found_.edges_a : found_.edges_b).push_back(last);
     found_.crossings.push_back(
-        {pair, first.point, last.point, normal_a, normal_b, a.corner[0], b.corner[0], 0});
+        {pair, is_from_a ? of_a.point[0] : of_b.point[0], is_to_a ? of_a.point[1] : of_b.point[1],
+         normal_a, normal_b, a.corner[0], b.corner[0], 0});
     return true;
   }
 
@@ -159,18 +162,18 @@ void find_pieces(MeshCrossings& found) {
 
 /// Each edge once, although it is one of two triangles.
 void settle_edges(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
-  const auto key = [](const EdgeCrossing& edge) {
-    return std::tuple(edge.low, edge.high, edge.share);
+  const auto ends = [](const EdgeCrossing& edge) {
+    return std::uint64_t{edge.low} << 32 | edge.high;
   };
   for (EdgeCrossing& edge : edges)
     edge.piece = crossings[edge.piece].piece;
   std::sort(edges.begin(), edges.end(), [&](const EdgeCrossing& s, const EdgeCrossing& t) {
-    return std::tuple_cat(key(s), std::tuple(s.piece)) <
-           std::tuple_cat(key(t), std::tuple(t.piece));
+    if (ends(s) != ends(t)) return ends(s) < ends(t);
+    return s.share != t.share ? s.share < t.share : s.piece < t.piece;
   });
   const auto end =
       std::unique(edges.begin(), edges.end(), [&](const EdgeCrossing& s, const EdgeCrossing& t) {
-        return key(s) == key(t);
+        return ends(s) == ends(t) && s.share == t.share;
       });
   edges.erase(end, edges.end());
 }

@@ -30,9 +30,8 @@ struct EdgeCrossing {
   std::uint32_t low;  ///< welded vertices
   std::uint32_t high;
   double share;   ///< of the way from low to high
-  bool is_entry;  ///< on that way it goes behind the triangle
   std::uint32_t piece;
-  narrowphase::Vec3 point;
+  bool is_entry;  ///< on that way it goes behind the triangle
 };
 
 /// Kept from one question to the next, so that no step of a simulation allocates.

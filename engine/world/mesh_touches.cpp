@@ -141,6 +141,13 @@ void find_inner(const PlacedMesh& mesh, const Vec3& origin,
                 const std::vector<EdgeCrossing>& edges, Scratch& s,
                 std::vector<InnerPoint>& inner) {
   using Mark = VertexMarks::Mark;
+  const auto placed = [&](std::uint32_t vertex) {
+    return to_vec3(place(mesh.pose, mesh.mesh.vertices()[vertex])) - origin;
+  };
+  const auto on_edge = [&](const EdgeCrossing& edge, double share) {
+    const Vec3 low = placed(edge.low);
+    return low + (placed(edge.high) - low) * share;
+  };
   inner.clear(), s.open.clear();
   s.marks.start(mesh.mesh.vertices().size());
   const auto note = [&](std::uint32_t vertex, bool is_inside, std::uint32_t piece) {
@@ -159,14 +166,14 @@ void find_inner(const PlacedMesh& mesh, const Vec3& origin,
     const bool is_last = i + 1 == edges.size() || !is_same(i + 1);
     if (is_last) note(edge.high, edge.is_entry, edge.piece);
     if (!is_last && edge.is_entry)
-      inner.push_back({(edge.point + edges[i + 1].point) * 0.5, edge.piece});
+      inner.push_back({on_edge(edge, 0.5 * (edge.share + edges[i + 1].share)), edge.piece});
   }
   const VertexFans& fans = mesh.mesh.vertex_fans();
   const std::span<const std::uint32_t> welded = mesh.mesh.welded();
   for (std::size_t next = 0; next < s.open.size() && next < kMostInner; ++next) {
     const auto [vertex, piece] = s.open[next];
     if (s.marks[vertex] == Mark::Outside) continue;  // of a sheet that ends inside
-    inner.push_back({to_vec3(place(mesh.pose, mesh.mesh.vertices()[vertex])) - origin, piece});
+    inner.push_back({placed(vertex), piece});
     for (const std::uint32_t triangle : fans.around(vertex)) {
       for (const std::uint32_t index : mesh.mesh.triangles()[triangle]) {
         const std::uint32_t neighbour = welded[index];
