@@ -31,6 +31,8 @@ struct Piece {
   Vec3 faces;      // normals of A less those of B
   double length = 0;
   Vec3 normal;     // unit, from A to B; then that of its patch
+  double depth_a = 0, depth_b = 0;  // of points of each in the other
+  double high_a = 0, low_b = 0;     // along the normal, from `first`
   double depth = 0;
   std::uint32_t patch = 0;
 };
@@ -202,15 +204,27 @@ double depth_of(const InnerPoint& inner, const Vec3& out, const Scratch& s, bool
   return least < std::numeric_limits<double>::infinity() ? least : 0;
 }
 
+/// How far the two reach past each other along the normal, if that is less than by how much points
+/// of either are behind faces of the other: in a corner the patch is as wide as it is long.
 void find_depths(Scratch& s) {
+  for (const MeshCrossing& crossing : s.found.crossings) {
+    Piece& piece = s.pieces[crossing.piece];
+    const double along = dot(piece.normal, crossing.from - piece.first);
+    piece.high_a = std::max(piece.high_a, along);
+    piece.low_b = std::min(piece.low_b, along);
+  }
   for (const InnerPoint& inner : s.inner_a) {
     Piece& piece = s.pieces[inner.piece];
-    piece.depth = std::max(piece.depth, depth_of(inner, -piece.normal, s, false, piece.depth));
+    piece.high_a = std::max(piece.high_a, dot(piece.normal, inner.point - piece.first));
+    piece.depth_a = std::max(piece.depth_a, depth_of(inner, -piece.normal, s, false, piece.depth_a));
   }
   for (const InnerPoint& inner : s.inner_b) {
     Piece& piece = s.pieces[inner.piece];
-    piece.depth = std::max(piece.depth, depth_of(inner, piece.normal, s, true, piece.depth));
+    piece.low_b = std::min(piece.low_b, dot(piece.normal, inner.point - piece.first));
+    piece.depth_b = std::max(piece.depth_b, depth_of(inner, piece.normal, s, true, piece.depth_b));
   }
+  for (Piece& piece : s.pieces)
+    piece.depth = std::min(piece.high_a - piece.low_b, piece.depth_a + piece.depth_b);
 }
 
 /// The axis of a frame that a direction is nearest to, 0 to 5.
