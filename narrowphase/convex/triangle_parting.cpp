@@ -64,8 +64,10 @@ class BoxAndTriangle {
     axis_ = box_axis, edge_ = edge;
   }
 
-  /// The edge of the box that is farthest along the normal, and the triangle's.
+  /// The edge of the box that is farthest along the normal, and the triangle's, unless its third
+  /// corner is deeper.
   void meet_at_edges(Parting& parting) const {
+    if (dot(corner_[(edge_ + 2) % 3] - corner_[edge_], normal_) < 0) return;
     const BoxEdge edge = edge_along(box_, axis_, normal_);
     const NearestPoints met = nearest_of_segments(edge.from, edge.to, triangle_.corner[edge_],
                                                   triangle_.corner[(edge_ + 1) % 3]);
