@@ -191,7 +191,6 @@ class ExactVolume {
 void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
                             Work& work) {
   const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
-  check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   const ExactVolume volume(a);
