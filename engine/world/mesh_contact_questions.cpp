@@ -158,8 +158,8 @@ void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& t
 
 namespace {
 
-/// Whether a placed triangle and a box or a sphere share a point, exactly: as intersects() of a mesh
-/// and one of these decides.
+/// Whether a placed triangle and a box or a sphere share a point, exactly: as intersects() of a
+/// mesh and one of these decides.
 class ExactVolume {
  public:
   explicit ExactVolume(const PlacedShape& s) : pose_(s.pose) {

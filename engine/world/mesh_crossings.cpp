@@ -117,9 +117,9 @@ class Finder {
     first.piece = last.piece = static_cast<std::uint32_t>(found_.crossings.size());
     (is_from_a ? found_.edges_a : found_.edges_b).push_back(first);
     (is_to_a ? found_.edges_a : found_.edges_b).push_back(last);
-    found_.crossings.push_back(
-        {pair, is_from_a ? of_a.point[0] : of_b.point[0], is_to_a ? of_a.point[1] : of_b.point[1],
-         normal_a, normal_b, a.corner[0], b.corner[0], 0});
+    found_.crossings.push_back({pair, is_from_a ? of_a.point[0] : of_b.point[0],
+                                is_to_a ? of_a.point[1] : of_b.point[1], normal_a, normal_b,
+                                a.corner[0], b.corner[0], 0});
     return true;
   }
 

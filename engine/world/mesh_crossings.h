@@ -29,7 +29,7 @@ struct MeshCrossing {
 struct EdgeCrossing {
   std::uint32_t low;  ///< welded vertices
   std::uint32_t high;
-  double share;   ///< of the way from low to high
+  double share;  ///< of the way from low to high
   std::uint32_t piece;
   bool is_entry;  ///< on that way it goes behind the triangle
 };

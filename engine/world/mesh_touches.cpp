@@ -1,4 +1,5 @@
-// Contacts of two meshes, from their crossings: a normal and a depth for each patch, and its corners.
+// Contacts of two meshes, from their crossings: a normal and a depth for each patch, and its
+// corners.
 
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/vertex_fans.h>
@@ -26,11 +27,11 @@ constexpr double kFacingOut = 0.17;
 constexpr std::size_t kMostInner = 96;
 
 struct Piece {
-  Vec3 first;      // any of its points
-  Vec3 area;       // of its loops
-  Vec3 faces;      // normals of A less those of B
+  Vec3 first;  // any of its points
+  Vec3 area;   // of its loops
+  Vec3 faces;  // normals of A less those of B
   double length = 0;
-  Vec3 normal;     // unit, from A to B; then that of its patch
+  Vec3 normal;                      // unit, from A to B; then that of its patch
   double depth_a = 0, depth_b = 0;  // of points of each in the other
   double high_a = 0, low_b = 0;     // along the normal, from `first`
   double depth = 0;
@@ -93,8 +94,7 @@ bool sum_up_pieces(const MeshCrossings& found, std::vector<Piece>& pieces) {
     Piece& piece = pieces[crossing.piece];
     const double way = length(crossing.to - crossing.from);
     if (piece.length == 0) piece.first = crossing.from;
-    piece.area =
-        piece.area + cross(crossing.from - piece.first, crossing.to - piece.first) * 0.5;
+    piece.area = piece.area + cross(crossing.from - piece.first, crossing.to - piece.first) * 0.5;
     piece.faces = piece.faces + (crossing.normal_a - crossing.normal_b) * way;
     piece.length += way;
   }
@@ -119,8 +119,7 @@ void find_patches(Scratch& s) {
   for (const std::uint32_t i : s.by_area) {
     Piece& piece = s.pieces[i];
     std::uint32_t at = 0;
-    while (at < s.patches.size() &&
-           dot(s.pieces[s.patches[at]].normal, piece.normal) < kOneWay)
+    while (at < s.patches.size() && dot(s.pieces[s.patches[at]].normal, piece.normal) < kOneWay)
       ++at;
     piece.patch = at;
     if (at == s.patches.size()) s.patches.push_back(i);
@@ -139,9 +138,8 @@ void find_patches(Scratch& s) {
 
 /// The vertices of a mesh that are reached from its inner ends of crossed edges without going
 /// outside, and the middles of edges between crossings.
-void find_inner(const PlacedMesh& mesh, const Vec3& origin,
-                const std::vector<EdgeCrossing>& edges, Scratch& s,
-                std::vector<InnerPoint>& inner) {
+void find_inner(const PlacedMesh& mesh, const Vec3& origin, const std::vector<EdgeCrossing>& edges,
+                Scratch& s, std::vector<InnerPoint>& inner) {
   using Mark = VertexMarks::Mark;
   const auto placed = [&](std::uint32_t vertex) {
     return to_vec3(place(mesh.pose, mesh.mesh.vertices()[vertex])) - origin;
@@ -216,7 +214,8 @@ void find_depths(Scratch& s) {
   for (const InnerPoint& inner : s.inner_a) {
     Piece& piece = s.pieces[inner.piece];
     piece.high_a = std::max(piece.high_a, dot(piece.normal, inner.point - piece.first));
-    piece.depth_a = std::max(piece.depth_a, depth_of(inner, -piece.normal, s, false, piece.depth_a));
+    piece.depth_a =
+        std::max(piece.depth_a, depth_of(inner, -piece.normal, s, false, piece.depth_a));
   }
   for (const InnerPoint& inner : s.inner_b) {
     Piece& piece = s.pieces[inner.piece];

@@ -107,9 +107,9 @@ class ShapeBody final : public BodyShape {
     return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
   }
 
-  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near: half
-  /// of a clearance, where distance() itself, which is off by roundings of coordinates, is more than
-  /// all of it.
+  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
+  /// half of a clearance, where distance() itself, which is off by roundings of coordinates, is
+  /// more than all of it.
   double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
                      double smaller_reach) const {
     const Mesh* mesh = shape_.as<Mesh>();

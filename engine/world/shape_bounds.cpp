@@ -27,9 +27,9 @@ Aabb bounds_of_box(const Box& shape, const Pose& pose) {
   const double pad = 0x20p-53 * ((half[0] + half[1]) + half[2]);
   Aabb box;
   for (int i = 0; i < 3; ++i) {
-    const double reach = ((std::abs(m[i]) * half[0] + std::abs(m[4 + i]) * half[1]) +
-                          std::abs(m[8 + i]) * half[2]) +
-                         pad;
+    const double reach =
+        ((std::abs(m[i]) * half[0] + std::abs(m[4 + i]) * half[1]) + std::abs(m[8 + i]) * half[2]) +
+        pad;
     box.max.data()[i] = above(m[12 + i] + reach);
     box.min.data()[i] = below(m[12 + i] - reach);
   }

@@ -90,10 +90,10 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
-  std::vector<BodyContact> found;     // contacts in the order in which pairs were tested
-  std::vector<std::uint32_t> order;   // of those, or of pairs
+  std::vector<BodyContact> found;         // contacts in the order in which pairs were tested
+  std::vector<std::uint32_t> order;       // of those, or of pairs
   std::vector<std::uint32_t> first_pair;  // of each body, in that
-  std::vector<BodyContact> contacts;  // the same, ascending
+  std::vector<BodyContact> contacts;      // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;

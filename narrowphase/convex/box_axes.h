@@ -4,7 +4,8 @@
 
 namespace graze::narrowphase {
 
-/// The least way out of two boxes, by their 15 axes: exact but for rounding. A product of edges
+/// The least way out of two boxes, by their 15 axes: for poses that are rotations exact but for
+/// rounding, and by as much as they deviate for others. A product of edges
 /// must save more than a twentieth of the depth over the best face, so that boxes that rest on one
 /// another do not change their axis from step to step; where one does, the points are the nearest
 /// ones of the two edges that meet.

@@ -47,8 +47,8 @@ ContactFace box_face(const Core& core, const Vec3& own) {
     const int* turn = kTurn[is_positive ? i : 3 - i];
     face.corner[i] =
         (turn[0] > 0 ? middle + way_u : middle - way_u) + (turn[1] > 0 ? way_v : -way_v);
-    face.corner_id[i] = (is_positive ? 1u << k : 0u) | (turn[0] > 0 ? 1u << u : 0u) |
-                        (turn[1] > 0 ? 1u << v : 0u);
+    face.corner_id[i] =
+        (is_positive ? 1u << k : 0u) | (turn[0] > 0 ? 1u << u : 0u) | (turn[1] > 0 ? 1u << v : 0u);
   }
   face.count = 4;
   face.normal = unit_or(is_positive ? core.axis[k] : -core.axis[k], {0, 0, 1});

@@ -10,7 +10,7 @@ namespace graze::narrowphase {
 struct ContactFace {
   static constexpr int kMostCorners = 16;
   ContactFace() {}
-  union {  // so that corners beyond the count are not written: most never are
+  union {                       // so that corners beyond the count are not written: most never are
     Vec3 corner[kMostCorners];  ///< in the common frame, on the boundary; counter-clockwise from
                                 ///< outside
   };

@@ -38,8 +38,7 @@ class BoxAndTriangle {
       const double size = largest(edge);
       for (int k = 0; k < 3; ++k) {
         const Vec3 product = cross(box_.axis[k], edge);
-        if (largest(product) > kParallel * size)
-          offer(product, length(product), kEdgeGain, k, e);
+        if (largest(product) > kParallel * size) offer(product, length(product), kEdgeGain, k, e);
       }
     }
     normal_ = unit_or(normal_, {0, 0, 1});

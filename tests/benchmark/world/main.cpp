@@ -1,5 +1,5 @@
-// Worlds with all contacts in every frame, beside other libraries in the same poses; and what a step
-// costs with few movers.
+// Worlds with all contacts in every frame, beside other libraries in the same poses; and what a
+// step costs with few movers.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -71,8 +71,8 @@ class Settling {
     const std::size_t end = std::min(bodies_.size() + scene_.layer, scene_.bodies.size());
     const double golden = 2.399963229728653;  // radians: a spiral that fills the disc evenly
     for (std::size_t i = 0; bodies_.size() < end; ++i) {
-      const double radius =
-          scene_.radius * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(scene_.layer));
+      const double radius = scene_.radius * std::sqrt((static_cast<double>(i) + 0.5) /
+                                                      static_cast<double>(scene_.layer));
       const double angle = golden * static_cast<double>(i);
       const double x = radius * std::cos(angle), y = radius * std::sin(angle);
       const double below = is_first ? ground_at(x, y) : top;
@@ -172,7 +172,7 @@ std::vector<Frame> settle_once(const Scene& scene, std::size_t frames, const std
     }
   };
   if (std::ifstream in(file, std::ios::binary); !file.empty() && in) {
-    for_each([&](Pose& pose, double (&rows)[12]) {
+    for_each([&](Pose& pose, double(&rows)[12]) {
       in.read(reinterpret_cast<char*>(rows), kPoseBytes);
       for (int i = 0; i < 12; ++i)
         pose.matrix()(i % 3, i / 3) = rows[i];
@@ -182,7 +182,7 @@ std::vector<Frame> settle_once(const Scene& scene, std::size_t frames, const std
   path = settle(scene, frames);
   if (file.empty()) return path;
   std::ofstream out(file, std::ios::binary);
-  for_each([&](const Pose& pose, double (&rows)[12]) {
+  for_each([&](const Pose& pose, double(&rows)[12]) {
     for (int i = 0; i < 12; ++i)
       rows[i] = pose.matrix()(i % 3, i / 3);
     out.write(reinterpret_cast<const char*>(rows), kPoseBytes);

@@ -1,5 +1,5 @@
-// Contacts of two meshes that go through each other: against find_contacts() of the meshes, which is
-// exact, against swapping, and from step to step. And boxes and balls on triangles, against the
+// Contacts of two meshes that go through each other: against find_contacts() of the meshes, which
+// is exact, against swapping, and from step to step. And boxes and balls on triangles, against the
 // solvers of any convex sets.
 
 #include <graze/engine/mesh/contacts/mesh_contacts.h>
@@ -183,8 +183,8 @@ Core random_triangle(RandomSource& source) {
   for (Vec3& corner : triangle.corner)
     corner = vec3(source.vector(-1, 1));
   triangle.at = triangle.corner[0];
-  triangle.reach = std::max(length(triangle.corner[1] - triangle.at),
-                            length(triangle.corner[2] - triangle.at));
+  triangle.reach =
+      std::max(length(triangle.corner[1] - triangle.at), length(triangle.corner[2] - triangle.at));
   return triangle;
 }
 

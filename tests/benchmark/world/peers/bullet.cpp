@@ -16,9 +16,9 @@ namespace {
 btTransform transform(const Pose& pose) {
   const auto& r = pose.linear();
   const auto& t = pose.translation();
-  return btTransform(btMatrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0),
-                                 r(2, 1), r(2, 2)),
-                     btVector3(t.x(), t.y(), t.z()));
+  return btTransform(
+      btMatrix3x3(r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)),
+      btVector3(t.x(), t.y(), t.z()));
 }
 
 struct Triangles {

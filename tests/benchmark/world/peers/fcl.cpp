@@ -46,8 +46,8 @@ class Fcl final : public Contestant {
       kinds.push_back(geometry(kind.shape));
     ground_ = std::make_unique<fcl::CollisionObjectd>(to_fcl<fcl::OBBRSSd>(scene.ground));
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      objects_.push_back(std::make_unique<fcl::CollisionObjectd>(kinds[scene.bodies[i]],
-                                                                 to_fcl_pose(frame[i])));
+      objects_.push_back(
+          std::make_unique<fcl::CollisionObjectd>(kinds[scene.bodies[i]], to_fcl_pose(frame[i])));
       manager_.registerObject(objects_.back().get());
     }
     manager_.registerObject(ground_.get());
