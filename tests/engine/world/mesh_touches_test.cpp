@@ -120,6 +120,44 @@ TEST(MeshTouches, OfMeshesInOnePoseTheirVerticesDecideWhoIsFirst) {
   }
 }
 
+// The patch is bent and as wide as the box; what is behind the floor or the wall is not deep.
+TEST(MeshTouches, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
+  const Mesh room(
+      std::vector<Vector3d>{{0, -4, 0}, {4, -4, 0}, {4, 4, 0}, {0, 4, 0}, {0, -4, 4}, {0, 4, 4}},
+      std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}});
+  Pose pose = Pose::Identity();
+  pose.translation() = Vector3d(0.499, 0.1, 0.498);
+  const Manifold m =
+      find_contacts(Shape(room), Pose::Identity(), Shape(tests::make_box({0.5, 0.5, 0.5})), pose);
+  ASSERT_GE(m.size(), 3u);
+  for (const ShapeContact& contact : m) {
+    EXPECT_GT(contact.depth, 0.001);
+    EXPECT_LT(contact.depth, 0.005);
+    EXPECT_GT(contact.normal.x(), 0.3);
+    EXPECT_GT(contact.normal.z(), 0.3);
+    EXPECT_NEAR(contact.normal.y(), 0, 1e-9);
+  }
+}
+
+// Sunk into the middle of two large triangles: corners of the box, and how far it has sunk.
+TEST(MeshTouches, ABoxOnAPlaneHasFourCorners) {
+  const Mesh ground(std::vector<Vector3d>{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}},
+                    std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}});
+  Pose pose = Pose::Identity();
+  pose.translation() = Vector3d(0.3, 0.1, 0.498);
+  pose.rotate(Eigen::AngleAxisd(0.4, Vector3d::UnitZ()));
+  const Manifold m =
+      find_contacts(Shape(ground), Pose::Identity(), Shape(tests::make_box({0.5, 0.5, 0.5})), pose);
+  ASSERT_EQ(m.size(), 4u);
+  for (const ShapeContact& contact : m) {
+    EXPECT_NEAR(contact.depth, 0.002, 1e-12);
+    EXPECT_NEAR(contact.normal.z(), 1, 1e-12);
+    const Vector3d local = pose.linear().transpose() * (contact.point - pose.translation());
+    EXPECT_NEAR(std::abs(local.x()), 0.5, 1e-9);
+    EXPECT_NEAR(std::abs(local.y()), 0.5, 1e-9);
+  }
+}
+
 TEST(MeshTouches, FeaturesStayWhileMeshesMoveALittle) {
   RandomSource source(42);
   int all = 0, kept = 0;
