@@ -23,7 +23,10 @@ double rotation_deviation(const Pose& pose) {
 
 double check_rigid(const Pose& pose, const char* what) {
   const double* m = pose.data();
-  for (int i = 0; i < 16; ++i) {
+  bool is_finite = true;
+  for (int i = 0; i < 16; ++i)
+    is_finite &= m[i] - m[i] == 0;
+  for (int i = 0; i < 16 && !is_finite; ++i) {
     if (!std::isfinite(m[i])) {
       throw PoseError(std::string(what) + ": entry (" + std::to_string(i % 4) + ", " +
                       std::to_string(i / 4) + ") is not finite");

@@ -1,5 +1,6 @@
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/candidates.h>
+#include <graze/engine/mesh/crossing_pairs.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/parallel_pairs.h>
@@ -108,6 +109,16 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     for_each_pair(mesh_a, mesh_b, settings, counted.work(), on_pair);
   });
   return found;
+}
+
+void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMesh& mesh_a,
+                              const PlacedMesh& mesh_b, Work& work) {
+  pairs.clear();
+  for_each_wide_pair(mesh_a, mesh_b, Touch::Include, work, [&](const TrianglePair& pair) {
+    pairs.push_back(pair);
+    return bvh::Walk::Continue;
+  });
+  std::sort(pairs.begin(), pairs.end());
 }
 
 }  // namespace graze

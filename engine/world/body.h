@@ -48,7 +48,8 @@ class BodyShape {
   /// know offers none.
   virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
-  /// Both in one: what contacts() says where touches() is true, else nothing.
+  /// Both in one: what contacts() says where touches() is true, else nothing. For poses that have
+  /// been checked, as those of a world have.
   virtual std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
                                        const Pose& other_pose) const;
 

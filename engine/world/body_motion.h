@@ -31,13 +31,15 @@ class Separation {
   void set_gap(double gap, double path_a, double path_b);
 
  private:
-  static constexpr std::uint32_t kWorthIt = 4;  // skips
-  static constexpr std::uint16_t kLongestWait = 63;
+  // To measure two meshes costs as much as some twenty tests that find them apart.
+  static constexpr std::uint32_t kWorthIt = 16;  // skips
+  static constexpr std::uint16_t kFirstWait = 3;
+  static constexpr std::uint16_t kLongestWait = 255;
 
   double limit_ = -std::numeric_limits<double>::infinity();  // of the sum of both paths
-  std::uint32_t skips_ = kWorthIt;                           // since the gap was measured
-  std::uint16_t wait_ = 1;                                   // tests before the next measurement
-  std::uint16_t tests_left_ = 1;
+  std::uint32_t skips_ = 0;                                  // since the gap was measured
+  std::uint16_t wait_ = kFirstWait;                          // tests before the next measurement
+  std::uint16_t tests_left_ = kFirstWait;
 };
 
 }  // namespace graze

@@ -16,7 +16,29 @@ using narrowphase::Vec3;
 
 // The tables' booleans have been asked before: what comes here touches.
 
+namespace {
+
+/// As below, of two spheres: where the formulas are short, cores cost more than the answer.
+bool touches_of_spheres(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
+  const Sphere& sphere_a = *a.shape.as<Sphere>();
+  const Sphere& sphere_b = *b.shape.as<Sphere>();
+  touches.origin = middle_of(a.shape, a.pose);
+  const Vec3 between = to_vec3(middle_of(b.shape, b.pose)) - to_vec3(touches.origin);
+  const double distance = length(between);
+  const double radii = sphere_a.radius + sphere_b.radius;
+  if (!(distance > 0x1p-20 * radii)) return false;
+  const Vec3 normal = unit_or(between, {0, 0, 1});
+  const Vec3 on_a = normal * sphere_a.radius;
+  const Vec3 on_b = between - normal * sphere_b.radius;
+  touches.list.push_back({(on_a + on_b) * 0.5, normal, std::max(radii - distance, 0.0),
+                          narrowphase::kPointFeature, narrowphase::kPointFeature});
+  return true;
+}
+
+}  // namespace
+
 void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  if (b.shape.kind() == ShapeKind::Sphere && touches_of_spheres(a, b, touches)) return;
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
   const Core core_b = core_of(b.shape, b.pose, touches.origin);
@@ -52,8 +74,8 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   constexpr double kSameDepth = 1e-6;
-  constexpr std::uint64_t kPoint = 0x30000;
-  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius)) add(lowest, kPoint);
+  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius))
+    add(lowest, narrowphase::kPointFeature);
 }
 
 }  // namespace graze

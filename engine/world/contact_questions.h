@@ -3,12 +3,16 @@
 // What each row of the table of pairs offers as contacts; A's kind is not above B's, and points are
 // relative to the origin that is handed back. Private to engine/world.
 
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/pair_input.h>
 #include <graze/narrowphase/convex/touches.h>
 
 #include <vector>
 
 namespace graze {
+
+/// find_contacts() in poses that have been checked.
+Manifold contacts_of(const PlacedShape& s, const PlacedShape& t, Work& work);
 
 /// What is offered. Kept from one question to the next, so that no step of a simulation allocates.
 struct Touches {
@@ -29,6 +33,12 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
 void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
                            Work& work);
 void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+/// A sphere or a box and a mesh, which need not touch: no contacts then.
+void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                            Work& work);
+/// Two meshes, likewise.
 void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+/// Likewise, where triangles go through each other. False if that does not tell.
+bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
 
 }  // namespace graze

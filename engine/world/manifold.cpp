@@ -25,6 +25,7 @@ void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touch
     case MeshPlane:
       return touches_of_mesh_plane(a, b, touches, work);
     case MeshVolume:
+      return touches_of_mesh_volume(a, b, touches, work);
     case MeshCore:
       return touches_of_mesh_core(a, b, touches, work);
     case Meshes:
@@ -72,17 +73,25 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 
 }  // namespace
 
-Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
-                       const Pose& pose_b, Work* work) {
-  if (!intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
-  CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
+Manifold contacts_of(const PlacedShape& s, const PlacedShape& t, Work& work) {
+  const bool is_mirrored = is_swapped(s, t);
+  const PlacedShape& a = is_mirrored ? t : s;
+  const PlacedShape& b = is_mirrored ? s : t;
+  // Where triangles are tested exactly, that they meet is found out along with how.
+  const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
+  const bool is_one_question = method == Meshes || method == MeshVolume;
+  if (!is_one_question && !intersect_in_order(a, b, work)) return {};
   static thread_local Touches touches;  // no question is asked within another
   touches.clear();
-  const bool is_mirrored = is_swapped(a, b);
-  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, counted.work());
+  touches_in_order(a, b, touches, work);
   return manifold_of(touches, is_mirrored);
+}
+
+Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
+                       const Pose& pose_b, Work* work) {
+  check_poses(pose_a, pose_b);
+  CountedWork counted(work);
+  return contacts_of({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
 }
 
 }  // namespace graze

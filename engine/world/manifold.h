@@ -48,8 +48,11 @@ struct Manifold {
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
 /// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the
 /// shape's middle is outside its plane and the common area is not empty, else along the least way
-/// out. Triangles that the middle is behind count only if there are no others. Two meshes offer
-/// their find_contacts(), each of its points with the normal and depth of its piece.
+/// out. Triangles that the middle is behind count only if there are no others. Two meshes offer the
+/// corners of the patches in which they meet, points of the curves of their find_intersection():
+/// each with its patch's normal, that of the area which the curves enclose, and a depth that is
+/// mostly find_contacts()'s, and a guide: it is not proved to part them. Meshes that only touch, in
+/// a plane, along a line or in a point, offer their find_contacts().
 ///
 /// Of all that is offered four remain: the deepest, and then whichever is farthest from those.
 /// Swapping A and B mirrors the result. Throws as intersects() does, and UnsupportedPairError for

@@ -7,9 +7,13 @@
 #include <graze/engine/world/placed_core.h>
 #include <graze/narrowphase/convex/closed_gap.h>
 #include <graze/narrowphase/convex/contact_face.h>
+#include <graze/narrowphase/convex/triangle_parting.h>
+#include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace graze {
@@ -35,32 +39,27 @@ class TriangleTouches {
     offer(index, triangle);
   }
 
-  void offer(std::uint32_t index, const Core& triangle) {
-    offer(index, triangle, narrowphase::nearest(core_, triangle));
-  }
-
   /// Leaves those of triangles seen from outside, or else of those seen from behind.
   void settle() {
     if (touches_.list.empty()) std::swap(touches_.list, touches_.from_behind);
   }
 
- private:
-  void offer(std::uint32_t index, const Core& triangle, const CoreGap& gap) {
+  void offer(std::uint32_t index, const Core& triangle) {
     const Vec3 outward =
         cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
-    const Vec3 normal = unit_or(outward, gap.normal);
-    const bool is_front = dot(normal, core_.at - triangle.corner[0]) >= 0;
     const bool has_area = largest(outward) > 0;
+    const Vec3 normal = unit_or(outward, {0, 0, 1});
+    const bool is_front = has_area && dot(normal, core_.at - triangle.corner[0]) >= 0;
     std::vector<ContactPoint>& found = touches_.found;
     found.clear();
-    if (is_front && has_area) {
+    if (is_front) {
       Parting parting;
       parting.way = along(core_, triangle, -normal);
       parting.way.depth = std::max(parting.way.depth, 0.0);
       add_touches_within(triangle, parting, found);
     }
     if (found.empty()) {
-      Parting parting = part(core_, triangle, gap);
+      const Parting parting = least_parting(triangle, has_area);
       work_.penetration_tests += parting.is_asked;
       work_.penetration_failures += parting.is_failed;
       add_touches(core_, triangle, parting, found);
@@ -70,6 +69,14 @@ class TriangleTouches {
       touch.feature_b = (static_cast<std::uint64_t>(index) << 32) | (touch.feature_b & 0xffffffff);
       list.push_back(touch);
     }
+  }
+
+ private:
+  Parting least_parting(const Core& triangle, bool has_area) const {
+    using enum narrowphase::CoreKind;
+    if (has_area && (core_.kind == Box || core_.kind == Point))
+      return part_from_triangle(core_, triangle);
+    return part(core_, triangle, narrowphase::nearest(core_, triangle));
   }
 
   /// Contacts along the triangle's normal, if the shape's deepest point or some of its face is
@@ -101,8 +108,8 @@ class TriangleTouches {
 
   void add_point(const Vec3& deepest, const Parting& parting, std::vector<ContactPoint>& found) {
     const Vec3 middle = deepest - parting.way.normal * (0.5 * parting.way.depth);
-    constexpr std::uint64_t kPoint = 0x30000;
-    found.push_back({middle, parting.way.normal, parting.way.depth, kPoint, kPoint});
+    found.push_back({middle, parting.way.normal, parting.way.depth, narrowphase::kPointFeature,
+                     narrowphase::kPointFeature});
   }
 
   const Core& core_;
@@ -149,6 +156,54 @@ void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& t
   found.settle();
 }
 
+namespace {
+
+/// Whether a placed triangle and a box or a sphere share a point, exactly: as intersects() of a
+/// mesh and one of these decides.
+class ExactVolume {
+ public:
+  explicit ExactVolume(const PlacedShape& s) : pose_(s.pose) {
+    if (const auto* box = s.shape.as<Box>()) {
+      box_ = Aabb{-box->half_extents, box->half_extents};
+    } else {
+      const auto& sphere = *s.shape.as<Sphere>();
+      ball_ = Sphere{place(s.pose, sphere.centre), sphere.radius};
+    }
+  }
+
+  bool meets(const Triangle& placed, Work& work) const {
+    ++work.triangle_tests;
+    const narrowphase::Decision decision =
+        box_ ? narrowphase::decide(narrowphase::into_frame(placed, pose_), *box_)
+             : narrowphase::decide(placed, *ball_);
+    work.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
+  }
+
+ private:
+  const Pose& pose_;
+  std::optional<Aabb> box_;
+  std::optional<Sphere> ball_;
+};
+
+}  // namespace
+
+void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                            Work& work) {
+  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+  touches.origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, touches.origin);
+  const ExactVolume volume(a);
+  MeshDescent descent(mesh, core, touches.origin, work);
+  TriangleTouches found(core, touches, work);
+  descent.for_each_near([&](std::uint32_t index) {
+    const Triangle placed = place(mesh.pose, mesh.mesh.triangle(index));
+    if (volume.meets(placed, work)) found.offer(index, core_of(placed, touches.origin));
+    return bvh::Walk::Continue;
+  });
+  found.settle();
+}
+
 void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
                            Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
@@ -178,7 +233,10 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
   ++work.convex_tests;
 }
 
-void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+namespace {
+
+/// Of meshes that touch in planes, along lines or in points: by their exact intersection.
+void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
@@ -199,6 +257,12 @@ void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touc
     touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
     touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
   }
+}
+
+}  // namespace
+
+void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  if (!touches_of_crossings(a, b, touches, work)) touches_of_pieces(a, b, touches, work);
 }
 
 }  // namespace graze

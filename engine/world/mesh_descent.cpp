@@ -17,7 +17,12 @@ using narrowphase::Vec3;
 // quite of length 1. The slack, 8 dev + 2^-45 of the sum of all, covers both.
 MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::Vector3d& origin,
                          Work& work)
-    : mesh_(mesh), origin_(origin), tree_(mesh.mesh.tree(&work)), work_(work) {
+    : mesh_(mesh),
+      origin_(origin),
+      tree_(mesh.mesh.tree(&work)),
+      vertices_(mesh.mesh.vertices()),
+      triangles_(mesh.mesh.triangles()),
+      work_(work) {
   const double deviation = rotation_deviation(mesh.pose);
   const double* m = mesh.pose.data();  // column-major 4x4
   const Vec3 from_mesh = to_vec3(origin) - Vec3{m[12], m[13], m[14]};
@@ -36,6 +41,10 @@ MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::
     const double pad = 0x1p-50 * std::abs(tree_.frame.centre[k]);
     min_[k] = (shift + low - pad) / unit_;
     max_[k] = (shift + high + pad) / unit_;
+    // A unit is a power of two; the sum is off by a rounding, of which the pad and the slack have
+    // each their part.
+    own_min_[k] = min_[k] * unit_ + tree_.frame.centre[k];
+    own_max_[k] = max_[k] * unit_ + tree_.frame.centre[k];
   }
 }
 

@@ -8,6 +8,7 @@
 #include <graze/engine/work.h>
 #include <graze/narrowphase/convex/core.h>
 
+#include <span>
 #include <utility>
 
 namespace graze {
@@ -26,10 +27,14 @@ class MeshDescent {
   template <typename OnTriangle>
   void for_each_near(OnTriangle&& on_triangle) {
     bvh::traverse_volume(
-        tree_, [&](std::uint32_t node) { return is_beyond(bound(node), 0); },
+        tree_, [&](std::uint32_t node) { return is_apart(node); },
         [&](const bvh::Node& leaf) {
-          return visit(
-              leaf, [] { return 0.0; }, on_triangle);
+          for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+            const std::uint32_t index = tree_.primitives[i];
+            if (is_triangle_apart(index)) continue;
+            if (on_triangle(index) == bvh::Walk::Stop) return bvh::Walk::Stop;
+          }
+          return bvh::Walk::Continue;
         });
   }
 
@@ -69,6 +74,29 @@ class MeshDescent {
   double bound_of(const double (&low)[3], const double (&high)[3]) const;
   bool is_beyond(double bound, double limit) const;
 
+  bool is_apart(std::uint32_t node) const {
+    ++work_.volume_tests;
+    const bvh::FloatBox& box = tree_.nodes[node].box;
+    bool is_apart = false;
+    for (int k = 0; k < 3; ++k)
+      is_apart |= box.min[k] > max_[k] || box.max[k] < min_[k];
+    work_.volume_rejections += is_apart;
+    return is_apart;
+  }
+
+  bool is_triangle_apart(std::uint32_t index) const {
+    const TriangleIndices& t = triangles_[index];
+    const double* a = vertices_[t[0]].data();
+    const double* b = vertices_[t[1]].data();
+    const double* c = vertices_[t[2]].data();
+    bool is_apart = false;
+    for (int k = 0; k < 3; ++k) {
+      is_apart |= (a[k] > own_max_[k] && b[k] > own_max_[k] && c[k] > own_max_[k]) ||
+                  (a[k] < own_min_[k] && b[k] < own_min_[k] && c[k] < own_min_[k]);
+    }
+    return is_apart;
+  }
+
   template <typename Limit, typename OnTriangle>
   bvh::Walk visit(const bvh::Node& leaf, Limit&& limit, OnTriangle&& on_triangle) const {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
@@ -82,9 +110,13 @@ class MeshDescent {
   const PlacedMesh& mesh_;
   const Eigen::Vector3d& origin_;
   const bvh::Tree& tree_;
+  std::span<const Eigen::Vector3d> vertices_;
+  std::span<const TriangleIndices> triangles_;
   Work& work_;
   double min_[3];  // of the set's box, in the tree's units
   double max_[3];
+  double own_min_[3];  // in the mesh's frame, metres
+  double own_max_[3];
   double unit_;    // metres
   double shrink_;  // lengths in the mesh's frame are at most this much longer than in the world
 };

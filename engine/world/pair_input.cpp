@@ -65,7 +65,16 @@ struct NumbersOf {
     const int by_normal = order(s.normal.data(), o.normal.data(), 3);
     return by_normal != 0 ? by_normal : order(&s.offset, &o.offset, 1);
   }
-  int operator()(const Mesh&) const { return 0; }  // its queries mirror by themselves
+  int operator()(const Mesh& s) const {
+    const std::span<const Eigen::Vector3d> of_s = s.vertices();
+    const std::span<const Eigen::Vector3d> of_o = std::get<Mesh>(other).vertices();
+    if (of_s.data() == of_o.data()) return 0;
+    for (std::size_t i = 0; i < std::min(of_s.size(), of_o.size()); ++i) {
+      const int by_vertex = order(of_s[i].data(), of_o[i].data(), 3);
+      if (by_vertex != 0) return by_vertex;
+    }
+    return of_s.size() < of_o.size() ? -1 : of_s.size() > of_o.size();
+  }
 
  private:
   template <typename Round>

@@ -1,6 +1,8 @@
 // What a world asks of a Shape, answered by the table of all pairs.
 
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/contact_questions.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
@@ -81,8 +83,9 @@ class ShapeBody final : public BodyShape {
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
       return BodyShape::meet(pose, other, other_pose);
     // Empty exactly when they do not touch.
-    Manifold found = find_contacts(shape_, pose, *shape, other_pose);
-    if (found.empty()) return std::nullopt;
+    Work work;
+    std::optional<Manifold> found = contacts_of({shape_, pose}, {*shape, other_pose}, work);
+    if (found->empty()) found.reset();
     return found;
   }
 
@@ -100,8 +103,21 @@ class ShapeBody final : public BodyShape {
         length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
     const double rounding =
         0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
-    const double lower = distance(shape_, pose, *shape, other_pose).lower_bound;
+    const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
     return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
+  }
+
+  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
+  /// half of a clearance, where distance() itself, which is off by roundings of coordinates, is
+  /// more than all of it.
+  double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
+                     double smaller_reach) const {
+    const Mesh* mesh = shape_.as<Mesh>();
+    const Mesh* other = shape.as<Mesh>();
+    if (mesh == nullptr || other == nullptr)
+      return distance(shape_, pose, shape, other_pose).lower_bound;
+    const double clearance = smaller_reach / 64;
+    return within({*mesh, pose}, {*other, other_pose}, clearance) ? 0 : 0.5 * clearance;
   }
 
   std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {

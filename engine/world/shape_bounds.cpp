@@ -20,6 +20,22 @@ double above(double value) {
   return std::nextafter(value, kLargest);
 }
 
+/// How far a box reaches from its middle along each axis.
+Aabb bounds_of_box(const Box& shape, const Pose& pose) {
+  const double* m = pose.data();  // column-major 4x4
+  const double* half = shape.half_extents.data();
+  const double pad = 0x20p-53 * ((half[0] + half[1]) + half[2]);
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    const double reach =
+        ((std::abs(m[i]) * half[0] + std::abs(m[4 + i]) * half[1]) + std::abs(m[8 + i]) * half[2]) +
+        pad;
+    box.max.data()[i] = above(m[12 + i] + reach);
+    box.min.data()[i] = below(m[12 + i] - reach);
+  }
+  return box;
+}
+
 // A support point along an axis is off by less than 20 u of its shape's size (core_gap.cpp); with
 // its own rounding the sum with the middle is one step outward.
 Aabb bounds_of_core(const Shape& shape, const Pose& pose) {
@@ -90,6 +106,7 @@ Aabb bounds_of(const Shape& shape, const Pose& pose) {
   if (const auto* half_space = shape.as<HalfSpace>())
     return bounds_of_half_space(*half_space, pose);
   if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(*mesh, pose);
+  if (const auto* box = shape.as<Box>()) return bounds_of_box(*box, pose);
   return bounds_of_core(shape, pose);
 }
 

@@ -7,7 +7,8 @@
 #include <graze/engine/world/pair_questions.h>
 #include <graze/engine/world/placed_core.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/volumes/obb_overlap.h>
+#include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/obb_rows.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 
@@ -48,20 +49,31 @@ PlacedMesh placed_mesh(const PlacedShape& s) {
   return {*s.shape.as<Mesh>(), s.pose};
 }
 
+/// As overlaps() of a sphere and an oriented box (law 3), of volumes that have been checked.
+bool meet_sphere_box(const PlacedShape& a, const PlacedShape& b) {
+  const Sphere sphere = placed_sphere(a);
+  const Eigen::Vector3d& half = b.shape.as<Box>()->half_extents;
+  const Sphere framed{narrowphase::point_into_frame(sphere.centre, b.pose), sphere.radius};
+  return narrowphase::decide(framed, Aabb{-half, half}).is_hit;
+}
+
 bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& work) {
   const PlacedMesh mesh = placed_mesh(b);
   if (a.shape.kind() == ShapeKind::Sphere) return intersects(mesh, placed_sphere(a), &work);
   return intersects(mesh, placed_box(a), &work);
 }
 
+}  // namespace
+
 bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
       return overlaps(placed_sphere(a), placed_sphere(b));
     case ExactSphereBox:
-      return overlaps(placed_sphere(a), placed_box(b));
+      return meet_sphere_box(a, b);
     case BoxAxes:
-      return overlaps(placed_box(a), placed_box(b));
+      return narrowphase::may_overlap(narrowphase::row_of(placed_box(a)),
+                                      narrowphase::row_of(placed_box(b)));
     case ClosedForm:
     case Cores:
       return intersect_cores(a, b, work);
@@ -80,6 +92,8 @@ bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) 
   }
   throw UnsupportedPairError("shape pair: there is no such method");
 }
+
+namespace {
 
 ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
   const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);

@@ -31,13 +31,18 @@ bool World::State::test(BoxPair pair) {
 }
 
 void World::State::sort_contacts() {
-  order.resize(found.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t s, std::uint32_t t) { return found[s].pair < found[t].pair; });
-  contacts.clear();
-  for (const std::uint32_t at : order)
-    contacts.push_back(found[at]);
+  const auto is_before = [](const BodyContact& s, const BodyContact& t) { return s.pair < t.pair; };
+  if (std::is_sorted(found.begin(), found.end(), is_before)) {
+    contacts.swap(found);
+  } else {
+    order.resize(found.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t s, std::uint32_t t) { return is_before(found[s], found[t]); });
+    contacts.clear();
+    for (const std::uint32_t at : order)
+      contacts.push_back(found[at]);
+  }
   work.contacts_found = contacts.size();
   work.contacts_skipped = moved.size() - contacts.size();
 }

@@ -90,9 +90,10 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
-  std::vector<BodyContact> found;     // contacts in the order in which pairs were tested
-  std::vector<std::uint32_t> order;   // of those
-  std::vector<BodyContact> contacts;  // the same, ascending
+  std::vector<BodyContact> found;         // contacts in the order in which pairs were tested
+  std::vector<std::uint32_t> order;       // of those, or of pairs
+  std::vector<std::uint32_t> first_pair;  // of each body, in that
+  std::vector<BodyContact> contacts;      // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -109,7 +110,11 @@ struct World::State {
   void end_pairs();
   void begin_pairs();
   void filter_again(std::uint32_t index);
+  void test_changed();
+  void list_changed_pairs();
+  void fetch(BoxPair pair) const;
   void test_pairs(std::uint32_t index);
+  void test_candidate(std::uint32_t at);
   bool is_apart_for_sure(std::uint32_t at);
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);

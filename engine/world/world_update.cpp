@@ -2,8 +2,10 @@
 // something changed touch.
 
 #include <graze/engine/world/world_state.h>
+#include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace graze {
 namespace {
@@ -117,23 +119,75 @@ void World::State::test_pairs(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
     if (all.bodies[partner].has_changed && partner < index) continue;
-    const BoxPair pair = ordered_pair(index, partner);
-    const std::uint32_t at = candidates.position(pair);
-    if (at == Candidates::kNowhere) continue;
-    const Bodies::Body& a = all.bodies[pair.a];
-    const Bodies::Body& b = all.bodies[pair.b];
-    if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
-    if (is_apart_for_sure(at)) continue;
-    ++work.shape_tests;
-    const bool touches = test(pair);
-    if (touches) moved.push_back(all.id_pair(pair));
-    if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
-    candidates.set_touches(at, touches);
-    if (touches) {
-      candidates.separation(at) = {};
-    } else {
-      learn_gap(at);
-    }
+    const std::uint32_t at = candidates.position(ordered_pair(index, partner));
+    if (at != Candidates::kNowhere) test_candidate(at);
+  }
+}
+
+void World::State::test_candidate(std::uint32_t at) {
+  const BoxPair pair = candidates.list()[at];
+  const Bodies::Body& a = all.bodies[pair.a];
+  const Bodies::Body& b = all.bodies[pair.b];
+  if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
+  if (is_apart_for_sure(at)) return;
+  ++work.shape_tests;
+  const bool touches = test(pair);
+  if (touches) moved.push_back(all.id_pair(pair));
+  if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
+  candidates.set_touches(at, touches);
+  if (touches) {
+    candidates.separation(at) = {};
+  } else {
+    learn_gap(at);
+  }
+}
+
+/// Bodies of one pair lie anywhere in memory.
+void World::State::fetch(BoxPair pair) const {
+  for (const std::uint32_t index : {pair.a, pair.b}) {
+    const char* body = reinterpret_cast<const char*>(&all.bodies[index]);
+    constexpr std::size_t kLine = 64;
+    for (std::size_t at = 0; at < sizeof(Bodies::Body); at += kLine)
+      hwy::Prefetch(body + at);
+  }
+}
+
+/// Where many changed, to go through all pairs is less than to ask for the partners of each.
+void World::State::test_changed() {
+  constexpr std::size_t kMany = 8;
+  if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
+    for (const std::uint32_t index : changed)
+      test_pairs(index);
+    return;
+  }
+  list_changed_pairs();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    constexpr std::size_t kAhead = 4;
+    if (i + kAhead < order.size()) fetch(candidates.list()[order[i + kAhead]]);
+    test_candidate(order[i]);
+  }
+}
+
+/// In `order`, ascending by their bodies, so that what is found needs no sorting: by counting for
+/// the first body, and then the few of each by the second.
+void World::State::list_changed_pairs() {
+  const std::span<const BoxPair> list = candidates.list();
+  const auto is_due = [&](const BoxPair& pair) {
+    return all.bodies[pair.a].has_changed || all.bodies[pair.b].has_changed;
+  };
+  first_pair.assign(all.bodies.size() + 1, 0);
+  for (const BoxPair& pair : list)
+    first_pair[pair.a + 1] += is_due(pair);
+  std::partial_sum(first_pair.begin(), first_pair.end(), first_pair.begin());
+  order.resize(first_pair.back());
+  for (std::uint32_t at = 0; at < list.size(); ++at) {
+    if (is_due(list[at])) order[first_pair[list[at].a]++] = at;
+  }
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : first_pair) {
+    std::sort(order.begin() + begin, order.begin() + std::max(begin, end),
+              [&](std::uint32_t s, std::uint32_t t) { return list[s].b < list[t].b; });
+    begin = std::max(begin, end);
   }
 }
 
@@ -171,17 +225,16 @@ WorldUpdate World::update() {
   for (const std::uint32_t index : state.changed) {
     if (state.all.bodies[index].has_other_filter) state.filter_again(index);
   }
-  for (const std::uint32_t index : state.changed)
-    state.test_pairs(index);
+  state.test_changed();
   for (const std::uint32_t index : state.changed) {
     Bodies::Body& body = state.all.bodies[index];
     body.has_changed = body.has_other_filter = body.has_other_shape = false;
   }
   state.changed.clear();
   state.removed = 0;
-  std::sort(state.begun.begin(), state.begun.end());
-  std::sort(state.ended.begin(), state.ended.end());
-  std::sort(state.moved.begin(), state.moved.end());
+  for (std::vector<BodyPair>* list : {&state.begun, &state.ended, &state.moved}) {
+    if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
+  }
   state.sort_contacts();
   state.all.ids.next_round();
   state.work.pairs_at_rest =

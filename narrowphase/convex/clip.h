@@ -15,7 +15,10 @@ struct ClippedFace {
     std::uint32_t other;  ///< 0, or the edge (kEdge + its first corner) that cut it there
   };
   static constexpr std::uint32_t kEdge = 0x10000;
-  Corner corner[kMostCorners];
+  ClippedFace() {}
+  union {  // so that corners beyond the count are not written: most never are
+    Corner corner[kMostCorners];
+  };
   int count = 0;
 };
 

@@ -40,21 +40,18 @@ ContactFace box_face(const Core& core, const Vec3& own) {
   const int u = (k + 1) % 3, v = (k + 2) % 3;
   ContactFace face;
   face.id = static_cast<std::uint32_t>(2 * k + (is_positive ? 1 : 0));
+  const Vec3 out = core.axis[k] * (is_positive ? half[k] : -half[k]);
+  const Vec3 middle = core.at + out, way_u = core.axis[u] * half[u], way_v = core.axis[v] * half[v];
   constexpr int kTurn[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   for (int i = 0; i < 4; ++i) {
     const int* turn = kTurn[is_positive ? i : 3 - i];
-    double corner[3];
-    corner[k] = is_positive ? half[k] : -half[k];
-    corner[u] = turn[0] * half[u];
-    corner[v] = turn[1] * half[v];
-    std::uint32_t id = 0;
-    for (int j = 0; j < 3; ++j)
-      id |= corner[j] > 0 ? 1u << j : 0u;
-    add(face, core, {corner[0], corner[1], corner[2]}, id);
+    face.corner[i] =
+        (turn[0] > 0 ? middle + way_u : middle - way_u) + (turn[1] > 0 ? way_v : -way_v);
+    face.corner_id[i] =
+        (is_positive ? 1u << k : 0u) | (turn[0] > 0 ? 1u << u : 0u) | (turn[1] > 0 ? 1u << v : 0u);
   }
-  double normal[3] = {0, 0, 0};
-  normal[k] = is_positive ? 1 : -1;
-  set_normal(face, core, {normal[0], normal[1], normal[2]});
+  face.count = 4;
+  face.normal = unit_or(is_positive ? core.axis[k] : -core.axis[k], {0, 0, 1});
   return face;
 }
 

@@ -9,8 +9,11 @@ namespace graze::narrowphase {
 /// What of a set's boundary faces a direction: a polygon, a segment or a point of it.
 struct ContactFace {
   static constexpr int kMostCorners = 16;
-  Vec3 corner[kMostCorners];  ///< in the common frame, on the boundary; counter-clockwise from
-                              ///< outside
+  ContactFace() {}
+  union {                       // so that corners beyond the count are not written: most never are
+    Vec3 corner[kMostCorners];  ///< in the common frame, on the boundary; counter-clockwise from
+                                ///< outside
+  };
   std::uint32_t corner_id[kMostCorners];  ///< of the set's own corners, the same in every pose
   int count = 0;
   Vec3 normal;           ///< unit, outward

@@ -21,6 +21,7 @@ struct Penetration {
   Vec3 point_b;  ///< and that of B farthest against it
   PenetrationSource source;
   bool is_open = false;  ///< whether nobody proved the depth to be the least, to the tolerance
+  bool has_witnesses = false;  ///< whether the points are where the two meet when they part
 };
 
 /// The least way out of two cores whose radii are added: to kDepthTolerance of the smaller one's

@@ -79,9 +79,8 @@ std::uint64_t feature(std::uint32_t face, std::uint32_t part) {
   return (static_cast<std::uint64_t>(face) << 32) | part;
 }
 
-// What stands for a whole face, and for a point that is of no face in particular.
+// What stands for a whole face.
 constexpr std::uint32_t kWhole = 0x20000;
-constexpr std::uint64_t kPoint = 0x30000;
 
 /// The clipped corners of `incident` that are behind `reference`, whose outward sense along the
 /// normal is `sign`: 1 if it is A's.
@@ -121,7 +120,7 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
     on_a = gap.point_a + way.normal * a.radius;
     on_b = gap.point_b - way.normal * b.radius - out;
   }
-  touches.push_back({(on_a + on_b) * 0.5, way.normal, way.depth, kPoint, kPoint});
+  touches.push_back({(on_a + on_b) * 0.5, way.normal, way.depth, kPointFeature, kPointFeature});
 }
 
 }  // namespace
@@ -138,6 +137,7 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
     parting.has_witnesses = true;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
     way = least_axis(a, b);
+    parting.has_witnesses = way.has_witnesses;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
     way = nearest_face(a, b);
   } else if (a.kind == CoreKind::Point && b.kind == CoreKind::Box) {
@@ -155,6 +155,10 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
 
 void add_face_touches(const Core& a, const Core& b, const Penetration& way,
                       std::vector<ContactPoint>& touches) {
+  const auto has_face = [](const Core& core) {
+    return core.kind != CoreKind::Point && core.kind != CoreKind::Ellipsoid;
+  };
+  if (!has_face(a) || !has_face(b)) return;
   const Vec3& normal = way.normal;
   const ContactFace face_a = face_along(a, normal);
   const ContactFace face_b = face_along(b, -normal);

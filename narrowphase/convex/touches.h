@@ -17,6 +17,9 @@ struct ContactPoint {
   std::uint64_t feature_b;
 };
 
+/// Of a point that is of no corner, edge or face in particular.
+inline constexpr std::uint64_t kPointFeature = 0x30000;
+
 /// How two sets that touch part soonest, and at what cost.
 struct Parting {
   Penetration way;

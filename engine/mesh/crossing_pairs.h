@@ -1,0 +1,18 @@
+#pragma once
+
+// Private to engine.
+
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+
+#include <vector>
+
+namespace graze {
+
+/// All pairs of find_triangle_pairs() in a list that is used again: what it held is gone. Throws
+/// PoseError.
+void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMesh& mesh_a,
+                              const PlacedMesh& mesh_b, Work& work);
+
+}  // namespace graze

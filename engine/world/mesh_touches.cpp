@@ -1,0 +1,299 @@
+// Contacts of two meshes, from their crossings: a normal and a depth for each patch, and its
+// corners.
+
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/vertex_fans.h>
+#include <graze/engine/world/contact_questions.h>
+#include <graze/engine/world/mesh_crossings.h>
+#include <graze/engine/world/placed_core.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace graze {
+namespace {
+
+using narrowphase::ContactPoint;
+using narrowphase::Vec3;
+
+// Patches that face ways at less than about 25 degrees are one.
+constexpr double kOneWay = 0.9;
+
+// A face that the way out leads along, to about 80 degrees, does not end it.
+constexpr double kFacingOut = 0.17;
+
+// So many vertices of one mesh inside the other are looked at: a depth needs no more.
+constexpr std::size_t kMostInner = 96;
+
+struct Piece {
+  Vec3 first;  // any of its points
+  Vec3 area;   // of its loops
+  Vec3 faces;  // normals of A less those of B
+  double length = 0;
+  Vec3 normal;                      // unit, from A to B; then that of its patch
+  double depth_a = 0, depth_b = 0;  // of points of each in the other
+  double high_a = 0, low_b = 0;     // along the normal, from `first`
+  double depth = 0;
+  std::uint32_t patch = 0;
+};
+
+/// A point of one mesh inside the other.
+struct InnerPoint {
+  Vec3 point;
+  std::uint32_t piece;
+};
+
+/// Which vertices have been met in this question, without ever clearing all of them.
+class VertexMarks {
+ public:
+  enum class Mark : std::uint32_t { None, Inside, Outside };
+
+  void start(std::size_t vertices) {
+    if (marks_.size() < vertices) marks_.resize(vertices, 0);
+    if (round_ > std::numeric_limits<std::uint32_t>::max() - 8) {
+      std::fill(marks_.begin(), marks_.end(), 0);
+      round_ = 0;
+    }
+    round_ += 4;
+  }
+  Mark operator[](std::uint32_t vertex) const {
+    return marks_[vertex] >= round_ ? static_cast<Mark>(marks_[vertex] - round_) : Mark::None;
+  }
+  void set(std::uint32_t vertex, Mark mark) {
+    marks_[vertex] = round_ + static_cast<std::uint32_t>(mark);
+  }
+
+ private:
+  std::vector<std::uint32_t> marks_;
+  std::uint32_t round_ = 0;
+};
+
+struct Scratch {
+  MeshCrossings found;
+  std::vector<Piece> pieces;
+  std::vector<std::uint32_t> by_area;
+  std::vector<std::uint32_t> patches;  // the pieces that lead them
+  std::vector<InnerPoint> inner_a, inner_b;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // vertices and pieces
+  VertexMarks marks;
+};
+
+/// Where a piece leads out, or nothing where that cannot be told.
+std::optional<Vec3> normal_of(const Piece& piece) {
+  constexpr double kFlat = 1e-4;
+  if (length(piece.area) > kFlat * piece.length * piece.length)
+    return unit_or(piece.area, {0, 0, 1});
+  if (length(piece.faces) > kFlat * piece.length) return unit_or(piece.faces, {0, 0, 1});
+  return std::nullopt;
+}
+
+bool sum_up_pieces(const MeshCrossings& found, std::vector<Piece>& pieces) {
+  pieces.assign(found.pieces, {});
+  for (const MeshCrossing& crossing : found.crossings) {
+    Piece& piece = pieces[crossing.piece];
+    const double way = length(crossing.to - crossing.from);
+    if (piece.length == 0) piece.first = crossing.from;
+    piece.area = piece.area + cross(crossing.from - piece.first, crossing.to - piece.first) * 0.5;
+    piece.faces = piece.faces + (crossing.normal_a - crossing.normal_b) * way;
+    piece.length += way;
+  }
+  for (Piece& piece : pieces) {
+    const std::optional<Vec3> normal = normal_of(piece);
+    if (!normal) return false;
+    piece.normal = *normal;
+  }
+  return true;
+}
+
+/// Joins pieces that face one way into patches, the largest first.
+void find_patches(Scratch& s) {
+  s.by_area.clear(), s.patches.clear();
+  for (std::uint32_t i = 0; i < s.pieces.size(); ++i)
+    s.by_area.push_back(i);
+  std::sort(s.by_area.begin(), s.by_area.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const double of_i = dot(s.pieces[i].area, s.pieces[i].area);
+    const double of_j = dot(s.pieces[j].area, s.pieces[j].area);
+    return of_i != of_j ? of_i > of_j : i < j;
+  });
+  for (const std::uint32_t i : s.by_area) {
+    Piece& piece = s.pieces[i];
+    std::uint32_t at = 0;
+    while (at < s.patches.size() && dot(s.pieces[s.patches[at]].normal, piece.normal) < kOneWay)
+      ++at;
+    piece.patch = at;
+    if (at == s.patches.size()) s.patches.push_back(i);
+  }
+  for (std::uint32_t at = 0; at < s.patches.size(); ++at) {
+    Vec3 sum;
+    for (const Piece& piece : s.pieces) {
+      if (piece.patch == at) sum = sum + piece.normal * length(piece.area);
+    }
+    const Vec3 normal = unit_or(sum, s.pieces[s.patches[at]].normal);
+    for (Piece& piece : s.pieces) {
+      if (piece.patch == at) piece.normal = normal;
+    }
+  }
+}
+
+/// The vertices of a mesh that are reached from its inner ends of crossed edges without going
+/// outside, and the middles of edges between crossings.
+void find_inner(const PlacedMesh& mesh, const Vec3& origin, const std::vector<EdgeCrossing>& edges,
+                Scratch& s, std::vector<InnerPoint>& inner) {
+  using Mark = VertexMarks::Mark;
+  const auto placed = [&](std::uint32_t vertex) {
+    return to_vec3(place(mesh.pose, mesh.mesh.vertices()[vertex])) - origin;
+  };
+  const auto on_edge = [&](const EdgeCrossing& edge, double share) {
+    const Vec3 low = placed(edge.low);
+    return low + (placed(edge.high) - low) * share;
+  };
+  inner.clear(), s.open.clear();
+  s.marks.start(mesh.mesh.vertices().size());
+  const auto note = [&](std::uint32_t vertex, bool is_inside, std::uint32_t piece) {
+    if (s.marks[vertex] == Mark::Outside) return;
+    if (!is_inside) return s.marks.set(vertex, Mark::Outside);
+    if (s.marks[vertex] == Mark::Inside) return;
+    s.marks.set(vertex, Mark::Inside);
+    s.open.emplace_back(vertex, piece);
+  };
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const EdgeCrossing& edge = edges[i];
+    const auto is_same = [&](std::size_t j) {
+      return edges[j].low == edge.low && edges[j].high == edge.high;
+    };
+    if (i == 0 || !is_same(i - 1)) note(edge.low, !edge.is_entry, edge.piece);
+    const bool is_last = i + 1 == edges.size() || !is_same(i + 1);
+    if (is_last) note(edge.high, edge.is_entry, edge.piece);
+    if (!is_last && edge.is_entry)
+      inner.push_back({on_edge(edge, 0.5 * (edge.share + edges[i + 1].share)), edge.piece});
+  }
+  const VertexFans& fans = mesh.mesh.vertex_fans();
+  const std::span<const std::uint32_t> welded = mesh.mesh.welded();
+  for (std::size_t next = 0; next < s.open.size() && next < kMostInner; ++next) {
+    const auto [vertex, piece] = s.open[next];
+    if (s.marks[vertex] == Mark::Outside) continue;  // of a sheet that ends inside
+    inner.push_back({placed(vertex), piece});
+    for (const std::uint32_t triangle : fans.around(vertex)) {
+      for (const std::uint32_t index : mesh.mesh.triangles()[triangle]) {
+        const std::uint32_t neighbour = welded[index];
+        if (s.marks[neighbour] == Mark::None) note(neighbour, true, piece);
+      }
+    }
+  }
+}
+
+/// How far a point is, along the way out, behind the nearest of the faces that its piece crosses;
+/// no more than `enough` counts.
+double depth_of(const InnerPoint& inner, const Vec3& out, const Scratch& s, bool is_in_a,
+                double enough) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MeshCrossing& crossing : s.found.crossings) {
+    if (crossing.piece != inner.piece) continue;
+    const Vec3& normal = is_in_a ? crossing.normal_a : crossing.normal_b;
+    const double facing = dot(normal, out);
+    if (facing < kFacingOut) continue;
+    const double behind =
+        dot(normal, (is_in_a ? crossing.on_a : crossing.on_b) - inner.point) / facing;
+    if (behind < 0 || behind >= least) continue;
+    least = behind;
+    if (least <= enough) return enough;
+  }
+  return least < std::numeric_limits<double>::infinity() ? least : 0;
+}
+
+/// How far the two reach past each other along the normal, if that is less than by how much points
+/// of either are behind faces of the other: in a corner the patch is as wide as it is long.
+void find_depths(Scratch& s) {
+  for (const MeshCrossing& crossing : s.found.crossings) {
+    Piece& piece = s.pieces[crossing.piece];
+    const double along = dot(piece.normal, crossing.from - piece.first);
+    piece.high_a = std::max(piece.high_a, along);
+    piece.low_b = std::min(piece.low_b, along);
+  }
+  for (const InnerPoint& inner : s.inner_a) {
+    Piece& piece = s.pieces[inner.piece];
+    piece.high_a = std::max(piece.high_a, dot(piece.normal, inner.point - piece.first));
+    piece.depth_a =
+        std::max(piece.depth_a, depth_of(inner, -piece.normal, s, false, piece.depth_a));
+  }
+  for (const InnerPoint& inner : s.inner_b) {
+    Piece& piece = s.pieces[inner.piece];
+    piece.low_b = std::min(piece.low_b, dot(piece.normal, inner.point - piece.first));
+    piece.depth_b = std::max(piece.depth_b, depth_of(inner, piece.normal, s, true, piece.depth_b));
+  }
+  for (Piece& piece : s.pieces)
+    piece.depth = std::min(piece.high_a - piece.low_b, piece.depth_a + piece.depth_b);
+}
+
+/// The axis of a frame that a direction is nearest to, 0 to 5.
+std::uint32_t side_of(const Pose& pose, const Vec3& direction) {
+  const double* m = pose.data();  // column-major 4x4
+  std::uint32_t best = 0;
+  double most = -1;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const double along = dot({m[4 * k], m[4 * k + 1], m[4 * k + 2]}, direction);
+    if (std::abs(along) > most) most = std::abs(along), best = 2 * k + (along < 0);
+  }
+  return best;
+}
+
+/// The corners of each patch: where it ends in four directions that turn with A, so that they are
+/// the same ones in the next step. The directions are askew to A's axes, as edges seldom are.
+void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
+                 std::vector<ContactPoint>& touches) {
+  const double* m = a.pose.data();
+  for (std::uint32_t patch = 0; patch < s.patches.size(); ++patch) {
+    const Vec3& normal = s.pieces[s.patches[patch]].normal;
+    const std::uint32_t side_a = side_of(a.pose, normal);
+    // Patches at one side of A, which are few, are told apart by their order of size.
+    std::uint32_t rank = 0;
+    for (std::uint32_t before = 0; before < patch; ++before)
+      rank += side_of(a.pose, s.pieces[s.patches[before]].normal) == side_a;
+    const std::uint64_t feature_b = side_of(b.pose, normal);
+    const std::uint32_t k = side_a / 2;
+    const auto axis = [&](std::uint32_t i) { return Vec3{m[4 * i], m[4 * i + 1], m[4 * i + 2]}; };
+    const Vec3 u = axis((k + 1) % 3), v = axis((k + 2) % 3);
+    constexpr double kCosine = 0.95, kSine = 0.31;
+    const Vec3 ways[] = {u * kCosine + v * kSine, v * kCosine - u * kSine};
+    const Vec3* corner[4] = {};
+    const Piece* of[4] = {};
+    double most[4];
+    for (const MeshCrossing& crossing : s.found.crossings) {
+      const Piece& piece = s.pieces[crossing.piece];
+      if (piece.patch != patch) continue;
+      for (int i = 0; i < 4; ++i) {
+        const double along = i < 2 ? dot(ways[i], crossing.from) : -dot(ways[i - 2], crossing.from);
+        if (corner[i] == nullptr || along > most[i])
+          most[i] = along, corner[i] = &crossing.from, of[i] = &piece;
+      }
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      if (std::find(corner, corner + i, corner[i]) != corner + i) continue;
+      const std::uint64_t feature_a = (std::uint64_t{rank} << 8 | side_a) << 2 | i;
+      touches.push_back({*corner[i], normal, of[i]->depth, feature_a, feature_b});
+    }
+  }
+}
+
+}  // namespace
+
+bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+                          Work& work) {
+  static thread_local Scratch s;  // no question is asked within another
+  const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
+  const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
+  touches.origin = middle_of(a.shape, a.pose);
+  const Vec3 origin = to_vec3(touches.origin);
+  const bool is_all = find_crossings(mesh_a, mesh_b, origin, s.found, work);
+  if (s.found.pairs.empty()) return true;
+  if (!is_all || !sum_up_pieces(s.found, s.pieces)) return false;
+  find_patches(s);
+  find_inner(mesh_a, origin, s.found.edges_a, s, s.inner_a);
+  find_inner(mesh_b, origin, s.found.edges_b, s, s.inner_b);
+  find_depths(s);
+  add_corners(mesh_a, mesh_b, s, touches.list);
+  return true;
+}
+
+}  // namespace graze
