@@ -95,6 +95,7 @@ class BoxSet {
   std::size_t layer_of(std::uint32_t block) const;
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
+  std::uint64_t find_below(std::span<const BlockPair> tasks, PairBuffer& out) const;
   void find_in_parallel(PairBuffer& out);
   double predicted_excess() const;
   void refit_every_layer();

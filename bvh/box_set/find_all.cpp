@@ -46,6 +46,19 @@ void BoxSet::list_tasks(std::size_t wanted) {
   }
 }
 
+/// Searches all of `tasks`, those of the same two trees together. Returns the pairs of blocks met.
+std::uint64_t BoxSet::find_below(std::span<const BlockPair> tasks, PairBuffer& out) const {
+  std::uint64_t met = 0;
+  for (std::size_t first = 0, last = 0; first < tasks.size(); first = last) {
+    while (last < tasks.size() && tasks[last].trees == tasks[first].trees)
+      ++last;
+    met += find_pairs(view(tasks[first].trees >> kTreeBits),
+                      view(tasks[first].trees & ((1 << kTreeBits) - 1)),
+                      tasks.subspan(first, last - first), out);
+  }
+  return met;
+}
+
 void BoxSet::find_in_parallel(PairBuffer& out) {
   const std::vector<BlockPair>& tasks = scratch_.tasks;
   scratch_.found.resize(kChunks);
@@ -53,12 +66,9 @@ void BoxSet::find_in_parallel(PairBuffer& out) {
   workers_.for_each(kChunks, [&](std::size_t chunk) {
     PairBuffer& found = scratch_.found[chunk];
     found.clear();
-    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks;
-         ++i) {
-      scratch_.met[chunk] +=
-          find_pairs(view(tasks[i].trees >> kTreeBits),
-                     view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
-    }
+    const std::size_t first = chunk * tasks.size() / kChunks;
+    const std::size_t last = (chunk + 1) * tasks.size() / kChunks;
+    scratch_.met[chunk] = find_below(std::span(tasks).subspan(first, last - first), found);
   });
   std::size_t starts[kChunks + 1] = {};
   for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
@@ -77,10 +87,7 @@ void BoxSet::find_all_pairs(PairBuffer& out) {
   met_ = 0;
   list_tasks(kTasks);
   if (!workers_.share(size_)) {
-    for (const BlockPair& task : scratch_.tasks) {
-      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)),
-                         task, out);
-    }
+    met_ = find_below(scratch_.tasks, out);
   } else {
     find_in_parallel(out);
   }

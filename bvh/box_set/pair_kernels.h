@@ -7,6 +7,7 @@
 #include <graze/bvh/box_set/pair_buffer.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace graze::bvh {
@@ -20,10 +21,12 @@ struct BlockPair {
   std::uint16_t trees;  // which trees, for whoever keeps a list of such pairs
 };
 
-/// Appends the pairs of boxes below `start` that overlap, exactly, and returns how many pairs of
-/// blocks of boxes it looked at. The trees are one and the same, or share no box; a tree is paired
-/// with itself from equal blocks, each pair of boxes being found once.
-std::uint64_t find_pairs(const TreeView& a, const TreeView& b, BlockPair start, PairBuffer& out);
+/// Appends the pairs of boxes below each of `starts` that overlap, exactly, and returns how many
+/// pairs of blocks of boxes it looked at. The trees are one and the same, or share no box; a tree
+/// is paired with itself from equal blocks, each pair of boxes being found once. The order of what
+/// it appends does not depend on how the starts are shared among calls.
+std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const BlockPair> starts,
+                         PairBuffer& out);
 
 /// Appends the pairs of blocks that `start` leads to, one step down. Not for two blocks of boxes.
 void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out);
