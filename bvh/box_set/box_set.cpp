@@ -45,14 +45,8 @@ void BoxSet::prefetch(std::uint32_t place) const {
 
 TreeView BoxSet::view(int layer) const {
   const Layer& of = layers_[static_cast<std::size_t>(layer)];
-  TreeView tree{};
-  tree.level[0] = high_.data() + of.first_block;
-  for (int level = 1; level <= of.top; ++level)
-    tree.level[level] = of.upper[level].data();
-  tree.low = low_.data() + of.first_block;
-  tree.owner = owner_.data() + std::size_t{of.first_block} * kLanes;
-  tree.top = of.top;
-  return tree;
+  return of.view(high_.data() + of.first_block, low_.data() + of.first_block,
+                 owner_.data() + std::size_t{of.first_block} * kLanes);
 }
 
 void BoxSet::touch(std::uint32_t block) {

@@ -385,12 +385,7 @@ HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low, co
 
 void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
                              const OrderedBox& after, std::vector<MoverHit>& out) {
-  OrderedBox both;
-  for (std::size_t c = 0; c < 3; ++c) {
-    both[c] = std::min(before[c], after[c]);
-    both[c + 3] = std::max(before[c + 3], after[c + 3]);
-  }
-  const Spread high(both), high_before(before), high_after(after);
+  const Spread high_before(before), high_after(after);
   std::uint32_t blocks[kMaxLevels * kLanes], levels[kMaxLevels * kLanes];
   std::size_t end = 1;
   blocks[0] = 0, levels[0] = static_cast<std::uint32_t>(tree.top);
@@ -399,7 +394,8 @@ void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
     const std::uint32_t level = levels[end], at = blocks[end];
     const Block& block = tree.level[level][at];
     if (level != 0) {
-      for (std::uint32_t hits = near_lanes(block, high); hits != 0; hits &= hits - 1) {
+      std::uint32_t hits = near_lanes(block, high_before) | near_lanes(block, high_after);
+      for (; hits != 0; hits &= hits - 1) {
         const std::uint32_t next = at * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
         for (const auto& row : tree.level[level - 1][next].row)
           __builtin_prefetch(row);
