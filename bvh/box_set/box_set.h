@@ -13,7 +13,7 @@
 namespace graze::bvh {
 
 /// Many boxes that move, each known by a number of its owner's, in blocks of 16 under implicit
-/// trees: one tree for each class of sizes, the factor from class to class being 4, and one for
+/// trees: one tree for each group of sizes, by factors of 4 or more, and one for
 /// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
 ///
 /// After insert(), move(), erase() or set_all() call refit() before finding anything.
@@ -103,6 +103,9 @@ class BoxSet {
   void move_strays();
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
+  std::vector<KdItem> sample_centres(const double* origin) const;
+  std::vector<std::size_t> choose_layers(std::span<const std::uint32_t> count_of_class,
+                                         const double* origin) const;
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
   template <typename InputOf>
