@@ -8,6 +8,8 @@
 namespace graze::benchmark {
 namespace {
 
+constexpr std::size_t kFewFrames = 7;
+
 double milliseconds(clockid_t clock) {
   timespec time{};
   clock_gettime(clock, &time);
@@ -52,10 +54,12 @@ Score measure(const Entry& entry, const Course& course, Truth& truth) {
     score.mean += times.back();
     score.slowest = std::max(score.slowest, times.back());
     if (times.back() > course.patience) break;
+    if (times.size() >= kFewFrames && score.mean > course.budget) break;
   }
   score.frames = static_cast<int>(times.size());
   score.mean /= static_cast<double>(times.size());
   score.median = median(times);
+  score.bytes_per_box = static_cast<double>(contestant->bytes()) / course.boxes;
   return score;
 }
 
