@@ -11,7 +11,7 @@ namespace graze::bvh {
 namespace {
 
 // What sorting costs, in pairs of blocks that a search could have met instead, per block.
-constexpr double kSortCost = 40;
+constexpr double kSortCost = 80;
 
 constexpr std::size_t kMostLayers = 24;
 constexpr std::size_t kSample = 1024;  // boxes that tell how densely all lie
