@@ -8,14 +8,14 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kTasks = 192;  // at least so many, where there are enough blocks
+constexpr std::size_t kTasks = 512;  // at least so many, where there are enough blocks
 constexpr std::size_t kChunks = 64;  // of tasks, each with a list of its own
 constexpr std::size_t kBlocksPerTask = 512;
 constexpr std::uint32_t kTreeBits = 8;
 constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
 
-bool is_leaf(const BlockPair& pair) {
-  return pair.level_a == 0 && pair.level_b == 0;
+int level_of(const BlockPair& pair) {
+  return std::max(pair.level_a, pair.level_b);
 }
 
 }  // namespace
@@ -32,10 +32,15 @@ void BoxSet::list_tasks(std::size_t wanted) {
                        static_cast<std::uint16_t>(i << kTreeBits | j)});
     }
   }
-  while (tasks.size() < wanted && !std::all_of(tasks.begin(), tasks.end(), is_leaf)) {
+  // Those of the highest level first: what lies below a task grows with its level.
+  while (tasks.size() < wanted) {
+    int highest = 0;
+    for (const BlockPair& task : tasks)
+      highest = std::max(highest, level_of(task));
+    if (highest == 0) break;
     scratch_.next_tasks.clear();
     for (const BlockPair& task : tasks) {
-      if (is_leaf(task)) {
+      if (level_of(task) < highest) {
         scratch_.next_tasks.push_back(task);
       } else {
         split_pair(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,

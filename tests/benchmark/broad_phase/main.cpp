@@ -17,6 +17,8 @@
 namespace graze::benchmark {
 namespace {
 
+constexpr double kStartPatience = 60000;  // milliseconds
+
 struct Options {
   std::vector<std::string> scenes = {"S1", "S2", "S3", "S4", "S5"};
   std::vector<std::uint32_t> sizes = {1000, 10000, 100000, 1000000};
@@ -63,7 +65,8 @@ nlohmann::json contest(const Options& options, std::vector<Entry>& entries) {
         if (is_resting) continue;
         const Score score =
             measure(entry, {scene, size, options.frames, options.patience, options.budget}, truth);
-        is_resting = 10 * score.median > options.patience;  // the next size is ten times this one
+        // The next size is ten times this one. Some need the square of the size to start.
+        is_resting = 10 * score.median > options.patience || 100 * score.start > kStartPatience;
         print(score);
         rows.push_back(to_json(score));
         if (entry.name == "graze") own = score.median;

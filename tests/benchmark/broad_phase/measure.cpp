@@ -38,8 +38,10 @@ Score measure(const Entry& entry, const Course& course, Truth& truth) {
   const clockid_t clock = entry.threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
   const auto scene = make_scene(course.scene, course.boxes, 1);
   const auto contestant = entry.make();
-  contestant->start(scene->boxes());
   Score score;
+  const double start = milliseconds(clock);
+  contestant->start(scene->boxes());
+  score.start = milliseconds(clock) - start;
   score.scene = course.scene, score.contestant = entry.name, score.boxes = course.boxes;
   std::vector<double> times;
   for (int frame = 0; frame < course.frames; ++frame) {

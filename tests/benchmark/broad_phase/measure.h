@@ -23,6 +23,7 @@ struct Score {
   double median = 0, mean = 0,
          slowest = 0;        // milliseconds: of one processor, or of a clock for more threads
   std::size_t pairs = 0;     // in the last frame
+  double start = 0;          // milliseconds to take all boxes
   double bytes_per_box = 0;  // beside the pairs, at the end
   int wrong_frames = 0;      // in which the pairs are not those of the first contestant
 };
