@@ -229,11 +229,12 @@ void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>&
   }
 }
 
-void BoxSet::find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+void BoxSet::find_overlapping_either(std::span<const OrderedBox> before,
+                                     std::span<const OrderedBox> after, Lookup& lookup,
                                      std::vector<MoverHit>& out) const {
   for (int layer = 0; layer < layer_count(); ++layer) {
     if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
-      bvh::find_overlapping_either(view(layer), before, after, out);
+      bvh::find_overlapping_either(view(layer), before, after, lookup, out);
   }
 }
 

@@ -62,8 +62,9 @@ class BoxSet {
   /// Appends the owners of all boxes that overlap `box`.
   void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
 
-  /// Appends what overlaps a mover where it was or where it is.
-  void find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+  /// Appends what overlaps movers where they were or where they are, up to 16 at a time.
+  void find_overlapping_either(std::span<const OrderedBox> before,
+                               std::span<const OrderedBox> after, Lookup& lookup,
                                std::vector<MoverHit>& out) const;
 
   /// Visits the boxes along a ray, as bvh::walk_along() says.

@@ -117,24 +117,33 @@ void OverlapTracker::compare_places(const BoxChanges& changes) {
   apply(changes);
   set_.refit();
   is_mover_.resize(std::max<std::size_t>(is_mover_.size(), set_.owner_limit()));
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const std::uint32_t owner = changes.owner[movers_[i].change];
-    const OrderedBox after =
-        set_.contains(owner) ? ordered_box(changes.box[movers_[i].change]) : no_box();
-    hits_.clear();
-    set_.find_overlapping_either(boxes_before_[i], after, hits_);
-    for (const MoverHit& hit : hits_) {
-      const BoxPair pair = ordered_pair(owner, hit.owner);
-      if (!is_mover_[hit.owner]) {
-        if (hit.is > hit.was) begun_.push_back(pair);
-        if (hit.is < hit.was) ended_.push_back(pair);
-      } else if (hit.is && owner < hit.owner &&
-                 index_.position(pairs_, pair) == PairIndex::kNowhere) {
-        begun_.push_back(pair);
-      }
+  for (std::size_t first = 0; first < movers_.size(); first += kLanes)
+    look_up_some(changes, first);
+  end_pairs_of_movers();
+}
+
+/// Of the next 16 movers.
+void OverlapTracker::look_up_some(const BoxChanges& changes, std::size_t first) {
+  OrderedBox after[kLanes];
+  const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t change = movers_[first + i].change;
+    after[i] = set_.contains(changes.owner[change]) ? ordered_box(changes.box[change]) : no_box();
+  }
+  hits_.clear();
+  set_.find_overlapping_either(std::span(boxes_before_).subspan(first, count), {after, count},
+                               lookup_, hits_);
+  for (const MoverHit& hit : hits_) {
+    const std::uint32_t owner = changes.owner[movers_[first + hit.mover].change];
+    const BoxPair pair = ordered_pair(owner, hit.owner);
+    if (!is_mover_[hit.owner]) {
+      if (hit.is > hit.was) begun_.push_back(pair);
+      if (hit.is < hit.was) ended_.push_back(pair);
+    } else if (hit.is && owner < hit.owner &&
+               index_.position(pairs_, pair) == PairIndex::kNowhere) {
+      begun_.push_back(pair);
     }
   }
-  end_pairs_of_movers();
 }
 
 void OverlapTracker::end_pairs_of_movers() {
@@ -147,16 +156,25 @@ void OverlapTracker::end_pairs_of_movers() {
   }
 }
 
+void OverlapTracker::edit_list() {
+  const auto ended = ended_.pairs(), begun = begun_.pairs();
+  for (std::size_t i = 0; i < ended.size(); ++i) {
+    index_.prefetch(ended[std::min(i + kAhead, ended.size() - 1)]);
+    index_.remove(pairs_, ended[i]);
+  }
+  for (std::size_t i = 0; i < begun.size(); ++i) {
+    index_.prefetch(begun[std::min(i + kAhead, begun.size() - 1)]);
+    index_.add(pairs_, begun[i]);
+  }
+}
+
 void OverlapTracker::search_movers(const BoxChanges& changes) {
   if (!index_.is_built()) index_.build(pairs_);
   list_movers(changes);
   compare_places(changes);
   for (const Mover& mover : movers_)
     is_mover_[changes.owner[mover.change]] = false;
-  for (const BoxPair& pair : ended_.pairs())
-    index_.remove(pairs_, pair);
-  for (const BoxPair& pair : begun_.pairs())
-    index_.add(pairs_, pair);
+  edit_list();
   std::sort(begun_.data(), begun_.data() + begun_.size());
   std::sort(ended_.data(), ended_.data() + ended_.size());
   if (begun_.size() + ended_.size() != 0) is_sorted_ = false;
@@ -198,7 +216,8 @@ std::size_t OverlapTracker::bytes_for_pairs() const {
                             former_pairs_.capacity();
   return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 +
          movers_.capacity() * sizeof(Mover) + boxes_before_.capacity() * sizeof(OrderedBox) +
-         hits_.capacity() * sizeof(MoverHit) + former_.bytes();
+         hits_.capacity() * sizeof(MoverHit) +
+         (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
 }
 
 }  // namespace graze::bvh

@@ -51,7 +51,9 @@ class OverlapTracker {
   void search_all(BoxChanges& changes);
   void search_movers(const BoxChanges& changes);
   void compare_places(const BoxChanges& changes);
+  void look_up_some(const BoxChanges& changes, std::size_t first);
   void end_pairs_of_movers();
+  void edit_list();
   void list_movers(const BoxChanges& changes);
   void work_out_difference();
 
@@ -72,6 +74,7 @@ class OverlapTracker {
   FormerBoxes former_;                    // the same as a tree
   PairBuffer former_pairs_;
   std::vector<MoverHit> hits_;
+  Lookup lookup_;
   std::uint64_t searches_for_all_ = 0;
   std::uint64_t searches_for_movers_ = 0;
 };

@@ -383,32 +383,56 @@ HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low, co
   return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | settle(block, low, box, unsure) : near;
 }
 
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
-                             const OrderedBox& after, std::vector<MoverHit>& out) {
-  const Spread high_before(before), high_after(after);
-  std::uint32_t blocks[kMaxLevels * kLanes], levels[kMaxLevels * kLanes];
-  std::size_t end = 1;
-  blocks[0] = 0, levels[0] = static_cast<std::uint32_t>(tree.top);
-  while (end != 0) {
-    --end;
-    const std::uint32_t level = levels[end], at = blocks[end];
-    const Block& block = tree.level[level][at];
-    if (level != 0) {
-      std::uint32_t hits = near_lanes(block, high_before) | near_lanes(block, high_after);
-      for (; hits != 0; hits &= hits - 1) {
-        const std::uint32_t next = at * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
-        for (const auto& row : tree.level[level - 1][next].row)
-          __builtin_prefetch(row);
-        blocks[end] = next, levels[end++] = level - 1;
-      }
-      continue;
+/// The movers' high halves: mover i in lane i.
+HWY_INLINE Block high_halves(std::span<const OrderedBox> boxes) {
+  Block block = empty_block();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t c = 0; c < 6; ++c)
+      block.row[c][i] = high_half(boxes[i][c]);
+  }
+  return block;
+}
+
+/// The blocks one level down that the movers may reach.
+HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, const Block& after,
+                          Lookup& lookup) {
+  lookup.below.clear();
+  for (const Reached& at : lookup.here) {
+    const Block& block = tree.level[level][at.block];
+    std::uint32_t hits =
+        near_lanes(block, Spread(before, at.mover)) | near_lanes(block, Spread(after, at.mover));
+    for (; hits != 0; hits &= hits - 1) {
+      const std::uint32_t next =
+          at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
+      for (const auto& row : tree.level[level - 1][next].row)
+        __builtin_prefetch(row);
+      if (level == 1) __builtin_prefetch(tree.owner + next * kLanes);
+      lookup.below.push_back({at.mover, next});
     }
-    const std::uint32_t was = exact_lanes(block, tree.low[at], high_before, before);
-    const std::uint32_t is = exact_lanes(block, tree.low[at], high_after, after);
+  }
+  lookup.here.swap(lookup.below);
+}
+
+void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
+                             std::span<const OrderedBox> after, Lookup& lookup,
+                             std::vector<MoverHit>& out) {
+  const Block high_before = high_halves(before), high_after = high_halves(after);
+  lookup.here.clear();
+  for (std::uint32_t mover = 0; mover < before.size(); ++mover)
+    lookup.here.push_back({mover, 0});
+  for (int level = tree.top; level > 0; --level)
+    step_down(tree, level, high_before, high_after, lookup);
+  for (const auto& [mover, at] : lookup.here) {
+    const Block& block = tree.level[0][at];
+    const std::uint32_t was =
+        exact_lanes(block, tree.low[at], Spread(high_before, mover), before[mover]);
+    const std::uint32_t is =
+        exact_lanes(block, tree.low[at], Spread(high_after, mover), after[mover]);
     for (std::uint32_t hits = was | is; hits != 0; hits &= hits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
-      out.push_back({tree.owner[at * kLanes + lane], static_cast<std::uint16_t>(was >> lane & 1),
-                     static_cast<std::uint16_t>(is >> lane & 1)});
+      out.push_back({tree.owner[at * kLanes + lane], static_cast<std::uint8_t>(mover),
+                     static_cast<std::uint8_t>(was >> lane & 1),
+                     static_cast<std::uint8_t>(is >> lane & 1)});
     }
   }
 }
@@ -468,9 +492,10 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
   HWY_DYNAMIC_DISPATCH(find_overlapping)(tree, box, out);
 }
 
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
-                             const OrderedBox& after, std::vector<MoverHit>& out) {
-  HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, out);
+void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
+                             std::span<const OrderedBox> after, Lookup& lookup,
+                             std::vector<MoverHit>& out) {
+  HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, lookup, out);
 }
 
 void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above) {

@@ -37,14 +37,25 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
 /// A box that overlaps a mover where it was, where it is, or both.
 struct MoverHit {
   std::uint32_t owner;
-  std::uint16_t was;
-  std::uint16_t is;
+  std::uint8_t mover;  // its number among those that were looked up together
+  std::uint8_t was;
+  std::uint8_t is;
 };
 
-/// Appends what overlaps `before` or `after`, exactly, both looked up at once. no_box() overlaps
-/// nothing.
-void find_overlapping_either(const TreeView& tree, const OrderedBox& before,
-                             const OrderedBox& after, std::vector<MoverHit>& out);
+/// A block that some of the movers looked up together may reach. Working memory.
+struct Reached {
+  std::uint32_t mover;
+  std::uint32_t block;
+};
+struct Lookup {
+  std::vector<Reached> here, below;
+};
+
+/// Appends what overlaps before[i] or after[i], exactly, for up to 16 movers: they go down level by
+/// level, so that none waits for what it will read. no_box() overlaps nothing.
+void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
+                             std::span<const OrderedBox> after, Lookup& lookup,
+                             std::vector<MoverHit>& out);
 
 /// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
 void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);

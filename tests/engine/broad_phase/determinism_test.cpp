@@ -89,9 +89,9 @@ struct Golden {
 };
 
 constexpr Golden kGolden[] = {
-    {Habitat::Uniform, 9309119474677146111u, 6247608111659979354u},
-    {Habitat::Far, 10051694975611195659u, 15497133138417783065u},
-    {Habitat::Sizes, 14046284043718103722u, 4635039447768114159u},
+    {Habitat::Uniform, 16686938481652219847u, 6247608111659979354u},
+    {Habitat::Far, 8843523174476386543u, 15497133138417783065u},
+    {Habitat::Sizes, 6007602602874347830u, 4635039447768114159u},
 };
 
 class BroadPhaseDeterminism : public testing::TestWithParam<Golden> {};
