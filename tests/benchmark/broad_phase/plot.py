@@ -83,7 +83,7 @@ def main():
     handles = [plt.Line2D([], [], label=name, **style_of(name)) for name in present]
     figure.legend(handles=handles, loc="lower center", ncols=5, fontsize=8, frameon=False)
     figure.suptitle("Moving boxes: all overlapping pairs in every frame, medians over the frames. "
-                    "Filled marks and full lines: graze; \"wrong\": pairs are missing in some frames.\n"
+                    "Filled marks and full lines: graze; \"wrong\": in some frames not the pairs that all others find.\n"
                     f"{result['processor']}; one thread where nothing else is said", fontsize=9)
     figure.tight_layout(rect=(0, 0.06, 1, 1))  # the legend stands below
     figure.savefig(target, metadata={"Date": None} if target.endswith(".svg") else None)
