@@ -32,15 +32,10 @@ static_assert(std::endian::native == std::endian::little);
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
   std::uint8_t bytes[8] = {};  // Highway may write eight bytes
   hn::StoreMaskBits(Tag(), mask, bytes);
+  if constexpr (hn::MaxLanes(Tag()) <= 8) return bytes[0];  // two bytes would wait for two stores
   std::uint16_t bits;
   std::memcpy(&bits, bytes, sizeof(bits));
   return bits;
-}
-
-HWY_INLINE auto mask_of(std::uint32_t bits) {
-  std::uint8_t bytes[8] = {};  // Highway may read eight bytes
-  std::memcpy(bytes, &bits, sizeof(bits));
-  return hn::LoadMaskBits(NumberTag(), bytes);
 }
 
 /// One box, its halves in all lanes.
@@ -132,43 +127,55 @@ HWY_INLINE Verdict verdict(const Block& block, const Spread& box) {
   return sum;
 }
 
+// Only the widest registers can be packed in one instruction. Highway 1.0.3 packs others by a table
+// that g++ 12.2 copies to the stack each time; there a loop over the bits is faster.
+constexpr bool kPacks = hn::MaxLanes(Tag()) == kLanes;
+
+/// The lanes whose bits are set, one after the other.
+template <typename Numbers>
+HWY_INLINE Numbers packed(Numbers numbers, std::uint32_t bits) {
+  std::uint8_t bytes[8] = {};  // Highway may read eight bytes
+  std::memcpy(bytes, &bits, sizeof(bits));
+  return hn::CompressBits(numbers, bytes);
+}
+
+/// Stores pairs, side by side. The upper half of a register is hardly ever of use.
+template <typename Numbers>
+HWY_INLINE void store_pairs(Numbers smaller, Numbers larger, int count, BoxPair* to) {
+  const hn::Half<NumberTag> half;
+  hn::StoreInterleaved2(hn::LowerHalf(half, smaller), hn::LowerHalf(half, larger), half, &to->a);
+  if (HWY_UNLIKELY(count > static_cast<int>(kLanes / 2)))
+    hn::StoreInterleaved2(UpperHalf(half, smaller), UpperHalf(half, larger), half,
+                          &to[kLanes / 2].a);
+}
+
 /// Appends the numbers first + i of the bits i that are set; up to 16 places are written.
-HWY_INLINE std::uint32_t* list_bits(std::uint32_t bits, std::uint32_t first, std::uint32_t* end) {
-  const NumberTag tag;
-  for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
-    const std::uint32_t here = bits >> lane & kAllHere;
-    const auto numbers = hn::Add(hn::Iota(tag, lane), hn::Set(tag, first));
-    hn::StoreU(hn::Compress(numbers, mask_of(here)), tag, end);
-    end += std::popcount(here);
+template <typename Number>
+HWY_INLINE Number* list_bits(std::uint32_t bits, std::uint32_t first, Number* end) {
+  if constexpr (kPacks) {
+    const NumberTag tag;
+    hn::StoreU(packed(hn::Add(hn::Iota(tag, 0), hn::Set(tag, first)), bits), tag, end);
+    return end + std::popcount(bits);
   }
+  for (; bits != 0; bits &= bits - 1)
+    *end++ = first + static_cast<std::uint32_t>(std::countr_zero(bits));
   return end;
 }
 
-/// Stores pairs, side by side. Of the widest registers the upper half is hardly ever of use.
-template <typename Numbers>
-HWY_INLINE void store_pairs(Numbers smaller, Numbers larger, std::uint32_t count, BoxPair* to) {
-  if constexpr (hn::MaxLanes(NumberTag()) == kLanes) {
-    const hn::Half<NumberTag> half;
-    hn::StoreInterleaved2(hn::LowerHalf(half, smaller), hn::LowerHalf(half, larger), half, &to->a);
-    if (HWY_UNLIKELY(count > kLanes / 2))
-      hn::StoreInterleaved2(UpperHalf(half, smaller), UpperHalf(half, larger), half,
-                            &to[kLanes / 2].a);
-  } else {
-    hn::StoreInterleaved2(smaller, larger, NumberTag(), &to->a);
-  }
-}
-
 /// Appends the pairs of `mine` with the others whose bits are set; up to 16 places are written.
-HWY_INLINE BoxPair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std::uint32_t bits,
-                               BoxPair* end) {
-  const NumberTag tag;
-  const auto me = hn::Set(tag, mine);
-  for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
-    const std::uint32_t here = bits >> lane & kAllHere;
-    const auto count = static_cast<std::uint32_t>(std::popcount(here));
-    const auto other = hn::Compress(hn::LoadU(tag, others + lane), mask_of(here));
-    store_pairs(hn::Min(me, other), hn::Max(me, other), count, end);
-    end += count;
+template <typename Pair>
+HWY_INLINE Pair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std::uint32_t bits,
+                            Pair* end) {
+  if constexpr (kPacks) {
+    const NumberTag tag;
+    const auto me = hn::Set(tag, mine);
+    const auto other = packed(hn::LoadU(tag, others), bits);
+    store_pairs(hn::Min(me, other), hn::Max(me, other), std::popcount(bits), end);
+    return end + std::popcount(bits);
+  }
+  for (; bits != 0; bits &= bits - 1) {
+    const std::uint32_t other = others[std::countr_zero(bits)];
+    *end++ = {std::min(mine, other), std::max(mine, other)};
   }
   return end;
 }
