@@ -157,9 +157,13 @@ HWY_INLINE Number* list_bits(std::uint32_t bits, std::uint32_t first, Number* en
     hn::StoreU(packed(hn::Add(hn::Iota(tag, 0), hn::Set(tag, first)), bits), tag, end);
     return end + std::popcount(bits);
   }
-  for (; bits != 0; bits &= bits - 1)
+  // Four are written whether they are there or not.
+  Number* const last = end + std::popcount(bits);
+  for (int i = 0; i < 4; ++i, bits &= bits - 1)
+    end[i] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+  for (end += 4; HWY_UNLIKELY(bits != 0); bits &= bits - 1)
     *end++ = first + static_cast<std::uint32_t>(std::countr_zero(bits));
-  return end;
+  return last;
 }
 
 /// Appends the pairs of `mine` with the others whose bits are set; up to 16 places are written.
@@ -173,11 +177,17 @@ HWY_INLINE Pair* list_pairs(std::uint32_t mine, const std::uint32_t* others, std
     store_pairs(hn::Min(me, other), hn::Max(me, other), std::popcount(bits), end);
     return end + std::popcount(bits);
   }
-  for (; bits != 0; bits &= bits - 1) {
+  // Two are written whether they are there or not.
+  Pair* const last = end + std::popcount(bits);
+  for (int i = 0; i < 2; ++i, bits &= bits - 1) {
+    const std::uint32_t other = others[std::countr_zero(bits | 1u << (kLanes - 1))];
+    end[i] = {std::min(mine, other), std::max(mine, other)};
+  }
+  for (end += 2; HWY_UNLIKELY(bits != 0); bits &= bits - 1) {
     const std::uint32_t other = others[std::countr_zero(bits)];
     *end++ = {std::min(mine, other), std::max(mine, other)};
   }
-  return end;
+  return last;
 }
 
 /// Pairs of blocks of boxes, met a batch at a time. Each stage runs over a plain queue without a
