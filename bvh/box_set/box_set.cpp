@@ -45,14 +45,8 @@ void BoxSet::prefetch(std::uint32_t place) const {
 
 TreeView BoxSet::view(int layer) const {
   const Layer& of = layers_[static_cast<std::size_t>(layer)];
-  TreeView tree{};
-  tree.level[0] = high_.data() + of.first_block;
-  for (int level = 1; level <= of.top; ++level)
-    tree.level[level] = of.upper[level].data();
-  tree.low = low_.data() + of.first_block;
-  tree.owner = owner_.data() + std::size_t{of.first_block} * kLanes;
-  tree.top = of.top;
-  return tree;
+  return of.view(high_.data() + of.first_block, low_.data() + of.first_block,
+                 owner_.data() + std::size_t{of.first_block} * kLanes);
 }
 
 void BoxSet::touch(std::uint32_t block) {
@@ -235,11 +229,12 @@ void BoxSet::find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>&
   }
 }
 
-void BoxSet::find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+void BoxSet::find_overlapping_either(std::span<const OrderedBox> before,
+                                     std::span<const OrderedBox> after, Lookup& lookup,
                                      std::vector<MoverHit>& out) const {
   for (int layer = 0; layer < layer_count(); ++layer) {
     if (layers_[static_cast<std::size_t>(layer)].block_count != 0)
-      bvh::find_overlapping_either(view(layer), before, after, out);
+      bvh::find_overlapping_either(view(layer), before, after, lookup, out);
   }
 }
 

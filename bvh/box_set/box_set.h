@@ -13,7 +13,7 @@
 namespace graze::bvh {
 
 /// Many boxes that move, each known by a number of its owner's, in blocks of 16 under implicit
-/// trees: one tree for each class of sizes, the factor from class to class being 4, and one for
+/// trees: one tree for each group of sizes, by factors of 4 or more, and one for
 /// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
 ///
 /// After insert(), move(), erase() or set_all() call refit() before finding anything.
@@ -62,8 +62,9 @@ class BoxSet {
   /// Appends the owners of all boxes that overlap `box`.
   void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
 
-  /// Appends what overlaps a mover where it was or where it is.
-  void find_overlapping_either(const OrderedBox& before, const OrderedBox& after,
+  /// Appends what overlaps movers where they were or where they are, up to 16 at a time.
+  void find_overlapping_either(std::span<const OrderedBox> before,
+                               std::span<const OrderedBox> after, Lookup& lookup,
                                std::vector<MoverHit>& out) const;
 
   /// Visits the boxes along a ray, as bvh::walk_along() says.
@@ -95,6 +96,7 @@ class BoxSet {
   std::size_t layer_of(std::uint32_t block) const;
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
+  std::uint64_t find_below(std::span<const BlockPair> tasks, PairBuffer& out) const;
   void find_in_parallel(PairBuffer& out);
   double predicted_excess() const;
   void refit_every_layer();
@@ -102,6 +104,9 @@ class BoxSet {
   void move_strays();
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
+  std::vector<KdItem> sample_centres(const double* origin) const;
+  std::vector<std::size_t> choose_layers(std::span<const std::uint32_t> count_of_class,
+                                         const double* origin) const;
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
   template <typename InputOf>

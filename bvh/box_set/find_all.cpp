@@ -8,14 +8,14 @@
 namespace graze::bvh {
 namespace {
 
-constexpr std::size_t kTasks = 192;  // at least so many, where there are enough blocks
+constexpr std::size_t kTasks = 512;  // at least so many, where there are enough blocks
 constexpr std::size_t kChunks = 64;  // of tasks, each with a list of its own
 constexpr std::size_t kBlocksPerTask = 512;
 constexpr std::uint32_t kTreeBits = 8;
 constexpr std::size_t kAhead = 32;  // boxes that are fetched before they are needed
 
-bool is_leaf(const BlockPair& pair) {
-  return pair.level_a == 0 && pair.level_b == 0;
+int level_of(const BlockPair& pair) {
+  return std::max(pair.level_a, pair.level_b);
 }
 
 }  // namespace
@@ -32,10 +32,15 @@ void BoxSet::list_tasks(std::size_t wanted) {
                        static_cast<std::uint16_t>(i << kTreeBits | j)});
     }
   }
-  while (tasks.size() < wanted && !std::all_of(tasks.begin(), tasks.end(), is_leaf)) {
+  // Those of the highest level first: what lies below a task grows with its level.
+  while (tasks.size() < wanted) {
+    int highest = 0;
+    for (const BlockPair& task : tasks)
+      highest = std::max(highest, level_of(task));
+    if (highest == 0) break;
     scratch_.next_tasks.clear();
     for (const BlockPair& task : tasks) {
-      if (is_leaf(task)) {
+      if (level_of(task) < highest) {
         scratch_.next_tasks.push_back(task);
       } else {
         split_pair(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)), task,
@@ -46,6 +51,19 @@ void BoxSet::list_tasks(std::size_t wanted) {
   }
 }
 
+/// Searches all of `tasks`, those of the same two trees together. Returns the pairs of blocks met.
+std::uint64_t BoxSet::find_below(std::span<const BlockPair> tasks, PairBuffer& out) const {
+  std::uint64_t met = 0;
+  for (std::size_t first = 0, last = 0; first < tasks.size(); first = last) {
+    while (last < tasks.size() && tasks[last].trees == tasks[first].trees)
+      ++last;
+    met += find_pairs(view(tasks[first].trees >> kTreeBits),
+                      view(tasks[first].trees & ((1 << kTreeBits) - 1)),
+                      tasks.subspan(first, last - first), out);
+  }
+  return met;
+}
+
 void BoxSet::find_in_parallel(PairBuffer& out) {
   const std::vector<BlockPair>& tasks = scratch_.tasks;
   scratch_.found.resize(kChunks);
@@ -53,12 +71,9 @@ void BoxSet::find_in_parallel(PairBuffer& out) {
   workers_.for_each(kChunks, [&](std::size_t chunk) {
     PairBuffer& found = scratch_.found[chunk];
     found.clear();
-    for (std::size_t i = chunk * tasks.size() / kChunks; i < (chunk + 1) * tasks.size() / kChunks;
-         ++i) {
-      scratch_.met[chunk] +=
-          find_pairs(view(tasks[i].trees >> kTreeBits),
-                     view(tasks[i].trees & ((1 << kTreeBits) - 1)), tasks[i], found);
-    }
+    const std::size_t first = chunk * tasks.size() / kChunks;
+    const std::size_t last = (chunk + 1) * tasks.size() / kChunks;
+    scratch_.met[chunk] = find_below(std::span(tasks).subspan(first, last - first), found);
   });
   std::size_t starts[kChunks + 1] = {};
   for (std::size_t chunk = 0; chunk < kChunks; ++chunk) {
@@ -77,10 +92,7 @@ void BoxSet::find_all_pairs(PairBuffer& out) {
   met_ = 0;
   list_tasks(kTasks);
   if (!workers_.share(size_)) {
-    for (const BlockPair& task : scratch_.tasks) {
-      met_ += find_pairs(view(task.trees >> kTreeBits), view(task.trees & ((1 << kTreeBits) - 1)),
-                         task, out);
-    }
+    met_ = find_below(scratch_.tasks, out);
   } else {
     find_in_parallel(out);
   }

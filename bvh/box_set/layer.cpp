@@ -79,6 +79,17 @@ void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched)
   touched.clear();
 }
 
+TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const {
+  TreeView tree;
+  tree.level[0] = boxes;
+  for (int level = 1; level <= top; ++level)
+    tree.level[level] = upper[level].data();
+  tree.low = low;
+  tree.owner = owner;
+  tree.top = top;
+  return tree;
+}
+
 double Layer::girth_of(std::uint32_t block) const {
   return girth(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }

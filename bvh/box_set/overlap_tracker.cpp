@@ -10,8 +10,6 @@ namespace {
 constexpr std::size_t kFewShare = 16;
 constexpr std::size_t kAlwaysFew = 2;
 
-constexpr std::size_t kPairsPerLookup = 512;  // of the list are read in the time of a lookup
-
 constexpr std::size_t kAhead = 4;  // movers whose blocks are fetched before they are needed
 
 BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
@@ -94,125 +92,89 @@ void OverlapTracker::list_movers(const BoxChanges& changes) {
     if (owner >= is_mover_.size()) is_mover_.resize(owner + std::size_t{1});
     if (is_mover_[owner]) continue;
     is_mover_[owner] = true;
-    movers_.push_back({set_.place(owner), static_cast<std::uint32_t>(i), {}});
+    movers_.push_back({set_.place(owner), static_cast<std::uint32_t>(i)});
   }
   std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
     return s.place != t.place ? s.place < t.place : s.change < t.change;
   });
 }
 
-/// What a box overlaps now, in ascending order; of two movers the smaller one lists the pair.
-void OverlapTracker::list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover,
-                                   int when) {
-  const std::size_t first = partners_.size();
-  set_.find_overlapping(box, partners_);
-  std::size_t kept = first;
-  for (std::size_t i = first; i < partners_.size(); ++i) {
-    const std::uint32_t other = partners_[i];
-    const bool is_mine =
-        other > owner || (other < owner && !(other < is_mover_.size() && is_mover_[other]));
-    if (is_mine) partners_[kept++] = other;
-  }
-  partners_.resize(kept);
-  std::sort(partners_.begin() + static_cast<std::ptrdiff_t>(first), partners_.end());
-  mover.partners[when] = static_cast<std::uint32_t>(first);
-  mover.partners[when + 1] = static_cast<std::uint32_t>(kept);
-}
-
-void OverlapTracker::note_difference(std::uint32_t owner, const Mover& mover) {
-  std::uint32_t was = mover.partners[0], is = mover.partners[2];
-  while (was != mover.partners[1] || is != mover.partners[3]) {
-    if (was != mover.partners[1] && is != mover.partners[3] && partners_[was] == partners_[is]) {
-      ++was, ++is;
-    } else if (is == mover.partners[3] ||
-               (was != mover.partners[1] && partners_[was] < partners_[is])) {
-      ended_.push_back(ordered_pair(owner, partners_[was++]));
-    } else {
-      begun_.push_back(ordered_pair(owner, partners_[is++]));
-    }
-  }
-}
-
-/// What movers overlapped is looked up before they move: nothing is read but what lies near them.
-void OverlapTracker::compare_lookups(const BoxChanges& changes) {
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    Mover& mover = movers_[i];
-    const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
-    if (later.place != kNobody) set_.prefetch(later.place);
-    if (mover.place == kNobody) continue;
-    const std::uint32_t owner = changes.owner[mover.change];
-    list_partners(owner, set_.box(owner), mover, 0);
-  }
-  apply(changes);
-  set_.refit();
-  for (Mover& mover : movers_) {
-    const std::uint32_t owner = changes.owner[mover.change];
-    if (set_.contains(owner))
-      list_partners(owner, ordered_box(changes.box[mover.change]), mover, 2);
-    note_difference(owner, mover);
-  }
-}
-
 /// Both places of a mover are looked up at once, after all have moved. That tells what began and
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
-/// what ended between two takes a pass over the list to find.
-void OverlapTracker::compare_at_once(const BoxChanges& changes) {
+/// what ended between two is found among the places where they were.
+void OverlapTracker::compare_places(const BoxChanges& changes) {
   boxes_before_.resize(movers_.size());
+  former_.clear();
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
     if (later.place != kNobody) set_.prefetch(later.place);
-    boxes_before_[i] =
-        movers_[i].place == kNobody ? no_box() : set_.box(changes.owner[movers_[i].change]);
+    boxes_before_[i] = no_box();
+    if (movers_[i].place == kNobody) continue;
+    const std::uint32_t owner = changes.owner[movers_[i].change];
+    boxes_before_[i] = set_.box(owner);
+    former_.add(owner, boxes_before_[i]);
   }
   apply(changes);
   set_.refit();
   is_mover_.resize(std::max<std::size_t>(is_mover_.size(), set_.owner_limit()));
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const std::uint32_t owner = changes.owner[movers_[i].change];
-    const OrderedBox after =
-        set_.contains(owner) ? ordered_box(changes.box[movers_[i].change]) : no_box();
-    hits_.clear();
-    set_.find_overlapping_either(boxes_before_[i], after, hits_);
-    for (const MoverHit& hit : hits_) {
-      const BoxPair pair = ordered_pair(owner, hit.owner);
-      if (!is_mover_[hit.owner]) {
-        if (hit.is > hit.was) begun_.push_back(pair);
-        if (hit.is < hit.was) ended_.push_back(pair);
-      } else if (hit.is && owner < hit.owner &&
-                 index_.position(pairs_, pair) == PairIndex::kNowhere) {
-        begun_.push_back(pair);
-      }
-    }
-  }
+  for (std::size_t first = 0; first < movers_.size(); first += kLanes)
+    look_up_some(changes, first);
   end_pairs_of_movers();
 }
 
+/// Of the next 16 movers.
+void OverlapTracker::look_up_some(const BoxChanges& changes, std::size_t first) {
+  OrderedBox after[kLanes];
+  const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t change = movers_[first + i].change;
+    after[i] = set_.contains(changes.owner[change]) ? ordered_box(changes.box[change]) : no_box();
+  }
+  hits_.clear();
+  set_.find_overlapping_either(std::span(boxes_before_).subspan(first, count), {after, count},
+                               lookup_, hits_);
+  for (const MoverHit& hit : hits_) {
+    const std::uint32_t owner = changes.owner[movers_[first + hit.mover].change];
+    const BoxPair pair = ordered_pair(owner, hit.owner);
+    if (!is_mover_[hit.owner]) {
+      if (hit.is > hit.was) begun_.push_back(pair);
+      if (hit.is < hit.was) ended_.push_back(pair);
+    } else if (hit.is && owner < hit.owner &&
+               index_.position(pairs_, pair) == PairIndex::kNowhere) {
+      begun_.push_back(pair);
+    }
+  }
+}
+
 void OverlapTracker::end_pairs_of_movers() {
-  const BoxPair* pairs = pairs_.data();
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const auto [a, b] = pairs[i];
-    if (!is_mover_[a] || !is_mover_[b]) continue;
+  former_.find_pairs(former_pairs_);
+  for (const BoxPair& pair : former_pairs_.pairs()) {
+    const auto [a, b] = pair;
     const bool is_over =
         !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
-    if (is_over) ended_.push_back(pairs[i]);
+    if (is_over) ended_.push_back(pair);
+  }
+}
+
+void OverlapTracker::edit_list() {
+  const auto ended = ended_.pairs(), begun = begun_.pairs();
+  for (std::size_t i = 0; i < ended.size(); ++i) {
+    index_.prefetch(ended[std::min(i + kAhead, ended.size() - 1)]);
+    index_.remove(pairs_, ended[i]);
+  }
+  for (std::size_t i = 0; i < begun.size(); ++i) {
+    index_.prefetch(begun[std::min(i + kAhead, begun.size() - 1)]);
+    index_.add(pairs_, begun[i]);
   }
 }
 
 void OverlapTracker::search_movers(const BoxChanges& changes) {
   if (!index_.is_built()) index_.build(pairs_);
   list_movers(changes);
-  partners_.clear();
-  if (movers_.size() * kPairsPerLookup > pairs_.size()) {
-    compare_at_once(changes);
-  } else {
-    compare_lookups(changes);
-  }
+  compare_places(changes);
   for (const Mover& mover : movers_)
     is_mover_[changes.owner[mover.change]] = false;
-  for (const BoxPair& pair : ended_.pairs())
-    index_.remove(pairs_, pair);
-  for (const BoxPair& pair : begun_.pairs())
-    index_.add(pairs_, pair);
+  edit_list();
   std::sort(begun_.data(), begun_.data() + begun_.size());
   std::sort(ended_.data(), ended_.data() + ended_.size());
   if (begun_.size() + ended_.size() != 0) is_sorted_ = false;
@@ -250,9 +212,12 @@ std::span<const BoxPair> OverlapTracker::ended() {
 
 std::size_t OverlapTracker::bytes_for_pairs() const {
   const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
-                            sorted_before_.capacity() + begun_.capacity() + ended_.capacity();
+                            sorted_before_.capacity() + begun_.capacity() + ended_.capacity() +
+                            former_pairs_.capacity();
   return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 +
-         partners_.capacity() * 4 + movers_.capacity() * sizeof(Mover);
+         movers_.capacity() * sizeof(Mover) + boxes_before_.capacity() * sizeof(OrderedBox) +
+         hits_.capacity() * sizeof(MoverHit) +
+         (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
 }
 
 }  // namespace graze::bvh

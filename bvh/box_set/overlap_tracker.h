@@ -2,6 +2,7 @@
 
 #include <graze/bvh/box_set/box_changes.h>
 #include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/pair_index.h>
 
 #include <cstdint>
@@ -42,20 +43,18 @@ class OverlapTracker {
 
  private:
   struct Mover {
-    std::uint32_t place;        // where the box lies in the set: neighbours are looked up together
-    std::uint32_t change;       // which entry of the changes
-    std::uint32_t partners[4];  // [0] to [1] before, [2] to [3] after
+    std::uint32_t place;   // where the box lies in the set: neighbours are looked up together
+    std::uint32_t change;  // which entry of the changes
   };
 
   void apply(const BoxChanges& changes);
   void search_all(BoxChanges& changes);
   void search_movers(const BoxChanges& changes);
-  void compare_lookups(const BoxChanges& changes);
-  void compare_at_once(const BoxChanges& changes);
+  void compare_places(const BoxChanges& changes);
+  void look_up_some(const BoxChanges& changes, std::size_t first);
   void end_pairs_of_movers();
+  void edit_list();
   void list_movers(const BoxChanges& changes);
-  void list_partners(std::uint32_t owner, const OrderedBox& box, Mover& mover, int when);
-  void note_difference(std::uint32_t owner, const Mover& mover);
   void work_out_difference();
 
   BoxSet set_;
@@ -69,11 +68,13 @@ class OverlapTracker {
   bool all_moved_ = false;
   PairBuffer begun_, ended_;
   std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> partners_;
   std::vector<Mover> movers_;
   std::vector<bool> is_mover_;            // by owner
   std::vector<OrderedBox> boxes_before_;  // by mover
+  FormerBoxes former_;                    // the same as a tree
+  PairBuffer former_pairs_;
   std::vector<MoverHit> hits_;
+  Lookup lookup_;
   std::uint64_t searches_for_all_ = 0;
   std::uint64_t searches_for_movers_ = 0;
 };

@@ -1,6 +1,7 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/size_groups.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,12 @@ namespace graze::bvh {
 namespace {
 
 // What sorting costs, in pairs of blocks that a search could have met instead, per block.
-constexpr double kSortCost = 40;
+constexpr double kSortCost = 80;
 
 constexpr std::size_t kMostLayers = 24;
+constexpr std::size_t kSample = 1024;  // boxes that tell how densely all lie
+
+constexpr int kClasses = 1024, kClassShift = 512;  // classes of sizes, and which of them is 0
 
 constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
 
@@ -48,46 +52,74 @@ void BoxSet::sort_if_worthwhile() {
   }
 }
 
-/// Lists the boxes class by class, and makes a layer for each class.
+/// Centres of some boxes, from an origin that precision does not ask much of.
+std::vector<KdItem> BoxSet::sample_centres(const double* origin) const {
+  std::vector<KdItem> sample;
+  const std::size_t count = std::min(kSample, owner_.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = i * owner_.size() / count;
+    if (owner_[place] == kNobody) continue;
+    const OrderedBox of = box(owner_[place]);
+    sample.push_back({{}, owner_[place]});
+    for (std::size_t c = 0; c < 3; ++c)
+      sample.back().centre[c] = centre(of[c], of[c + 3], origin[c]);
+  }
+  return sample;
+}
+
+/// Which layer each class of sizes goes to, by the class.
+std::vector<std::size_t> BoxSet::choose_layers(std::span<const std::uint32_t> count_of_class,
+                                               const double* origin) const {
+  std::vector<SizeClass> classes;
+  for (std::size_t k = 0; k < kClasses; ++k) {
+    if (count_of_class[k] != 0)
+      classes.push_back(
+          {std::ldexp(1.0, 2 * (static_cast<int>(k) - kClassShift) + 2), count_of_class[k]});
+  }
+  std::vector<KdItem> sample;
+  if (classes.size() > 1) sample = sample_centres(origin);
+  const std::vector<std::size_t> group = group_sizes(classes, sample);
+  // Where there are more groups than layers, the lowest ones share one.
+  const std::size_t groups = group.empty() ? 0 : group.back() + 1;
+  const std::size_t lowest = groups > kMostLayers ? groups - kMostLayers : 0;
+  std::vector<std::size_t> layer_of_class(kClasses);
+  for (std::size_t k = 0, i = 0; k < kClasses; ++k) {
+    if (count_of_class[k] != 0) layer_of_class[k] = std::max(group[i++], lowest) - lowest;
+  }
+  return layer_of_class;
+}
+
+/// Lists the boxes layer by layer, and makes the layers.
 void BoxSet::collect_items(SortSpace& space) {
-  std::vector<KdItem>& items = space.items;
   std::vector<std::int16_t> classes(owner_.size());
-  constexpr int kClasses = 1024, kShift = 512;
-  std::vector<std::uint32_t> count(kClasses + 1);
+  std::vector<std::uint32_t> count(kClasses);
   double origin[3] = {0, 0, 0};
   bool is_first = true;
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of =
         lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    classes[place] = static_cast<std::int16_t>(size_class(of) + kShift);
+    classes[place] = static_cast<std::int16_t>(size_class(of) + kClassShift);
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
       origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
     is_first = false;
   }
-  // Where there are more classes than layers, the lowest ones share one.
-  std::vector<int> layer_of_class(kClasses, 0);
-  std::size_t left = static_cast<std::size_t>(
-      std::count_if(count.begin(), count.end(), [](auto n) { return n != 0; }));
-  std::vector<std::uint32_t> start;
-  std::uint32_t sum = 0;
+  const std::vector<std::size_t> layer_of_class = choose_layers(count, origin);
+  std::vector<std::uint32_t>& start = space.starts;
+  start.assign(1, 0);
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (count[k] == 0) continue;
-    if (start.empty() || left < kMostLayers) start.push_back(sum);
-    layer_of_class[k] = static_cast<int>(start.size()) - 1;
-    sum += count[k];
-    --left;
+    start.resize(layer_of_class[k] + 2, start.back());
+    start.back() += count[k];
   }
-  start.push_back(sum);
-  items.resize(size_);
+  space.items.resize(size_);
   std::vector<std::uint32_t> next(start.begin(), start.end());
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of =
         lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    KdItem& item = items[next[static_cast<std::size_t>(
-        layer_of_class[static_cast<std::size_t>(classes[place])])]++];
+    KdItem& item = space.items[next[layer_of_class[static_cast<std::size_t>(classes[place])]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
     item.owner = owner_[place];
@@ -99,7 +131,6 @@ void BoxSet::collect_items(SortSpace& space) {
     layers_[i].block_count = (start[i + 1] - start[i] + kLanes - 1) / kLanes;
     block += layers_[i].block_count;
   }
-  space.starts = start;
 }
 
 /// Writes the boxes in the order of the items.

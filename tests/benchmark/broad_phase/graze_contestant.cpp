@@ -19,6 +19,11 @@ class Graze : public Contestant {
                                 std::span<const std::uint32_t> moved) override {
     if (moved.size() == boxes.size()) {
       broad_.move(ids_, boxes);
+    } else if (moved.size() > boxes.size() / kMany) {
+      moved_ids_.clear(), moved_boxes_.clear();
+      for (const std::uint32_t i : moved)
+        moved_ids_.push_back(ids_[i]), moved_boxes_.push_back(boxes[i]);
+      broad_.move(moved_ids_, moved_boxes_);
     } else {
       for (const std::uint32_t i : moved)
         broad_.move(ids_[i], boxes[i]);
@@ -27,9 +32,14 @@ class Graze : public Contestant {
     return broad_.pairs();
   }
 
+  std::size_t bytes() const override { return broad_.bytes_for_boxes(); }
+
  private:
+  static constexpr std::size_t kMany = 16;  // of so many boxes one: a span of them is cheaper
+
   BroadPhase broad_;
-  std::vector<BoxId> ids_;
+  std::vector<BoxId> ids_, moved_ids_;
+  std::vector<Aabb> moved_boxes_;
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 namespace graze::benchmark {
 namespace {
 
+constexpr std::size_t kFewFrames = 7;
+
 double milliseconds(clockid_t clock) {
   timespec time{};
   clock_gettime(clock, &time);
@@ -36,8 +38,10 @@ Score measure(const Entry& entry, const Course& course, Truth& truth) {
   const clockid_t clock = entry.threads == 1 ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC;
   const auto scene = make_scene(course.scene, course.boxes, 1);
   const auto contestant = entry.make();
-  contestant->start(scene->boxes());
   Score score;
+  const double start = milliseconds(clock);
+  contestant->start(scene->boxes());
+  score.start = milliseconds(clock) - start;
   score.scene = course.scene, score.contestant = entry.name, score.boxes = course.boxes;
   std::vector<double> times;
   for (int frame = 0; frame < course.frames; ++frame) {
@@ -52,10 +56,12 @@ Score measure(const Entry& entry, const Course& course, Truth& truth) {
     score.mean += times.back();
     score.slowest = std::max(score.slowest, times.back());
     if (times.back() > course.patience) break;
+    if (times.size() >= kFewFrames && score.mean > course.budget) break;
   }
   score.frames = static_cast<int>(times.size());
   score.mean /= static_cast<double>(times.size());
   score.median = median(times);
+  score.bytes_per_box = static_cast<double>(contestant->bytes()) / course.boxes;
   return score;
 }
 

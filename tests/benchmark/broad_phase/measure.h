@@ -13,6 +13,7 @@ struct Course {
   std::uint32_t boxes;
   int frames;
   double patience;  // milliseconds: after a slower frame the course is cut short
+  double budget;    // milliseconds: and after so much in all, but not before a few frames
 };
 
 struct Score {
@@ -20,9 +21,11 @@ struct Score {
   std::uint32_t boxes = 0;
   int frames = 0;
   double median = 0, mean = 0,
-         slowest = 0;     // milliseconds: of one processor, or of a clock for more threads
-  std::size_t pairs = 0;  // in the last frame
-  int wrong_frames = 0;   // in which the pairs are not those of the first contestant
+         slowest = 0;        // milliseconds: of one processor, or of a clock for more threads
+  std::size_t pairs = 0;     // in the last frame
+  double start = 0;          // milliseconds to take all boxes
+  double bytes_per_box = 0;  // beside the pairs, at the end
+  int wrong_frames = 0;      // in which the pairs are not those of the first contestant
 };
 
 /// A number for the set of pairs of each frame, whatever their order.
