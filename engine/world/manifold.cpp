@@ -72,17 +72,28 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 
 }  // namespace
 
+namespace {
+
+Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  static thread_local Touches touches;  // no question is asked within another
+  touches.clear();
+  const bool is_mirrored = is_swapped(a, b);
+  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, work);
+  return manifold_of(touches, is_mirrored);
+}
+
+}  // namespace
+
+Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  if (!intersect_in_boxes(a, b, work)) return {};
+  return contacts_of_touching(a, b, work);
+}
+
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
   if (!intersects(shape_a, pose_a, shape_b, pose_b, work)) return {};
   CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
-  static thread_local Touches touches;  // no question is asked within another
-  touches.clear();
-  const bool is_mirrored = is_swapped(a, b);
-  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, counted.work());
-  return manifold_of(touches, is_mirrored);
+  return contacts_of_touching({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
 }
 
 }  // namespace graze

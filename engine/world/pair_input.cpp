@@ -65,7 +65,19 @@ struct NumbersOf {
     const int by_normal = order(s.normal.data(), o.normal.data(), 3);
     return by_normal != 0 ? by_normal : order(&s.offset, &o.offset, 1);
   }
-  int operator()(const Mesh&) const { return 0; }  // its queries mirror by themselves
+  int operator()(const Mesh& s) const {
+    const Mesh& o = std::get<Mesh>(other);
+    const auto by_vertex = std::lexicographical_compare_three_way(
+        s.vertices().begin(), s.vertices().end(), o.vertices().begin(), o.vertices().end(),
+        [](const Eigen::Vector3d& v, const Eigen::Vector3d& w) {
+          return order(v.data(), w.data(), 3) <=> 0;
+        });
+    const auto by_number = by_vertex != 0 ? by_vertex
+                                          : std::lexicographical_compare_three_way(
+                                                s.triangles().begin(), s.triangles().end(),
+                                                o.triangles().begin(), o.triangles().end());
+    return by_number < 0 ? -1 : by_number > 0;
+  }
 
  private:
   template <typename Round>

@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/pair_questions.h>
 #include <graze/engine/world/placed_core.h>
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
@@ -52,6 +53,15 @@ bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& wor
   const PlacedMesh mesh = placed_mesh(b);
   if (a.shape.kind() == ShapeKind::Sphere) return intersects(mesh, placed_sphere(a), &work);
   return intersects(mesh, placed_box(a), &work);
+}
+
+/// True for pairs of which every hit is in both boxes: those that are exact in the world's frame.
+bool lies_in_boxes(PairMethod method) {
+  return method == ExactSpheres || method == MeshVolume || method == Meshes;
+}
+
+BoxGap gap_of_boxes(const PlacedShape& a, const PlacedShape& b) {
+  return gap_between(bounds_of(a.shape, a.pose), bounds_of(b.shape, b.pose));
 }
 
 bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
@@ -108,12 +118,18 @@ ShapeDistance agreeing(ShapeDistance found, bool is_hit) {
   return found;
 }
 
+bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return intersect_in_boxes(a, b, work) &&
+         (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) ||
+          gap_of_boxes(a, b).gap == 0);
+}
+
 ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
     case BoxAxes:
-      return agreeing(distance_of_cores(a, b, work), intersect_in_order(a, b, work));
+      return agreeing(distance_of_cores(a, b, work), intersect_placed(a, b, work));
     case ClosedForm:
     case Cores:
       return distance_of_cores(a, b, work);
@@ -133,6 +149,18 @@ ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
+/// Two that only a tolerance brings together, and that their boxes part.
+ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
+  const double sign = boxes.is_a_below ? 1 : -1;
+  Eigen::Vector3d normal(0, 0, 0);
+  normal.data()[boxes.axis] = sign;
+  found.distance = found.lower_bound = boxes.gap;
+  found.point_a.data()[boxes.axis] -= sign * (0.5 * boxes.gap);
+  found.point_b.data()[boxes.axis] += sign * (0.5 * boxes.gap);
+  found.normal = normal;
+  return found;
+}
+
 }  // namespace
 
 PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
@@ -142,14 +170,15 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
   return kMethods[a][b];
 }
 
+bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
+}
+
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work) {
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
-  return is_swapped(a, b) ? intersect_in_order(b, a, counted.work())
-                          : intersect_in_order(a, b, counted.work());
+  return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
 }
 
 ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
@@ -158,8 +187,12 @@ ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  if (!is_swapped(a, b)) return distance_in_order(a, b, counted.work());
-  return mirrored(distance_in_order(b, a, counted.work()));
+  const ShapeDistance found = is_swapped(a, b) ? mirrored(distance_in_order(b, a, counted.work()))
+                                               : distance_in_order(a, b, counted.work());
+  const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
+  if (!is_none || lies_in_boxes(pair_method(shape_a.kind(), shape_b.kind()))) return found;
+  const BoxGap boxes = gap_of_boxes(a, b);
+  return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
 }  // namespace graze
