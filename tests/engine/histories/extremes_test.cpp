@@ -62,18 +62,20 @@ TEST(OnePoint, OfThreeHundredBodiesAllTouch) {
 
 /// Whose difference is flat: they are parted at right angles to both, by their radii alone.
 TEST(OnePoint, OfTwoCapsulesHasAKnownWayOut) {
+  const auto turned = [](double angle, int axis) {
+    return Pose(Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)));
+  };
+  const Pose there = turned(0.7, 0) * at(1, 2, 3) * turned(0.4, 2);
   for (const double angle : {0.0, 1e-12, 1e-6, 0.3, 1.5}) {
-    Pose turned = at(1, 2, 3);
-    turned.linear() << std::cos(angle), 0, std::sin(angle), 0, 1, 0, -std::sin(angle), 0,
-        std::cos(angle);
-    const Pose skew = Pose(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+    // Rolled about its own axis, so that none of its axes is the way out.
+    const Pose other = there * turned(angle, 1) * turned(1.1, 2);
     Work work;
     const Manifold found =
-        find_contacts(Capsule{0.25, 2}, skew * at(1, 2, 3), Capsule{0.5, 1}, skew * turned, &work);
+        find_contacts(Capsule{0.25, 2}, there * turned(-0.8, 2), Capsule{0.5, 1}, other, &work);
     EXPECT_EQ(work.penetration_failures, 0u) << angle;
     ASSERT_FALSE(found.empty());
     EXPECT_NEAR(found[0].depth, 0.75, 1e-6) << angle;
-    EXPECT_NEAR(found[0].normal.dot(skew.linear() * turned.linear().col(2)), 0, 1e-6);
+    EXPECT_NEAR(found[0].normal.dot(other.linear().col(2)), 0, 1e-6) << angle;
   }
 }
 
