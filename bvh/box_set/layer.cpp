@@ -94,12 +94,15 @@ double Layer::girth_of(std::uint32_t block) const {
   return girth(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }
 
+// Of the numbers with one high half; the first of some would be infinite.
+constexpr std::uint32_t kMiddle = 0x80000000u;
+
 double girth(const Block& block, std::uint32_t lane) {
   if (block.row[0][lane] > block.row[3][lane]) return 0;
   double sum = 0;
   for (int c = 0; c < 3; ++c)
-    sum += value_of_key(joined(block.row[c + 3][lane], 0)) -
-           value_of_key(joined(block.row[c][lane], 0));
+    sum += 0.125 * value_of_key(joined(block.row[c + 3][lane], kMiddle)) -
+           0.125 * value_of_key(joined(block.row[c][lane], kMiddle));
   return sum;
 }
 

@@ -39,8 +39,8 @@ struct Layer {
   void refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched);
 };
 
-/// The sum of the three extents of one lane, metres, rounded; 0 for an empty lane. A measure of
-/// quality: no answer depends on it.
+/// An eighth of the sum of the three extents of one lane, metres, rounded: always finite, so that
+/// ratios are numbers. 0 for an empty lane. A measure of quality: no answer depends on it.
 double girth(const Block& block, std::uint32_t lane);
 
 /// By how much the girth of a block has grown since it was sorted: roughly how many times the

@@ -39,7 +39,7 @@ class BoxCheck {
 struct BroadPhase::State {
   explicit State(int threads) : tracker(threads) {}
 
-  IdTable ids;
+  IdTable<std::uint16_t> ids;  // two bytes a box
   bvh::OverlapTracker tracker;
   BoxChanges changes;                  // asked for since the last update
   std::vector<bool> is_staged;         // by index: named in the changes

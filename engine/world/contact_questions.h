@@ -3,16 +3,12 @@
 // What each row of the table of pairs offers as contacts; A's kind is not above B's, and points are
 // relative to the origin that is handed back. Private to engine/world.
 
-#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/pair_input.h>
 #include <graze/narrowphase/convex/touches.h>
 
 #include <vector>
 
 namespace graze {
-
-/// find_contacts() in poses that have been checked.
-Manifold contacts_of(const PlacedShape& s, const PlacedShape& t, Work& work);
 
 /// What is offered. Kept from one question to the next, so that no step of a simulation allocates.
 struct Touches {

@@ -2,7 +2,8 @@
 
 namespace graze {
 
-std::uint32_t IdTable::take() {
+template <typename Generation>
+std::uint32_t IdTable<Generation>::take() {
   ++live_count_;
   if (free_.empty()) {
     generation_.push_back(1);
@@ -14,23 +15,28 @@ std::uint32_t IdTable::take() {
   return index;
 }
 
-/// An index whose generations are used up, after 32,768 users, is not given out again.
-void IdTable::free(std::uint32_t index) {
+template <typename Generation>
+void IdTable<Generation>::free(std::uint32_t index) {
   --live_count_;
   ++generation_[index];
   if (generation_[index] != 0) resting_[0].push_back(index);
 }
 
-void IdTable::next_round() {
+template <typename Generation>
+void IdTable<Generation>::next_round() {
   if (resting_[0].empty() && resting_[1].empty()) return;
   free_.insert(free_.end(), resting_[1].begin(), resting_[1].end());
   resting_[1].clear();
   resting_[0].swap(resting_[1]);
 }
 
-std::size_t IdTable::bytes() const {
-  return generation_.capacity() * 2 +
+template <typename Generation>
+std::size_t IdTable<Generation>::bytes() const {
+  return generation_.capacity() * sizeof(Generation) +
          (free_.capacity() + resting_[0].capacity() + resting_[1].capacity()) * 4;
 }
+
+template class IdTable<std::uint16_t>;
+template class IdTable<std::uint32_t>;
 
 }  // namespace graze

@@ -8,7 +8,9 @@
 namespace graze {
 
 /// Which indices are in use, and by which generation. A freed index rests for two rounds before it
-/// is given out again, so that no list of the last round can name two different things by it.
+/// is given out again, so that no list of the last round can name two different things by it. An
+/// index whose generations are used up, half as many as the type has, is not given out again.
+template <typename Generation>
 class IdTable {
  public:
   std::uint32_t take();
@@ -28,8 +30,8 @@ class IdTable {
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint16_t> generation_;  // odd while the index is in use
-  std::vector<std::uint32_t> free_;        // may be taken, the last first
+  std::vector<Generation> generation_;  // odd while the index is in use
+  std::vector<std::uint32_t> free_;     // may be taken, the last first
   std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
 };

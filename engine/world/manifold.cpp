@@ -73,25 +73,38 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 
 }  // namespace
 
-Manifold contacts_of(const PlacedShape& s, const PlacedShape& t, Work& work) {
-  const bool is_mirrored = is_swapped(s, t);
-  const PlacedShape& a = is_mirrored ? t : s;
-  const PlacedShape& b = is_mirrored ? s : t;
-  // Where triangles are tested exactly, that they meet is found out along with how.
+namespace {
+
+/// True where triangles are tested exactly: that they meet is found out along with how.
+bool is_one_question(const PlacedShape& a, const PlacedShape& b) {
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
-  const bool is_one_question = method == Meshes || method == MeshVolume;
-  if (!is_one_question && !intersect_in_order(a, b, work)) return {};
+  return method == PairMethod::Meshes || method == PairMethod::MeshVolume;
+}
+
+Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
   static thread_local Touches touches;  // no question is asked within another
   touches.clear();
-  touches_in_order(a, b, touches, work);
+  const bool is_mirrored = is_swapped(a, b);
+  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, work);
   return manifold_of(touches, is_mirrored);
+}
+
+}  // namespace
+
+Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  if (!is_one_question(a, b) && !intersect_in_boxes(a, b, work)) return {};
+  return contacts_of_touching(a, b, work);
 }
 
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
-  return contacts_of({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
+  const PlacedShape a{shape_a, pose_a};
+  const PlacedShape b{shape_b, pose_b};
+  if (!is_one_question(a, b) && !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
+    return {};
+  return contacts_of_touching(a, b, counted.work());
 }
 
 }  // namespace graze

@@ -66,14 +66,18 @@ struct NumbersOf {
     return by_normal != 0 ? by_normal : order(&s.offset, &o.offset, 1);
   }
   int operator()(const Mesh& s) const {
-    const std::span<const Eigen::Vector3d> of_s = s.vertices();
-    const std::span<const Eigen::Vector3d> of_o = std::get<Mesh>(other).vertices();
-    if (of_s.data() == of_o.data()) return 0;
-    for (std::size_t i = 0; i < std::min(of_s.size(), of_o.size()); ++i) {
-      const int by_vertex = order(of_s[i].data(), of_o[i].data(), 3);
-      if (by_vertex != 0) return by_vertex;
-    }
-    return of_s.size() < of_o.size() ? -1 : of_s.size() > of_o.size();
+    const Mesh& o = std::get<Mesh>(other);
+    if (s == o) return 0;
+    const auto by_vertex = std::lexicographical_compare_three_way(
+        s.vertices().begin(), s.vertices().end(), o.vertices().begin(), o.vertices().end(),
+        [](const Eigen::Vector3d& v, const Eigen::Vector3d& w) {
+          return order(v.data(), w.data(), 3) <=> 0;
+        });
+    const auto by_number = by_vertex != 0 ? by_vertex
+                                          : std::lexicographical_compare_three_way(
+                                                s.triangles().begin(), s.triangles().end(),
+                                                o.triangles().begin(), o.triangles().end());
+    return by_number < 0 ? -1 : by_number > 0;
   }
 
  private:

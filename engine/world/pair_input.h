@@ -5,6 +5,7 @@
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/convex/core_gap.h>
@@ -22,6 +23,13 @@ struct PlacedShape {
 /// True if B goes first: the lower kind does, and of equals the one whose pose, and then whose
 /// numbers, come first.
 bool is_swapped(const PlacedShape& a, const PlacedShape& b);
+
+/// intersects() for shapes whose bounds_of() share a point, in poses that were checked. Without
+/// that it may say "hit" of two that a tolerance brings together and their boxes part.
+bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
+
+/// find_contacts() likewise.
+Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
 
 /// Throws unless both poses are fit for shapes.
 void check_poses(const Pose& pose_a, const Pose& pose_b);

@@ -6,9 +6,6 @@
 
 namespace graze {
 
-/// intersects() of a pair in canonical order, in poses that have been checked.
-bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work);
-
 bool intersect_cores(const PlacedShape& a, const PlacedShape& b, Work& work);
 ShapeDistance distance_of_cores(const PlacedShape& a, const PlacedShape& b, Work& work);
 

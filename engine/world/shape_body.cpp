@@ -2,7 +2,7 @@
 
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/body.h>
-#include <graze/engine/world/contact_questions.h>
+#include <graze/engine/world/pair_input.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
@@ -44,6 +44,11 @@ double reach_of(const Shape& shape) {
   return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
 }
 
+/// By how much law 3 may read a box otherwise than as its corners are placed.
+double reading_of(const Shape& shape, double reach) {
+  return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * reach : 0;
+}
+
 double largest_coordinate(const Pose& pose) {
   const double* t = pose.data() + 12;
   return std::max(std::abs(t[0]), std::max(std::abs(t[1]), std::abs(t[2])));
@@ -60,7 +65,8 @@ class ShapeBody final : public BodyShape {
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     const Shape* shape = other.shape();
     if (shape == nullptr) return other.touches(other_pose, *this, pose);
-    return intersects(shape_, pose, *shape, other_pose);
+    Work work;
+    return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, work);
   }
 
   Manifold contacts(const Pose& pose, const BodyShape& other,
@@ -69,7 +75,8 @@ class ShapeBody final : public BodyShape {
     if (shape == nullptr) return mirrored(other.contacts(other_pose, *this, pose));
     // No finite translation parts two half-spaces: they touch, and have no contact.
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
-    return find_contacts(shape_, pose, *shape, other_pose);
+    Work work;
+    return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, work);
   }
 
   std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
@@ -84,8 +91,8 @@ class ShapeBody final : public BodyShape {
       return BodyShape::meet(pose, other, other_pose);
     // Empty exactly when they do not touch.
     Work work;
-    std::optional<Manifold> found = contacts_of({shape_, pose}, {*shape, other_pose}, work);
-    if (found->empty()) found.reset();
+    Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, work);
+    if (found.empty()) return std::nullopt;
     return found;
   }
 
@@ -93,7 +100,9 @@ class ShapeBody final : public BodyShape {
   // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
   // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
   // less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less than
-  // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more.
+  // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more. A
+  // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
+  // as much as the door lets in: see bounds_of().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     const Shape* shape = other.shape();
     if (shape == nullptr || !is_worth_a_gap(pair_method(shape_.kind(), shape->kind()))) return 0;
@@ -104,7 +113,8 @@ class ShapeBody final : public BodyShape {
     const double rounding =
         0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
     const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
-    return std::max(lower - (16 * kTouchTolerance * scale + rounding), 0.0);
+    const double readings = reading_of(shape_, reach_) + reading_of(*shape, other.reach());
+    return std::max(lower - (16 * kTouchTolerance * scale + rounding + readings), 0.0);
   }
 
   /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:

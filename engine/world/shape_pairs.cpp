@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/pair_questions.h>
 #include <graze/engine/world/placed_core.h>
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -63,7 +65,38 @@ bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& wor
   return intersects(mesh, placed_box(a), &work);
 }
 
-}  // namespace
+/// True for pairs of which every hit is in both boxes: those that are exact in the world's frame.
+bool lies_in_boxes(PairMethod method) {
+  return method == ExactSpheres || method == MeshVolume || method == Meshes;
+}
+
+/// Of a ball about the shape's middle that lies in it, metres; 0 where that is not known at once.
+double inner_radius(const Shape& shape) {
+  if (const auto* s = shape.as<Sphere>()) return s->radius;
+  if (const auto* s = shape.as<Box>()) {
+    const double* h = s->half_extents.data();
+    return std::min(h[0], std::min(h[1], h[2]));
+  }
+  if (const auto* s = shape.as<Capsule>()) return s->radius;
+  if (const auto* s = shape.as<Cylinder>()) return std::min(s->radius, s->half_height);
+  return 0;
+}
+
+/// True if the boxes share a point for sure: each holds its ball, which no pose and no rounding
+/// makes a thousandth smaller. Boxes themselves cost more than to know that two shapes touch.
+bool have_near_middles(const PlacedShape& a, const PlacedShape& b) {
+  const double inner_a = inner_radius(a.shape), inner_b = inner_radius(b.shape);
+  if (inner_a == 0 || inner_b == 0) return false;
+  const Eigen::Vector3d s = middle_of(a.shape, a.pose), t = middle_of(b.shape, b.pose);
+  double way = 0;
+  for (int i = 0; i < 3; ++i)
+    way = std::max(way, std::abs(s.data()[i] - t.data()[i]));
+  return way <= 0.999 * (inner_a + inner_b);
+}
+
+BoxGap gap_of_boxes(const PlacedShape& a, const PlacedShape& b) {
+  return gap_between(bounds_of(a.shape, a.pose), bounds_of(b.shape, b.pose));
+}
 
 bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
@@ -93,8 +126,6 @@ bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) 
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
-namespace {
-
 ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
   const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);
   // Law 7: off by at most 4 ulp of the largest difference of coordinates.
@@ -122,12 +153,18 @@ ShapeDistance agreeing(ShapeDistance found, bool is_hit) {
   return found;
 }
 
+bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return intersect_in_boxes(a, b, work) &&
+         (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
+          gap_of_boxes(a, b).gap == 0);
+}
+
 ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
     case BoxAxes:
-      return agreeing(distance_of_cores(a, b, work), intersect_in_order(a, b, work));
+      return agreeing(distance_of_cores(a, b, work), intersect_placed(a, b, work));
     case ClosedForm:
     case Cores:
       return distance_of_cores(a, b, work);
@@ -147,6 +184,18 @@ ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
+/// Two that only a tolerance brings together, and that their boxes part.
+ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
+  const double sign = boxes.is_a_below ? 1 : -1;
+  Eigen::Vector3d normal(0, 0, 0);
+  normal.data()[boxes.axis] = sign;
+  found.distance = found.lower_bound = boxes.gap;
+  found.point_a.data()[boxes.axis] -= sign * (0.5 * boxes.gap);
+  found.point_b.data()[boxes.axis] += sign * (0.5 * boxes.gap);
+  found.normal = normal;
+  return found;
+}
+
 }  // namespace
 
 PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
@@ -156,14 +205,15 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
   return kMethods[a][b];
 }
 
+bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
+}
+
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work) {
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
-  return is_swapped(a, b) ? intersect_in_order(b, a, counted.work())
-                          : intersect_in_order(a, b, counted.work());
+  return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
 }
 
 ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
@@ -172,8 +222,12 @@ ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  if (!is_swapped(a, b)) return distance_in_order(a, b, counted.work());
-  return mirrored(distance_in_order(b, a, counted.work()));
+  const ShapeDistance found = is_swapped(a, b) ? mirrored(distance_in_order(b, a, counted.work()))
+                                               : distance_in_order(a, b, counted.work());
+  const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
+  if (!is_none || lies_in_boxes(pair_method(shape_a.kind(), shape_b.kind()))) return found;
+  const BoxGap boxes = gap_of_boxes(a, b);
+  return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
 }  // namespace graze

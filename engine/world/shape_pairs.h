@@ -52,7 +52,8 @@ struct ShapeDistance {
 /// boxes and meshes, for boxes with meshes, and mesh/mesh. For all others "apart" alone is sure
 /// (law 11): shapes that are apart by less than kTouchTolerance times the scale of the pair (their
 /// sizes and the distance of their middles) may come out as intersecting, and a search that does
-/// not end counts as a hit and in Work::convex_failures.
+/// not end counts as a hit and in Work::convex_failures; but never shapes whose boxes, as a World
+/// sees them, share no point.
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work = nullptr);
 

@@ -1,3 +1,5 @@
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/world_state.h>
 
 #include <algorithm>
@@ -45,6 +47,16 @@ void World::State::insert_box(std::uint32_t index) {
   body_of_box[body.box] = index;
 }
 
+void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape) {
+  const Shape* known = shape->shape();
+  const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
+  if (mesh != nullptr && !settings.skip_unused_trees) {
+    prepare(*mesh);
+    mesh->tree();
+  }
+  all.bodies[index].shape = std::move(shape);
+}
+
 World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -60,7 +72,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   if (index >= state.all.bodies.size()) state.all.bodies.emplace_back();
   Bodies::Body& body = state.all.bodies[index];
   body = {};
-  body.shape = std::move(shape);
+  state.take_shape(index, std::move(shape));
   body.pose = pose;
   body.motion = settings.motion;
   body.role = settings.role;
@@ -126,7 +138,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
   if (shape == nullptr) throw InputError("set_shape: no shape");
   const Aabb box = bounds_of(*shape, body.pose, "set_shape");
   state.broad.move(state.broad.id(body.box), box);
-  body.shape = std::move(shape);
+  state.take_shape(id.index, std::move(shape));
   body.is_awake = true;
   body.has_other_shape = true;
   state.note_change(id.index);

@@ -22,9 +22,14 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;         // at least 1; no result depends on it
-  bool contacts = true;    // update() finds contacts; without, only World::contacts() does
-  bool skip_apart = true;  // pairs whose gap cannot have closed are not tested; changes no answer
+  int threads = 1;       // at least 1; no result depends on it
+  bool contacts = true;  // update() finds contacts; without, only World::contacts() does
+
+  // What need not be done is left out. Switching that off changes no answer, only what it costs.
+  bool skip_apart = true;         // pairs whose gap cannot have closed are not tested
+  bool skip_at_rest = true;       // pairs in which nothing moved are not tested
+  bool skip_unused_trees = true;  // a mesh's tree is built where a question first walks it; else
+                                  // when a body takes the mesh
 };
 
 /// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own

@@ -13,12 +13,17 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// The box with room of that width around it, rounded outward.
+// A distance as computed is off by less than this share of itself, beyond what boxes have room for
+// (shape_bounds.cpp).
+constexpr double kDistanceRounding = 0x1p-44;
+
+/// The box with room around it for all that may be that far away or nearer.
 Aabb grown(const Aabb& box, double width) {
   Aabb larger;
+  const double room = width + kDistanceRounding * width;
   for (int i = 0; i < 3; ++i) {
-    const double low = std::nextafter(box.min.data()[i] - width, -kLargest);
-    const double high = std::nextafter(box.max.data()[i] + width, kLargest);
+    const double low = std::nextafter(box.min.data()[i] - room, -kLargest);
+    const double high = std::nextafter(box.max.data()[i] + room, kLargest);
     larger.min.data()[i] = std::max(low, -kLargest);
     larger.max.data()[i] = std::min(high, kLargest);
   }

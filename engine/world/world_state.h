@@ -28,7 +28,7 @@ struct Bodies {
     bool has_other_shape = false;   // what was known of gaps is void
   };
 
-  IdTable ids;
+  IdTable<std::uint32_t> ids;
   std::vector<Body> bodies;                    // by index
   std::unordered_set<std::uint64_t> excluded;  // pairs, the smaller index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
@@ -36,7 +36,7 @@ struct Bodies {
   /// The id of a body that is there, or was until the last update.
   BodyId id(std::uint32_t index) const {
     const std::uint32_t generation = ids.generation(index);
-    return {index, ids.is_live(index) ? generation : (generation - 1) & 0xffff};
+    return {index, ids.is_live(index) ? generation : generation - 1};
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
@@ -106,6 +106,7 @@ struct World::State {
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
   void insert_box(std::uint32_t index);
+  void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
 
   void end_pairs();
   void begin_pairs();
@@ -115,6 +116,8 @@ struct World::State {
   void fetch(BoxPair pair) const;
   void test_pairs(std::uint32_t index);
   void test_candidate(std::uint32_t at);
+  void test_pairs_at_rest();
+  void note_answer(std::uint32_t at, bool touches);
   bool is_apart_for_sure(std::uint32_t at);
   void learn_gap(std::uint32_t at);
   void list_partners(std::uint32_t index);

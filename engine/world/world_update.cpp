@@ -133,8 +133,7 @@ void World::State::test_candidate(std::uint32_t at) {
   ++work.shape_tests;
   const bool touches = test(pair);
   if (touches) moved.push_back(all.id_pair(pair));
-  if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
-  candidates.set_touches(at, touches);
+  note_answer(at, touches);
   if (touches) {
     candidates.separation(at) = {};
   } else {
@@ -191,6 +190,24 @@ void World::State::list_changed_pairs() {
   }
 }
 
+/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out.
+void World::State::test_pairs_at_rest() {
+  for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
+    const BoxPair pair = candidates.list()[at];
+    const Bodies::Body& a = all.bodies[pair.a];
+    const Bodies::Body& b = all.bodies[pair.b];
+    if (a.has_changed || b.has_changed) continue;
+    ++work.shape_tests;
+    note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
+  }
+}
+
+void World::State::note_answer(std::uint32_t at, bool touches) {
+  const BoxPair pair = candidates.list()[at];
+  if (touches != candidates.touches(at)) (touches ? begun : ended).push_back(all.id_pair(pair));
+  candidates.set_touches(at, touches);
+}
+
 bool World::State::is_apart_for_sure(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
   Separation& separation = candidates.separation(at);
@@ -226,6 +243,7 @@ WorldUpdate World::update() {
     if (state.all.bodies[index].has_other_filter) state.filter_again(index);
   }
   state.test_changed();
+  if (!state.settings.skip_at_rest) state.test_pairs_at_rest();
   for (const std::uint32_t index : state.changed) {
     Bodies::Body& body = state.all.bodies[index];
     body.has_changed = body.has_other_filter = body.has_other_shape = false;

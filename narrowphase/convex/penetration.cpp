@@ -26,6 +26,23 @@ Penetration best_of_fixed(const Core& a, const Core& b) {
   return best;
 }
 
+bool is_thin(const Core& core) {
+  return core.kind == CoreKind::Point || core.kind == CoreKind::Segment;
+}
+
+/// The difference of two points or segments is flat: at right angles to it only the radii overlap,
+/// and less than those do nowhere. No polytope could close around it.
+Penetration out_of_plane(const Core& a, const Core& b) {
+  Penetration best = best_of_fixed(a, b);
+  const Vec3 across = unit_or(cross(a.axis[2], b.axis[2]), best.normal);
+  for (const Vec3& normal : {across, -across}) {
+    Penetration found = along(a, b, normal);
+    found.source = PenetrationSource::Fixed;
+    if (found.depth < best.depth) best = found;
+  }
+  return best;
+}
+
 }  // namespace
 
 Penetration along(const Core& a, const Core& b, const Vec3& unit_direction) {
@@ -41,6 +58,11 @@ Penetration penetration(const Core& a, const Core& b) {
   const double size_a = a.reach + a.radius;
   const double size_b = b.reach + b.radius;
   const double tolerance = kDepthTolerance * (size_a < size_b ? size_a : size_b);
+  if (is_thin(a) && is_thin(b)) {
+    Penetration result = out_of_plane(a, b);
+    result.is_open = !(result.depth - (a.radius + b.radius) <= tolerance);
+    return result;
+  }
   const Expansion found = expand(a, b, tolerance);
   if (found.is_closed) {
     Penetration result = along(a, b, found.normal);

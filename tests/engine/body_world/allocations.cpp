@@ -4,6 +4,8 @@
 
 #include "tests/engine/body_world/allocations.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -11,16 +13,26 @@
 namespace {
 
 std::atomic<std::size_t> count = 0;
+std::atomic<std::size_t> bytes = 0;
+
+void* counted(void* block) noexcept {
+  ++count;
+  bytes += malloc_usable_size(block);
+  return block;
+}
+
+void release(void* block) noexcept {
+  bytes -= malloc_usable_size(block);
+  std::free(block);
+}
 
 void* allocate(std::size_t size) noexcept {
-  ++count;
-  return std::malloc(size == 0 ? 1 : size);
+  return counted(std::malloc(size == 0 ? 1 : size));
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
-  ++count;
   const auto step = static_cast<std::size_t>(alignment);
-  return std::aligned_alloc(step, (size / step + 1) * step);
+  return counted(std::aligned_alloc(step, (size / step + 1) * step));
 }
 
 void* or_throw(void* block) {
@@ -56,46 +68,50 @@ void* operator new[](std::size_t size, std::align_val_t alignment, const std::no
 }
 
 void operator delete(void* block) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete(void* block, std::size_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block, std::size_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete(void* block, const std::nothrow_t&) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block, const std::nothrow_t&) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete(void* block, std::align_val_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block, std::align_val_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete(void* block, std::align_val_t, const std::nothrow_t&) noexcept {
-  std::free(block);
+  release(block);
 }
 void operator delete[](void* block, std::align_val_t, const std::nothrow_t&) noexcept {
-  std::free(block);
+  release(block);
 }
 
 namespace graze::tests {
 
 std::size_t allocations() {
   return count;
+}
+
+std::size_t allocated_bytes() {
+  return bytes;
 }
 
 }  // namespace graze::tests

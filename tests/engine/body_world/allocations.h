@@ -7,4 +7,7 @@ namespace graze::tests {
 /// How many blocks this program has asked any operator new for so far.
 std::size_t allocations();
 
+/// The bytes of all blocks that it holds by them now.
+std::size_t allocated_bytes();
+
 }  // namespace graze::tests

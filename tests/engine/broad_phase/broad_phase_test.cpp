@@ -183,6 +183,21 @@ TEST_P(BroadPhaseHistory, EqualsBruteForce) {
   }
 }
 
+class BroadPhaseHistorySlow : public testing::TestWithParam<Habitat> {};
+
+TEST_P(BroadPhaseHistorySlow, OfAHundredThousandOperationsEqualsBruteForce) {
+  for (std::uint64_t seed = 100; seed < 120; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    History history(GetParam(), seed, 20 + 10 * static_cast<std::uint32_t>(seed % 10), 2);
+    for (int operations = 0; operations < 5000 && !HasFatalFailure(); ++operations) {
+      history.change();
+      if (history.chance().one_in(5)) history.check_query();
+      if (history.chance().one_in(4)) history.check();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Habitats, BroadPhaseHistorySlow, testing::ValuesIn(test::kHabitats));
 INSTANTIATE_TEST_SUITE_P(Habitats, BroadPhaseHistory, testing::ValuesIn(test::kHabitats));
 
 /// Trees of several levels, sorted again and again.
@@ -271,18 +286,31 @@ TEST(BroadPhase, AnIdGoesStaleWhenItsIndexIsUsedAgain) {
   EXPECT_THROW(broad.id(77), StaleIdError);
 }
 
-TEST(BroadPhase, TenThousandBoxesInOnePlace) {
+/// In a block from which a box has gone a few grow to the largest doubles: extents beyond them.
+TEST(BroadPhase, BoxesMayGrowToTheLargestDoubles) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
   BroadPhase broad;
-  const std::uint32_t count = 2000;  // 2 million pairs
   std::vector<BoxId> ids;
-  for (std::uint32_t i = 0; i < count; ++i)
-    ids.push_back(broad.add({{1, 2, 3}, {1, 2, 3}}));
+  std::vector<Aabb> boxes;
+  for (int i = 0; i < 3000; ++i) {
+    boxes.push_back({{2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}});
+    ids.push_back(broad.add(boxes.back()));
+  }
   broad.update();
-  EXPECT_EQ(broad.pairs().size(), std::size_t{count} * (count - 1) / 2);
-  broad.move(ids[5], {{1, 2, 3.5}, {1, 2, 4}});
-  broad.update();
-  EXPECT_EQ(broad.ended().size(), count - 1);
-  EXPECT_EQ(broad.pairs().size(), std::size_t{count - 1} * (count - 2) / 2);
+  for (std::size_t i = 0; i < 100; ++i) {
+    broad.remove(ids[i]);
+    if (i % 25 == 24) broad.update();
+  }
+  ids.erase(ids.begin(), ids.begin() + 100);
+  boxes.erase(boxes.begin(), boxes.begin() + 100);
+  for (std::size_t first = 0; first < 64; ++first) {
+    std::vector<Aabb> grown = boxes;
+    for (std::size_t i = first; i < first + 4; ++i)
+      grown[i] = {{-kLargest, -kLargest, 9}, {kLargest, kLargest, 9}};
+    broad.move(ids, grown);
+    broad.update();
+    EXPECT_EQ(broad.pairs().size(), 6u);
+  }
 }
 
 TEST(BroadPhase, AnUpdateWithoutMovesLooksAtNothing) {

@@ -32,13 +32,14 @@ struct Hashes {
 
 struct RunSettings {
   Habitat habitat;
+  std::uint32_t count = 700;
   int threads = 1;
   std::uint32_t first = 0;  // the box that is added first; the others follow in a circle
 };
 
 /// Frames in which all boxes move, some, a few, and none.
 Hashes run(const RunSettings& settings) {
-  const std::uint32_t count = settings.habitat == Habitat::Uniform ? 3000 : 700;
+  const std::uint32_t count = settings.count;
   Chance chance(11);
   std::vector<Aabb> boxes;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -84,21 +85,23 @@ Hashes run(const RunSettings& settings) {
 
 struct Golden {
   Habitat habitat;
+  std::uint32_t count;
   std::uint64_t lists;
   std::uint64_t sorted;
 };
 
 constexpr Golden kGolden[] = {
-    {Habitat::Uniform, 16686938481652219847u, 6247608111659979354u},
-    {Habitat::Far, 8843523174476386543u, 15497133138417783065u},
-    {Habitat::Sizes, 6007602602874347830u, 4635039447768114159u},
+    {Habitat::Uniform, 3000, 16686938481652219847u, 6247608111659979354u},
+    {Habitat::Far, 700, 8843523174476386543u, 15497133138417783065u},
+    {Habitat::Sizes, 700, 6007602602874347830u, 4635039447768114159u},
 };
 
 class BroadPhaseDeterminism : public testing::TestWithParam<Golden> {};
 
 TEST_P(BroadPhaseDeterminism, Threads) {
   for (const int threads : {1, 2, 4, 8}) {
-    const Hashes result = run({.habitat = GetParam().habitat, .threads = threads});
+    const Hashes result =
+        run({.habitat = GetParam().habitat, .count = GetParam().count, .threads = threads});
     EXPECT_EQ(result.lists, GetParam().lists) << threads << " threads";
     EXPECT_EQ(result.sorted, GetParam().sorted) << threads << " threads";
   }
@@ -107,7 +110,7 @@ TEST_P(BroadPhaseDeterminism, Threads) {
 TEST_P(BroadPhaseDeterminism, SimdTargets) {
   for (const std::int64_t target : narrowphase::simd_targets()) {
     narrowphase::force_simd_target(target);
-    const Hashes result = run({.habitat = GetParam().habitat});
+    const Hashes result = run({.habitat = GetParam().habitat, .count = GetParam().count});
     narrowphase::force_simd_target(0);
     EXPECT_EQ(result.lists, GetParam().lists) << hwy::TargetName(target);
     EXPECT_EQ(result.sorted, GetParam().sorted) << hwy::TargetName(target);
@@ -116,8 +119,18 @@ TEST_P(BroadPhaseDeterminism, SimdTargets) {
 
 TEST_P(BroadPhaseDeterminism, OrderOfInsertion) {
   for (const std::uint32_t first : {1u, 234u, 699u}) {
-    const Hashes result = run({.habitat = GetParam().habitat, .first = first});
+    const Hashes result =
+        run({.habitat = GetParam().habitat, .count = GetParam().count, .first = first});
     EXPECT_EQ(result.sorted, GetParam().sorted) << "first " << first;
+  }
+}
+
+/// So many that threads share the work; for fewer all is done in one go.
+TEST(BroadPhaseDeterminismOfThousands, Threads) {
+  for (const int threads : {1, 2, 4, 8}) {
+    const Hashes result = run({.habitat = Habitat::Uniform, .count = 9000, .threads = threads});
+    EXPECT_EQ(result.lists, 15750054842216226500u) << threads << " threads";
+    EXPECT_EQ(result.sorted, 7803717494874428077u) << threads << " threads";
   }
 }
 

@@ -1,5 +1,7 @@
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/convex/hull.h>
 #include <gtest/gtest.h>
 
@@ -112,8 +114,9 @@ TEST(ShapeBounds, OutwardAndTight) {
       ASSERT_GE(box.max[i], high - rounding) << n;
       ASSERT_LE(box.min[i], low + rounding) << n;
       if (kind == ShapeKind::Mesh) continue;
-      ASSERT_LE(box.max[i], high + rounding) << n << name_of(kind);
-      ASSERT_GE(box.min[i], low - rounding) << n << name_of(kind);
+      const double room = rounding + 1e-13 * size;
+      ASSERT_LE(box.max[i], high + room) << n << name_of(kind);
+      ASSERT_GE(box.min[i], low - room) << n << name_of(kind);
     }
   }
 }
@@ -130,11 +133,51 @@ TEST(ShapeBounds, OutwardToTheLastBit) {
   }
 }
 
+/// By law 3 a point is in a box if R^T (p - t) is: where R is hardly a rotation, that is not where
+/// R places the box.
+TEST(ShapeBounds, HoldABoxAsLaw3ReadsIt) {
+  RandomSource source(8);
+  const Shape shape = Box{{1, 2, 3}};
+  for (int n = 0; n < 300; ++n) {
+    Pose pose = tests::random_pose(1, source);
+    if (n % 2 == 0) pose.linear().setIdentity();
+    for (int i = 0; i < 9; ++i)
+      pose.matrix()(i / 3, i % 3) += source.uniform(-2e-7, 2e-7);
+    const Aabb box = bounds_of(shape, pose);
+    const Eigen::Matrix3d back = pose.linear().transpose().inverse();
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Vector3d read = pose.translation() + back * sign.cwiseProduct(Vector3d(1, 2, 3));
+      ASSERT_TRUE((read - box.min).minCoeff() >= 0 && (box.max - read).minCoeff() >= 0) << n;
+    }
+  }
+}
+
+/// What boxes part is apart, whatever a tolerance would say; contacts and distances agree.
+TEST(ShapeBounds, NoPairTouchesThatTheyPart) {
+  RandomSource source(9);
+  for (int n = 0; n < 6000; ++n) {
+    const Shape a = tests::random_shape(kShapeKinds[n % 7], 1, source);
+    const Shape b = tests::random_shape(kShapeKinds[n / 7 % 7], 1, source);
+    Pose place = Pose::Identity(), other = Pose::Identity();
+    other.translation() = source.vector(-0.05, 0.05);
+    const Aabb of_a = bounds_of(a, place), of_b = bounds_of(b, other);
+    const double gap = std::exp2(source.uniform(-56, -24));
+    other.translation()[n % 3] += of_a.max[n % 3] + gap - of_b.min[n % 3];
+    const BoxGap boxes = gap_between(of_a, bounds_of(b, other));
+    if (boxes.gap == 0) continue;
+    ASSERT_FALSE(intersects(a, place, b, other)) << name_of(a.kind()) << name_of(b.kind());
+    ASSERT_TRUE(find_contacts(a, place, b, other).empty());
+    ASSERT_GE(distance(a, place, b, other).distance, boxes.gap);
+    ASSERT_GE(distance(b, other, a, place).distance, boxes.gap);
+  }
+}
+
 TEST(ShapeBounds, OfHalfSpacesReachToTheLargestDoubles) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const Aabb floor = bounds_of(HalfSpace{{0, 0, 2}, 3}, Pose::Identity());
   EXPECT_GE(floor.max.z(), 1.5);
-  EXPECT_LE(floor.max.z(), 1.5 + 1e-14);
+  EXPECT_LE(floor.max.z(), 1.5 + 1e-13);
   EXPECT_EQ(floor.min.z(), -kLargest);
   EXPECT_EQ(floor.max.x(), kLargest);
   const Aabb tilted = bounds_of(HalfSpace{{0, 1, 1}, 0}, Pose::Identity());

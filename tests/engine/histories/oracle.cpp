@@ -1,0 +1,186 @@
+#include "tests/engine/histories/oracle.h"
+
+#include <graze/engine/world/shape_pairs.h>
+
+#include <algorithm>
+
+namespace graze::tests {
+namespace {
+
+bool filters_pass(const Filter& a, const Filter& b) {
+  if (a.group != 0 && a.group == b.group) return a.group > 0;
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+/// Rows and columns static, kinematic, dynamic, and sensors of any motion.
+bool are_of_interest(const Oracle::Being& s, const Oracle::Being& t) {
+  constexpr bool kMeets[4][4] = {
+      {false, false, true, false},
+      {false, false, true, true},
+      {true, true, true, true},
+      {false, true, true, false},
+  };
+  const auto row = [](const Oracle::Being& b) {
+    if (b.role == Role::Sensor) return 3;
+    return b.motion == Motion::Static ? 0 : b.motion == Motion::Kinematic ? 1 : 2;
+  };
+  return kMeets[row(s)][row(t)];
+}
+
+}  // namespace
+
+NamePair ordered(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+bool Oracle::is_awake(std::uint32_t name) const {
+  return beings_.at(name).is_awake && beings_.at(name).motion != Motion::Static;
+}
+
+bool Oracle::are_alike(std::uint32_t a, std::uint32_t b) const {
+  const Being &s = beings_.at(a), &t = beings_.at(b);
+  return s.shape == t.shape && s.pose.matrix() == t.pose.matrix();
+}
+
+bool Oracle::concerns_nobody(const Operation& operation) const {
+  switch (operation.verb) {
+    case Verb::Add:
+      return has(operation.body);
+    case Verb::Exclude:
+    case Verb::Include:
+      return !has(operation.body) || !has(operation.number) || operation.body == operation.number;
+    case Verb::Remove:
+    case Verb::Move:
+    case Verb::MoveToo:
+    case Verb::SetShape:
+    case Verb::SetFilter:
+    case Verb::SetMotion:
+    case Verb::SetRole:
+    case Verb::Sleep:
+    case Verb::Wake:
+      return !has(operation.body);
+    default:
+      return false;
+  }
+}
+
+void Oracle::change(const Operation& operation) {
+  const std::uint32_t name = operation.body;
+  const BodySettings& settings = operation.settings;
+  if (operation.verb == Verb::FilterPairs) {
+    divisor_ = operation.number;
+    for (const auto& [other, being] : beings_)
+      changed_.insert(other);
+    return;
+  }
+  if (operation.verb == Verb::Remove) {
+    beings_.erase(name);
+    changed_.erase(name);
+    excluded_anew_.erase(name);
+    std::erase_if(excluded_,
+                  [&](const NamePair& p) { return p.first == name || p.second == name; });
+    has_lost_ = true;
+    return;
+  }
+  if (operation.verb == Verb::Exclude || operation.verb == Verb::Include) {
+    const NamePair pair = ordered(name, operation.number);
+    const bool is_new = operation.verb == Verb::Exclude ? excluded_.insert(pair).second
+                                                        : excluded_.erase(pair) != 0;
+    if (is_new) excluded_anew_.insert(name);
+    return;
+  }
+  Being& being = beings_[name];
+  switch (operation.verb) {
+    case Verb::Add:
+      being = {operation.number,
+               operation.pose,
+               settings.motion,
+               settings.role,
+               settings.filter,
+               true,
+               0};
+      break;
+    case Verb::Move:
+    case Verb::MoveToo:
+      being.pose = operation.pose;
+      being.is_awake = true;
+      break;
+    case Verb::SetShape:
+      being.shape = operation.number;
+      being.is_awake = true;
+      break;
+    case Verb::SetFilter:
+      being.filter = settings.filter;
+      break;
+    case Verb::SetMotion:
+      being.motion = settings.motion;
+      break;
+    case Verb::SetRole:
+      being.role = settings.role;
+      break;
+    default:
+      being.is_awake = operation.verb == Verb::Wake;
+      return;
+  }
+  being.version = ++version_;
+  changed_.insert(name);
+}
+
+bool Oracle::meet(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) const {
+  if (!are_of_interest(s, t) || !filters_pass(s.filter, t.filter)) return false;
+  if (excluded_.contains({a, b})) return false;
+  return divisor_ == 0 || (a + b) % divisor_ != 0;
+}
+
+bool Oracle::touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) {
+  const auto [at, is_new] = answers_.try_emplace({a, b}, Answer{});
+  Answer& answer = at->second;
+  if (is_new || answer.version_a != s.version || answer.version_b != t.version) {
+    answer = {s.version, t.version,
+              intersects(palette_[s.shape], s.pose, palette_[t.shape], t.pose)};
+  }
+  return answer.touches;
+}
+
+std::vector<NamePair> Oracle::touching() {
+  std::erase_if(answers_, [&](const auto& entry) {
+    return !has(entry.first.first) || !has(entry.first.second);
+  });
+  std::vector<NamePair> pairs;
+  for (auto s = beings_.begin(); s != beings_.end(); ++s) {
+    for (auto t = std::next(s); t != beings_.end(); ++t) {
+      if (meet(s->first, s->second, t->first, t->second) &&
+          touch(s->first, s->second, t->first, t->second))
+        pairs.push_back({s->first, t->first});
+    }
+  }
+  return pairs;
+}
+
+bool Oracle::are_solid(const NamePair& pair) const {
+  return beings_.at(pair.first).role == Role::Solid && beings_.at(pair.second).role == Role::Solid;
+}
+
+Manifold Oracle::contacts(const NamePair& pair) const {
+  const Shape& a = shape_of(pair.first);
+  const Shape& b = shape_of(pair.second);
+  if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) return {};
+  return find_contacts(a, beings_.at(pair.first).pose, b, beings_.at(pair.second).pose);
+}
+
+bool Oracle::must_be_listed(const NamePair& pair) const {
+  return changed_.contains(pair.first) || changed_.contains(pair.second);
+}
+
+bool Oracle::may_be_listed(const NamePair& pair) const {
+  return must_be_listed(pair) || excluded_anew_.contains(pair.first) ||
+         excluded_anew_.contains(pair.second);
+}
+
+void Oracle::settle() {
+  changed_.clear();
+  excluded_anew_.clear();
+  has_lost_ = false;
+}
+
+}  // namespace graze::tests

@@ -1,0 +1,406 @@
+#include "tests/engine/histories/player.h"
+
+#include <graze/engine/world/world.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "tests/engine/histories/oracle.h"
+#include "tests/engine/histories/questions.h"
+
+namespace graze::tests {
+namespace {
+
+std::string listed(const std::vector<NamePair>& pairs) {
+  std::string text;
+  for (const auto& [a, b] : pairs)
+    text += " " + std::to_string(a) + "/" + std::to_string(b);
+  return text.empty() ? " none" : text;
+}
+
+void expect_equal(const std::vector<NamePair>& found, const std::vector<NamePair>& wanted,
+                  const std::string& what) {
+  expect(found == wanted, what + " is" + listed(found) + ", should be" + listed(wanted));
+}
+
+std::vector<NamePair> difference(const std::vector<NamePair>& s, const std::vector<NamePair>& t) {
+  std::vector<NamePair> rest;
+  std::set_difference(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(rest));
+  return rest;
+}
+
+bool are_equal(const Manifold& s, const Manifold& t) {
+  return std::equal(s.begin(), s.end(), t.begin(), t.end(), [](const auto& a, const auto& b) {
+    return a.point == b.point && a.normal == b.normal && a.depth == b.depth &&
+           a.feature == b.feature;
+  });
+}
+
+/// A manifold of a named pair, A being the one with the smaller name.
+struct NamedContacts {
+  NamePair pair;
+  Manifold manifold;
+};
+
+/// A world under test, and the names of its bodies.
+struct Contestant {
+  Contestant(std::string called, Setting setting, const WorldSettings& settings)
+      : title(std::move(called)), world(settings), palette(palette_of(setting)) {}
+
+  std::string title;
+  World world;
+  std::vector<Shape> palette;
+  std::map<std::uint32_t, BodyId> ids;
+  std::map<BodyId, std::uint32_t> names;  // of all there ever were
+  std::optional<WorldSnapshot> saved;
+  std::map<std::uint32_t, BodyId> saved_ids;
+  std::vector<Operation> waiting;  // where bodies come in another order
+  bool is_shuffled = false;
+  bool is_restored_often = false;
+  bool finds_contacts = true;
+  Fault fault = Fault::None;
+
+  std::vector<NamePair> named(std::span<const BodyPair> pairs) const {
+    expect(std::is_sorted(pairs.begin(), pairs.end()), title + ": a list is out of order");
+    std::vector<NamePair> all;
+    for (const BodyPair& pair : pairs) {
+      expect(pair.a < pair.b, title + ": a pair is out of order");
+      all.push_back(ordered(names.at(pair.a), names.at(pair.b)));
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  /// Two of one shape in one place are the same two either way: there is nothing to mirror.
+  std::vector<NamedContacts> named(std::span<const BodyContact> contacts,
+                                   const Oracle& oracle) const {
+    std::vector<NamedContacts> all;
+    for (const BodyContact& contact : contacts) {
+      const std::uint32_t a = names.at(contact.pair.a), b = names.at(contact.pair.b);
+      all.push_back({ordered(a, b), contact.manifold});
+      if (a < b || oracle.are_alike(a, b)) continue;
+      Manifold& manifold = all.back().manifold;
+      for (std::size_t i = 0; i < manifold.count; ++i) {
+        manifold.contacts[i].normal *= -1;
+        std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
+      }
+    }
+    std::sort(all.begin(), all.end(), [](const auto& s, const auto& t) { return s.pair < t.pair; });
+    return all;
+  }
+
+  void tell(const Operation& operation);
+  void move(std::span<const Operation> moves);
+  void flush();
+};
+
+void Contestant::tell(const Operation& operation) {
+  const std::uint32_t name = operation.body;
+  const BodyId id = operation.verb == Verb::Add || !ids.contains(name) ? BodyId{} : ids.at(name);
+  const BodySettings& settings = operation.settings;
+  switch (operation.verb) {
+    case Verb::Add: {
+      BodySettings own = settings;
+      own.user_data = name;
+      const BodyId added = world.add(palette[operation.number], operation.pose, own);
+      for (const auto& [other, there] : ids)
+        expect(there != added, title + ": an id was given out twice");
+      ids[name] = added;
+      names[added] = name;
+      return;
+    }
+    case Verb::Remove:
+      world.remove(id);
+      ids.erase(name);
+      expect(!world.contains(id), title + ": a removed body is still there");
+      return;
+    case Verb::SetShape:
+      if (fault == Fault::DeafToShapes) return;
+      return world.set_shape(id, palette[operation.number]);
+    case Verb::SetFilter:
+      if (fault == Fault::DeafToFilters) return;
+      return world.set_filter(id, settings.filter);
+    case Verb::SetMotion:
+      return world.set_motion(id, settings.motion);
+    case Verb::SetRole:
+      return world.set_role(id, settings.role);
+    case Verb::Sleep:
+      return world.sleep(id);
+    case Verb::Wake:
+      return world.wake(id);
+    case Verb::Exclude:
+      return world.exclude(id, ids.at(operation.number));
+    case Verb::Include:
+      return world.include(id, ids.at(operation.number));
+    case Verb::FilterPairs:
+      if (operation.number == 0) return world.set_pair_filter({});
+      return world.set_pair_filter([this, divisor = operation.number](BodyId a, BodyId b) {
+        return (names.at(a) + names.at(b)) % divisor != 0;
+      });
+    case Verb::Save:
+      saved = world.snapshot();
+      saved_ids = ids;
+      return;
+    case Verb::Restore:
+      world.restore(*saved);
+      ids = saved_ids;
+      return;
+    default:
+      throw std::logic_error("not an operation on a world");
+  }
+}
+
+void Contestant::move(std::span<const Operation> moves) {
+  std::vector<BodyId> moved;
+  std::vector<Pose> poses;
+  for (const Operation& operation : moves) {
+    moved.push_back(ids.at(operation.body));
+    poses.push_back(operation.pose);
+  }
+  if (moved.size() == 1) return world.move(moved[0], poses[0]);
+  world.move(moved, poses);
+}
+
+/// Those that came last come first.
+void Contestant::flush() {
+  for (auto next = waiting.rbegin(); next != waiting.rend(); ++next) {
+    if (next->verb == Verb::Add) tell(*next);
+  }
+  for (const Operation& operation : waiting) {
+    const bool is_move = operation.verb == Verb::Move || operation.verb == Verb::MoveToo;
+    if (is_move) move({&operation, 1});
+    if (!is_move && operation.verb != Verb::Add) tell(operation);
+  }
+  waiting.clear();
+}
+
+class Player {
+ public:
+  Player(const History& history, Fault fault) : oracle_(history.setting) {
+    const Setting setting = history.setting;
+    all_.reserve(5);
+    all_.emplace_back("world", setting, WorldSettings{});
+    all_.back().fault = fault;
+    all_.emplace_back(
+        "world without skips", setting,
+        WorldSettings{.skip_apart = false, .skip_at_rest = false, .skip_unused_trees = false});
+    all_.emplace_back("world without contacts", setting,
+                      WorldSettings{.threads = 4, .contacts = false});
+    all_.back().finds_contacts = false;
+    all_.emplace_back("restored world", setting, WorldSettings{});
+    all_.back().is_restored_often = true;
+    all_.emplace_back("world in another order", setting, WorldSettings{});
+    all_.back().is_shuffled = true;
+  }
+
+  std::optional<Failure> play(const std::vector<Operation>& operations) {
+    std::size_t at = 0;
+    try {
+      for (at = 0; at < operations.size(); ++at)
+        at = perform(operations, at);
+    } catch (const std::exception& error) {
+      return Failure{std::min(at, operations.size() - 1), error.what()};
+    }
+    return std::nullopt;
+  }
+
+  const Sights& sights() const { return sights_; }
+
+ private:
+  std::size_t perform(const std::vector<Operation>& operations, std::size_t at);
+  void move(std::span<const Operation> moves);
+  void change(const Operation& operation);
+  void save(const Operation& operation);
+  void restore(const Operation& operation);
+  void update();
+  void check_update(const WorldUpdate& update, const std::vector<NamePair>& now);
+  void check_contacts(const std::vector<NamedContacts>& found, const char* what);
+  void check_body(std::uint32_t name);
+
+  Oracle oracle_;
+  std::vector<Contestant> all_;  // never moved: filters of pairs refer to them
+  std::vector<NamePair> before_;
+  std::optional<Oracle> saved_;
+  std::vector<NamePair> saved_before_;
+  Sights sights_;
+};
+
+/// Returns the last operation that it has dealt with.
+std::size_t Player::perform(const std::vector<Operation>& operations, std::size_t at) {
+  const Operation& operation = operations[at];
+  switch (operation.verb) {
+    case Verb::Move:
+    case Verb::MoveToo: {
+      std::vector<Operation> moves;
+      std::size_t end = at;
+      do {
+        if (oracle_.has(operations[end].body)) moves.push_back(operations[end]);
+        ++end;
+      } while (end < operations.size() && operations[end].verb == Verb::MoveToo);
+      if (!moves.empty()) move(moves);
+      return end - 1;
+    }
+    case Verb::Update:
+      update();
+      break;
+    case Verb::Save:
+      save(operation);
+      break;
+    case Verb::Restore:
+      restore(operation);
+      break;
+    case Verb::AskTouching:
+    case Verb::AskWithin:
+    case Verb::AskClosest:
+    case Verb::AskRay:
+    case Verb::AskBox:
+      sights_.answers += check_answer(operation, all_[0].world, oracle_, all_[0].names);
+      break;
+    default:
+      change(operation);
+  }
+  return at;
+}
+
+void Player::move(std::span<const Operation> moves) {
+  for (const Operation& operation : moves)
+    oracle_.change(operation);
+  for (Contestant& each : all_) {
+    if (each.is_shuffled) {
+      each.waiting.insert(each.waiting.end(), moves.begin(), moves.end());
+    } else {
+      each.move(moves);
+    }
+  }
+  check_body(moves[0].body);
+}
+
+void Player::change(const Operation& operation) {
+  if (oracle_.concerns_nobody(operation)) return;
+  oracle_.change(operation);
+  for (Contestant& each : all_) {
+    if (each.is_shuffled) {
+      each.waiting.push_back(operation);
+    } else {
+      each.tell(operation);
+    }
+  }
+  if (oracle_.has(operation.body) && all_[0].fault == Fault::None) check_body(operation.body);
+}
+
+void Player::check_body(std::uint32_t name) {
+  const World& world = all_[0].world;
+  const BodyId id = all_[0].ids.at(name);
+  const Oracle::Being& being = oracle_.beings().at(name);
+  const Filter& filter = world.filter(id);
+  const bool is_as_told =
+      world.pose(id).matrix() == being.pose.matrix() && world.motion(id) == being.motion &&
+      world.role(id) == being.role && world.user_data(id) == name &&
+      filter.group == being.filter.group && filter.category == being.filter.category &&
+      filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name);
+  expect(is_as_told, "body " + std::to_string(name) + " is not as it was told to be");
+}
+
+void Player::save(const Operation& operation) {
+  if (oracle_.is_unsettled()) {
+    bool is_refused = false;
+    try {
+      all_[0].world.snapshot();
+    } catch (const InputError&) {
+      is_refused = true;
+    }
+    expect(is_refused, "a snapshot was taken while changes wait");
+    return;
+  }
+  for (Contestant& each : all_) {
+    each.flush();
+    each.tell(operation);
+  }
+  saved_ = oracle_;
+  saved_before_ = before_;
+}
+
+void Player::restore(const Operation& operation) {
+  if (!saved_) return;
+  for (Contestant& each : all_) {
+    each.waiting.clear();
+    each.tell(operation);
+  }
+  oracle_ = *saved_;
+  before_ = saved_before_;
+  ++sights_.restored;
+}
+
+void Player::update() {
+  const std::vector<NamePair> now = oracle_.touching();
+  const bool is_time = ++sights_.updates % 16 == 0;
+  std::vector<NamePair> moved;
+  std::vector<NamedContacts> contacts;
+  for (Contestant& each : all_) {
+    each.flush();
+    const WorldUpdate update = each.world.update();
+    const auto is = [&](const char* list) { return each.title + ": " + list; };
+    expect_equal(each.named(update.begun), difference(now, before_), is("begun"));
+    expect_equal(each.named(update.ended), difference(before_, now), is("ended"));
+    expect_equal(each.named(each.world.pairs()), now, is("pairs()"));
+    expect(each.world.size() == oracle_.beings().size(), is("size()"));
+    const std::vector<NamedContacts> found = each.named(update.contacts, oracle_);
+    if (&each == &all_[0]) {
+      moved = each.named(update.moved);
+      contacts = found;
+      check_update(update, now);
+      check_contacts(contacts, "contacts");
+    } else {
+      expect_equal(each.named(update.moved), moved, is("moved"));
+      const bool is_same = std::equal(
+          found.begin(), found.end(), contacts.begin(), contacts.end(),
+          [](auto& s, auto& t) { return s.pair == t.pair && are_equal(s.manifold, t.manifold); });
+      expect(is_same || !each.finds_contacts, is("contacts differ from those of the first"));
+    }
+    if (is_time && !each.finds_contacts)
+      check_contacts(each.named(each.world.contacts(), oracle_), "contacts()");
+    if (each.is_restored_often && sights_.updates % 5 == 0)
+      each.world.restore(each.world.snapshot());
+  }
+  before_ = now;
+  oracle_.settle();
+}
+
+void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>& now) {
+  const std::vector<NamePair> moved = all_[0].named(update.moved);
+  for (const NamePair& pair : moved)
+    expect(oracle_.may_be_listed(pair),
+           "moved has" + listed({pair}) + ", in which nothing changed");
+  expect_equal(difference(moved, now), {}, "moved, but not touching,");
+  for (const NamePair& pair : now)
+    expect(!oracle_.must_be_listed(pair) || std::binary_search(moved.begin(), moved.end(), pair),
+           "moved lacks" + listed({pair}));
+  std::vector<NamePair> solid, with_contacts;
+  std::copy_if(moved.begin(), moved.end(), std::back_inserter(solid),
+               [&](const NamePair& pair) { return oracle_.are_solid(pair); });
+  for (const NamedContacts& contact : all_[0].named(update.contacts, oracle_))
+    with_contacts.push_back(contact.pair);
+  expect_equal(with_contacts, solid, "the list of contacts");
+  sights_.begun += update.begun.size(), sights_.ended += update.ended.size();
+  sights_.contacts += update.contacts.size();
+  sights_.pairs_apart += update.work.pairs_apart;
+  sights_.pairs_at_rest += update.work.pairs_at_rest;
+}
+
+void Player::check_contacts(const std::vector<NamedContacts>& found, const char* what) {
+  for (const NamedContacts& contact : found)
+    expect(are_equal(contact.manifold, oracle_.contacts(contact.pair)),
+           std::string(what) + " of" + listed({contact.pair}) + " differ from the narrow phase's");
+}
+
+}  // namespace
+
+std::optional<Failure> play(const History& history, Sights* sights, Fault fault) {
+  Player player(history, fault);
+  const std::optional<Failure> failure = player.play(history.operations);
+  if (sights != nullptr) *sights = player.sights();
+  return failure;
+}
+
+}  // namespace graze::tests
