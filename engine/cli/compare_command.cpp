@@ -27,7 +27,7 @@ and of a scene each difference:
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
-record of each pose as it is done, and goes on where a stopped run ended. Times of runs with many
+record of each pose or step as it is done, and goes on where a stopped run ended. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
 Examples:
@@ -55,7 +55,8 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 100'000'000).description(""));
   command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
-      ->type_name("S");
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber.description(""));
 }
 
 void add_scene_options(CLI::App& command, CompareOptions& options) {
@@ -76,7 +77,8 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
       .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
       ->type_name("DIR");
   command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber.description(""));
   command.add_option("--report", options.report, "also one self-contained page")->type_name("HTML");
   command.add_option("--save", options.save, "write what was answered")->type_name("BASE");
   command.add_option("--against", options.against, "hold this run against a saved one")

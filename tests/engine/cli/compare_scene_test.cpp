@@ -23,9 +23,10 @@ TEST_F(CliCompareScene, GrazeIsRightAboutTheBundledShapes) {
 }
 
 TEST_F(CliCompareScene, BadInputIsRefused) {
-  expect_refusal({"compare", kScene, "--random", "3"},
-                 "graze: of a scene each pair is asked whether it touches: poses, --query, --save, "
-                 "--against, --resume and --report belong to two meshes");
+  expect_refusal(
+      {"compare", kScene, "--random", "3"},
+      "graze: of a scene each pair is asked whether it touches: poses and --query belong "
+      "to two meshes");
   write("bad.json", "{\"graze_scene\": 3}");
   expect_refusal({"compare", "bad.json"},
                  "graze: bad.json:1: /graze_scene: is version 3; this program reads 1");
