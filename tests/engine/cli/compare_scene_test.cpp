@@ -32,6 +32,14 @@ TEST_F(CliCompareScene, BadInputIsRefused) {
                  "graze: bad.json:1: /graze_scene: is version 3; this program reads 1");
   expect_refusal({"compare", kScene, "--engines", "nobody"},
                  "graze: --engines: there is no engine \"nobody\"");
+  for (const std::string option : {"--steps", "--keep", "--threads", "--seed"}) {
+    const CommandResult result = graze({"compare", kScene, option, "010"});
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_NE(result.err.find("\"010\" is not a whole number from 0 to "), std::string::npos)
+        << result.err;
+  }
+  expect_refusal({"compare", kScene, "--dt", "-1"},
+                 "graze: --dt: \"-1\" is not a positive number (see graze compare --help)");
   expect_refusal({"compare", "a.off", "b.off", "--steps", "3"},
                  "graze: --steps, --dt and --meshes belong to scenes");
 }
