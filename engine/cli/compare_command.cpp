@@ -1,8 +1,10 @@
 #include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/compare_run.h>
+#include <graze/engine/cli/count_argument.h>
 #include <graze/engine/scenes/read_scene.h>
 
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <memory>
 
 namespace graze::cli {
@@ -27,7 +29,7 @@ and of a scene each difference:
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
-record of each pose as it is done, and goes on where a stopped run ended. Times of runs with many
+record of each pose or step as it is done, and goes on where a stopped run ended. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
 Examples:
@@ -48,23 +50,24 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--poses", options.poses, "poses of B, one per line")->type_name("FILE");
   command.add_option("--random", options.random, "so many random poses of B")
       ->type_name("N")
-      ->check(CLI::Range(1, 100'000'000).description(""));
+      ->check(whole_number(1, 100'000'000));
   command
       .add_option("--grazing", options.grazing,
                   "so many poses halved to the touching point, where engines go wrong")
       ->type_name("N")
-      ->check(CLI::Range(1, 100'000'000).description(""));
+      ->check(whole_number(1, 100'000'000));
   command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
-      ->type_name("S");
+      ->type_name("S")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
 }
 
 void add_scene_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--steps", options.steps, "of a scene (default: as it says)")
       ->type_name("N")
-      ->check(CLI::Range(0, static_cast<int>(kMaxSceneSteps)).description(""));
+      ->check(whole_number(0, kMaxSceneSteps));
   command.add_option("--dt", options.step, "of a scene, seconds a step (default: as it says)")
       ->type_name("S")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(finite_number(Sign::Positive));
   command
       .add_option("--meshes", options.mesh_folder,
                   "the folder of a scene's meshes (default: that of the scene)")
@@ -76,7 +79,8 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
       .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
       ->type_name("DIR");
   command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(whole_number(0, 1'000'000));
   command.add_option("--report", options.report, "also one self-contained page")->type_name("HTML");
   command.add_option("--save", options.save, "write what was answered")->type_name("BASE");
   command.add_option("--against", options.against, "hold this run against a saved one")
@@ -89,7 +93,7 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
       ->type_name("FILE");
   command.add_option("--threads", options.threads, "0 (default): as many as processors")
       ->type_name("N")
-      ->check(CLI::Range(0, 1024).description(""));
+      ->check(whole_number(0, kMaxThreads));
   command.add_flag("--json", options.is_json, "one JSON object per line");
   command.add_flag("--progress", options.has_progress,
                    "report progress on stderr even if it is no terminal");
@@ -109,7 +113,7 @@ void add_compare_command(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts"}).description(""));
   command->add_option("--clearance", options->clearance, "of --query within, metres")
       ->type_name("C")
-      ->check(CLI::NonNegativeNumber.description(""));
+      ->check(finite_number(Sign::NotNegative));
   command->add_option("--engines", options->engines, "names with commas (default: all)")
       ->type_name("NAMES");
   add_pose_options(*command, *options);

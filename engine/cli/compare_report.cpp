@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace graze::cli {
 namespace {
@@ -27,32 +28,23 @@ std::string wrong_rows(std::span<const PoseRecord> records) {
                      {"error (m)", 10},
                      {"ulp", 9},
                      {"pairs", 6}});
-  std::string rows;
-  std::size_t count = 0;
-  for (const PoseRecord& record : records) {
-    for (const AnswerRecord& answer : record.answers) {
-      if (!answer.is_wrong() || ++count > kMaxRows) continue;
-      const compare::Judgement& judgement = answer.judgement;
-      rows += table.row({std::to_string(record.pose), answer.engine, answer.brief, judgement.truth,
-                         name_of(judgement.error_class), fmt::format("{:.3g}", judgement.error),
-                         fmt::format("{:.3g}", judgement.ulps),
-                         judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
-    }
+  const std::vector<WrongAnswer> wrong = wrong_answers(records);
+  if (wrong.empty()) return "no wrong answer\n";
+  std::string out = "wrong answers:\n" + table.header();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i) {
+    const AnswerRecord& answer = *wrong[i].answer;
+    const compare::Judgement& judgement = answer.judgement;
+    out += table.row({wrong[i].where, answer.engine, answer.brief, judgement.truth,
+                      name_of(judgement.error_class), fmt::format("{:.3g}", judgement.error),
+                      fmt::format("{:.3g}", judgement.ulps),
+                      judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
   }
-  if (count == 0) return "no wrong answer\n";
-  std::string out = "wrong answers:\n";
-  out += table.header() + rows;
-  if (count > kMaxRows) out += fmt::format("... and {} more\n", count - kMaxRows);
+  if (wrong.size() > kMaxRows) out += fmt::format("... and {} more\n", wrong.size() - kMaxRows);
   return out;
 }
 
-void add(EngineSummary& summary, const AnswerRecord& answer) {
-  ++summary.answers;
-  summary.total_time += answer.time;
-  if (answer.is_agreed) {
-    ++summary.agreed;
-    return;
-  }
+/// An answer that somebody contradicted.
+void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
   const compare::Judgement& judgement = answer.judgement;
   summary.right += judgement.verdict == Verdict::Right;
   summary.not_judged += judgement.verdict == Verdict::NotJudged;
@@ -69,35 +61,80 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// Summaries in the order in which engines first answered, with their times.
+class Tallies {
+ public:
+  /// The engine's summary with so many answers more, which took `time` together. Valid until the
+  /// next call.
+  EngineSummary& add(const std::string& engine, std::size_t answers, double time) {
+    auto at = std::find_if(summaries_.begin(), summaries_.end(),
+                           [&](const EngineSummary& summary) { return summary.engine == engine; });
+    if (at == summaries_.end()) {
+      summaries_.push_back({.engine = engine});
+      times_.emplace_back();
+      at = std::prev(summaries_.end());
+    }
+    at->answers += answers;
+    at->total_time += time;
+    if (answers > 0) {
+      times_[static_cast<std::size_t>(at - summaries_.begin())].push_back(
+          time / static_cast<double>(answers));
+    }
+    return *at;
+  }
+
+  std::vector<EngineSummary> take() {
+    for (std::size_t i = 0; i < summaries_.size(); ++i)
+      if (!times_[i].empty()) summaries_[i].median_time = median(times_[i]);
+    return std::move(summaries_);
+  }
+
+ private:
+  std::vector<EngineSummary> summaries_;
+  std::vector<std::vector<double>> times_;
+};
+
 }  // namespace
 
-void Summaries::add(const AnswerRecord& answer) {
-  auto at = std::find_if(summaries_.begin(), summaries_.end(), [&](const EngineSummary& summary) {
-    return summary.engine == answer.engine;
-  });
-  if (at == summaries_.end()) {
-    summaries_.push_back({.engine = answer.engine});
-    times_.emplace_back();
-    at = std::prev(summaries_.end());
-  }
-  cli::add(*at, answer);
-  times_[static_cast<std::size_t>(at - summaries_.begin())].push_back(answer.time);
-}
-
-std::vector<EngineSummary> Summaries::take() const {
-  std::vector<EngineSummary> summaries = summaries_;
-  for (std::size_t i = 0; i < summaries.size(); ++i)
-    summaries[i].median_time = median(times_[i]);
-  return summaries;
-}
-
 std::vector<EngineSummary> summarise(std::span<const PoseRecord> records) {
-  Summaries all;
+  Tallies tallies;
+  for (const PoseRecord& record : records) {
+    for (const AnswerRecord& answer : record.answers) {
+      EngineSummary& summary = tallies.add(answer.engine, 1, answer.time);
+      if (answer.is_agreed) {
+        ++summary.agreed;
+      } else {
+        add_judged(summary, answer);
+      }
+    }
+  }
+  return tallies.take();
+}
+
+std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records) {
+  Tallies tallies;
+  for (const compare::StepRecord& record : records) {
+    for (const compare::StepAnswers& each : record.engines)
+      tallies.add(each.engine, each.answers, each.time).agreed += each.answers;
+    for (const compare::SceneDifference& difference : record.differences) {
+      for (const AnswerRecord& answer : difference.answers) {
+        if (answer.is_agreed) continue;
+        EngineSummary& summary = tallies.add(answer.engine, 0, 0);
+        summary.agreed -= std::min<std::size_t>(summary.agreed, 1);
+        add_judged(summary, answer);
+      }
+    }
+  }
+  return tallies.take();
+}
+
+std::vector<WrongAnswer> wrong_answers(std::span<const PoseRecord> records) {
+  std::vector<WrongAnswer> wrong;
   for (const PoseRecord& record : records) {
     for (const AnswerRecord& answer : record.answers)
-      all.add(answer);
+      if (answer.is_wrong()) wrong.push_back({std::to_string(record.pose), &answer});
   }
-  return all.take();
+  return wrong;
 }
 
 std::string compare_text(std::span<const PoseRecord> records, std::span<const WrittenCase> cases) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <graze/engine/compare/run/comparison.h>
+#include <graze/engine/compare/run/scene_comparison.h>
 
 namespace graze::cli {
 
@@ -25,20 +26,20 @@ struct EngineSummary {
   double total_time = 0;
 };
 
-/// Adds up answers, engine by engine.
-class Summaries {
- public:
-  void add(const compare::AnswerRecord& answer);
+/// In the order in which engines first answered.
+std::vector<EngineSummary> summarise(std::span<const compare::PoseRecord> records);
 
-  /// In the order in which engines first answered.
-  std::vector<EngineSummary> take() const;
+/// Of a scene. The median is that of the steps' means.
+std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records);
 
- private:
-  std::vector<EngineSummary> summaries_;
-  std::vector<std::vector<double>> times_;
+/// A wrong answer and the pose, or the step and the bodies, where it was given.
+struct WrongAnswer {
+  std::string where;
+  const compare::AnswerRecord* answer;
 };
 
-std::vector<EngineSummary> summarise(std::span<const compare::PoseRecord> records);
+/// Of all engines, in the order of poses. They refer to the records.
+std::vector<WrongAnswer> wrong_answers(std::span<const compare::PoseRecord> records);
 
 /// A shrunk case and the file that it went to.
 struct WrittenCase {

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/write_case.h>
+#include <graze/engine/cli/compare_output.h>
 #include <graze/engine/cli/compare_report.h>
 #include <graze/engine/cli/compare_run.h>
 #include <graze/engine/cli/compare_scene.h>
@@ -11,7 +12,6 @@
 #include <graze/engine/compare/run/journal.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
-#include <graze/engine/mesh/io/output_file.h>
 #include <graze/engine/mesh/io/source.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
@@ -49,7 +49,7 @@ void check_combinations(const CompareOptions& options) {
   if ((options.query == "within") != (options.clearance >= 0)) {
     throw UsageError("--clearance belongs to --query within");
   }
-  if (options.time_tolerance < 1) throw UsageError("--time-tolerance: is below 1");
+  if (!(options.time_tolerance >= 1)) throw UsageError("--time-tolerance: is below 1");
 }
 
 std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMesh& a, const Mesh& b) {
@@ -85,14 +85,12 @@ ComparisonJob read_job(const CompareOptions& options) {
 }
 
 /// Records of an earlier run of the same job.
-std::vector<PoseRecord> resumed(const CompareOptions& options, const ComparisonJob& job) {
+std::vector<PoseRecord> resumed(const CompareOptions& options, const ComparisonJob& job,
+                                std::span<const EngineEntry> engines) {
   std::error_code ignored;
   if (options.resume.empty() || !fs::exists(options.resume, ignored)) return {};
   compare::Journal journal = compare::read_journal(options.resume);
-  if (journal.key != compare::key_of(job)) {
-    throw UsageError("--resume: " + mesh_io::printable(options.resume) +
-                     " is of other meshes, poses or another question");
-  }
+  check_resumed(options, journal.key == compare::key_of(job), journal.engines, engines);
   std::set<std::size_t> seen;
   std::vector<PoseRecord> records;
   for (PoseRecord& record : journal.records) {
@@ -103,12 +101,12 @@ std::vector<PoseRecord> resumed(const CompareOptions& options, const ComparisonJ
 
 std::vector<PoseRecord> run_all(const CompareOptions& options, const ComparisonJob& job,
                                 std::span<const EngineEntry> engines) {
-  std::vector<PoseRecord> records = resumed(options, job);
+  std::vector<PoseRecord> records = resumed(options, job, engines);
   std::vector<bool> is_done(job.poses_b.size(), false);
   for (const PoseRecord& record : records)
     is_done[record.pose] = true;
   std::optional<compare::JournalWriter> journal;
-  if (!options.resume.empty()) journal.emplace(options.resume, job, records);
+  if (!options.resume.empty()) journal.emplace(options.resume, job, engines, records);
   Progress progress("poses:", job.poses_b.size(), {.is_forced = options.has_progress});
   run_comparison(
       job, engines, [&](std::size_t pose) { return is_done[pose]; },
@@ -145,46 +143,33 @@ std::vector<WrittenCase> write_cases(const CompareOptions& options,
   return written;
 }
 
-/// What is said of an older run, and whether that is a regression.
-struct Regression {
-  bool is_one = false;
-  std::string text;
-};
-
-Regression hold_against(const CompareOptions& options, const ComparisonJob& job,
-                        const std::vector<PoseRecord>& records) {
-  const compare::Journal baseline = compare::read_journal(options.against);
-  if (baseline.key != compare::key_of(job)) {
-    throw UsageError("--against: " + mesh_io::printable(options.against) +
-                     " is of other meshes, poses or another question");
-  }
-  const compare::BaselineDifference found = compare_to_baseline(baseline, records);
-  const double ratio = found.old_time > 0 ? found.new_time / found.old_time : 1;
-  const bool is_slower = ratio > options.time_tolerance;
-  Regression result;
-  result.is_one = !found.changed_poses.empty() || !found.missing_poses.empty() || is_slower;
-  if (options.is_json) {
-    result.text = fmt::format(
-        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
-        "\n",
-        fmt::join(found.changed_poses, ","), fmt::join(found.missing_poses, ","), ratio, is_slower);
-  } else {
-    result.text = fmt::format(
-        "against {}: {} answers of graze changed{}{}, {} missing; time {:.2f} of what it was{}\n",
-        mesh_io::printable(options.against), found.changed_poses.size(),
-        found.changed_poses.empty() ? "" : " in poses ", fmt::join(found.changed_poses, " "),
-        found.missing_poses.size(), ratio,
-        is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
-  }
-  return result;
-}
-
 bool is_graze_wrong(std::span<const PoseRecord> records) {
   return std::any_of(records.begin(), records.end(), [](const PoseRecord& record) {
     return std::any_of(record.answers.begin(), record.answers.end(), [](const auto& answer) {
       return answer.engine == "graze" && answer.is_wrong();
     });
   });
+}
+
+/// A folder of cases, each of which says what is asked.
+ExitCode run_cases(const CompareOptions& options, std::span<const EngineEntry> engines,
+                   Output& output) {
+  const bool has_others = !options.pose_a.empty() || !options.pose_b.empty() || options.poses ||
+                          options.random > 0 || options.grazing > 0 || options.query != "any" ||
+                          options.clearance >= 0 || options.steps || options.step > 0 ||
+                          !options.report.empty() || !options.save.empty() ||
+                          !options.against.empty() || !options.resume.empty();
+  if (has_others) {
+    throw UsageError(
+        "cases say themselves what is asked: of a folder of them --engines, --meshes, --json and "
+        "--progress are meant, and no others");
+  }
+  const Field field(engines, options.engines);
+  return run_replay({.files = {options.mesh_a},
+                     .mesh_folder = options.mesh_folder,
+                     .is_json = options.is_json,
+                     .has_progress = options.has_progress},
+                    options.engines.empty() ? engines : field.engines(), output);
 }
 
 }  // namespace
@@ -199,27 +184,33 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     if (!fs::is_directory(options.mesh_a, ignored)) {
       throw UsageError("a mesh B is needed, or a folder of cases alone, or a scene, a .json file");
     }
-    return run_replay({.files = {options.mesh_a},
-                       .mesh_folder = "",
-                       .is_json = options.is_json,
-                       .has_progress = options.has_progress},
-                      engines, output);
+    return run_cases(options, engines, output);
   }
   const Field field(engines, options.engines);
+  check_places(options);
   const ComparisonJob job = read_job(options);
-  if (!options.against.empty()) compare::read_journal(options.against);  // bad input comes first
+  std::optional<compare::Journal> baseline;  // bad input comes first
+  if (!options.against.empty()) {
+    baseline = compare::read_journal(options.against);
+    check_baseline(options, baseline->key == compare::key_of(job));
+  }
   const std::vector<PoseRecord> records = run_all(options, job, field.engines());
   const std::vector<WrittenCase> cases =
       write_cases(options, shrink_worst(job, field.engines(), records, options.keep));
-  if (!options.save.empty()) compare::JournalWriter(options.save, job, records);
+  if (!options.save.empty()) {
+    compare::JournalWriter(options.save, job, field.engines(), records);
+  }
   if (!options.report.empty()) {
-    mesh_io::OutputFile file(options.report);
-    file.append(html_report({.mesh_a = options.mesh_a,
-                             .mesh_b = options.mesh_b,
-                             .query = options.query,
-                             .records = records,
-                             .cases = cases}));
-    file.finish();
+    const std::vector<EngineSummary> summaries = summarise(records);
+    const std::vector<WrongAnswer> wrong = wrong_answers(records);
+    write_report(options.report, {.mesh_a = options.mesh_a,
+                                  .mesh_b = options.mesh_b,
+                                  .query = options.query,
+                                  .places = fmt::format("{} poses", records.size()),
+                                  .place = "pose",
+                                  .summaries = summaries,
+                                  .wrong = wrong,
+                                  .cases = cases});
   }
   std::string text;
   if (options.is_json) {
@@ -233,7 +224,8 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     text += compare_text(records, cases);
   }
   Regression regression;
-  if (!options.against.empty()) regression = hold_against(options, job, records);
+  if (baseline)
+    regression = regression_of(options, compare_to_baseline(*baseline, records), "poses");
   output.write(text + regression.text);
   const bool is_bad = is_graze_wrong(records) || regression.is_one;
   return is_bad ? ExitCode::GrazeWrong : ExitCode::Answered;

@@ -1,8 +1,10 @@
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cli/html_report.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/mesh/io/output_file.h>
 
 #include <fmt/format.h>
+#include <algorithm>
 
 namespace graze::cli {
 namespace {
@@ -93,16 +95,39 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
   return out + "</table>\n";
 }
 
-std::string case_section(const WrittenCase& each) {
+std::string wrong_table(const HtmlReportInput& input) {
+  constexpr std::size_t kMaxRows = 200;
+  if (input.wrong.empty()) return "<p>None.</p>\n";
+  std::string out = fmt::format(
+      "<table><tr><th>{}</th><th>engine</th><th>says</th><th>truth</th><th>why</th><th>error, "
+      "m</th><th>in ulp</th></tr>\n",
+      input.place);
+  for (std::size_t i = 0; i < std::min(input.wrong.size(), kMaxRows); ++i) {
+    const compare::AnswerRecord& answer = *input.wrong[i].answer;
+    const compare::Judgement& judgement = answer.judgement;
+    out += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.3g}</td><td>{:.3g}</td>"
+        "</tr>\n",
+        escaped(input.wrong[i].where), escaped(answer.engine), escaped(answer.brief),
+        escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps);
+  }
+  out += "</table>\n";
+  if (input.wrong.size() > kMaxRows) {
+    out += fmt::format("<p>And {} more.</p>\n", input.wrong.size() - kMaxRows);
+  }
+  return out;
+}
+
+std::string case_section(const WrittenCase& each, const std::string& place) {
   const compare::Judgement& judgement = each.shrunk.judgement;
   const std::string picture = svg_picture(each.shrunk.query);
   return fmt::format(
-      "<div class=\"case\"><div>{}</div><div><h3>{} in pose {}</h3><p>{} says <b>{}</b>, the truth "
+      "<div class=\"case\"><div>{}</div><div><h3>{} in {} {}</h3><p>{} says <b>{}</b>, the truth "
       "is "
       "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay "
       "{}</code></p></div></div>\n",
       picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture,
-      escaped(each.shrunk.engine), each.shrunk.pose, escaped(each.shrunk.engine),
+      escaped(each.shrunk.engine), place, each.shrunk.pose, escaped(each.shrunk.engine),
       each.shrunk.query.answer ? escaped(compare::brief(*each.shrunk.query.answer)) : "nothing",
       escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps,
       escaped(quoted_for_shell(each.file)));
@@ -111,19 +136,29 @@ std::string case_section(const WrittenCase& each) {
 }  // namespace
 
 std::string html_report(const HtmlReportInput& input) {
-  const std::vector<EngineSummary> summaries = summarise(input.records);
   std::string out = kHead;
+  out +=
+      fmt::format("<h1>graze compare</h1>\n<p><span class=\"a\">{}</span>", escaped(input.mesh_a));
+  if (!input.mesh_b.empty()) {
+    out += fmt::format(" and <span class=\"b\">{}</span>", escaped(input.mesh_b));
+  }
   out += fmt::format(
-      "<h1>graze compare</h1>\n<p><span class=\"a\">{}</span> and <span class=\"b\">{}</span>, "
-      "question <b>{}</b>, {} poses. Where engines differ, a referee in exact arithmetic decides; "
+      ", question <b>{}</b>, {}. Where engines differ, a referee in exact arithmetic decides; "
       "<i>agreed</i> are answers that nobody contradicted.</p>\n",
-      escaped(input.mesh_a), escaped(input.mesh_b), escaped(input.query), input.records.size());
-  out += summary_table(summaries);
+      escaped(input.query), input.places);
+  out += summary_table(input.summaries);
+  out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";
   if (input.cases.empty()) out += "<p>None.</p>\n";
   for (const WrittenCase& each : input.cases)
-    out += case_section(each);
+    out += case_section(each, input.place);
   return out + "</body>\n</html>\n";
+}
+
+void write_report(const std::filesystem::path& path, const HtmlReportInput& input) {
+  mesh_io::OutputFile file(path);
+  file.append(html_report(input));
+  file.finish();
 }
 
 }  // namespace graze::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -8,16 +9,22 @@
 namespace graze::cli {
 
 struct HtmlReportInput {
-  std::string mesh_a;
-  std::string mesh_b;
+  std::string mesh_a;  ///< or a scene
+  std::string mesh_b;  ///< empty for a scene
   std::string query;
-  std::span<const compare::PoseRecord> records;
+  std::string places;  ///< "12 poses"
+  std::string place;   ///< "pose"
+  std::span<const EngineSummary> summaries;
+  std::span<const WrongAnswer> wrong;  ///< of which the first are shown
   std::span<const WrittenCase> cases;
 };
 
 /// One page that needs nothing else: no network, no script, no file. Counts, times, and for each
 /// shrunk case a picture from two sides and the command that replays it.
 std::string html_report(const HtmlReportInput& input);
+
+/// Writes it to a file. Throws MeshError if that cannot be done.
+void write_report(const std::filesystem::path& path, const HtmlReportInput& input);
 
 /// The two shapes of a case as an SVG picture from two sides; empty for what has no triangles.
 std::string svg_picture(const Case& query);

@@ -1,3 +1,4 @@
+#include <graze/engine/cli/count_argument.h>
 #include <graze/engine/cli/simulate_command.h>
 #include <graze/engine/cli/simulate_report.h>
 #include <graze/engine/scenes/read_scene.h>
@@ -71,17 +72,17 @@ void add_simulate_command(CLI::App& program, Action& action) {
   command
       ->add_option("--steps", options->steps, "how many after step 0 (default: as the scene says)")
       ->type_name("N")
-      ->check(CLI::Range(0, static_cast<int>(kMaxSceneSteps)).description(""));
+      ->check(whole_number(0, kMaxSceneSteps));
   command->add_option("--dt", options->step, "seconds a step (default: as the scene says)")
       ->type_name("S")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(finite_number(Sign::Positive));
   command
       ->add_option("--meshes", options->mesh_folder,
                    "the folder of meshes by file (default: that of the scene)")
       ->type_name("DIR");
   command->add_option("--threads", options->threads, "no answer depends on it (default: 1)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
+      ->check(whole_number(1, kMaxThreads));
   command->add_flag("--contacts", options->has_contacts, "also where bodies touch");
   command->add_flag("--json", options->is_json, "one JSON object per line and step");
   command->footer(kSimulateFooter);

@@ -20,12 +20,29 @@ class WrongSignPair : public LoadedPair {
   std::unique_ptr<LoadedPair> inner_;
 };
 
+class WrongSignShapes : public LoadedShapes {
+ public:
+  explicit WrongSignShapes(std::unique_ptr<LoadedShapes> inner) : inner_(std::move(inner)) {}
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    Pose wrong = pose_b;
+    wrong.translation().x() = -wrong.translation().x();
+    return inner_->intersects(shape_a, pose_a, shape_b, wrong);
+  }
+
+ private:
+  std::unique_ptr<LoadedShapes> inner_;
+};
+
 class WrongSignEngine : public Engine {
  public:
   explicit WrongSignEngine(std::string name) : name_(std::move(name)) {}
   CaseWitness name() const override { return {name_, "planted"}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<WrongSignPair>(make_graze_engine()->load(mesh_a, mesh_b));
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<WrongSignShapes>(make_graze_engine()->load_shapes(shapes));
   }
 
  private:

@@ -7,7 +7,7 @@
 namespace graze::compare {
 
 /// An engine with a planted bug: it moves B the wrong way along x. It answers any, pairs and
-/// distance as graze does for the pose that it thinks it was given.
+/// distance, and about shapes, as graze does for the pose that it thinks it was given.
 std::unique_ptr<Engine> make_wrong_sign_engine(const std::string& name);
 
 /// graze with a planted bug: it tests only pairs of triangles whose bounds overlap by more than a

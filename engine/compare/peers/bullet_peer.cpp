@@ -1,5 +1,5 @@
-// Bullet behind the page that every engine has: GImpact meshes without margin, in double. Its
-// shapes keep state while they are asked, so that one thread at a time may ask.
+// Bullet behind the page that every engine has: GImpact meshes and shapes without margin, in
+// double. Its shapes keep state while they are asked, so that one thread at a time may ask.
 
 #include <graze/engine/compare/peers/engine.h>
 
@@ -7,7 +7,10 @@
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <btBulletCollisionCommon.h>
 #include <algorithm>
+#include <array>
+#include <memory>
 #include <mutex>
+#include <variant>
 
 static_assert(sizeof(btScalar) == sizeof(double), "compile this file with BT_USE_DOUBLE_PRECISION");
 
@@ -18,6 +21,10 @@ btTransform to_bullet(const Pose& pose) {
   return btTransform(btMatrix3x3(pose(0, 0), pose(0, 1), pose(0, 2), pose(1, 0), pose(1, 1),
                                  pose(1, 2), pose(2, 0), pose(2, 1), pose(2, 2)),
                      btVector3(pose(0, 3), pose(1, 3), pose(2, 3)));
+}
+
+btVector3 to_bullet(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
 }
 
 Eigen::Vector3d from_bullet(const btVector3& v) {
@@ -73,13 +80,10 @@ class Collector : public btCollisionWorld::ContactResultCallback {
   std::vector<CaseContact> contacts;
 };
 
-class BulletPair : public LoadedPair {
+/// Two objects at a time.
+class PairTest {
  public:
-  BulletPair(const Mesh& mesh_a, const Mesh& mesh_b)
-      : mesh_a_(mesh_a),
-        mesh_b_(mesh_b),
-        dispatcher_(&configuration_),
-        world_(&dispatcher_, &broadphase_, &configuration_) {
+  PairTest() : dispatcher_(&configuration_), world_(&dispatcher_, &broadphase_, &configuration_) {
     // contactPairTest() asks the table of closest points, into which GImpact does not enter itself.
     for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
       dispatcher_.registerClosestPointsCreateFunc(GIMPACT_SHAPE_PROXYTYPE, type, &create_gimpact_);
@@ -87,21 +91,38 @@ class BulletPair : public LoadedPair {
     }
   }
 
+  std::vector<CaseContact> contacts(btCollisionObject* a, btCollisionObject* b) {
+    Collector collector;
+    collector.first = a;
+    world_.contactPairTest(a, b, collector);
+    return std::move(collector.contacts);
+  }
+
+ private:
+  btGImpactCollisionAlgorithm::CreateFunc create_gimpact_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btCollisionWorld world_;
+};
+
+class BulletPair : public LoadedPair {
+ public:
+  BulletPair(const Mesh& mesh_a, const Mesh& mesh_b) : mesh_a_(mesh_a), mesh_b_(mesh_b) {}
+
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
     if (question.settings.touch == Touch::Exclude) return std::nullopt;
     if (question.settings.interior == Interior::Solid) return std::nullopt;
     if (question.ask != Ask::Any && question.ask != Ask::Contacts) return std::nullopt;
     const std::lock_guard lock(mutex_);
-    Collector collector;
-    btCollisionObject* const a = mesh_a_.place(pose_a);
-    collector.first = a;
-    world_.contactPairTest(a, mesh_b_.place(pose_b), collector);
+    std::vector<CaseContact> contacts =
+        test_.contacts(mesh_a_.place(pose_a), mesh_b_.place(pose_b));
     CaseAnswer answer;
     if (question.ask == Ask::Any) {
-      answer.says = !collector.contacts.empty();
+      answer.says = !contacts.empty();
     } else {
-      answer.contacts = std::move(collector.contacts);
+      answer.contacts = std::move(contacts);
     }
     return answer;
   }
@@ -110,11 +131,97 @@ class BulletPair : public LoadedPair {
   mutable std::mutex mutex_;
   mutable BulletMesh mesh_a_;
   mutable BulletMesh mesh_b_;
-  btGImpactCollisionAlgorithm::CreateFunc create_gimpact_;
-  btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
-  btDbvtBroadphase broadphase_;
-  mutable btCollisionWorld world_;
+  mutable PairTest test_;
+};
+
+/// Bullet's shapes, with their axes along z and without margins. None for an ellipsoid.
+struct MakeShape {
+  std::unique_ptr<btCollisionShape> operator()(const Sphere& s) const {
+    return std::make_unique<btSphereShape>(s.radius);
+  }
+  std::unique_ptr<btCollisionShape> operator()(const Box& s) const {
+    return std::make_unique<btBoxShape>(to_bullet(s.half_extents));
+  }
+  std::unique_ptr<btCollisionShape> operator()(const Capsule& s) const {
+    return std::make_unique<btCapsuleShapeZ>(s.radius, 2 * s.half_length);
+  }
+  std::unique_ptr<btCollisionShape> operator()(const Cylinder& s) const {
+    return std::make_unique<btCylinderShapeZ>(btVector3(s.radius, s.radius, s.half_height));
+  }
+  std::unique_ptr<btCollisionShape> operator()(const Cone& s) const {
+    return std::make_unique<btConeShapeZ>(s.radius, 2 * s.half_height);
+  }
+  std::unique_ptr<btCollisionShape> operator()(const ConvexHull& s) const {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (std::size_t i = 0; i < s.vertex_count(); ++i)
+      hull->addPoint(to_bullet(s.vertex(i)), false);
+    hull->recalcLocalAabb();
+    return hull;
+  }
+  std::unique_ptr<btCollisionShape> operator()(const HalfSpace& s) const {
+    return std::make_unique<btStaticPlaneShape>(to_bullet(s.normal), s.offset);
+  }
+  std::unique_ptr<btCollisionShape> operator()(const Ellipsoid&) const { return nullptr; }
+  std::unique_ptr<btCollisionShape> operator()(const Mesh&) const { return nullptr; }
+};
+
+/// Two objects of one shape, so that it can meet itself.
+class BulletShape {
+ public:
+  explicit BulletShape(const Shape& shape) : kind_(shape.kind()) {
+    if (const Mesh* mesh = shape.as<Mesh>()) {
+      for (auto& each : meshes_)
+        each = std::make_unique<BulletMesh>(*mesh);
+      return;
+    }
+    if (const auto* ball = shape.as<Sphere>()) centre_ = ball->centre;
+    shape_ = std::visit(MakeShape(), shape.value());
+    if (!shape_) return;
+    const bool is_round = kind_ == ShapeKind::Sphere || kind_ == ShapeKind::Capsule;
+    if (!is_round) shape_->setMargin(0);  // the margin of these two is their radius
+    for (btCollisionObject& object : objects_)
+      object.setCollisionShape(shape_.get());
+  }
+
+  ShapeKind kind() const { return kind_; }
+  bool is_known() const { return shape_ || meshes_[0]; }
+
+  btCollisionObject* place(std::size_t which, Pose pose) {
+    if (meshes_[which]) return meshes_[which]->place(pose);
+    pose.translation() = pose * centre_;
+    objects_[which].setWorldTransform(to_bullet(pose));
+    return &objects_[which];
+  }
+
+ private:
+  ShapeKind kind_;
+  Eigen::Vector3d centre_{0, 0, 0};
+  std::unique_ptr<btCollisionShape> shape_;
+  std::array<btCollisionObject, 2> objects_;
+  std::array<std::unique_ptr<BulletMesh>, 2> meshes_;
+};
+
+class BulletShapes : public LoadedShapes {
+ public:
+  explicit BulletShapes(std::span<const Shape> shapes) {
+    for (const Shape& shape : shapes)
+      shapes_.push_back(std::make_unique<BulletShape>(shape));
+  }
+
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    BulletShape& a = *shapes_[shape_a];
+    BulletShape& b = *shapes_[shape_b];
+    const bool are_planes = a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace;
+    if (!a.is_known() || !b.is_known() || are_planes) return std::nullopt;
+    const std::lock_guard lock(mutex_);
+    return !test_.contacts(a.place(0, pose_a), b.place(1, pose_b)).empty();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::unique_ptr<BulletShape>> shapes_;
+  mutable PairTest test_;
 };
 
 class BulletEngine : public Engine {
@@ -122,6 +229,9 @@ class BulletEngine : public Engine {
   CaseWitness name() const override { return {"bullet", std::to_string(btGetVersion())}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<BulletPair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<BulletShapes>(shapes);
   }
 };
 

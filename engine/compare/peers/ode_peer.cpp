@@ -1,11 +1,14 @@
-// ODE behind the page that every engine has: dCollide() of two trimeshes, in double. ODE keeps
-// caches in its geoms, so that one thread at a time may ask.
+// ODE behind the page that every engine has: dCollide() of two trimeshes or shapes, in double. ODE
+// keeps caches in its geoms, so that one thread at a time may ask.
 
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/narrowphase/convex/hull.h>
 
 #include <ode/ode.h>
 #include <algorithm>
+#include <array>
 #include <cstdarg>
+#include <memory>
 #include <mutex>
 
 namespace graze::compare {
@@ -25,6 +28,16 @@ void start_ode() {
   static_cast<void>(kIsStarted);
   thread_local const bool kHasThreadData = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   static_cast<void>(kHasThreadData);
+}
+
+void place(dGeomID geom, const Pose& pose) {
+  dMatrix3 rotation;  // rows of four
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column)
+      rotation[4 * row + column] = column == 3 ? 0 : pose(row, column);
+  }
+  dGeomSetPosition(geom, pose(0, 3), pose(1, 3), pose(2, 3));
+  dGeomSetRotation(geom, rotation);
 }
 
 class OdeMesh {
@@ -51,15 +64,11 @@ class OdeMesh {
   OdeMesh(const OdeMesh&) = delete;
   OdeMesh& operator=(const OdeMesh&) = delete;
 
-  dGeomID place(const Pose& pose) const {
-    dMatrix3 rotation;  // rows of four
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 4; ++column)
-        rotation[4 * row + column] = column == 3 ? 0 : pose(row, column);
-    }
-    dGeomSetPosition(geom_, pose(0, 3), pose(1, 3), pose(2, 3));
-    dGeomSetRotation(geom_, rotation);
-    return geom_;
+  dGeomID geom() const { return geom_; }
+
+  /// What ODE asks for before hulls may meet the mesh.
+  void measure_angles() const {
+    dGeomTriMeshDataPreprocess2(data_, 1U << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr);
   }
 
  private:
@@ -98,8 +107,10 @@ class OdePair : public LoadedPair {
     const std::lock_guard lock(mutex_);
     start_ode();
     std::vector<dContactGeom> contacts(static_cast<std::size_t>(flags & 0xffff));
-    const int count = dCollide(mesh_a_.place(pose_a), mesh_b_.place(pose_b), flags, contacts.data(),
-                               sizeof(dContactGeom));
+    place(mesh_a_.geom(), pose_a);
+    place(mesh_b_.geom(), pose_b);
+    const int count =
+        dCollide(mesh_a_.geom(), mesh_b_.geom(), flags, contacts.data(), sizeof(dContactGeom));
     contacts.resize(static_cast<std::size_t>(std::max(count, 0)));
     return contacts;
   }
@@ -109,12 +120,174 @@ class OdePair : public LoadedPair {
   OdeMesh mesh_b_;
 };
 
+/// A hull as ODE borrows it, around a point inside.
+struct OdeHull {
+  explicit OdeHull(const narrowphase::Hull& hull) {
+    for (const narrowphase::Vec3& c : hull.corners)
+      middle += Eigen::Vector3d(c.x, c.y, c.z) / static_cast<double>(hull.corners.size());
+    for (const narrowphase::Vec3& c : hull.corners)
+      points.insert(points.end(), {c.x - middle.x(), c.y - middle.y(), c.z - middle.z()});
+    for (const auto& face : hull.faces) {
+      const narrowphase::Vec3& n = face.normal;
+      const dReal* p = &points[std::size_t{3} * hull.loops[face.first]];
+      planes.insert(planes.end(), {n.x, n.y, n.z, n.x * p[0] + n.y * p[1] + n.z * p[2]});
+      polygons.push_back(face.count);
+      for (std::uint32_t i = 0; i < face.count; ++i)
+        polygons.push_back(hull.loops[face.first + i]);
+    }
+    middle += Eigen::Vector3d(hull.middle.x, hull.middle.y, hull.middle.z);
+  }
+  std::vector<dReal> points;
+  std::vector<dReal> planes;
+  std::vector<unsigned> polygons;
+  Eigen::Vector3d middle{0, 0, 0};
+};
+
+/// A geom of one shape. ODE has no cones and no ellipsoids.
+class OdeShape {
+ public:
+  explicit OdeShape(const Shape& shape) : kind_(shape.kind()) {
+    if (const auto* ball = shape.as<Sphere>()) {
+      centre_ = ball->centre;
+      geom_ = dCreateSphere(nullptr, ball->radius);
+    } else if (const auto* box = shape.as<Box>()) {
+      const Eigen::Vector3d sides = 2 * box->half_extents;
+      geom_ = dCreateBox(nullptr, sides.x(), sides.y(), sides.z());
+    } else if (const auto* pill = shape.as<Capsule>()) {
+      geom_ = pill->half_length > 0 ? dCreateCapsule(nullptr, pill->radius, 2 * pill->half_length)
+                                    : dCreateSphere(nullptr, pill->radius);
+    } else if (const auto* drum = shape.as<Cylinder>()) {
+      geom_ = dCreateCylinder(nullptr, drum->radius, 2 * drum->half_height);
+    } else if (const auto* plane = shape.as<HalfSpace>()) {
+      plane_ = *plane;
+      geom_ = dCreatePlane(nullptr, 0, 0, 1, 0);
+    } else if (const auto* mesh = shape.as<Mesh>()) {
+      mesh_ = std::make_unique<OdeMesh>(*mesh);
+      mesh_->measure_angles();
+    } else if (const auto* hull = shape.as<ConvexHull>()) {
+      hull_ = std::make_unique<OdeHull>(hull->data());
+      centre_ = hull_->middle;
+      geom_ =
+          dCreateConvex(nullptr, hull_->planes.data(),
+                        static_cast<unsigned>(hull_->planes.size() / 4), hull_->points.data(),
+                        static_cast<unsigned>(hull_->points.size() / 3), hull_->polygons.data());
+    }
+  }
+  ~OdeShape() {
+    if (geom_ != nullptr) dGeomDestroy(geom_);
+  }
+  OdeShape(const OdeShape&) = delete;
+  OdeShape& operator=(const OdeShape&) = delete;
+
+  ShapeKind kind() const { return kind_; }
+  dGeomID geom() const { return mesh_ ? mesh_->geom() : geom_; }
+
+  dGeomID place(Pose pose) const {
+    if (plane_) {
+      const Eigen::Vector3d n = pose.linear() * plane_->normal;
+      dGeomPlaneSetParams(geom_, n.x(), n.y(), n.z(), plane_->offset + n.dot(pose.translation()));
+    } else {
+      pose.translation() = pose * centre_;
+      compare::place(geom(), pose);
+    }
+    return geom();
+  }
+
+ private:
+  ShapeKind kind_;
+  Eigen::Vector3d centre_{0, 0, 0};
+  std::optional<HalfSpace> plane_;
+  std::unique_ptr<OdeMesh> mesh_;
+  std::unique_ptr<OdeHull> hull_;
+  dGeomID geom_ = nullptr;
+};
+
+/// Of boxes ODE loses contacts if it is asked for fewer than there are.
+bool collide(dGeomID a, dGeomID b) {
+  std::array<dContactGeom, 16> contacts;
+  return dCollide(a, b, static_cast<int>(contacts.size()), contacts.data(), sizeof(dContactGeom)) >
+         0;
+}
+
+/// Whether two shapes of these kinds ever collide: of two that it has no function for ODE says that
+/// they are apart.
+bool are_collided(ShapeKind kind_a, ShapeKind kind_b) {
+  const auto sample = [](ShapeKind kind) -> std::optional<Shape> {
+    const std::array<Eigen::Vector3d, 4> corners = {
+        {{2, 0, -1}, {-1, 2, -1}, {-1, -2, -1}, {0, 0, 2}}};
+    const std::array<TriangleIndices, 4> faces = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    switch (kind) {
+      case ShapeKind::Sphere:
+        return Sphere{{0, 0, 0}, 1.25};
+      case ShapeKind::Box:
+        return Box{{1, 1.25, 1.5}};
+      case ShapeKind::Capsule:
+        return Capsule{0.75, 1};
+      case ShapeKind::Cylinder:
+        return Cylinder{1, 1.25};
+      case ShapeKind::HalfSpace:
+        return HalfSpace{{0, 0, 1}, 0};
+      case ShapeKind::ConvexHull:
+        return ConvexHull(corners);
+      case ShapeKind::Mesh:
+        return Mesh(corners, faces);
+      default:
+        return std::nullopt;
+    }
+  };
+  const std::optional<Shape> a = sample(kind_a);
+  const std::optional<Shape> b = sample(kind_b);
+  if (!a || !b) return false;
+  Pose pose = Pose::Identity();
+  pose.translation() << 0.5, 0.25, 0.75;  // half way into each other
+  const OdeShape ode_a(*a);
+  const OdeShape ode_b(*b);
+  return collide(ode_a.place(Pose::Identity()), ode_b.place(pose));
+}
+
+class OdeShapes : public LoadedShapes {
+ public:
+  explicit OdeShapes(std::span<const Shape> shapes) {
+    for (const Shape& shape : shapes)
+      shapes_.push_back(std::make_unique<OdeShape>(shape));
+    for (const ShapeKind a : kShapeKinds) {
+      for (const ShapeKind b : kShapeKinds)
+        knows_[index_of(a)][index_of(b)] = are_collided(a, b);
+    }
+    // One geom has one place, so that a shape which meets itself needs two.
+    for (const Shape& shape : shapes)
+      others_.push_back(std::make_unique<OdeShape>(shape));
+  }
+
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    const OdeShape& a = *shapes_[shape_a];
+    const OdeShape& b = *others_[shape_b];
+    if (!knows_[index_of(a.kind())][index_of(b.kind())]) return std::nullopt;
+    const std::lock_guard lock(mutex_);
+    start_ode();
+    return collide(a.place(pose_a), b.place(pose_b));
+  }
+
+ private:
+  static std::size_t index_of(ShapeKind kind) { return static_cast<std::size_t>(kind); }
+
+  mutable std::mutex mutex_;
+  std::array<std::array<bool, kShapeKinds.size()>, kShapeKinds.size()> knows_{};
+  std::vector<std::unique_ptr<OdeShape>> shapes_;
+  std::vector<std::unique_ptr<OdeShape>> others_;
+};
+
 class OdeEngine : public Engine {
  public:
   CaseWitness name() const override { return {"ode", ""}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     start_ode();
     return std::make_unique<OdePair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    start_ode();
+    return std::make_unique<OdeShapes>(shapes);
   }
 };
 

@@ -5,13 +5,12 @@
 #include <graze/engine/compare/judge/shrink.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/compare/run/trial_threads.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <exception>
 #include <mutex>
-#include <thread>
 #include <tuple>
 
 namespace graze::compare {
@@ -107,6 +106,14 @@ bool is_same_kind(ErrorClass a, ErrorClass b) {
   return a == b || (a <= ErrorClass::PoseRounding && b <= ErrorClass::PoseRounding);
 }
 
+/// A record from a file may name triangles that the meshes do not have.
+std::optional<TrianglePair> culprit_of(const ComparisonJob& job, const AnswerRecord& answer) {
+  const std::optional<TrianglePair>& culprit = answer.judgement.culprit;
+  const bool is_there = culprit && culprit->a < job.a.mesh.triangles().size() &&
+                        culprit->b < job.b.mesh.triangles().size();
+  return is_there ? culprit : std::nullopt;
+}
+
 /// Wrong for the same reason: rounding coordinates could make a real error of one of touching.
 ShrunkCase shrink_one(const ComparisonJob& job, const Engine& engine, const WrongAnswer& wrong) {
   const CaseWitness witness = {wrong.answer->engine, engine.name().version};
@@ -122,7 +129,7 @@ ShrunkCase shrink_one(const ComparisonJob& job, const Engine& engine, const Wron
     }
   };
   const Case query = case_of(job, wrong.record->pose);
-  Case small = shrink(query, wrong.answer->judgement.culprit, is_still_wrong);
+  Case small = shrink(query, culprit_of(job, *wrong.answer), is_still_wrong);
   small.answer = ask(engine, small);
   small.answered_by = witness;
   const Judgement judgement =
@@ -151,30 +158,17 @@ void run_comparison(const ComparisonJob& job, std::span<const EngineEntry> engin
   const PoseTrial trial(job, loaded);
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    try {
-      for (std::size_t pose = next++; pose < job.poses_b.size(); pose = next++) {
-        if (is_done(pose)) continue;
-        PoseRecord record = trial.run(pose);
-        const std::lock_guard lock(mutex);
-        on_record(std::move(record));
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = job.poses_b.size();
-    }
-  };
-  std::size_t count = job.threads != 0 ? job.threads : std::thread::hardware_concurrency();
-  count = std::clamp<std::size_t>(count, 1, std::max<std::size_t>(job.poses_b.size(), 1));
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < count; ++i)
-    others.emplace_back(work);
-  work();
-  for (std::thread& other : others)
-    other.join();
-  if (failure) std::rethrow_exception(failure);
+  run_on_threads(
+      job.threads, job.poses_b.size(),
+      [&] {
+        for (std::size_t pose = next++; pose < job.poses_b.size(); pose = next++) {
+          if (is_done(pose)) continue;
+          PoseRecord record = trial.run(pose);
+          const std::lock_guard lock(mutex);
+          on_record(std::move(record));
+        }
+      },
+      [&] { next = job.poses_b.size(); });
 }
 
 std::vector<ShrunkCase> shrink_worst(const ComparisonJob& job, std::span<const EngineEntry> engines,

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <graze/engine/compare/run/comparison.h>
+#include <graze/engine/compare/run/line_file.h>
 
 namespace graze::compare {
 
-/// What tells one comparison from another: the meshes, the poses and the question.
+/// What tells one comparison from another: the meshes, the poses, the question and its settings.
 std::string key_of(const ComparisonJob& job);
+
+/// SHA-256 of a mesh's vertices and triangles, with `before` in front.
+std::string digest_of(const Mesh& mesh, const std::string& before);
 
 /// One line of JSON for one pose, without its line break.
 std::string to_json(const PoseRecord& record);
@@ -19,6 +22,7 @@ std::string to_json(const PoseRecord& record);
 /// stopped is resumed from, and what a later run is held against.
 struct Journal {
   std::string key;
+  std::vector<std::string> engines;  ///< that were asked
   std::size_t poses = 0;
   std::vector<PoseRecord> records;  ///< in the order of the file
 };
@@ -27,24 +31,23 @@ struct Journal {
 /// dropped: its pose is asked again.
 Journal read_journal(const std::filesystem::path& path);
 
-/// Appends records as they come, each flushed, so that nothing is lost when the run is stopped.
+/// Appends records as they come, so that nothing is lost when the run is stopped.
 class JournalWriter {
  public:
   /// Begins the file, or with `known` lines rewrites it with these. Throws CaseError.
   JournalWriter(const std::filesystem::path& path, const ComparisonJob& job,
-                const std::vector<PoseRecord>& known);
-  void add(const PoseRecord& record);
+                std::span<const EngineEntry> engines, const std::vector<PoseRecord>& known);
+  void add(const PoseRecord& record) { file_.add(to_json(record)); }
 
  private:
-  std::string name_;
-  std::ofstream file_;
+  LineFile file_;
 };
 
 /// How a run differs from an older one of the same job.
 struct BaselineDifference {
-  std::vector<std::size_t> changed_poses;  ///< graze's answer has another bit
-  std::vector<std::size_t> missing_poses;  ///< one of the two has no answer of graze
-  double old_time = 0;  ///< microseconds, graze's sum over the poses that both have
+  std::vector<std::size_t> changed;  ///< poses, or steps: graze's answer has another bit
+  std::vector<std::size_t> missing;  ///< one of the two has no answer of graze
+  double old_time = 0;               ///< microseconds, graze's sum over what both have
   double new_time = 0;
 };
 

@@ -1,11 +1,14 @@
+#include <graze/engine/cases/sha256.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/run/scene_comparison.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/compare/run/trial_threads.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,52 +41,81 @@ const char* brief_of(bool says) {
   return says ? "yes" : "no";
 }
 
+/// What the world says at a step.
+struct WorldStep {
+  std::size_t step = 0;
+  double time = 0;  // seconds
+  double took = 0;  // microseconds
+  std::set<ScenePair> touching;
+};
+
+/// All pairs at one step, one after the other.
 class StepTrial {
  public:
-  StepTrial(const Scene& scene, std::span<const SceneEngine> engines)
-      : scene_(scene), engines_(engines) {
+  StepTrial(const Scene& scene, std::span<const SceneEngine> engines, WorldStep world)
+      : scene_(scene), engines_(engines), world_(std::move(world)), said_(engines.size() + 1) {
+    record_.step = world_.step;
+    record_.time = world_.time;
+    record_.engines.push_back({"world", 0, "", world_.took});
+    for (const SceneEngine& engine : engines)
+      record_.engines.push_back({engine.entry->name, 0, "", 0});
     for (const SceneBody& body : scene.bodies)
-      poses_.push_back(body.pose);
+      poses_.push_back(pose_at(body, world_.time));
   }
 
-  /// The world's answers at a time, and what its update cost for each pair.
-  void begin(double time, std::set<ScenePair> touching, double time_per_pair) {
-    touching_ = std::move(touching);
-    time_per_pair_ = time_per_pair;
-    for (std::size_t i = 0; i < poses_.size(); ++i)
-      poses_[i] = pose_at(scene_.bodies[i], time);
-  }
-
-  /// `may_meet`: the world looks at the pair at all.
-  const std::vector<AnswerRecord>& ask(const ScenePair& pair, bool may_meet) {
-    answers_.clear();
-    says_.clear();
-    owners_.clear();
-    add(nullptr, touching_.contains(pair), time_per_pair_);
-    for (const SceneEngine& engine : engines_) {
-      const auto start = Clock::now();
-      const std::optional<bool> says = engine.shapes->intersects(
-          scene_.bodies[pair.a].shape, poses_[pair.a], scene_.bodies[pair.b].shape, poses_[pair.b]);
-      const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-      if (says) add(engine.entry, *says, took.count());
+  /// What the world should not even look at is asked about too, so that it is seen.
+  StepRecord run(const std::vector<ScenePair>& meeting) {
+    for (const ScenePair& pair : meeting)
+      ask(pair);
+    std::vector<ScenePair> filtered;
+    std::set_difference(world_.touching.begin(), world_.touching.end(), meeting.begin(),
+                        meeting.end(), std::back_inserter(filtered));
+    for (const ScenePair& pair : filtered) {
+      ask(pair);
+      if (record_.differences.empty() || record_.differences.back().pair != pair) keep(pair);
+      blame_world("filtered");
     }
-    const bool is_disputed = std::find(says_.begin(), says_.end(), !says_.front()) != says_.end();
-    if (is_disputed) settle(pair);
-    if (!may_meet) blame_world("filtered");
-    return answers_;
+    for (std::size_t i = 0; i < said_.size(); ++i)
+      record_.engines[i].digest = cases::sha256_of(said_[i]);
+    return std::move(record_);
   }
 
  private:
-  void add(const EngineEntry* owner, bool says, double time) {
+  void ask(const ScenePair& pair) {
+    answers_.clear();
+    says_.clear();
+    owners_.clear();
+    ++record_.questions;
+    add(nullptr, 0, world_.touching.contains(pair));
+    for (std::size_t i = 0; i < engines_.size(); ++i) {
+      const auto start = Clock::now();
+      const std::optional<bool> says = engines_[i].shapes->intersects(
+          scene_.bodies[pair.a].shape, poses_[pair.a], scene_.bodies[pair.b].shape, poses_[pair.b]);
+      const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+      said_[i + 1] += says ? "" : "-";
+      if (!says) continue;
+      record_.engines[i + 1].time += took.count();
+      add(engines_[i].entry, i + 1, *says);
+    }
+    if (std::find(says_.begin(), says_.end(), !says_.front()) == says_.end()) return;
+    keep(pair);
+    settle(pair);
+  }
+
+  void add(const EngineEntry* owner, std::size_t place, bool says) {
     answers_.push_back({.engine = owner == nullptr ? "world" : owner->name,
                         .digest = "",
                         .brief = brief_of(says),
-                        .time = time,
+                        .time = 0,
                         .is_agreed = true,
                         .judgement = {}});
+    said_[place] += says ? '1' : '0';
+    ++record_.engines[place].answers;
     says_.push_back(says);
     owners_.push_back(owner);
   }
+
+  void keep(const ScenePair& pair) { record_.differences.push_back({pair, answers_}); }
 
   PlacedBody body(std::size_t index) const {
     return {scene_.shapes[scene_.bodies[index].shape].shape, poses_[index]};
@@ -93,26 +125,27 @@ class StepTrial {
     const ShapeJudge judge(body(pair.a), body(pair.b));
     const EngineEntry* graze = nullptr;
     std::optional<bool> graze_says;
-    for (std::size_t i = 0; i < answers_.size(); ++i) {
+    std::vector<AnswerRecord>& answers = record_.differences.back().answers;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       if (owners_[i] == nullptr || owners_[i]->name != "graze") continue;
       graze = owners_[i];
       graze_says = says_[i];
     }
-    for (std::size_t i = 0; i < answers_.size(); ++i) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       const EngineEntry* asked = owners_[i] == nullptr ? graze : owners_[i];
       const CaseWitness witness = {asked == nullptr ? "graze" : asked->name, ""};
-      AnswerRecord& answer = answers_[i];
+      AnswerRecord& answer = answers[i];
       answer.is_agreed = false;
       answer.judgement = judge.judge(says_[i], witness,
                                      asked == nullptr ? JudgeSettings() : asking(*asked->engine));
     }
     if (!graze_says || *graze_says == says_.front()) return;
-    if (answers_.front().judgement.verdict == Verdict::Wrong) return;
+    if (answers.front().is_wrong()) return;
     blame_world(std::string("graze alone says ") + brief_of(*graze_says));
   }
 
   void blame_world(const std::string& why) {
-    AnswerRecord& answer = answers_.front();
+    AnswerRecord& answer = record_.differences.back().answers.front();
     answer.is_agreed = false;
     answer.judgement.verdict = Verdict::Wrong;
     answer.judgement.error_class = ErrorClass::Real;
@@ -121,9 +154,11 @@ class StepTrial {
 
   const Scene& scene_;
   std::span<const SceneEngine> engines_;
+  WorldStep world_;
   std::vector<Pose> poses_;
-  std::set<ScenePair> touching_;
-  double time_per_pair_ = 0;
+  std::vector<std::string> said_;  // a character a question, of the world and of each engine
+  StepRecord record_;
+  // Of the last question:
   std::vector<AnswerRecord> answers_;
   std::vector<bool> says_;
   std::vector<const EngineEntry*> owners_;
@@ -136,29 +171,62 @@ std::set<ScenePair> touching_in(const World& world) {
   return touching;
 }
 
+/// The world, which must see every step once and in order, for all threads.
+class SharedWorld {
+ public:
+  SharedWorld(const Scene& scene, const SceneComparisonSettings& settings,
+              const std::function<bool(std::size_t)>& is_done)
+      : simulation_(scene, {.step = settings.step, .world = {.contacts = false}}),
+        steps_(settings.steps),
+        is_done_(is_done) {}
+
+  /// The next step that is not done; nothing after the last.
+  std::optional<WorldStep> next() {
+    const std::lock_guard lock(mutex_);
+    while (next_ <= steps_) {
+      const auto start = Clock::now();
+      simulation_.advance();
+      const std::chrono::duration<double, std::micro> took = Clock::now() - start;
+      if (is_done_(next_++)) continue;
+      return WorldStep{simulation_.steps(), simulation_.time(), took.count(),
+                       touching_in(simulation_.world())};
+    }
+    return std::nullopt;
+  }
+
+  void stop() {
+    const std::lock_guard lock(mutex_);
+    next_ = steps_ + 1;
+  }
+
+ private:
+  std::mutex mutex_;
+  Simulation simulation_;
+  std::size_t steps_;
+  const std::function<bool(std::size_t)>& is_done_;
+  std::size_t next_ = 0;
+};
+
 }  // namespace
 
 void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
                    const SceneComparisonSettings& settings,
-                   const std::function<void(const SceneRecord&)>& on_record) {
+                   const std::function<bool(std::size_t)>& is_done,
+                   const std::function<void(StepRecord)>& on_record) {
   const std::vector<SceneEngine> loaded = load_all(scene, engines);
   const std::vector<ScenePair> meeting = meeting_pairs(scene);
-  Simulation simulation(scene, {.step = settings.step, .world = {.contacts = false}});
-  StepTrial trial(scene, loaded);
-  for (std::size_t step = 0; step <= settings.steps; ++step) {
-    const auto start = Clock::now();
-    simulation.advance();
-    const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-    std::set<ScenePair> touching = touching_in(simulation.world());
-    // What the world should not even look at is asked about too, so that it is seen.
-    std::vector<ScenePair> asked = meeting;
-    std::set_difference(touching.begin(), touching.end(), meeting.begin(), meeting.end(),
-                        std::back_inserter(asked));
-    trial.begin(simulation.time(), std::move(touching),
-                took.count() / static_cast<double>(std::max<std::size_t>(asked.size(), 1)));
-    for (std::size_t i = 0; i < asked.size(); ++i)
-      on_record({step, simulation.time(), asked[i], trial.ask(asked[i], i < meeting.size())});
-  }
+  SharedWorld world(scene, settings, is_done);
+  std::mutex mutex;
+  run_on_threads(
+      settings.threads, settings.steps + 1,
+      [&] {
+        while (std::optional<WorldStep> step = world.next()) {
+          StepRecord record = StepTrial(scene, loaded, *std::move(step)).run(meeting);
+          const std::lock_guard lock(mutex);
+          on_record(std::move(record));
+        }
+      },
+      [&] { world.stop(); });
 }
 
 ComparisonJob mesh_job(const Scene& scene, const ScenePair& pair, double time) {

@@ -23,14 +23,23 @@ TEST_F(CliCompareScene, GrazeIsRightAboutTheBundledShapes) {
 }
 
 TEST_F(CliCompareScene, BadInputIsRefused) {
-  expect_refusal({"compare", kScene, "--random", "3"},
-                 "graze: of a scene each pair is asked whether it touches: poses, --query, --save, "
-                 "--against, --resume and --report belong to two meshes");
+  expect_refusal(
+      {"compare", kScene, "--random", "3"},
+      "graze: of a scene each pair is asked whether it touches: poses and --query belong "
+      "to two meshes");
   write("bad.json", "{\"graze_scene\": 3}");
   expect_refusal({"compare", "bad.json"},
                  "graze: bad.json:1: /graze_scene: is version 3; this program reads 1");
   expect_refusal({"compare", kScene, "--engines", "nobody"},
                  "graze: --engines: there is no engine \"nobody\"");
+  for (const std::string option : {"--steps", "--keep", "--threads", "--seed"}) {
+    const CommandResult result = graze({"compare", kScene, option, "010"});
+    EXPECT_EQ(result.exit_code, 2) << option;
+    EXPECT_NE(result.err.find("\"010\" is not a whole number from 0 to "), std::string::npos)
+        << result.err;
+  }
+  expect_refusal({"compare", kScene, "--dt", "-1"},
+                 "graze: --dt: \"-1\" is not a positive number (see graze compare --help)");
   expect_refusal({"compare", "a.off", "b.off", "--steps", "3"},
                  "graze: --steps, --dt and --meshes belong to scenes");
 }

@@ -13,6 +13,7 @@
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/mesh/distance.h>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -197,6 +198,46 @@ TEST_F(CliCompare, BaselinesSeeAChangedBit) {
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
 }
 
+TEST_F(CliCompare, ARecordIsOfOneQuestionAndOfItsEngines) {
+  options_.query = "within";
+  options_.clearance = 0.5;
+  options_.random = 2;
+  options_.resume = directory_.path("run.jsonl");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  options_.clearance = 0.25;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "another clearance";
+  options_.clearance = 0.5;
+  options_.engines = "graze";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "an engine less";
+}
+
+TEST_F(CliCompare, ARecordThatNamesTrianglesThatAreNotThereIsHarmless) {
+  options_.query = "pairs";
+  options_.resume = directory_.path("run.jsonl");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  std::string text = read("run.jsonl");
+  for (std::size_t at = 0; (at = text.find("\"culprit\":[", at)) != text.npos; ++at)
+    text.insert(at + 11, "99999");
+  directory_.write("run.jsonl", text);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(found().size(), 1u);
+}
+
+TEST_F(CliCompare, OfAFolderOfCasesTheEnginesAreChosen) {
+  options_.query = "pairs";
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  CompareOptions folder;
+  folder.mesh_a = options_.cases;
+  folder.engines = "graze";
+  options_ = folder;
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(out_.find("fcl planted \n"), out_.npos) << out_;
+  EXPECT_NE(out_.find("graze"), out_.npos);
+  options_.random = 3;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+}
+
 TEST_F(CliCompare, BadInputIsRefusedBeforeAnything) {
   options_.pose_b = "1 0 0 0 0 1 0 0 0 0 1 0";
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
@@ -209,8 +250,100 @@ TEST_F(CliCompare, BadInputIsRefusedBeforeAnything) {
   options_.query = "within";
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
   options_.query = "any";
+  options_.time_tolerance = std::nan("");
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
+  options_.time_tolerance = 1.5;
+  options_.report = directory_.path("nowhere/report.html");
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "known only after the run";
+  options_.report = directory_.path("");
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a folder";
+  options_.report.clear();
+  EXPECT_TRUE(found().empty());
   options_.mesh_b.clear();
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "A alone is no folder";
+}
+
+/// A box that passes by another one and a ball, in eleven steps.
+class CliCompareScenes : public CliCompare {
+ protected:
+  CliCompareScenes() {
+    options_.mesh_a = directory_.write("scene.json", R"({
+      "graze_scene": 1, "step": 0.2, "steps": 10,
+      "shapes": [{"name": "m", "mesh": {"file": "b.off"}}, {"name": "s", "sphere": {"radius": 0.5}}],
+      "bodies": [
+        {"name": "rest", "shape": "m", "pose": {"position": [0.75, 0, 0]}, "motion": "static"},
+        {"name": "ball", "shape": "s", "pose": {"position": [-1, 0.25, 0]}, "motion": "static"},
+        {"name": "goes", "shape": "m", "pose": {"position": [-1, 0, 0]},
+         "path": {"velocity": [1, 0.25, 0]}}]})");
+    options_.mesh_b.clear();
+    options_.random = 0;
+  }
+
+  /// What was said, without the times.
+  std::string said() const { return out_.substr(0, out_.find("  engine   answers")); }
+};
+
+TEST_F(CliCompareScenes, AWrongPeerIsFoundShrunkAndReported) {
+  options_.keep = 2;
+  options_.report = directory_.path("report.html");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered) << "graze is right";
+  ASSERT_EQ(found().size(), 2u) << out_;
+  const std::string page = read("report.html");
+  for (const std::filesystem::path& file : found()) {
+    const compare::MeshCase meshes = *compare::as_meshes(read_case(file));
+    EXPECT_EQ(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), 2u);
+    EXPECT_NE(page.find(file.filename().string()), page.npos);
+  }
+  EXPECT_NE(page.find(": rest, goes</td><td>fcl"), page.npos) << page;
+  EXPECT_NE(page.find("11 steps"), page.npos);
+}
+
+TEST_F(CliCompareScenes, AStoppedRunGoesOn) {
+  options_.resume = directory_.path("run.jsonl");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  const std::string whole = read("run.jsonl");
+  const std::string first_result = said();
+  EXPECT_NE(first_result.find("11 steps, 22 questions"), first_result.npos) << first_result;
+  directory_.write("run.jsonl", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(said(), first_result);
+  options_.threads = 1;
+  options_.resume.clear();
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_EQ(said(), first_result);
+  options_.resume = directory_.path("run.jsonl");
+  options_.steps = 4;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of more steps";
+  options_.steps.reset();
+  directory_.write("b.off", off_of(tests::make_box({0.5, 0.5, 0.75})));
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of another mesh";
+  const std::string header = whole.substr(0, whole.find('\n') + 1);
+  for (const char* line : {"{\"step\":11}\n", "{\"step\":\"0x1p-1\"}\n", "[\n", "{\"pose\":1}\n"}) {
+    directory_.write("run.jsonl", header + line);
+    EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << line;
+  }
+}
+
+TEST_F(CliCompareScenes, BaselinesSeeAChangedBit) {
+  options_.time_tolerance = 1e9;
+  options_.save = directory_.path("base");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  options_.save.clear();
+  options_.against = directory_.path("base");
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  EXPECT_NE(out_.find(": 0 answers of graze changed, 0 missing"), out_.npos) << out_;
+  const std::string whole = read("base");
+  std::string text = whole;
+  const std::size_t digest = text.find("\"digest\":\"", text.find("\"step\":3")) + 10;
+  text[digest] = text[digest] == '0' ? '1' : '0';
+  directory_.write("base", text);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
+  EXPECT_NE(out_.find(": 1 answers of graze changed in steps 3, 0 missing"), out_.npos) << out_;
+  directory_.write("base", whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
+  EXPECT_NE(out_.find(": 0 answers of graze changed, 1 missing"), out_.npos) << out_;
+  options_.step = 0.25;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of other times";
 }
 
 TEST_F(CliCompare, GrazingPosesAreNextToTheTouch) {
@@ -237,10 +370,23 @@ TEST(CliReport, ThePageNeedsNothingElse) {
                                   .answered_by = {}},
                              {}};
   const std::vector<WrittenCase> cases = {{shrunk, "it's/<b>\"x\".json"}};
-  const std::string page = html_report(
-      {.mesh_a = "a&b.off", .mesh_b = "http://x", .query = "any", .records = {}, .cases = cases});
-  for (const char* reference :
-       {"src=", "href", "<script", "url(", "@import", "<link", "<img", "<iframe", "<b>\"x"}) {
+  const compare::AnswerRecord answer{.engine = "<em>",
+                                     .digest = "",
+                                     .brief = "yes",
+                                     .time = 0,
+                                     .is_agreed = false,
+                                     .judgement = {}};
+  const std::vector<WrongAnswer> wrong = {{"3: <u>, \"v\"", &answer}};
+  const std::string page = html_report({.mesh_a = "a&b.off",
+                                        .mesh_b = "http://x",
+                                        .query = "any",
+                                        .places = "1 poses",
+                                        .place = "pose",
+                                        .summaries = {},
+                                        .wrong = wrong,
+                                        .cases = cases});
+  for (const char* reference : {"src=", "href", "<script", "url(", "@import", "<link", "<img",
+                                "<iframe", "<b>\"x", "<em>", "<u>"}) {
     EXPECT_EQ(page.find(reference), page.npos) << reference;
   }
   EXPECT_NE(page.find("&lt;script&gt;"), page.npos);

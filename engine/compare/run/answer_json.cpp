@@ -1,0 +1,88 @@
+#include <graze/engine/cases/json_text.h>
+#include <graze/engine/compare/run/answer_json.h>
+#include <graze/engine/mesh/io/source.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace graze::compare {
+namespace {
+
+using cases::json_number;
+using cases::json_string;
+using cases::JsonCursor;
+
+constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::uint32_t>::max();
+constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged};
+constexpr std::array kClasses = {ErrorClass::Touching, ErrorClass::PoseRounding,
+                                 ErrorClass::Degenerate, ErrorClass::Containment, ErrorClass::Real};
+
+template <typename List>
+auto named(const JsonCursor& at, const List& list) {
+  for (const auto value : list) {
+    if (at.text() == name_of(value)) return value;
+  }
+  at.fail("unknown word " + mesh_io::quoted(at.text()));
+}
+
+}  // namespace
+
+std::string to_json(const AnswerRecord& answer) {
+  std::string out = "{\"engine\":";
+  out += json_string(answer.engine) + ",\"answer\":" + json_string(answer.brief) +
+         ",\"digest\":" + json_string(answer.digest) + ",\"us\":" + json_number(answer.time);
+  if (answer.is_agreed) return out + ",\"agreed\":true}";
+  const Judgement& judgement = answer.judgement;
+  out += ",\"agreed\":false,\"verdict\":";
+  out += json_string(name_of(judgement.verdict)) + ",\"truth\":" + json_string(judgement.truth);
+  if (!answer.is_wrong()) return out + "}";
+  out += ",\"class\":" + json_string(name_of(judgement.error_class)) +
+         ",\"error\":" + json_number(judgement.error) + ",\"ulps\":" + json_number(judgement.ulps) +
+         ",\"wrong_pairs\":" + std::to_string(judgement.wrong_pairs);
+  if (judgement.culprit) {
+    out += ",\"culprit\":[" + std::to_string(judgement.culprit->a) + "," +
+           std::to_string(judgement.culprit->b) + "]";
+  }
+  return out + "}";
+}
+
+AnswerRecord read_answer(const JsonCursor& at) {
+  at.require_keys({"engine", "answer", "digest", "us", "agreed", "verdict", "truth", "class",
+                   "error", "ulps", "wrong_pairs", "culprit"});
+  AnswerRecord answer{.engine = at.member("engine").text(),
+                      .digest = at.member("digest").text(),
+                      .brief = at.member("answer").text(),
+                      .time = at.member("us").number(),
+                      .is_agreed = at.member("agreed").boolean(),
+                      .judgement = {}};
+  if (answer.is_agreed) return answer;
+  Judgement& judgement = answer.judgement;
+  judgement.verdict = named(at.member("verdict"), kVerdicts);
+  judgement.truth = at.member("truth").text();
+  if (!answer.is_wrong()) return answer;
+  judgement.error_class = named(at.member("class"), kClasses);
+  judgement.error = at.member("error").number();
+  judgement.ulps = at.member("ulps").number();
+  judgement.wrong_pairs = at.member("wrong_pairs").index(kMaxIndex);
+  if (at.has("culprit")) {
+    const JsonCursor pair = at.member("culprit");
+    pair.require_size(2);
+    judgement.culprit = {pair.item(0).index(kMaxIndex), pair.item(1).index(kMaxIndex)};
+  }
+  return answer;
+}
+
+std::string engine_names_json(std::span<const EngineEntry> engines) {
+  std::string out = "[";
+  const char* separator = "";
+  for (const EngineEntry& entry : engines) {
+    if (entry.engine == nullptr) continue;
+    out += separator;
+    out += json_string(entry.name);
+    separator = ",";
+  }
+  return out + "]";
+}
+
+}  // namespace graze::compare
