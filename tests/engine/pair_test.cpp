@@ -220,6 +220,19 @@ TEST(Pair, WorkFollowsTheNeed) {
   EXPECT_LT(20 * deep.triangle_tests, pairs.triangle_tests) << "a boolean stops at its first yes";
 }
 
+TEST(Pair, ABooleanStopsAtItsFirstYesWhateverPrunes) {
+  const Mesh sphere = tests::make_sphere(1, 40, 40);
+  Pose pose = Pose::Identity();
+  pose.translation().x() = 0.5;
+  for (const Volume volume : kVolumes) {
+    Work yes;
+    Work all;
+    ASSERT_TRUE(intersects({sphere}, {sphere, pose}, {.volume = volume}, &yes));
+    find_triangle_pairs({sphere}, {sphere, pose}, {.volume = volume}, &all);
+    EXPECT_LT(10 * yes.triangle_tests, all.triangle_tests) << name_of(volume);
+  }
+}
+
 TEST(Pair, SkinsAreMadeByTheFirstQueryThatNeedsThem) {
   const Mesh sphere = tests::make_sphere(1, 20, 20);
   const auto work_of = [&](Volume volume) {
