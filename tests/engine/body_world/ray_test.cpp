@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "tests/engine/world/random_shapes.h"
+#include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze {
@@ -24,11 +25,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 /// The ray as a thin capsule of that length.
 std::pair<Capsule, Pose> as_capsule(const Ray& ray, double length) {

@@ -14,16 +14,13 @@
 
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {
 
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 struct Body {
   BodyId id;

@@ -15,16 +15,13 @@
 
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze {
 namespace {
 
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 /// A bit of a turn and a bit of a way.
 Pose nudged(const Pose& pose, RandomSource& source, double step) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/engine/broad_phase/box_histories.h"
+#include "tests/shapes/pose_at.h"
 
 namespace graze {
 namespace {
@@ -33,11 +34,7 @@ class Ball : public BodyShape {
   double radius_;
 };
 
-Pose at(double x, double y = 0, double z = 0) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 std::vector<BodyPair> list(std::span<const BodyPair> pairs) {
   return {pairs.begin(), pairs.end()};

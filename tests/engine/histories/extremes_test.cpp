@@ -8,14 +8,12 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/shapes/pose_at.h"
+
 namespace graze {
 namespace {
 
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 /// All pairs, then one leaves and comes back.
 void expect_all_pairs(std::uint32_t count) {

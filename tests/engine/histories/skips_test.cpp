@@ -6,15 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
 
 namespace graze {
 namespace {
 
-Pose at(double x, double y, double z) {
-  Pose pose = Pose::Identity();
-  pose.translation() = Eigen::Vector3d(x, y, z);
-  return pose;
-}
+using tests::at;
 
 /// Twenty bodies at rest in a row, each touching the next, and a cone on its way past a drum.
 WorldWork work_of(const WorldSettings& settings) {
