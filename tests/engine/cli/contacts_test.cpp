@@ -3,48 +3,24 @@
 #include <graze/engine/mesh/contacts/mesh_contacts.h>
 #include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/load_mesh.h>
-#include <nlohmann/json.hpp>
 
-#include "tests/engine/cli/command_test.h"
-#include "tests/shapes/formula_meshes.h"
+#include "tests/engine/cli/two_meshes.h"
 
 namespace graze::tests {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string kApart = "1 0 0 10 0 1 0 0 0 0 1 0";
-const std::string kCrossing = "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125";
-
-class CliContacts : public CommandTest {
+class CliContacts : public TwoMeshes {
  protected:
-  CliContacts() {
-    write_mesh("a.off", make_box({1, 1, 1}));
-    write_mesh("b.off", make_sphere(1, 8, 12));
-  }
-
   Json json(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments = {"contacts", "a.off", "b.off", "--json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const CommandResult result = graze(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err, "");
-    return Json::parse(result.out);
+    return Json::parse(json_of("contacts", options));
   }
 };
-
-std::vector<std::string> keys_of(const Json& object) {
-  std::vector<std::string> keys;
-  for (const auto& item : object.items())
-    keys.push_back(item.key());
-  return keys;
-}
 
 Json array_of(const Eigen::Vector3d& v) {
   return Json::array({v.x(), v.y(), v.z()});
 }
-
-using Keys = std::vector<std::string>;
 
 TEST_F(CliContacts, AnswersAreTheLibrarysBitForBit) {
   const Mesh mesh_a = load_mesh(folder_ / "a.off");

@@ -2,47 +2,23 @@
 
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>
-#include <nlohmann/json.hpp>
 
-#include "tests/engine/cli/command_test.h"
-#include "tests/shapes/formula_meshes.h"
+#include "tests/engine/cli/two_meshes.h"
 
 namespace graze::tests {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string kApart = "1 0 0 10 0 1 0 0 0 0 1 0";
-const std::string kCrossing = "1 0 0 1.5 0 1 0 0.25 0 0 1 0.125";
-
-class CliPair : public CommandTest {
+class CliPair : public TwoMeshes {
  protected:
-  CliPair() {
-    write_mesh("a.off", make_box({1, 1, 1}));
-    write_mesh("b.off", make_sphere(1, 8, 12));
-  }
-
   std::vector<Json> json_lines(const std::vector<std::string>& options) const {
-    std::vector<std::string> arguments = {"pair", "a.off", "b.off", "--json"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const CommandResult result = graze(arguments);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_EQ(result.err, "");
     std::vector<Json> objects;
-    for (const std::string& line : lines_of(result.out))
+    for (const std::string& line : lines_of(json_of("pair", options)))
       objects.push_back(Json::parse(line));
     return objects;
   }
 };
-
-std::vector<std::string> keys_of(const Json& object) {
-  std::vector<std::string> keys;
-  for (const auto& item : object.items())
-    keys.push_back(item.key());
-  return keys;
-}
-
-using Keys = std::vector<std::string>;
 
 TEST_F(CliPair, JsonHasThePromisedKeysInOrder) {
   const Json plain = json_lines({"--pose-b", kCrossing}).at(0);

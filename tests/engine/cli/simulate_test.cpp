@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kScene = R"({"graze_scene": 1, "step": 0.5, "steps": 4,
+constexpr const char* kFallingBall = R"({"graze_scene": 1, "step": 0.5, "steps": 4,
  "shapes": [{"name": "ball", "sphere": {"radius": 1}}, {"name": "floor", "half_space": {"normal": [0, 0, 1]}}],
  "bodies": [{"name": "floor", "shape": "floor", "motion": "static"},
             {"name": "ball", "shape": "ball", "pose": {"position": [0, 0, 2]},
@@ -17,7 +17,7 @@ constexpr const char* kScene = R"({"graze_scene": 1, "step": 0.5, "steps": 4,
 
 class CliSimulate : public CommandTest {
  protected:
-  CliSimulate() { write("scene.json", kScene); }
+  CliSimulate() { write("scene.json", kFallingBall); }
 
   std::vector<Json> json(const std::vector<std::string>& options) const {
     std::vector<std::string> arguments = {"simulate", "scene.json", "--json"};
