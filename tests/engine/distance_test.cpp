@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
@@ -47,8 +48,7 @@ void expect_same(const MeshDistance& found, const MeshDistance& expected) {
   EXPECT_EQ(found.pair, expected.pair);
 }
 
-/// Of meshes that meet not the lowest pair is named, but one that does not depend on how it is
-/// asked for.
+/// Of meshes that meet not the lowest pair is named, but the one that a limited query begins with.
 MeshDistance expect_one_that_meets(const PlacedMesh& a, const PlacedMesh& b) {
   const MeshDistance found = distance(a, b);
   const Triangle triangle_a = place(a.pose, a.mesh.triangle(found.pair.a));
@@ -56,6 +56,7 @@ MeshDistance expect_one_that_meets(const PlacedMesh& a, const PlacedMesh& b) {
   EXPECT_TRUE(intersects(triangle_a, triangle_b));
   const TriangleDistance of_pair = distance(triangle_a, triangle_b);
   EXPECT_EQ(found.distance, 0);
+  EXPECT_EQ(found.pair, find_triangle_pairs(a, b, {.limit = 1}).pairs.at(0));
   EXPECT_TRUE(are_bits_equal(found.point_a, of_pair.point_a));
   EXPECT_TRUE(are_bits_equal(found.point_b, of_pair.point_b));
   return found;
