@@ -3,6 +3,7 @@
 #include <graze/bvh/box_set/kd_order.h>
 #include <graze/bvh/box_set/layer.h>
 #include <graze/bvh/box_set/pair_kernels.h>
+#include <graze/bvh/box_set/ranked_owners.h>
 #include <graze/bvh/box_set/ray_walk.h>
 #include <graze/bvh/box_set/workers.h>
 
@@ -47,6 +48,13 @@ class BoxSet {
   /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
   void move_first(std::span<const Aabb> boxes);
 
+  /// Moves many, in ascending order: boxes[i] belongs to owner_of(i).
+  template <typename OwnerOf>
+  void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    scratch_.ranked.assign(owner_limit(), boxes.size(), owner_of);
+    move_ranked(boxes);
+  }
+
   /// Makes the bounds fit the boxes again. Costs what was touched.
   void refit();
 
@@ -79,6 +87,7 @@ class BoxSet {
  private:
   struct Scratch {
     std::vector<std::uint32_t> input;
+    RankedOwners ranked;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
@@ -109,6 +118,7 @@ class BoxSet {
                                          const double* origin) const;
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
+  void move_ranked(std::span<const Aabb> boxes);
   template <typename InputOf>
   void fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of);
   void measure_sorted();

@@ -131,6 +131,10 @@ void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aa
   fill_blocks(boxes, [&](std::size_t place) { return input[place]; });
 }
 
+void BoxSet::move_ranked(std::span<const Aabb> boxes) {
+  fill_blocks(boxes, [&](std::size_t place) { return scratch_.ranked.rank(owner_[place]); });
+}
+
 void BoxSet::move_first(std::span<const Aabb> boxes) {
   fill_blocks(boxes, [&](std::size_t place) { return owner_[place]; });
 }

@@ -24,12 +24,15 @@ bool OverlapTracker::are_many(std::size_t changes) const {
 
 void OverlapTracker::move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
   set_.move_many(owners, boxes);
-  set_.refit();
-  all_moved_ = true;
+  end_moves();
 }
 
 void OverlapTracker::move_first_now(std::span<const Aabb> boxes) {
   set_.move_first(boxes);
+  end_moves();
+}
+
+void OverlapTracker::end_moves() {
   set_.refit();
   all_moved_ = true;
 }

@@ -25,6 +25,11 @@ class OverlapTracker {
   /// Moves boxes now; the pairs follow with the next update. All must be in the set.
   void move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
   void move_first_now(std::span<const Aabb> boxes);
+  template <typename OwnerOf>
+  void move_ascending_now(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    set_.move_ascending(boxes, owner_of);
+    end_moves();
+  }
 
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
@@ -47,6 +52,7 @@ class OverlapTracker {
     std::uint32_t change;  // which entry of the changes
   };
 
+  void end_moves();
   void apply(const BoxChanges& changes);
   void search_all(BoxChanges& changes);
   void search_movers(const BoxChanges& changes);

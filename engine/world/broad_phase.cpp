@@ -43,7 +43,7 @@ struct BroadPhase::State {
   bvh::OverlapTracker tracker;
   BoxChanges changes;                  // asked for since the last update
   std::vector<bool> is_staged;         // by index: named in the changes
-  std::vector<std::uint32_t> indices;  // of a span of ids that are not 0, 1, 2 ...
+  std::vector<std::uint32_t> indices;  // of a span of ids that do not ascend
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
@@ -105,17 +105,19 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
                      std::to_string(boxes.size()) + " boxes");
   }
   const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
-  std::atomic<bool> is_valid{true}, is_in_order{true};
+  std::atomic<bool> is_valid{true}, is_in_order{true}, is_ascending{true};
   state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
     BoxCheck check;
-    bool is_live = true, is_own_number = true;
+    bool is_live = true, is_own_number = true, ascends = true;
     for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
       check.add(boxes[i]);
       is_live &= state.ids.is_live(ids[i].index, ids[i].generation);
       is_own_number &= ids[i].index == i;
+      ascends &= i == 0 || ids[i - 1].index < ids[i].index;
     }
     if (!is_live || !check.is_good()) is_valid = false;
     if (!is_own_number) is_in_order = false;
+    if (!ascends) is_ascending = false;
   });
   for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
     const std::string what = "move, element " + std::to_string(i);
@@ -125,6 +127,8 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
   if (state.changes.size() == 0 && state.tracker.are_many(ids.size())) {
     if (is_in_order) {
       state.tracker.move_first_now(boxes);
+    } else if (is_ascending) {
+      state.tracker.move_ascending_now(boxes, [&](std::size_t i) { return ids[i].index; });
     } else {
       state.indices.clear();
       for (const BoxId id : ids)

@@ -56,7 +56,7 @@ TEST_P(HistoriesSlow, OfAHundredThousandOperationsEqualBruteForce) {
     all.pairs_apart += sights.pairs_apart, all.restored += sights.restored;
     all.answers += sights.answers;
   }
-  EXPECT_GT(all.pairs_apart, count / 50);
+  EXPECT_GT(all.pairs_apart, count / 100);
   EXPECT_GT(all.restored, count / 50);
   EXPECT_GT(all.answers, count);
 }

@@ -183,9 +183,10 @@ class Author {
           chance_.one_in(3) ? size * chance_.below(3) : size * chance_.between(0, 2);
     } else if (question.verb == Verb::AskRay) {
       Vector3d way = there - here;
-      if (way.isZero() || chance_.one_in(3))
-        way =
-            Vector3d::Unit(static_cast<int>(chance_.below(3))) * (chance_.one_in(2) ? size : -size);
+      if (way.isZero() || chance_.one_in(3)) {
+        way = Vector3d::Unit(static_cast<int>(chance_.below(3))) * size;
+        if (chance_.one_in(2)) way = -way;
+      }
       for (int k = 0; k < 3; ++k) {
         question.values[static_cast<std::size_t>(k)] = here[k];
         question.values[static_cast<std::size_t>(k) + 3] = way[k];
@@ -294,8 +295,10 @@ class Author {
   /// The same a little on: anything from an ulp to a tenth of a size.
   Pose stepped(const Pose& pose) {
     Pose next = pose;
-    const double step =
-        size_here() * std::ldexp(chance_.between(0.5, 1), -static_cast<int>(chance_.below(30)) - 3);
+    // One draw to a statement: compilers order those within one as they like.
+    const double size = size_here();
+    const int halvings = 3 + static_cast<int>(chance_.below(30));
+    const double step = size * std::ldexp(chance_.between(0.5, 1), -halvings);
     for (int k = 0; k < 3; ++k) {
       double& p = next.matrix()(k, 3);
       if (setting_ == Setting::Lattice || setting_ == Setting::OnePoint) {
