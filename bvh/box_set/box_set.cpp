@@ -264,8 +264,7 @@ std::size_t BoxSet::bytes() const {
     sum += layer.sorted_girth.capacity() * sizeof(float);
   }
   sum += scratch_.newcomers.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
-         scratch_.ranked.bytes() +
-         scratch_.boxes.capacity() * sizeof(OrderedBox);
+         scratch_.ranked.bytes() + scratch_.boxes.capacity() * sizeof(OrderedBox);
   for (const PairBuffer& found : scratch_.found)
     sum += found.capacity() * sizeof(BoxPair);
   return sum;

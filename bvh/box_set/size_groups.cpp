@@ -76,7 +76,8 @@ std::vector<std::size_t> group_sizes(std::span<const SizeClass> classes, std::sp
     number.push_back(i);
   const double cell = classes.size() < 2 ? 0 : volume_of_cell(sample);
   if (!(cell > 0 && std::isfinite(cell))) return number;
-  const double cells = static_cast<double>(sample.size() / kLanes);
+  const std::size_t whole_cells = sample.size() / kLanes;
+  const auto cells = static_cast<double>(whole_cells);
   std::vector<Group> groups;
   for (const SizeClass& of : classes)
     groups.push_back({of.side, static_cast<double>(of.count) / kLanes / cells});
