@@ -124,8 +124,8 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
   const std::optional<TrianglePair> hint = remembered.nearest ? remembered.nearest : settings.hint;
   // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
   const bool may_touch = !remembered.nearest || remembered.was_touching;
-  const MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
-                                      : find_nearest(query, *hint, remembered, counted.work());
+  MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
+                                : find_nearest(query, *hint, remembered, counted.work());
   remembered.nearest = best.pair;
   remembered.was_touching = best.distance == 0;
   return best;

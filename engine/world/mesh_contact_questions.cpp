@@ -20,7 +20,6 @@ namespace graze {
 
 using narrowphase::ContactPoint;
 using narrowphase::Core;
-using narrowphase::CoreGap;
 using narrowphase::Parting;
 using narrowphase::Vec3;
 

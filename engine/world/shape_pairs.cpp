@@ -222,8 +222,8 @@ ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  const ShapeDistance found = is_swapped(a, b) ? mirrored(distance_in_order(b, a, counted.work()))
-                                               : distance_in_order(a, b, counted.work());
+  ShapeDistance found = is_swapped(a, b) ? mirrored(distance_in_order(b, a, counted.work()))
+                                         : distance_in_order(a, b, counted.work());
   const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
   if (!is_none || lies_in_boxes(pair_method(shape_a.kind(), shape_b.kind()))) return found;
   const BoxGap boxes = gap_of_boxes(a, b);
