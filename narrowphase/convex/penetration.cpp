@@ -64,7 +64,9 @@ Penetration penetration(const Core& a, const Core& b) {
     return result;
   }
   const Expansion found = expand(a, b, tolerance);
-  if (found.is_closed) {
+  // A polytope of sets of which one is lost in the rounding of the other may close without a
+  // normal.
+  if (found.is_closed && largest(found.normal) > 0) {
     Penetration result = along(a, b, found.normal);
     result.source = PenetrationSource::Expansion;
     return result;

@@ -309,6 +309,25 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
   }
 }
 
+// A polytope about two of which one is lost in the rounding of the other closed without a normal.
+TEST(Manifold, OfASpeckOnAFlatGiantHasANormal) {
+  const Vector3d corners[] = {{-1, 0, 0}, {0, -1, -1}, {-0.5, -0.5, -0.5}};
+  const TriangleIndices triangle[] = {{0, 1, 2}};
+  const Shape specks[] = {Sphere{{0, 0, 0}, 1}, Box{{1, 1, 1}}, Capsule{1, 1}};
+  for (const double size : {1e13, 1e30, 1e89}) {
+    std::vector<Vector3d> vertices;
+    for (const Vector3d& corner : corners)
+      vertices.push_back(corner * size);
+    const Mesh giant(vertices, triangle);
+    for (const Shape& speck : specks) {
+      const Manifold found = find_contacts(giant, at({0, 0, 0}), speck, at(vertices[1]));
+      ASSERT_FALSE(found.empty()) << size;
+      for (const ShapeContact& contact : found)
+        EXPECT_NEAR(contact.normal.norm(), 1, 1e-12) << size << " " << name_of(speck.kind());
+    }
+  }
+}
+
 TEST(Manifold, TwoHalfSpacesAreRefusedByName) {
   const HalfSpace floor{{0, 0, 1}, 0};
   try {
