@@ -14,9 +14,8 @@ void sort_pairs(std::vector<TrianglePair>& pairs) {
   }
   // One number for both indices.
   std::vector<std::uint64_t> numbers(pairs.size());
-  std::transform(pairs.begin(), pairs.end(), numbers.begin(), [](TrianglePair pair) {
-    return (std::uint64_t{pair.a} << 32) | pair.b;
-  });
+  std::transform(pairs.begin(), pairs.end(), numbers.begin(),
+                 [](TrianglePair pair) { return (std::uint64_t{pair.a} << 32) | pair.b; });
   hwy::Sorter()(numbers.data(), numbers.size(), hwy::SortAscending());
   std::transform(numbers.begin(), numbers.end(), pairs.begin(), [](std::uint64_t number) {
     return TrianglePair{static_cast<std::uint32_t>(number >> 32),
