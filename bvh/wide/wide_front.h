@@ -1,10 +1,12 @@
 #pragma once
 
 #include <graze/bvh/box_separation.h>
+#include <graze/bvh/wide/front_planes.h>
 #include <graze/bvh/wide/wide_pair_walk.h>
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/bvh/wide/wide_way.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -28,21 +30,29 @@ class WideFront {
   /// What `moved` and limit must stay below.
   static constexpr double kFarthest = 0x1p60;
 
-  /// The poses of a query, and what it asks.
-  struct Pass {
-    /// How tree B lies in tree A and how A lies in B, each with its slack (law 5), in the same
-    /// common units. `moved`: since begin().
-    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds, double moved);
+  /// How B has moved in A since begin(): no point of B's box came further than `way`, and the
+  /// changes of its rotation, as lengths of nine numbers, add up to no more than `turn`.
+  struct Motion {
+    double way = 0;
+    double turn = 0;
+  };
 
+  /// The poses of a query, and what it asks: from pass().
+  struct Pass {
     /// As in WideDistanceWalk.
     void aim_along(const double (&direction)[3]);
 
     Bounds bounds;
-    double moved;
+    double moved = 0;
     double slack;  // of both
     WideWay into[2];
     float units[2];              // of each tree, in common units
     float direction[2][3] = {};  // in each tree's frame, from it to the other
+    FrontWay since[2];           // of guests of the other tree, since begin()
+
+   private:
+    friend class WideFront;
+    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds);
   };
 
   /// Two primitives that are, or were, as near as was asked for.
@@ -52,8 +62,14 @@ class WideFront {
     std::uint32_t bit;     // which of its pairs
   };
 
-  /// Forgets everything and begins with the roots, which must outlive it.
-  void begin(const WideTree& tree_a, const WideTree& tree_b);
+  /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree B
+  /// lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
+  void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+             const RelativeFrame& a_in_b);
+
+  /// Of other poses of the same trees, in the same units.
+  Pass pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds,
+            const Motion& motion) const;
 
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
@@ -96,6 +112,7 @@ class WideFront {
   struct Visit {
     WidePairWalk::Waiting pair;
     std::uint32_t open;
+    int host_side;  // whose node it is; -1 until it was looked at
   };
 
   /// Two leaves: which of their pairs of primitives are candidates.
@@ -103,14 +120,25 @@ class WideFront {
     WidePairWalk::Waiting pair;
     std::uint32_t listed;
     int host_side;  // whose primitives are the rows of bits
-    float row_deadlines[ChildLink::kMaxLeafSize];
   };
+
+  static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+
+  /// Planes that prove nothing.
+  template <std::size_t lanes>
+  static FrontPlanes<lanes> none() {
+    FrontPlanes<lanes> planes{};
+    std::fill_n(planes.gap, lanes, -std::numeric_limits<float>::infinity());
+    return planes;
+  }
 
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
+    std::vector<FrontPlanes<WideNode::kWidth>> visit_planes;
     std::vector<float> visit_deadlines;
     std::vector<Leaves> leaves;
+    std::vector<FrontPlanes<kLeafPairs>> leaf_planes;
     std::vector<float> leaves_deadlines;
     std::vector<Candidate> candidates;
     std::vector<float> candidate_deadlines;
@@ -120,6 +148,7 @@ class WideFront {
 
  private:
   State state_;
+  RelativeFrame first_[2];  // at begin()
   std::uint64_t skipped_ = 0;
 };
 

@@ -11,7 +11,7 @@
 
 #include <graze/bvh/wide/wide_front.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/leaf_gaps.inc>
+#include <graze/bvh/wide/front_gaps.inc>
 #include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
@@ -32,57 +32,12 @@ constexpr float kFarthest = static_cast<float>(WideFront::kFarthest);
 /// What is rounded to float, times it, is no more than before.
 constexpr float kRoundDown = 1 - 0x1p-22f;
 
-/// Pays for kBoundGrowth, roots and products.
-constexpr float kShrink = 1 - 0x1p-13f;
+/// What gaps of planes are multiplied by where they are stored, and where they are read: four
+/// roundings each, and those of turns.
+constexpr float kRoundPlanes = 1 - 0x1p-20f;
 
-/// How far the children of a host are from a guest at least, along the axis that says most. Cross
-/// products of axes are no longer than 1, so that gaps along them are no larger than distances.
-HWY_INLINE void set_gaps(float* gaps, const WideNode& host, const GuestInNode& guest,
-                         float unit_of_host) {
-  const Tag tag;
-  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
-    Lanes gap = hn::Zero(tag);
-    for (int i = 0; i < 3; ++i) {
-      half[i] = hn::Load(tag, host.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
-      gap = hn::Max(gap, hn::Sub(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, guest.reach[i]))));
-    }
-    for (int k = 0; k < 3; ++k) {
-      const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
-                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
-                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
-                                                           hn::Set(tag, guest.half[k]))));
-      gap = hn::Max(gap, hn::Sub(hn::Abs(distance), reach));
-    }
-    for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < 3; ++i) {
-        const int i1 = (i + 1) % 3;
-        const int i2 = (i + 2) % 3;
-        const Lanes distance = hn::MulSub(way[i2], hn::Set(tag, guest.axes[k][i1]),
-                                          hn::Mul(way[i1], hn::Set(tag, guest.axes[k][i2])));
-        const Lanes reach = hn::MulAdd(half[i1], hn::Set(tag, guest.size[k][i2]),
-                                       hn::MulAdd(half[i2], hn::Set(tag, guest.size[k][i1]),
-                                                  hn::Set(tag, guest.crossed[k][i])));
-        gap = hn::Max(gap, hn::Sub(hn::Abs(distance), reach));
-      }
-    }
-    hn::Store(hn::Mul(known(tag, gap), hn::Set(tag, unit_of_host * kShrink)), tag, gaps + lane);
-  }
-}
-
-/// Of so many squared bounds.
-template <typename Tag>
-HWY_INLINE void set_roots(Tag tag, float* gaps, const float* squares, std::size_t count) {
-  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
-    const auto gap = hn::Min(hn::Sqrt(hn::Load(tag, squares + lane)), hn::Set(tag, kFarthest));
-    hn::Store(hn::Mul(gap, hn::Set(tag, kShrink)), tag, gaps + lane);
-  }
-}
+using VisitPlanes = FrontPlanes<WideNode::kWidth>;
+using LeafPlanes = FrontPlanes<kLeafPairs>;
 
 /// One pass.
 class Passer {
@@ -129,31 +84,81 @@ class Passer {
                         : kNever;
   }
 
+  /// The least of the gaps that planes prove now.
+  template <typename Planes>
+  HWY_INLINE float least_gap(const Planes& planes, const FrontWay& way) const {
+    const hn::CappedTag<float, Planes::kLanes> tag;
+    float step[3];
+    set_step(step, planes.guest, way);
+    const auto lost =
+        hn::Set(tag, planes.guest.radius * way.turn * (1 / kRoundPlanes) + way.error);
+    auto least = hn::Set(tag, kNever);
+    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
+      auto gap = hn::Load(tag, planes.gap + lane);
+      for (int i = 0; i < 3; ++i)
+        gap = hn::MulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), gap);
+      least = hn::Min(least, hn::Sub(gap, lost));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  /// How far the guest's middle has come since the pose of reference.
+  HWY_INLINE static void set_step(float (&step)[3], const FrontBall& guest, const FrontWay& way) {
+    for (int i = 0; i < 3; ++i) {
+      step[i] = way.turned[i][0] * guest.centre[0] + way.turned[i][1] * guest.centre[1] +
+                way.turned[i][2] * guest.centre[2] + way.moved[i];
+    }
+  }
+
   struct Nearness {
     std::uint32_t near;  // the lanes within the limit
     float least;         // gap of the others
   };
 
-  /// Of these lanes alone.
-  template <typename Tag>
-  HWY_INLINE Nearness nearness(Tag tag, const float* gaps, std::size_t count,
-                               std::uint32_t lanes) const {
+  /// Of these lanes alone, from gaps as they are now, which become those of the pose of reference.
+  template <typename Planes>
+  HWY_INLINE Nearness keep(Planes& planes, std::uint32_t lanes, const FrontWay& way) const {
+    const hn::CappedTag<float, Planes::kLanes> tag;
+    float step[3];
+    set_step(step, planes.guest, way);
+    const auto gained =
+        hn::Set(tag, planes.guest.radius * way.turn * kRoundPlanes - way.error);
     std::uint32_t near = 0;
     auto least = hn::Set(tag, kNever);
-    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
-      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane)};
+    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
+                                    static_cast<std::uint8_t>(lanes >> lane >> 8)};
       const auto is_asked = hn::LoadMaskBits(tag, bits);
-      const auto gap = hn::Load(tag, gaps + lane);
+      const auto gap = hn::Load(tag, planes.gap + lane);
       const auto is_far = hn::Gt(gap, hn::Set(tag, limit_));
-      least = hn::Min(least, hn::IfThenElse(hn::And(is_far, is_asked), gap, least));
-      std::uint8_t near_bits[8] = {};
-      hn::StoreMaskBits(tag, hn::AndNot(is_far, is_asked), near_bits);
-      near |= std::uint32_t{near_bits[0]} << lane;
+      const auto is_kept = hn::And(is_far, is_asked);
+      least = hn::Min(least, hn::IfThenElse(is_kept, gap, least));
+      near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
+      auto stored = hn::Mul(gap, hn::Set(tag, kRoundPlanes));
+      for (int i = 0; i < 3; ++i)
+        stored = hn::NegMulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), stored);
+      stored = hn::IfThenElse(is_kept, hn::Add(stored, gained), hn::Set(tag, kNever));
+      hn::Store(stored, tag, planes.gap + lane);
     }
     return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }
 
+  /// Whether planes still keep out what they kept out, which then is due later.
+  template <typename Planes>
+  HWY_INLINE bool still_holds(const Planes& planes, int host_side, float& deadline) const {
+    const float gap = least_gap(planes, pass_.since[host_side]);
+    // Not where it is no number.
+    if (!(gap > limit_)) return false;
+    const float later = deadline_after(gap);
+    if (!(later > due_)) return false;
+    deadline = later;
+    return true;
+  }
+
   HWY_INLINE void visit(std::size_t index) {
+    if (still_holds(state_.visit_planes[index], state_.visits[index].host_side,
+                    state_.visit_deadlines[index]))
+      return;
     const WidePairWalk::Waiting pair = state_.visits[index].pair;
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -177,19 +182,16 @@ class Passer {
         first_below(*state_.tree[host_side], host, host_link, state_.counts.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
-    alignas(32) float gaps[WideNode::kWidth];
-    if (is_distance_) {
-      set_promises(promises_, node, in_node_,
-                   aim_of(node, in_node_, guest_, pass_.direction[host_side]),
-                   pass_.units[host_side]);
-      set_roots(Tag(), gaps, promises_.bound, WideNode::kWidth);
-    } else {
-      set_gaps(gaps, node, in_node_, pass_.units[host_side]);
-    }
     WideFront::Visit& visit = state_.visits[index];
+    VisitPlanes& planes = state_.visit_planes[index];
+    if (visit.host_side != host_side) {
+      visit.host_side = host_side;
+      planes.guest = FrontBall(guest, pass_.units[1 - host_side]);
+    }
     if (state_.visit_deadlines[index] == kAtOnce) state_.lanes += node.count;
     const std::uint32_t closed = node.lanes() & ~visit.open;
-    const Nearness found = nearness(Tag(), gaps, WideNode::kWidth, closed);
+    set_gaps(planes, node, host_side, closed);
+    const Nearness found = keep(planes, closed, pass_.since[host_side]);
     std::uint32_t near = found.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
@@ -202,34 +204,66 @@ class Passer {
       const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
                                                         : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        state_.leaves.push_back({pair, 0, host_side, {kAtOnce, kAtOnce, kAtOnce, kAtOnce}});
-        state_.leaves_deadlines.push_back(kAtOnce);
+        add_leaves(pair, host_side);
       } else {
-        state_.visits.push_back({pair, 0});
-        state_.visit_deadlines.push_back(kAtOnce);
+        add_visit(pair);
       }
     }
   }
 
-  /// Of a primitive of the host and these of the guest's leaf.
-  HWY_INLINE Nearness nearness_of_row(std::uint32_t row, int host_side, std::uint32_t lanes) const {
-    const FourTag tag;
-    alignas(16) float gaps[4];
-    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-      const PairLanes<FourTag> pairs(4 * row + part);
-      const PairBoxes<FourTag> boxes(pairs, host_leaf_, guest_leaf_);
-      const PairTriangles<FourTag> triangles(pairs, host_leaf_, guest_leaf_);
-      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, pass_.direction[host_side],
-                             pass_.units[host_side]),
-                tag, gaps + part);
+  HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
+    state_.visits.push_back({pair, 0, -1});
+    state_.visit_planes.push_back(WideFront::none<WideNode::kWidth>());
+    state_.visit_deadlines.push_back(kAtOnce);
+  }
+
+  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side) {
+    const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
+    state_.leaves.push_back({pair, 0, host_side});
+    state_.leaf_planes.push_back(WideFront::none<kLeafPairs>());
+    state_.leaf_planes.back().guest = FrontBall(guest, pass_.units[1 - host_side]);
+    state_.leaves_deadlines.push_back(kAtOnce);
+  }
+
+  /// Whether any of the lanes asked for is within the limit, as far as is known.
+  template <typename AnyTag>
+  HWY_INLINE bool is_any_near(AnyTag tag, hn::Vec<AnyTag> gap, std::uint32_t asked) const {
+    return (bits_of(tag, hn::Le(gap, hn::Set(tag, limit_))) & asked) != 0;
+  }
+
+  /// Of the children of a host beside guest_; of these lanes it matters.
+  HWY_INLINE void set_gaps(VisitPlanes& planes, const WideNode& node, int host_side,
+                           std::uint32_t asked) const {
+    for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(Tag())) {
+      BoxGaps gaps(node, in_node_, guest_, lane);
+      if (is_distance_) {
+        gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
+      } else if (is_any_near(Tag(), gaps.gap(), asked >> lane)) {
+        gaps.look_across();
+      }
+      gaps.store(planes, lane, pass_.units[host_side]);
     }
-    set_roots(tag, gaps, gaps, 4);
-    return nearness(tag, gaps, 4, lanes);
+  }
+
+  /// Of all pairs of the primitives of host_leaf_ and guest_leaf_; of these lanes it matters.
+  HWY_INLINE void set_leaf_gaps(LeafPlanes& planes, int host_side, std::uint32_t asked) const {
+    const PairTag tag;
+    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+      const PairLanes<PairTag> pairs(first);
+      const PairBoxes<PairTag> boxes(pairs, host_leaf_, guest_leaf_);
+      const PairTriangles<PairTag> triangles(pairs, host_leaf_, guest_leaf_);
+      PrimitiveGaps<PairTag> gaps(boxes, triangles, guest_leaf_.error);
+      if (is_distance_) gaps.look_along(pass_.direction[host_side]);
+      if (!is_distance_ && is_any_near(tag, gaps.gap(), asked >> first)) gaps.look_across();
+      gaps.store(planes, first, pass_.units[host_side]);
+    }
   }
 
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
+    LeafPlanes& planes = state_.leaf_planes[index];
     const int host_side = leaves.host_side;
+    if (still_holds(planes, host_side, state_.leaves_deadlines[index])) return;
     const WideSlot& host_slot = host_side == 0 ? leaves.pair.a : leaves.pair.b;
     const WideSlot& guest_slot = host_side == 0 ? leaves.pair.b : leaves.pair.a;
     const WideTree::Treelet& host = state_.tree[host_side]->treelet(host_slot.treelet);
@@ -241,24 +275,14 @@ class Passer {
       leaf_slot_ = guest_slot;
       leaf_host_ = &host;
     }
-    const std::uint32_t count = ChildLink::count(host_link);
-    const std::uint32_t guests = ChildLink::count(guest_link);
     set_host_leaf(host_leaf_, host, host_link);
-    const std::uint32_t row_bits = (1u << guests) - 1;
-    std::uint32_t near = 0;
-    float soonest = kNever;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      float& deadline = leaves.row_deadlines[i];
-      if (deadline <= due_) {
-        state_.counts.primitive_tests += guests;
-        const std::uint32_t shift = ChildLink::kMaxLeafSize * i;
-        const Nearness found = nearness_of_row(i, host_side, row_bits & ~(leaves.listed >> shift));
-        near |= found.near << shift;
-        deadline = deadline_after(found.least);
-      }
-      soonest = std::min(soonest, deadline);
-    }
-    state_.leaves_deadlines[index] = soonest;
+    const std::uint32_t asked =
+        pairs_of(ChildLink::count(host_link), ChildLink::count(guest_link)) & ~leaves.listed;
+    state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
+    set_leaf_gaps(planes, host_side, asked);
+    const Nearness found = keep(planes, asked, pass_.since[host_side]);
+    std::uint32_t near = found.near;
+    state_.leaves_deadlines[index] = deadline_after(found.least);
     leaves.listed |= near;
     const std::uint32_t first = host.first + ChildLink::first(host_link);
     const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
@@ -287,7 +311,6 @@ class Passer {
   GuestLeaf guest_leaf_;
   WideSlot leaf_slot_{};  // of guest_leaf_, in
   const WideTree::Treelet* leaf_host_ = nullptr;
-  Promises promises_;
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
@@ -307,6 +330,9 @@ namespace {
 
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 
+/// Of vectors that grow.
+constexpr std::size_t kFirstSize = 64;
+
 /// What has a deadline up to it is due.
 float due_at(const WideFront::Pass& pass, double limit) {
   return rounded_up((pass.moved + limit) + 2 * pass.slack);
@@ -319,10 +345,8 @@ std::size_t count_due(const std::vector<float>& deadlines, float due) {
 
 }  // namespace
 
-WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what,
-                      double way)
+WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
     : bounds(what),
-      moved(way),
       slack(std::max(b_in_a.slack, a_in_b.slack)),
       into{WideWay(b_in_a), WideWay(a_in_b)},
       units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
@@ -337,12 +361,30 @@ void WideFront::Pass::aim_along(const double (&along)[3]) {
   }
 }
 
-void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b) {
+WideFront::Pass WideFront::pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                                Bounds bounds, const Motion& motion) const {
+  Pass pass(b_in_a, a_in_b, bounds);
+  pass.moved = motion.way;
+  pass.since[0] = FrontWay(first_[0], b_in_a, *state_.tree[1], motion.turn);
+  pass.since[1] = FrontWay(first_[1], a_in_b, *state_.tree[0], motion.turn);
+  return pass;
+}
+
+void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+                      const RelativeFrame& a_in_b) {
+  first_[0] = b_in_a;
+  first_[1] = a_in_b;
   state_.tree[0] = &tree_a;
   state_.tree[1] = &tree_b;
-  state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0});
+  state_.visits.reserve(kFirstSize);
+  state_.visit_planes.reserve(kFirstSize);
+  state_.leaves.reserve(kFirstSize);
+  state_.leaf_planes.reserve(kFirstSize);
+  state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0, -1});
+  state_.visit_planes.assign(1, none<WideNode::kWidth>());
   state_.visit_deadlines.assign(1, kAtOnce);
   state_.leaves.clear();
+  state_.leaf_planes.clear();
   state_.leaves_deadlines.clear();
   state_.candidates.clear();
   state_.candidate_deadlines.clear();
@@ -378,8 +420,7 @@ void WideFront::drop(std::size_t index) {
   const Candidate candidate = state_.candidates[index];
   Leaves& leaves = state_.leaves[candidate.leaves];
   leaves.listed &= ~candidate.bit;
-  leaves.row_deadlines[static_cast<std::size_t>(std::countr_zero(candidate.bit)) /
-                       ChildLink::kMaxLeafSize] = kAtOnce;
+  state_.leaf_planes[candidate.leaves].gap[std::countr_zero(candidate.bit)] = kAtOnce;
   state_.leaves_deadlines[candidate.leaves] = kAtOnce;
   state_.candidates[index] = state_.candidates.back();
   state_.candidate_deadlines[index] = state_.candidate_deadlines.back();

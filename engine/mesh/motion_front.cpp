@@ -7,7 +7,7 @@ namespace {
 
 /// Measured: what is due lies scattered in memory, so that half of a front costs about as much as a
 /// walk of its own.
-constexpr double kMostDue = 0.45;
+constexpr double kMostDue = 0.95;
 constexpr int kLongestPause = 16;  // queries
 
 /// To begin a front costs a third more than a walk: so many passes pay for that.
@@ -23,10 +23,11 @@ constexpr std::size_t kLargest = std::size_t{1} << 21;
 
 }  // namespace
 
-void MotionFront::move(double step) {
-  // The sum rounds up.
-  moved_ = (moved_ + step) * (1 + 0x1p-50);
-  if (!(moved_ < bvh::WideFront::kFarthest)) is_live_ = false;
+void MotionFront::move(const bvh::WideFront::Motion& step) {
+  // The sums round up.
+  motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
+  motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
+  if (!(motion_.way < bvh::WideFront::kFarthest)) is_live_ = false;
 }
 
 bool MotionFront::is_outgrown() const {
@@ -41,7 +42,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
                                                       double limit) {
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
-    bvh::WideFront::Pass pass(b_in_a, a_in_b, bounds_, moved_);
+    const bvh::WideFront::Pass pass = front_.pass(b_in_a, a_in_b, bounds_, motion_);
     if (front_.share_due(pass, limit) <= kMostDue) {
       if (passes_ >= kEnoughPasses) next_pause_ = 1;
       return pass;
@@ -55,12 +56,12 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
     --pause_;
     return std::nullopt;
   }
-  front_.begin(tree_a, tree_b);
+  front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;
   ++generation_;
-  moved_ = 0;
+  motion_ = {};
   passes_ = 0;
-  return bvh::WideFront::Pass(b_in_a, a_in_b, bounds_, moved_);
+  return front_.pass(b_in_a, a_in_b, bounds_, motion_);
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {

@@ -21,8 +21,8 @@ class MotionFront {
   /// Another number each time that it begins anew.
   std::uint64_t generation() const { return generation_; }
 
-  /// B has come so much further (common units).
-  void move(double step);
+  /// B has come so much further, in one step (common units).
+  void move(const bvh::WideFront::Motion& step);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
   /// be: where more than half of it is due, the query had better walk the trees, and so had the
@@ -42,7 +42,7 @@ class MotionFront {
   bvh::WideFront front_;
   bool is_live_ = false;
   std::uint64_t generation_ = 0;
-  double moved_ = 0;
+  bvh::WideFront::Motion motion_;  // since it was begun
   int passes_ = 0;              // since it was begun
   std::size_t first_size_ = 0;  // after the first of these
   int pause_ = 0;               // queries until it may begin
