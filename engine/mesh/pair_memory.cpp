@@ -126,26 +126,16 @@ class MeetingQuery {
   /// that has not moved.
   void gather_triangles() {
     const bvh::WideFront& front = remembered_.meeting.front();
-    std::vector<RememberedTriangles>& all = remembered_.triangles;
+    CandidateTriangles& all = remembered_.triangles;
     const Pose& pose_a = query_.a.pose;
     if (remembered_.triangles_generation != remembered_.meeting.generation()) all.clear();
     remembered_.triangles_generation = remembered_.meeting.generation();
-    if (!are_equal(remembered_.triangles_pose_a, pose_a)) {
-      for (RememberedTriangles& triangles : all)
-        triangles.placed_a = query_.triangle_a(triangles.pair);
-    }
+    if (!are_equal(remembered_.triangles_pose_a, pose_a)) all.place_a(pose_a);
     remembered_.triangles_pose_a = pose_a;
     for (std::size_t i = all.size(); i < front.candidate_count(); ++i) {
       const TrianglePair pair = query_.pair_at(front.candidate(i).places);
-      all.push_back({pair, query_.triangle_a(pair), query_.b.mesh.triangle(pair.b)});
+      all.add(pair, query_.a.mesh.triangle(pair.a), query_.b.mesh.triangle(pair.b));
     }
-  }
-
-  /// One that does not meet: it makes way for the last.
-  void drop(std::size_t index) {
-    remembered_.meeting.front().drop(index);
-    remembered_.triangles[index] = remembered_.triangles.back();
-    remembered_.triangles.pop_back();
   }
 
   /// Decides all candidates of the front, from the last on, so that what takes the place of one
@@ -153,29 +143,38 @@ class MeetingQuery {
   template <typename OnPair>
   bvh::Walk decide_candidates(OnPair&& on_pair) {
     gather_triangles();
-    Candidates candidates(touch_, work_);
-    for (std::size_t end = remembered_.triangles.size(); end > 0;) {
-      const std::size_t begin = end - std::min(end, Candidates::kCapacity);
-      for (std::size_t i = end; i > begin; --i) {
-        const RememberedTriangles& triangles = remembered_.triangles[i - 1];
-        candidates.add(triangles.pair, triangles.placed_a, place(query_.b.pose, triangles.b));
-      }
-      std::size_t next = end;
-      const auto drop_until = [&](auto&& is_it) {
-        while (next > begin && !is_it(remembered_.triangles[next - 1].pair))
-          drop(--next);
-      };
-      const bvh::Walk walk = candidates.decide([&](TrianglePair hit) {
-        drop_until([&](TrianglePair pair) { return pair == hit; });
-        --next;
+    CandidateTriangles& all = remembered_.triangles;
+    for (std::size_t end = all.size(); end > 0;) {
+      const std::size_t begin = (end - 1) / CandidateTriangles::kBlock * CandidateTriangles::kBlock;
+      const CandidateTriangles::Placed placed(all, begin / CandidateTriangles::kBlock,
+                                              query_.b.pose);
+      const narrowphase::Verdicts verdicts = placed.verdicts();
+      work_.triangle_tests += end - begin;
+      std::uint32_t meeting = 0;
+      for (std::size_t lane = 0; lane < end - begin; ++lane)
+        meeting |= std::uint32_t{does_meet(placed, lane, verdicts)} << lane;
+      for (; end > begin; --end) {
+        if ((meeting >> (end - 1 - begin) & 1) == 0) {
+          remembered_.meeting.front().drop(end - 1);
+          all.drop(end - 1);
+          continue;
+        }
         has_hit_ = true;
-        return on_pair(hit);
-      });
-      if (walk == bvh::Walk::Stop) return walk;
-      drop_until([](TrianglePair) { return false; });
-      end = begin;
+        if (on_pair(all.pair(end - 1)) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      }
     }
     return bvh::Walk::Continue;
+  }
+
+  bool does_meet(const CandidateTriangles::Placed& placed, std::size_t lane,
+                 const narrowphase::Verdicts& verdicts) {
+    if ((verdicts.apart >> lane & 1) != 0) return false;
+    // Lanes of two that surely cross count as touching, too.
+    if ((verdicts.touching >> lane & 1) != 0) return true;
+    const narrowphase::Decision decision =
+        narrowphase::decide(placed.a(lane), placed.b(lane), touch_);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
   }
 
   WideQuery query_;
