@@ -6,7 +6,6 @@
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/bvh/wide/wide_way.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -123,14 +122,6 @@ class WideFront {
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
-
-  /// Planes that prove nothing.
-  template <std::size_t lanes>
-  static FrontPlanes<lanes> none() {
-    FrontPlanes<lanes> planes{};
-    std::fill_n(planes.gap, lanes, -std::numeric_limits<float>::infinity());
-    return planes;
-  }
 
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};

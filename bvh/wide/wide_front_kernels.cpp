@@ -90,8 +90,7 @@ class Passer {
     const hn::CappedTag<float, Planes::kLanes> tag;
     float step[3];
     set_step(step, planes.guest, way);
-    const auto lost =
-        hn::Set(tag, planes.guest.radius * way.turn * (1 / kRoundPlanes) + way.error);
+    const auto lost = hn::Set(tag, planes.guest.radius * way.turn * (1 / kRoundPlanes) + way.error);
     auto least = hn::Set(tag, kNever);
     for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
       auto gap = hn::Load(tag, planes.gap + lane);
@@ -121,8 +120,7 @@ class Passer {
     const hn::CappedTag<float, Planes::kLanes> tag;
     float step[3];
     set_step(step, planes.guest, way);
-    const auto gained =
-        hn::Set(tag, planes.guest.radius * way.turn * kRoundPlanes - way.error);
+    const auto gained = hn::Set(tag, planes.guest.radius * way.turn * kRoundPlanes - way.error);
     std::uint32_t near = 0;
     auto least = hn::Set(tag, kNever);
     for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
@@ -136,7 +134,8 @@ class Passer {
       near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
       auto stored = hn::Mul(gap, hn::Set(tag, kRoundPlanes));
       for (int i = 0; i < 3; ++i)
-        stored = hn::NegMulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), stored);
+        stored =
+            hn::NegMulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), stored);
       stored = hn::IfThenElse(is_kept, hn::Add(stored, gained), hn::Set(tag, kNever));
       hn::Store(stored, tag, planes.gap + lane);
     }
@@ -146,6 +145,7 @@ class Passer {
   /// Whether planes still keep out what they kept out, which then is due later.
   template <typename Planes>
   HWY_INLINE bool still_holds(const Planes& planes, int host_side, float& deadline) const {
+    if (deadline == kAtOnce) return false;
     const float gap = least_gap(planes, pass_.since[host_side]);
     // Not where it is no number.
     if (!(gap > limit_)) return false;
@@ -213,22 +213,15 @@ class Passer {
 
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
     state_.visits.push_back({pair, 0, -1});
-    state_.visit_planes.push_back(WideFront::none<WideNode::kWidth>());
+    state_.visit_planes.emplace_back();
     state_.visit_deadlines.push_back(kAtOnce);
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side) {
     const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
     state_.leaves.push_back({pair, 0, host_side});
-    state_.leaf_planes.push_back(WideFront::none<kLeafPairs>());
-    state_.leaf_planes.back().guest = FrontBall(guest, pass_.units[1 - host_side]);
+    state_.leaf_planes.emplace_back().guest = FrontBall(guest, pass_.units[1 - host_side]);
     state_.leaves_deadlines.push_back(kAtOnce);
-  }
-
-  /// Whether any of the lanes asked for is within the limit, as far as is known.
-  template <typename AnyTag>
-  HWY_INLINE bool is_any_near(AnyTag tag, hn::Vec<AnyTag> gap, std::uint32_t asked) const {
-    return (bits_of(tag, hn::Le(gap, hn::Set(tag, limit_))) & asked) != 0;
   }
 
   /// Of the children of a host beside guest_; of these lanes it matters.
@@ -238,7 +231,7 @@ class Passer {
       BoxGaps gaps(node, in_node_, guest_, lane);
       if (is_distance_) {
         gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
-      } else if (is_any_near(Tag(), gaps.gap(), asked >> lane)) {
+      } else if ((bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0) {
         gaps.look_across();
       }
       gaps.store(planes, lane, pass_.units[host_side]);
@@ -254,7 +247,8 @@ class Passer {
       const PairTriangles<PairTag> triangles(pairs, host_leaf_, guest_leaf_);
       PrimitiveGaps<PairTag> gaps(boxes, triangles, guest_leaf_.error);
       if (is_distance_) gaps.look_along(pass_.direction[host_side]);
-      if (!is_distance_ && is_any_near(tag, gaps.gap(), asked >> first)) gaps.look_across();
+      if (!is_distance_ && (bits_of(tag, hn::Not(gaps.are_apart())) & asked >> first) != 0)
+        gaps.look_across();
       gaps.store(planes, first, pass_.units[host_side]);
     }
   }
@@ -381,7 +375,7 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.leaves.reserve(kFirstSize);
   state_.leaf_planes.reserve(kFirstSize);
   state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0, -1});
-  state_.visit_planes.assign(1, none<WideNode::kWidth>());
+  state_.visit_planes.assign(1, {});
   state_.visit_deadlines.assign(1, kAtOnce);
   state_.leaves.clear();
   state_.leaf_planes.clear();
@@ -420,7 +414,6 @@ void WideFront::drop(std::size_t index) {
   const Candidate candidate = state_.candidates[index];
   Leaves& leaves = state_.leaves[candidate.leaves];
   leaves.listed &= ~candidate.bit;
-  state_.leaf_planes[candidate.leaves].gap[std::countr_zero(candidate.bit)] = kAtOnce;
   state_.leaves_deadlines[candidate.leaves] = kAtOnce;
   state_.candidates[index] = state_.candidates.back();
   state_.candidate_deadlines[index] = state_.candidate_deadlines.back();

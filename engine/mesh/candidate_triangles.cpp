@@ -78,9 +78,9 @@ void CandidateTriangles::place_rows(const Pose& pose, const Rows& rows, Rows& pl
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = m[i], y = m[4 + i], z = m[8 + i], t = m[12 + i];
       for (std::size_t lane = 0; lane < kBlock; ++lane) {
-        placed[corner + i][lane] = ((x * rows[corner][lane] + y * rows[corner + 1][lane]) +
-                                    z * rows[corner + 2][lane]) +
-                                   t;
+        placed[corner + i][lane] =
+            ((x * rows[corner][lane] + y * rows[corner + 1][lane]) + z * rows[corner + 2][lane]) +
+            t;
       }
     }
   }

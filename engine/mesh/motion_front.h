@@ -43,9 +43,9 @@ class MotionFront {
   bool is_live_ = false;
   std::uint64_t generation_ = 0;
   bvh::WideFront::Motion motion_;  // since it was begun
-  int passes_ = 0;              // since it was begun
-  std::size_t first_size_ = 0;  // after the first of these
-  int pause_ = 0;               // queries until it may begin
+  int passes_ = 0;                 // since it was begun
+  std::size_t first_size_ = 0;     // after the first of these
+  int pause_ = 0;                  // queries until it may begin
   int next_pause_ = 1;
 };
 

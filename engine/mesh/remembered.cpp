@@ -24,8 +24,9 @@ namespace {
 constexpr double kFrameGrowth = 1e-5;
 
 /// How far points of the box move between two placings, common units.
-bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)[3][3],
-                 const double (&translation)[3], const bvh::RelativeFrame& now) {
+bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
+                                 const double (&rotation)[3][3], const double (&translation)[3],
+                                 const bvh::RelativeFrame& now) {
   double turns = 0;
   double moved[3] = {0, 0, 0};
   double sizes = 0;
