@@ -48,6 +48,7 @@ struct alignas(lanes * sizeof(float)) FrontPlanes {
   float normal[3][kLanes];
   float gap[kLanes];
   FrontBall guest;
+  int host_side;  // whose frame it is
 };
 
 }  // namespace graze::bvh

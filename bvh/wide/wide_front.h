@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace graze::bvh {
@@ -61,8 +62,8 @@ class WideFront {
     std::uint32_t bit;     // which of its pairs
   };
 
-  /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree B
-  /// lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
+  /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree
+  /// B lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
   void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
              const RelativeFrame& a_in_b);
 
@@ -90,6 +91,9 @@ class WideFront {
   /// candidate takes its index.
   void drop(std::size_t index);
 
+  /// Candidate i becomes what order[i] was: all of them, each once.
+  void arrange(std::span<const std::uint32_t> order);
+
   /// How far apart all is at least, if no candidate was near: valid after advance().
   double proven_gap(const Pass& pass) const;
 
@@ -111,14 +115,12 @@ class WideFront {
   struct Visit {
     WidePairWalk::Waiting pair;
     std::uint32_t open;
-    int host_side;  // whose node it is; -1 until it was looked at
   };
 
   /// Two leaves: which of their pairs of primitives are candidates.
   struct Leaves {
     WidePairWalk::Waiting pair;
-    std::uint32_t listed;
-    int host_side;  // whose primitives are the rows of bits
+    std::uint32_t listed;  // its rows are of the host's primitives
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
@@ -133,7 +135,8 @@ class WideFront {
     std::vector<float> leaves_deadlines;
     std::vector<Candidate> candidates;
     std::vector<float> candidate_deadlines;
-    std::uint64_t lanes = 0;  // of all visits
+    std::vector<std::uint32_t> due;  // what a pass looks at
+    std::uint64_t lanes = 0;         // of all visits
     WideWalkCounts counts;
   };
 

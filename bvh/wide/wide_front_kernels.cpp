@@ -47,41 +47,73 @@ class Passer {
         pass_(pass),
         limit_(limit),
         due_(due),
+        moved_(static_cast<float>(pass.moved) * kRoundDown),
         is_distance_(pass.bounds == WideFront::Bounds::Distance),
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
-    for (std::size_t i = 0; i < state_.visits.size();) {
-      i = next_due(state_.visit_deadlines, i);
-      if (i < state_.visits.size()) visit(i++);
-    }
-    for (std::size_t i = 0; i < state_.leaves.size();) {
-      i = next_due(state_.leaves_deadlines, i);
-      if (i < state_.leaves.size()) compare_leaves(i++);
-    }
+    const std::size_t visits = state_.visits.size();
+    const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
+    for (std::size_t i = 0; i < open; ++i)
+      visit(state_.due[i]);
+    for (std::size_t i = visits; i < state_.visits.size(); ++i)
+      visit(i);
+    const std::size_t leaves = state_.leaves.size();
+    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    for (std::size_t i = 0; i < near; ++i)
+      compare_leaves(state_.due[i]);
+    for (std::size_t i = leaves; i < state_.leaves.size(); ++i)
+      compare_leaves(i);
   }
 
  private:
-  HWY_INLINE std::size_t next_due(const std::vector<float>& deadlines, std::size_t from) const {
+  /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
+  /// its deadline, but for what its planes still keep out: that is due later. No branches but the
+  /// loops: nothing of it can be foretold.
+  template <typename Planes>
+  HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
+                                  std::vector<float>& deadlines) const {
+    const std::size_t size = list_due(deadlines);
+    std::uint32_t* const due = state_.due.data();
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint32_t index = due[i];
+      const float gap = least_gap(planes[index], pass_.since[planes[index].host_side]);
+      const float later = deadline_after(gap);
+      // Both false where it is no number.
+      const bool is_kept = (gap > limit_) & (later > due_);
+      deadlines[index] = is_kept ? later : deadlines[index];
+      due[open] = index;
+      open += !is_kept;
+    }
+    return open;
+  }
+
+  /// The indices of all deadlines that are up.
+  HWY_INLINE std::size_t list_due(const std::vector<float>& deadlines) const {
     const hn::ScalableTag<float> tag;
+    const hn::RebindToUnsigned<decltype(tag)> indices;
     const std::size_t lanes = hn::Lanes(tag);
     const std::size_t size = deadlines.size();
-    const auto due = hn::Set(tag, due_);
-    std::size_t i = from;
+    if (state_.due.size() < size + lanes) state_.due.resize(2 * size + lanes);
+    std::uint32_t* const list = state_.due.data();
+    std::size_t count = 0;
+    std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), due);
-      if (!hn::AllFalse(tag, is_due))
-        return i + static_cast<std::size_t>(hn::FindFirstTrue(tag, is_due));
+      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), hn::Set(tag, due_));
+      count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
+                                 hn::RebindMask(indices, is_due), indices, list + count);
     }
-    while (i < size && deadlines[i] > due_)
-      ++i;
-    return i;
+    for (; i < size; ++i) {
+      list[count] = static_cast<std::uint32_t>(i);
+      count += deadlines[i] <= due_;
+    }
+    return count;
   }
 
   float deadline_after(float gap) const {
-    // Rounded down: the sum is not negative.
-    return gap < kNever ? static_cast<float>(pass_.moved + static_cast<double>(gap)) * kRoundDown
-                        : kNever;
+    // Rounded down: the sum is not negative where it matters.
+    return gap < kNever ? (moved_ + gap) * kRoundDown : kNever;
   }
 
   /// The least of the gaps that planes prove now.
@@ -142,23 +174,7 @@ class Passer {
     return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }
 
-  /// Whether planes still keep out what they kept out, which then is due later.
-  template <typename Planes>
-  HWY_INLINE bool still_holds(const Planes& planes, int host_side, float& deadline) const {
-    if (deadline == kAtOnce) return false;
-    const float gap = least_gap(planes, pass_.since[host_side]);
-    // Not where it is no number.
-    if (!(gap > limit_)) return false;
-    const float later = deadline_after(gap);
-    if (!(later > due_)) return false;
-    deadline = later;
-    return true;
-  }
-
   HWY_INLINE void visit(std::size_t index) {
-    if (still_holds(state_.visit_planes[index], state_.visits[index].host_side,
-                    state_.visit_deadlines[index]))
-      return;
     const WidePairWalk::Waiting pair = state_.visits[index].pair;
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -184,8 +200,8 @@ class Passer {
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = state_.visit_planes[index];
-    if (visit.host_side != host_side) {
-      visit.host_side = host_side;
+    if (state_.visit_deadlines[index] == kAtOnce) {
+      planes.host_side = host_side;
       planes.guest = FrontBall(guest, pass_.units[1 - host_side]);
     }
     if (state_.visit_deadlines[index] == kAtOnce) state_.lanes += node.count;
@@ -212,15 +228,16 @@ class Passer {
   }
 
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
-    state_.visits.push_back({pair, 0, -1});
+    state_.visits.push_back({pair, 0});
     state_.visit_planes.emplace_back();
     state_.visit_deadlines.push_back(kAtOnce);
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side) {
     const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
-    state_.leaves.push_back({pair, 0, host_side});
-    state_.leaf_planes.emplace_back().guest = FrontBall(guest, pass_.units[1 - host_side]);
+    state_.leaves.push_back({pair, 0});
+    state_.leaf_planes.emplace_back().host_side = host_side;
+    state_.leaf_planes.back().guest = FrontBall(guest, pass_.units[1 - host_side]);
     state_.leaves_deadlines.push_back(kAtOnce);
   }
 
@@ -256,8 +273,7 @@ class Passer {
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
     LeafPlanes& planes = state_.leaf_planes[index];
-    const int host_side = leaves.host_side;
-    if (still_holds(planes, host_side, state_.leaves_deadlines[index])) return;
+    const int host_side = planes.host_side;
     const WideSlot& host_slot = host_side == 0 ? leaves.pair.a : leaves.pair.b;
     const WideSlot& guest_slot = host_side == 0 ? leaves.pair.b : leaves.pair.a;
     const WideTree::Treelet& host = state_.tree[host_side]->treelet(host_slot.treelet);
@@ -295,6 +311,7 @@ class Passer {
   const WideFront::Pass& pass_;
   float limit_;
   float due_;
+  float moved_;  // rounded down
   bool is_distance_;
   float scale_b_;
   Guest guest_{};
@@ -374,7 +391,7 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.visit_planes.reserve(kFirstSize);
   state_.leaves.reserve(kFirstSize);
   state_.leaf_planes.reserve(kFirstSize);
-  state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0, -1});
+  state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0});
   state_.visit_planes.assign(1, {});
   state_.visit_deadlines.assign(1, kAtOnce);
   state_.leaves.clear();
@@ -383,6 +400,15 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.candidates.clear();
   state_.candidate_deadlines.clear();
   state_.lanes = 0;
+}
+
+void WideFront::arrange(std::span<const std::uint32_t> order) {
+  const std::vector<Candidate> candidates = state_.candidates;
+  const std::vector<float> deadlines = state_.candidate_deadlines;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    state_.candidates[i] = candidates[order[i]];
+    state_.candidate_deadlines[i] = deadlines[order[i]];
+  }
 }
 
 double WideFront::share_due(const Pass& pass, double limit) const {
@@ -414,6 +440,7 @@ void WideFront::drop(std::size_t index) {
   const Candidate candidate = state_.candidates[index];
   Leaves& leaves = state_.leaves[candidate.leaves];
   leaves.listed &= ~candidate.bit;
+  state_.leaf_planes[candidate.leaves].gap[std::countr_zero(candidate.bit)] = kAtOnce;
   state_.leaves_deadlines[candidate.leaves] = kAtOnce;
   state_.candidates[index] = state_.candidates.back();
   state_.candidate_deadlines[index] = state_.candidate_deadlines.back();

@@ -10,6 +10,7 @@
 #include <graze/engine/mesh/wide_query.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace graze {
 
@@ -125,10 +126,13 @@ class MeetingQuery {
   /// The corners of all candidates: most are known from the last pass, with A as it is placed if
   /// that has not moved.
   void gather_triangles() {
-    const bvh::WideFront& front = remembered_.meeting.front();
+    bvh::WideFront& front = remembered_.meeting.front();
     CandidateTriangles& all = remembered_.triangles;
     const Pose& pose_a = query_.a.pose;
-    if (remembered_.triangles_generation != remembered_.meeting.generation()) all.clear();
+    if (remembered_.triangles_generation != remembered_.meeting.generation()) {
+      all.clear();
+      arrange(front);
+    }
     remembered_.triangles_generation = remembered_.meeting.generation();
     if (!are_equal(remembered_.triangles_pose_a, pose_a)) all.place_a(pose_a);
     remembered_.triangles_pose_a = pose_a;
@@ -136,6 +140,17 @@ class MeetingQuery {
       const TrianglePair pair = query_.pair_at(front.candidate(i).places);
       all.add(pair, query_.a.mesh.triangle(pair.a), query_.b.mesh.triangle(pair.b));
     }
+  }
+
+  /// Candidates as they are when a front begins, in the order of results: so that these stay nearly
+  /// sorted.
+  void arrange(bvh::WideFront& front) const {
+    std::vector<std::uint32_t> order(front.candidate_count());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return query_.pair_at(front.candidate(i).places) < query_.pair_at(front.candidate(j).places);
+    });
+    front.arrange(order);
   }
 
   /// Decides all candidates of the front, from the last on, so that what takes the place of one
@@ -236,7 +251,8 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (is_done && found.pairs.size() <= settings.limit) {
-    sort_pairs(found.pairs);
+    std::reverse(found.pairs.begin(), found.pairs.end());
+    sort_nearly_sorted(found.pairs);
   } else {
     // Which pairs come first is for the walk to say.
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
