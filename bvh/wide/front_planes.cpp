@@ -6,6 +6,13 @@
 
 namespace graze::bvh {
 
+namespace {
+
+/// Beyond it motions are not told in floats.
+constexpr double kLargest = 0x1p60;
+
+}  // namespace
+
 FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& guest,
                    double all_turns)
     : turn(static_cast<float>(all_turns)) {
@@ -21,6 +28,13 @@ FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const W
       const float reach = std::max(std::abs(box.min[j]), std::abs(box.max[j]));
       sizes += std::abs(change) * static_cast<double>(reach) * now.units_b;
     }
+  }
+  if (!(sizes < kLargest)) {
+    // Nothing is known, in numbers that stay finite.
+    std::fill_n(&turned[0][0], 9, 0.0f);
+    std::fill_n(moved, 3, 0.0f);
+    error = 0x1p120f;
+    return;
   }
   // Each of the five sums of three or four products of floats rounds by less than 8 u of what it
   // adds up, u = 2^-24, and the centre by u; the doubles above count for nothing beside that.

@@ -142,7 +142,7 @@ class WideFront {
 
  private:
   State state_;
-  RelativeFrame first_[2];  // at begin()
+  RelativeFrame first_[2] = {};  // at begin()
   std::uint64_t skipped_ = 0;
 };
 

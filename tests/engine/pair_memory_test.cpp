@@ -154,6 +154,50 @@ TEST(Law9, AMemoryChangesNoAnswer) {
   EXPECT_GT(still_apart, 5u);
 }
 
+/// Steps along which planes hold for long: B turns on the spot, about an axis far from it, on a
+/// screw, there and back, or both move as one. All of it far from the origin of the meshes.
+TEST(Law9, AMemoryFollowsMotionsThatHardlyChangeGaps) {
+  RandomSource source(27);
+  const auto moved_off = [](const Mesh& mesh) {
+    std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    for (Eigen::Vector3d& vertex : vertices)
+      vertex += Eigen::Vector3d(40, -70, 25);
+    return Mesh(vertices, mesh.triangles());
+  };
+  const Mesh torus = moved_off(tests::make_torus(1, 0.3, 24, 16));
+  const Mesh ball = moved_off(tests::make_sphere(0.5, 12, 12));
+  const Eigen::Vector3d middle(40, -70, 25);
+  Memories memories;
+  PairMemory beside_brute_force;
+  Counts counts;
+  for (int motion = 0; motion < 20; ++motion) {
+    const Pose start = tests::random_pose(0.7, source);
+    const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
+    const Eigen::Vector3d way = 0.002 * source.vector(-1, 1);
+    const double angle = motion % 2 == 0 ? 0.03 : 0.004;
+    const bool is_common = motion % 5 == 4;
+    for (int i = 0; i < 40; ++i) {
+      const int step = motion % 4 == 3 && i > 20 ? 40 - i : i;
+      Pose by = Pose::Identity();
+      by.linear() = Eigen::AngleAxisd(angle * step, axis).toRotationMatrix();
+      // About the middle, or about a point beside it.
+      const Eigen::Vector3d about =
+          middle + (motion % 3 == 0 ? 1.0 : 0.0) * Eigen::Vector3d(1, 1, 0);
+      by.translation() = about - by.linear() * about + (motion % 3 == 1 ? step : 0) * way;
+      Pose into = Pose::Identity();
+      into.translation() = middle - start.linear() * middle + start.translation();
+      into.linear() = start.linear();
+      const PlacedMesh a{torus, is_common ? by : Pose::Identity()};
+      const PlacedMesh b{ball, is_common ? Pose(by * into) : Pose(into * by)};
+      ++(expect_no_difference(a, b, 0.05, memories) ? counts.hits : counts.misses);
+      if (i % 13 == 12) expect_brute_force(a, b, beside_brute_force);
+    }
+  }
+  EXPECT_GT(counts.hits, 50);
+  EXPECT_GT(counts.misses, 50);
+  EXPECT_GT(memories.work.skipped_by_memory, 1000u);
+}
+
 TEST(Law9, AMemoryChangesNoAnswerAtTheEndsOfDoubles) {
   RandomSource source(23);
   for (const double size : {1e-150, 1e140}) {
