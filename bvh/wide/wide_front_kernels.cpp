@@ -26,9 +26,6 @@ namespace {
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// What is further counts as so far: squares of it may have overflowed.
-constexpr float kFarthest = static_cast<float>(WideFront::kFarthest);
-
 /// What is rounded to float, times it, is no more than before.
 constexpr float kRoundDown = 1 - 0x1p-22f;
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <new>
 
+#include "tests/narrowphase/simd_targets.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -196,6 +197,21 @@ TEST(Law9, AMemoryFollowsMotionsThatHardlyChangeGaps) {
   EXPECT_GT(counts.hits, 50);
   EXPECT_GT(counts.misses, 50);
   EXPECT_GT(memories.work.skipped_by_memory, 1000u);
+}
+
+TEST(Law8, AMemoryChangesNoAnswerOnAnyTarget) {
+  const Mesh torus = tests::make_torus(1, 0.3, 20, 12);
+  const Mesh ball = tests::make_sphere(0.4, 10, 10);
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    RandomSource source(28);
+    Memories memories;
+    const Counts counts = walk(torus, ball, {.jumps = 5}, memories, source);
+    EXPECT_GT(counts.hits, 10) << target;
+    EXPECT_GT(counts.misses, 10) << target;
+    EXPECT_GT(memories.work.skipped_by_memory, 1000u) << target;
+  }
+  narrowphase::force_simd_target(0);
 }
 
 TEST(Law9, AMemoryChangesNoAnswerAtTheEndsOfDoubles) {
