@@ -78,6 +78,9 @@ class WideFront {
   /// candidates() are `limit` apart or nearer; a limit of 0 is about those that meet.
   void advance(const Pass& pass, double limit);
 
+  /// How many of the boxes and leaves that it held the last pass had to look at.
+  std::size_t looked_at() const { return state_.looked_at; }
+
   std::size_t candidate_count() const { return state_.candidates.size(); }
   const Candidate& candidate(std::size_t index) const { return state_.candidates[index]; }
 
@@ -136,6 +139,7 @@ class WideFront {
     std::vector<Candidate> candidates;
     std::vector<float> candidate_deadlines;
     std::vector<std::uint32_t> due;  // what a pass looks at
+    std::size_t looked_at = 0;       // in the last pass, of what there was
     std::uint64_t lanes = 0;         // of all visits
     WideWalkCounts counts;
   };

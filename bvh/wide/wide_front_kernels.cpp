@@ -53,12 +53,14 @@ class Passer {
     const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
     for (std::size_t i = 0; i < open; ++i)
       visit(state_.due[i]);
+    state_.looked_at = open;
     for (std::size_t i = visits; i < state_.visits.size(); ++i)
       visit(i);
     const std::size_t leaves = state_.leaves.size();
     const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
     for (std::size_t i = 0; i < near; ++i)
       compare_leaves(state_.due[i]);
+    state_.looked_at += near;
     for (std::size_t i = leaves; i < state_.leaves.size(); ++i)
       compare_leaves(i);
   }

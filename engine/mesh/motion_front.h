@@ -25,9 +25,9 @@ class MotionFront {
   void move(const bvh::WideFront::Motion& step);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
-  /// be: where more than half of it is due, the query had better walk the trees, and so had the
-  /// next ones, the more of them the more often that happens in turn. `limit` as in
-  /// WideFront::advance().
+  /// be: where most of it is due, or a third of it had to be looked at in the last pass, the query
+  /// had better walk the trees, and so had the next ones, the more of them the more often that
+  /// happens in turn. `limit` as in WideFront::advance().
   std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
                                            const bvh::RelativeFrame& b_in_a,
                                            const bvh::RelativeFrame& a_in_b, double limit);
@@ -37,6 +37,7 @@ class MotionFront {
 
  private:
   bool is_outgrown() const;
+  void pause();
 
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
