@@ -17,8 +17,9 @@ namespace graze::bvh {
 /// Where a walk over two trees ended, kept for the next pose of a motion: the pairs of a box and
 /// the children of a node, the pairs of leaves, and the pairs of primitives that it looked at. Each
 /// has a deadline: how far B may have moved, as measured from begin() on, until what keeps it out
-/// could be gone. A pass looks only at what is due, and opens what has come near. What was opened
-/// stays so until begin(), so that the front grows.
+/// could be gone, and planes that kept it out. A pass looks only at what is due and no longer kept
+/// out, and opens what has come near. What was opened stays so until begin(), so that the front
+/// grows.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.

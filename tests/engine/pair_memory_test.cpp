@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/sort_pairs.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
@@ -322,6 +323,26 @@ TEST(Law9, AMemoryOfOtherMeshesIsForgotten) {
     expect_same(distance({far, pose}, {near}, memory), distance({far, pose}, {near}));
   }
   EXPECT_EQ(memory.still_touching() + memory.still_apart(), 0u);
+}
+
+TEST(PairMemory, SortsWhatIsNearlySorted) {
+  RandomSource source(29);
+  for (const std::size_t swaps : {0u, 1u, 5u, 1000u}) {
+    for (const std::uint32_t size : {0u, 1u, 2u, 90u, 700u}) {
+      std::vector<TrianglePair> sorted;
+      for (std::uint32_t i = 0; i < size; ++i)
+        sorted.push_back({i / 3, i});
+      std::vector<TrianglePair> pairs = sorted;
+      for (std::size_t i = 0; i < swaps && size > 0; ++i) {
+        const auto random_index = [&] {
+          return static_cast<std::size_t>(source.uniform(0, 1) * size) % size;
+        };
+        std::swap(pairs[random_index()], pairs[random_index()]);
+      }
+      sort_nearly_sorted(pairs);
+      EXPECT_EQ(pairs, sorted);
+    }
+  }
 }
 
 TEST(PairMemory, RefusesOtherVolumes) {
