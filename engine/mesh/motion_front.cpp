@@ -9,7 +9,8 @@ namespace {
 /// to look at a third of a front costs as much as a walk of its own.
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
-constexpr int kLongestPause = 32;  // queries
+constexpr std::size_t kMostCandidates = 250;  // whose distances are asked for in one pass
+constexpr int kLongestPause = 32;             // queries
 
 /// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
@@ -37,6 +38,14 @@ void MotionFront::pause() {
   next_pause_ = std::min(2 * next_pause_, kLongestPause);
 }
 
+bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const {
+  if (bounds_ == bvh::WideFront::Bounds::Meeting) return false;
+  std::size_t due = 0;
+  for (std::size_t i = 0; i < front_.candidate_count(); ++i)
+    due += front_.is_due(i, pass, limit);
+  return due > kMostCandidates;
+}
+
 bool MotionFront::is_outgrown() const {
   return passes_ >= kMostPasses || static_cast<double>(front_.size()) >
                                        kMostGrowth * static_cast<double>(first_size_) + kFewMore;
@@ -50,7 +59,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
     const bvh::WideFront::Pass pass = front_.pass(b_in_a, a_in_b, bounds_, motion_);
-    if (front_.share_due(pass, limit) <= kMostDue) {
+    if (front_.share_due(pass, limit) <= kMostDue && !has_many_candidates(pass, limit)) {
       if (passes_ >= kEnoughPasses) next_pause_ = 1;
       return pass;
     }

@@ -37,6 +37,9 @@ class MotionFront {
 
  private:
   bool is_outgrown() const;
+
+  /// Of distances, each of which is computed: where many are nearly equal a walk sees fewer.
+  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const;
   void pause();
 
   bvh::WideFront::Bounds bounds_;
