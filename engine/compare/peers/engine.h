@@ -64,6 +64,7 @@ std::unique_ptr<Engine> make_graze_engine();
 std::unique_ptr<Engine> make_fcl_engine();
 std::unique_ptr<Engine> make_bullet_engine();
 std::unique_ptr<Engine> make_ode_engine();
+std::unique_ptr<Engine> make_coal_engine();
 
 /// What an engine answers to a case that it holds; nothing if it knows no such question.
 using LoadedQuestion = std::function<std::optional<CaseAnswer>()>;
