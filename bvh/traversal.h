@@ -34,7 +34,27 @@ class TraversalStack {
     return entry;
   }
 
+  /// Takes every other entry out, from the first on, and hands each to `take(entry)`.
+  template <typename Take>
+  void take_half(Take&& take) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (i % 2 == 0) {
+        take(at(i));
+      } else {
+        at(kept++) = at(i);
+      }
+    }
+    size_ = kept;
+    while (!spilled_.empty() && InlineCapacity + spilled_.size() > size_)
+      spilled_.pop_back();
+  }
+
  private:
+  Entry& at(std::size_t index) {
+    return index < InlineCapacity ? inline_[index] : spilled_[index - InlineCapacity];
+  }
+
   std::array<Entry, InlineCapacity> inline_;
   std::vector<Entry> spilled_;
   std::size_t size_ = 0;

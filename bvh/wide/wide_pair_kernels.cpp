@@ -133,11 +133,6 @@ class Walker {
     return size_;
   }
 
-  std::size_t run_one() {
-    compare(state_.open.pop());
-    return size_;
-  }
-
  private:
   HWY_INLINE void compare(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
@@ -282,11 +277,6 @@ std::size_t walk(WidePairWalk::State& state, std::span<PlacePair> found, WideWal
   return Walker(state, found, counts).run();
 }
 
-std::size_t open_one(WidePairWalk::State& state, std::span<PlacePair> found,
-                     WideWalkCounts& counts) {
-  return Walker(state, found, counts).run_one();
-}
-
 }  // namespace
 }  // namespace graze::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -295,7 +285,6 @@ HWY_AFTER_NAMESPACE();
 namespace graze::bvh {
 
 HWY_EXPORT(walk);
-HWY_EXPORT(open_one);
 
 WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
                            const RelativeFrame& b_in_a, const RelativeFrame& a_in_b)
@@ -305,13 +294,6 @@ WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
 
 std::size_t WidePairWalk::next(std::span<PlacePair> found) {
   return HWY_DYNAMIC_DISPATCH(walk)(state_, found, counts_);
-}
-
-std::size_t WidePairWalk::open_one(std::span<PlacePair> found, std::vector<Waiting>& waiting) {
-  const std::size_t count = HWY_DYNAMIC_DISPATCH(open_one)(state_, found, counts_);
-  while (!state_.open.empty())
-    waiting.push_back(state_.open.pop());
-  return count;
 }
 
 }  // namespace graze::bvh

@@ -48,9 +48,10 @@ class WidePairWalk {
     WideSlot b;
   };
 
-  /// The next of them alone: appends what of it waits now to `waiting`, so that others can walk it,
-  /// and hands out the pairs that it led to. There must be one.
-  std::size_t open_one(std::span<PlacePair> found, std::vector<Waiting>& waiting);
+  /// Appends half of what waits to `half`, nodes near the roots among them: others can walk these.
+  void give_half(std::vector<Waiting>& half) {
+    state_.open.take_half([&](const Waiting& waiting) { half.push_back(waiting); });
+  }
 
   /// Whether nothing waits any more.
   bool is_over() const { return state_.open.empty(); }

@@ -1,119 +1,115 @@
 #include <graze/engine/mesh/parallel_pairs.h>
+#include <graze/engine/mesh/shared_walk.h>
 #include <graze/engine/mesh/sort_pairs.h>
 #include <graze/engine/mesh/threads.h>
-
-#include <algorithm>
-#include <utility>
+#include <tbb/task_group.h>
 
 namespace graze {
 namespace {
 
-/// Parts for each thread, and subtrees for each part, that lie apart from each other: they differ
-/// in cost, and what is left at the end should be short.
-constexpr std::size_t kPartsPerThread = 8;
-constexpr std::size_t kStartsPerPart = 2;
-
 /// Pairs that a walk hands out before it is shared: what ends sooner takes less time than to wake
 /// another thread.
-constexpr std::size_t kPairsAlone = 100;
+constexpr std::size_t kPairsAlone = 64;
 
-struct Part {
-  std::vector<bvh::WidePairWalk::Waiting> starts;
-  std::vector<TrianglePair> found;
-  Work work;
-};
-
-/// Decides what a walk hands out first. Whether that was all.
-template <typename OnPair>
-bool begin_alone(const WideQuery& query, bvh::WidePairWalk& walk, Candidates& candidates,
-                 OnPair&& on_pair) {
-  bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
-  for (std::size_t alone = 0; alone < kPairsAlone;) {
-    const std::size_t count = walk.next(places);
-    query.decide({places, count}, candidates, on_pair);
-    if (count == 0) return true;
-    alone += count;
-  }
-  return walk.is_over();
+auto into(std::vector<TrianglePair>& found) {
+  return [&found](TrianglePair pair) {
+    found.push_back(pair);
+    return bvh::Walk::Continue;
+  };
 }
 
-/// Opens pairs of boxes level by level until so many wait. What leaves meet on the way is decided.
-template <typename OnPair>
-std::vector<bvh::WidePairWalk::Waiting> split(const WideQuery& query, bvh::WidePairWalk& walk,
-                                              std::size_t count, Candidates& candidates,
-                                              OnPair&& on_pair) {
-  bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
-  std::vector<bvh::WidePairWalk::Waiting> level;
-  std::vector<bvh::WidePairWalk::Waiting> next;
-  const auto open_one = [&] {
-    const std::size_t found = walk.open_one(places, next);
-    query.decide({places, found}, candidates, on_pair);
-  };
-  open_one();
-  while (!next.empty() && next.size() < count) {
-    std::swap(level, next);
-    next.clear();
-    for (const bvh::WidePairWalk::Waiting& waiting : level) {
-      walk.start_at(waiting);
-      open_one();
+/// One query by many threads.
+class ParallelPairs {
+ public:
+  ParallelPairs(const WideQuery& query, Touch touch, int threads)
+      : query_(query), touch_(touch), threads_(threads), first_(query.walk()) {}
+
+  std::vector<TrianglePair> run(Work& work) {
+    std::vector<TrianglePair> found;
+    Candidates candidates(touch_, work);
+    if (!begin_alone(candidates, found)) {
+      shares_.resize(thread_count(threads_) - 1);
+      run_in_arena(threads_, [&] {
+        group_.run_and_wait([&] {
+          wake(0);
+          walk_in_turns(first_, shared_.begin(), candidates, found);
+        });
+      });
+    }
+    candidates.decide(into(found));
+    add_counts(first_.counts(), work);
+    for (const Share& share : shares_) {
+      work += share.work;
+      found.insert(found.end(), share.found.begin(), share.found.end());
+    }
+    // Each pair is found once: sorted, they are the same whoever found them.
+    sort_pairs(found);
+    return found;
+  }
+
+ private:
+  /// Whether that was all.
+  bool begin_alone(Candidates& candidates, std::vector<TrianglePair>& found) {
+    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    for (std::size_t alone = 0; alone < kPairsAlone;) {
+      const std::size_t count = first_.next(places);
+      query_.decide({places, count}, candidates, into(found));
+      if (count == 0) return true;
+      alone += count;
+    }
+    return first_.is_over();
+  }
+
+  /// Another thread, if there may be one more.
+  void wake(std::size_t index) {
+    if (index < shares_.size()) group_.run([this, index] { help(index); });
+  }
+
+  void help(std::size_t index) {
+    bvh::WidePairWalk walk = first_.another();
+    SharedWalk::Turn turn = shared_.take(walk);
+    if (!turn) return;
+    // Where there is work for one there may be for more.
+    wake(2 * index + 1);
+    wake(2 * index + 2);
+    Share& share = shares_[index];
+    Candidates candidates(touch_, share.work);
+    walk_in_turns(walk, std::move(turn), candidates, share.found);
+    candidates.decide(into(share.found));
+    add_counts(walk.counts(), share.work);
+  }
+
+  void walk_in_turns(bvh::WidePairWalk& walk, SharedWalk::Turn turn, Candidates& candidates,
+                     std::vector<TrianglePair>& found) {
+    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    for (; turn; turn = shared_.take(walk)) {
+      while (const std::size_t count = walk.next(places)) {
+        query_.decide({places, count}, candidates, into(found));
+        if (shared_.is_wanted()) shared_.give(walk);
+      }
+      turn.reset();
     }
   }
-  candidates.decide(on_pair);
-  return next;
-}
 
-/// All that was found, sorted: each pair is found once, so that they are the same whoever found
-/// them.
-std::vector<TrianglePair> gathered(std::vector<TrianglePair> found,
-                                   const std::vector<Part>& parts) {
-  std::size_t total = found.size();
-  for (const Part& part : parts)
-    total += part.found.size();
-  found.reserve(total);
-  for (const Part& part : parts)
-    found.insert(found.end(), part.found.begin(), part.found.end());
-  sort_pairs(found);
-  return found;
-}
+  struct Share {
+    std::vector<TrianglePair> found;
+    Work work;
+  };
+
+  const WideQuery& query_;
+  Touch touch_;
+  int threads_;
+  bvh::WidePairWalk first_;
+  SharedWalk shared_;
+  std::vector<Share> shares_;
+  tbb::task_group group_;
+};
 
 }  // namespace
 
 std::vector<TrianglePair> find_pairs_in_parallel(const WideQuery& query, Touch touch, int threads,
                                                  Work& work) {
-  const auto into = [](std::vector<TrianglePair>& found) {
-    return [&found](TrianglePair pair) {
-      found.push_back(pair);
-      return bvh::Walk::Continue;
-    };
-  };
-  std::vector<TrianglePair> found;
-  bvh::WidePairWalk walk = query.walk();
-  Candidates candidates(touch, work);
-  const std::size_t most = thread_count(threads) * kPartsPerThread;
-  std::vector<bvh::WidePairWalk::Waiting> waiting;
-  if (begin_alone(query, walk, candidates, into(found))) {
-    candidates.decide(into(found));
-  } else {
-    waiting = split(query, walk, kStartsPerPart * most, candidates, into(found));
-  }
-  add_counts(walk.counts(), work);
-  // Neighbours lie in different parts, so that where much meets is shared out.
-  std::vector<Part> parts(std::min(most, waiting.size()));
-  for (std::size_t i = 0; i < waiting.size(); ++i)
-    parts[i % parts.size()].starts.push_back(waiting[i]);
-  for_each_part(parts.size(), threads, [&](std::size_t i) {
-    Part& part = parts[i];
-    part.found.reserve(kPairsAlone);
-    bvh::WidePairWalk own = walk.another();
-    for (const bvh::WidePairWalk::Waiting& start : part.starts)
-      own.start_at(start);
-    Candidates own_candidates(touch, part.work);
-    query.decide_all(own, own_candidates, into(part.found));
-    add_counts(own.counts(), part.work);
-  });
-  for (const Part& part : parts)
-    work += part.work;
-  return gathered(std::move(found), parts);
+  return ParallelPairs(query, touch, threads).run(work);
 }
 
 }  // namespace graze

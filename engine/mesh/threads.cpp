@@ -12,13 +12,24 @@ void check_threads(int threads) {
   throw InputError("threads: " + std::to_string(threads) + " is not a number of threads");
 }
 
+void run_in_arena(int threads, const std::function<void()>& body) {
+  if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
+    tbb::this_task_arena::isolate(body);
+  } else {
+    // An arena of its own keeps other work out, as isolation does. To make one takes a tenth of a
+    // short query's time.
+    tbb::task_arena arena(threads);
+    arena.execute(body);
+  }
+}
+
 void for_each_part(std::size_t count, int threads, const std::function<void(std::size_t)>& part) {
   if (threads == 1 || count <= 1) {
     for (std::size_t i = 0; i < count; ++i)
       part(i);
     return;
   }
-  const auto all = [&] {
+  run_in_arena(threads, [&] {
     // Parts differ in cost, and are few: one at a time.
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
@@ -27,15 +38,7 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
             part(i);
         },
         tbb::simple_partitioner());
-  };
-  if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
-    tbb::this_task_arena::isolate(all);
-  } else {
-    // An arena of its own keeps other work out, as isolation does. To make one takes a tenth of a
-    // short query's time.
-    tbb::task_arena arena(threads);
-    arena.execute(all);
-  }
+  });
 }
 
 std::size_t thread_count(int threads) {

@@ -10,9 +10,12 @@ namespace graze {
 /// Throws InputError for a number of threads below 0.
 void check_threads(int threads);
 
-/// Calls `part(i)` for each i below `count`, with so many threads at most (0: all that there are;
-/// 1: this one, in order). Isolated: a thread that waits here takes up nothing but these calls.
-/// What a call throws ends the rest and reaches the caller.
+/// Calls `body`, whose tasks so many threads at most work on (0: all that there are). Isolated: a
+/// thread that waits in there takes up nothing else.
+void run_in_arena(int threads, const std::function<void()>& body);
+
+/// Calls `part(i)` for each i below `count`, in such an arena; with one thread in order. What a
+/// call throws ends the rest and reaches the caller.
 void for_each_part(std::size_t count, int threads, const std::function<void(std::size_t)>& part);
 
 /// How many threads that is at most.

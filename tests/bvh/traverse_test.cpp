@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "tests/bvh/random_boxes.h"
 
@@ -158,6 +159,27 @@ TEST(TraversalStack, GrowsBeyondItsInlinePartAndKeepsOrder) {
   for (int i = 999; i >= 0; --i)
     ASSERT_EQ(stack.pop(), i);
   EXPECT_TRUE(stack.empty());
+}
+
+TEST(TraversalStack, GivesEveryOtherEntryAwayAndKeepsTheRestInOrder) {
+  for (const int size : {0, 1, 2, 4, 5, 7, 8, 9, 11}) {
+    TraversalStack<int, 4> stack;
+    for (int i = 0; i < size; ++i)
+      stack.push(i);
+    std::vector<int> taken;
+    stack.take_half([&](int entry) { taken.push_back(entry); });
+    ASSERT_EQ(taken.size(), static_cast<std::size_t>((size + 1) / 2));
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      EXPECT_EQ(taken[i], static_cast<int>(2 * i));
+    stack.push(100);  // on top of what is left, wherever that lies
+    EXPECT_EQ(stack.pop(), 100);
+    for (int i = size - 1; i >= 0; --i) {
+      if (i % 2 == 1) {
+        ASSERT_EQ(stack.pop(), i);
+      }
+    }
+    EXPECT_TRUE(stack.empty());
+  }
 }
 
 }  // namespace

@@ -108,10 +108,15 @@ TEST(Law8, OneQuerySharedByThreadsFindsTheSamePairs) {
   std::size_t most = 0;
   for (const Pose& pose : poses_of(12, 0.4)) {
     for (const auto& [a, b] : {std::pair(soup_a, soup_b), std::pair(sphere, sphere)}) {
-      const TrianglePairs serial = find_triangle_pairs({a}, {b, pose});
+      Work alone;
+      const TrianglePairs serial = find_triangle_pairs({a}, {b, pose}, {}, &alone);
       most = std::max(most, serial.size());
-      for (const int threads : {0, 2, 3}) {
-        EXPECT_EQ(find_triangle_pairs({a}, {b, pose}, {.threads = threads}).pairs, serial.pairs);
+      for (const int threads : {0, 2, 3, 8}) {
+        Work shared;
+        EXPECT_EQ(find_triangle_pairs({a}, {b, pose}, {.threads = threads}, &shared).pairs,
+                  serial.pairs);
+        EXPECT_EQ(shared.volume_tests, alone.volume_tests);
+        EXPECT_EQ(shared.triangle_tests, alone.triangle_tests);
         EXPECT_EQ(find_triangle_pairs({a}, {b, pose}, {.limit = 5, .threads = threads}).pairs,
                   find_triangle_pairs({a}, {b, pose}, {.limit = 5}).pairs);
       }
