@@ -44,6 +44,15 @@
 // 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
 // twice as much.
 //
+// Shared axes. Boxes of both trees along three axes at right angles, in common units and from a
+// point near what is looked for. Let |o| be the size of the coordinate of a node's origin there,
+// which is computed in double, S the sum of the sizes of a box's centre and half extents. The
+// node's axes along a shared one, first factors rounded, are off by 4.01 u, which counts for centre
+// and half extent alike; three products and three sums round by 6.01 u of |o| and S, rounding the
+// origin by u |o|, both ends of the interval by u of them: in all less than 14 u (|o| + S). Corners
+// of a leaf, from their treelet's origin: u for a corner, u for an axis and 3.01 u for the
+// products, of 1.74 reach; with the last two sums less than 14 u (|o| + reach) as well.
+//
 // Planes. Let delta be the error of a difference, slack included, and L what no component of any
 // difference exceeds. Any vector n will do to look along, the normal n = e x f as computed, too:
 // if n . (q - p) is above both n . e and n . f, q is apart from the primitive of corner p and edges
@@ -64,6 +73,7 @@ namespace graze::bvh {
 inline constexpr float kFitError = 0x1p-19f;
 inline constexpr float kComparisonError = 0x1p-17f;
 inline constexpr float kCornerError = 0x1p-19f;
+inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;
 /// Products of three differences up to it cannot overflow.

@@ -7,6 +7,7 @@
 
 #include <graze/bvh/wide/wide_distance_walk.h>
 #include <hwy/highway.h>
+#include <graze/bvh/wide/aligned_node.inc>
 #include <graze/bvh/wide/guest_gaps.inc>
 #include <graze/bvh/wide/nearest_direction.inc>
 #include <graze/bvh/wide/slots.inc>
@@ -52,21 +53,34 @@ class Walker {
   HWY_INLINE void open_host(int host_side, const WideSlot& host, std::uint32_t host_link,
                             const WideSlot& guest, std::uint32_t guest_link) {
     const WideWay& way = state_.into[host_side];
+    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
+    const WideNode& node = *below.node;
+    counts_.box_tests += node.count;
+    std::uint32_t near = node.lanes();
+    const bool is_aligned = can_align();
+    if (is_aligned) {
+      set_aligned_bounds(aligned_bounds_, aligned(host_side, below), aligned(1 - host_side, guest),
+                         guest.lane);
+      near = not_beyond(near, aligned_bounds_);
+      if (near == 0) {
+        counts_.box_rejections += node.count;
+        return;
+      }
+    }
     if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
       set_guest(guest_, *guest.node, guest.lane, way);
       guest_slot_ = guest;
       guest_side_ = 1 - host_side;
     }
-    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
-    const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
     set_promises(promises_, node, in_node_,
                  aim_of(node, in_node_, guest_, state_.direction[host_side]),
                  state_.units[host_side]);
-    std::uint32_t near = 0;
-    for (std::uint32_t lane = 0; lane < node.count; ++lane)
-      near |= static_cast<std::uint32_t>(!(promises_.bound[lane] > limit_)) << lane;
-    counts_.box_tests += node.count;
+    if (is_aligned) {
+      for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+        promises_.bound[lane] = std::max(promises_.bound[lane], aligned_bounds_[lane]);
+    }
+    near = not_beyond(node.lanes(), promises_.bound);
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
     bool is_guest_leaf_set = false;
     while (near != 0) {
@@ -86,6 +100,34 @@ class Walker {
       state_.open.push(
           {host_side == 0 ? child : guest, host_side == 0 ? guest : child, promises_.bound[lane]});
     }
+  }
+
+  /// Which of these lanes' bounds are not beyond the limit.
+  HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes,
+                                      const float (&bounds)[WideNode::kWidth]) {
+    std::uint32_t near = 0;
+    for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+      near |= static_cast<std::uint32_t>(!(bounds[lane] > limit_)) << lane;
+    return near & lanes;
+  }
+
+  /// Whether boxes are compared along shared axes: where a walk is soon over it does not pay.
+  HWY_INLINE bool can_align() {
+    if (state_.opened < WideDistanceWalk::kOpenedBefore) {
+      ++state_.opened;
+      return false;
+    }
+    if (state_.is_turned) state_.align();
+    return state_.is_aligned;
+  }
+
+  HWY_INLINE const AlignedNode& aligned(int side, const WideSlot& slot) {
+    AlignedNodes::Entry& entry = state_.aligned[side].entry_of(slot.node);
+    if (entry.node != slot.node) {
+      set_aligned_node(entry.boxes, *state_.tree[side], slot, state_.aligned_way[side]);
+      entry.node = slot.node;
+    }
+    return entry.boxes;
   }
 
   HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,
@@ -170,6 +212,7 @@ class Walker {
   alignas(64) float corners_[kLeafPairs];
   NearPairs near_;
   Promises promises_;
+  alignas(32) float aligned_bounds_[WideNode::kWidth];
 };
 
 std::size_t walk(WideDistanceWalk::State& state, std::span<BoundedPlaces> found, float limit,
@@ -198,28 +241,44 @@ float float_limit(double squared_limit) {
 
 }  // namespace
 
+WideDistanceWalk::State::State(const WideTree& tree_a, const WideTree& tree_b,
+                               const RelativeFrame& of_b, const RelativeFrame& of_a,
+                               const LengthMargins& margins)
+    : tree{&tree_a, &tree_b},
+      b_in_a(of_b),
+      into{WideWay(of_b), WideWay(of_a)},
+      units{static_cast<float>(of_b.units_a), static_cast<float>(of_a.units_a)},
+      growth(rounded_up(margins.growth * margins.growth)),
+      margin(rounded_up(2 * margins.margin * margins.growth)) {
+  open.push({tree_a.root(), tree_b.root(), 0});
+}
+
+void WideDistanceWalk::State::align() {
+  is_turned = false;
+  is_aligned = align_along(aligned_way, b_in_a, aim, point);
+  std::copy(aim, aim + 3, aligned_aim);
+  for (AlignedNodes& nodes : aligned)
+    nodes.clear();
+}
+
 WideDistanceWalk::WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_b,
                                    const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
                                    const LengthMargins& margins)
-    : state_{{&tree_a, &tree_b},
-             {WideWay(b_in_a), WideWay(a_in_b)},
-             {static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)},
-             rounded_up(margins.growth * margins.growth),
-             rounded_up(2 * margins.margin * margins.growth),
-             {},
-             std::numeric_limits<float>::infinity(),
-             {}} {
-  state_.open.push({tree_a.root(), tree_b.root(), 0});
-}
+    : state_(tree_a, tree_b, b_in_a, a_in_b, margins) {}
 
-void WideDistanceWalk::aim_along(const double (&direction)[3]) {
+void WideDistanceWalk::aim_along(const double (&direction)[3], const double (&point)[3]) {
   const WideWay& of_a_in_b = state_.into[1];
+  double turn = 0;
   for (int i = 0; i < 3; ++i) {
     state_.direction[0][i] = static_cast<float>(direction[i]);
     state_.direction[1][i] = static_cast<float>(-(of_a_in_b.rotation[i][0] * direction[0] +
                                                   of_a_in_b.rotation[i][1] * direction[1] +
                                                   of_a_in_b.rotation[i][2] * direction[2]));
+    state_.aim[i] = direction[i];
+    state_.point[i] = point[i];
+    turn += direction[i] * state_.aligned_aim[i];
   }
+  state_.is_turned = !(turn > kAligned);
 }
 
 std::size_t WideDistanceWalk::next(std::span<BoundedPlaces> found, double squared_limit) {

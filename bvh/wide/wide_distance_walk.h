@@ -2,12 +2,14 @@
 
 #include <graze/bvh/box_separation.h>
 #include <graze/bvh/traversal.h>
+#include <graze/bvh/wide/aligned_boxes.h>
 #include <graze/bvh/wide/wide_pair_walk.h>
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/bvh/wide/wide_way.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace graze::bvh {
@@ -45,8 +47,9 @@ class WideDistanceWalk {
   std::size_t next(std::span<BoundedPlaces> found, double squared_limit);
 
   /// Looks also for gaps along this direction, which the nearest points found so far suggest: from
-  /// A to B in the frame of A, of length 1 but for rounding, or 0.
-  void aim_along(const double (&direction)[3]);
+  /// A to B in the frame of A, of length 1 but for rounding, or 0. The point, in common units in
+  /// the same frame, is near these.
+  void aim_along(const double (&direction)[3], const double (&point)[3]);
 
   /// Whether a pair that was found is beyond a limit that has come down since.
   bool is_beyond(const BoundedPlaces& pair, double squared_limit) const;
@@ -61,18 +64,40 @@ class WideDistanceWalk {
     float squared_bound;
   };
 
+  /// So many nodes are opened before any are aligned: it must be worth it. Measured.
+  static constexpr int kOpenedBefore = 32;
+
   struct State {
+    State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+          const RelativeFrame& a_in_b, const LengthMargins& margins);
+
+    /// Along the direction of now.
+    void align();
+
     const WideTree* tree[2];
+    RelativeFrame b_in_a;
     WideWay into[2];  // of guests from the other tree
     float units[2];   // of each tree, in common units
     float growth;     // LengthMargins, twice over
     float margin;
-    float direction[2][3];  // in each tree's frame, from it to the other
-    float squared_reach;    // what the nearest corners seen leave open
+    float direction[2][3] = {};  // in each tree's frame, from it to the other
+    float squared_reach = std::numeric_limits<float>::infinity();  // what corners seen leave open
     TraversalStack<Waiting, 192> open;
+
+    int opened = 0;
+    bool is_turned = false;  // since nodes were aligned
+    bool is_aligned = false;
+    double aim[3] = {};  // direction[0], and a point
+    double point[3] = {};
+    double aligned_aim[3] = {};
+    AlignedWay aligned_way[2];
+    AlignedNodes aligned[2];
   };
 
  private:
+  // The cosine of an angle beyond which nodes are aligned anew. Measured.
+  static constexpr double kAligned = 0.998;
+
   State state_;
   WideWalkCounts counts_;
 };

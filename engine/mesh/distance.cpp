@@ -49,9 +49,19 @@ class Search {
   void aim_along(const TriangleDistance& found) {
     gap_.set_direction(found);
     const double(&z)[3] = gap_.direction();
+    const bvh::LocalFrame& frame = query_.tree_a.frame();
+    const double* o = frame.centre;
+    const double per_metre = query_.b_in_a.units_a / frame.unit();
     const double* m = query_.a.pose.data();  // column-major 4x4
-    for (int i = 0; i < 3; ++i)
-      direction_in_a_[i] = m[4 * i] * z[0] + m[4 * i + 1] * z[1] + m[4 * i + 2] * z[2];
+    double way[3];                           // from where the frame's centre is placed
+    for (int i = 0; i < 3; ++i) {
+      way[i] = found.point_a[i] - (m[i] * o[0] + m[4 + i] * o[1] + m[8 + i] * o[2] + m[12 + i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double* axis = m + 4 * i;
+      direction_in_a_[i] = axis[0] * z[0] + axis[1] * z[1] + axis[2] * z[2];
+      point_in_a_[i] = (axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * per_metre;
+    }
   }
 
   /// Calls `on_pair(pair, distance)` for each pair that may be within the limit, until it answers
@@ -63,7 +73,7 @@ class Search {
     bvh::BoundedPlaces found[bvh::WideDistanceWalk::kMostAtOnce];
     bool is_stopped = false;
     while (!is_stopped) {
-      walk.aim_along(direction_in_a_);
+      walk.aim_along(direction_in_a_, point_in_a_);
       const std::size_t count = walk.next(found, reach_.square());
       if (count == 0) break;
       std::sort(found, found + count, [](const auto& one, const auto& other) {
@@ -93,6 +103,7 @@ class Search {
   DistanceReach reach_;
   narrowphase::DirectedGap gap_;
   double direction_in_a_[3] = {0, 0, 0};
+  double point_in_a_[3] = {0, 0, 0};  // in common units, near the nearest found so far
   double limit_ = std::numeric_limits<double>::infinity();
   double share_ = 1;
   Work& work_;

@@ -195,6 +195,36 @@ TEST(Law9MeshDistance, PosesAtTheDoorsLimit) {
   }
 }
 
+// One shell inside another: much is nearly nearest, and a walk is long enough to align nodes.
+TEST(Law9MeshDistance, OfShellsThatFaceEachOther) {
+  RandomSource source(99);
+  for (const double scale : {1e-20, 1.0, 1e20}) {
+    const Mesh inner = tests::make_sphere(scale, 18, 18);
+    const Mesh outer = tests::make_sphere(1.06 * scale, 16, 20);
+    const Pose at = distorted(random_pose(0.02 * scale, source), 1e-6, source);
+    EXPECT_GT(expect_brute_force({inner, at}, {outer, random_pose(0.01 * scale, source)}), 0);
+    Work work;
+    distance({inner, at}, {outer}, {}, &work);
+    EXPECT_GT(work.volume_tests, 1000u);
+  }
+}
+
+// Far from where the common frame begins, and with units that differ.
+TEST(Law9MeshDistance, OfASmallShellInALargeOne) {
+  RandomSource source(100);
+  for (const double size : {0.9, 0.1, 1e-3, 1e-9}) {
+    const Mesh small = tests::make_sphere(size, 18, 18);
+    const Mesh large = tests::make_sphere(1, 16, 20);
+    Pose aside = random_pose(0, source);
+    aside.translation() = (0.95 - size) * source.vector(-1, 1).normalized();
+    expect_brute_force({small, aside}, {large, random_pose(0, source)});
+    for (int n = 0; n < 4; ++n) {
+      const Pose pose = random_pose(3, source);
+      expect_brute_force({small, random_pose(1e3, source)}, {large, pose});
+    }
+  }
+}
+
 // Lengths in the frame of the boxes are off by a part in a million, of a distance a million times
 // the meshes' size: by as much as one pair of triangles is nearer than another.
 TEST(Law9MeshDistance, FarApartInFramesThatAreNotQuiteRotations) {
