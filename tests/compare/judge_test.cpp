@@ -8,6 +8,7 @@
 #include <graze/engine/compare/judge/mesh_referee.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/judge/way_out.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/placement.h>
@@ -154,6 +155,112 @@ TEST(JudgeClasses, WhatOnlyThePoseHasRoundedIsPoseRounding) {
       judged(CaseMesh(flat, Pose::Identity()), CaseMesh(above, pose), false);
   EXPECT_EQ(judgement.verdict, Verdict::Wrong) << "law 1 places it on the face";
   EXPECT_EQ(judgement.error_class, ErrorClass::PoseRounding) << "in real numbers it is above";
+}
+
+CaseMesh cube_at(double x, double y = 0) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Eigen::Vector3d(x, y, 0);
+  return {tests::make_box({1, 1, 1}), pose};
+}
+
+// All pairs of triangles of cubes in line merely touch: what undoes the hit is what counts.
+TEST(JudgeClasses, AMissedHitIsAsLargeAsTheWayOut) {
+  for (const double x : {1.5, -1.5, 0.25}) {
+    const Judgement missed = judged(cube_at(0), cube_at(x), false);
+    EXPECT_EQ(missed.error_class, ErrorClass::Real) << x;
+    EXPECT_EQ(missed.error, 2 - std::abs(x));
+  }
+  EXPECT_EQ(judged(cube_at(0), cube_at(0), false).error, 2) << "one and the same cube";
+  EXPECT_EQ(judged(cube_at(0), cube_at(1.75, 0.125), false).error, 0.25);
+  const Judgement face = judged(cube_at(0), cube_at(2), false);
+  EXPECT_EQ(face.error_class, ErrorClass::Touching);
+  EXPECT_EQ(face.error, 0);
+  const Judgement deeper = judged(cube_at(0), cube_at(2 - 0x1p-50), false);
+  EXPECT_EQ(deeper.error_class, ErrorClass::Touching);
+  EXPECT_EQ(deeper.error, 0x1p-50);
+  EXPECT_EQ(judged(cube_at(0), cube_at(2 - 0x1p-40), false).error_class, ErrorClass::Real);
+  EXPECT_EQ(judged(cube_at(0), cube_at(2, 2), false).error_class, ErrorClass::Touching) << "edges";
+}
+
+/// A floor and a wall in one mesh: out of the corner leads a way that no triangle is normal to.
+TEST(JudgeClasses, ACornerIsLeftAwayFromBothFaces) {
+  const Mesh corner(std::vector<Eigen::Vector3d>{{-1, -3, -3},
+                                                 {-1, 3, -3},
+                                                 {-1, -3, 3},
+                                                 {-1, 3, 3},
+                                                 {5, -3, -1},
+                                                 {5, 3, -1},
+                                                 {-3, -3, -1},
+                                                 {-3, 3, -1}},
+                    std::vector<TriangleIndices>{{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {5, 7, 6}});
+  const Judgement missed = judged(CaseMesh(corner, Pose::Identity()), cube_at(0), false);
+  EXPECT_EQ(missed.error_class, ErrorClass::Touching);
+  EXPECT_EQ(missed.error, 0);
+}
+
+TEST(JudgeClasses, AnEmptyListOrNoContactSaysThatTheyAreApart) {
+  Case query = to_case(cube_at(0), cube_at(1.5), true);
+  query.ask = Ask::Pairs;
+  CaseAnswer none;
+  none.pairs.emplace();
+  const Judgement list = Judge(query).judge(none, {"somebody", ""});
+  EXPECT_EQ(list.error_class, ErrorClass::Real);
+  EXPECT_EQ(list.error, 0.5);
+  EXPECT_GT(list.wrong_pairs, 8u);
+  query.ask = Ask::Contacts;
+  CaseAnswer no_contact;
+  no_contact.contacts.emplace();
+  EXPECT_EQ(Judge(query).judge(no_contact, {"somebody", ""}).error, 0.5);
+}
+
+/// The way out is one: moved by a little more, two soups of triangles are apart, and every pair
+/// needs at least its own depth.
+TEST(JudgeClasses, TheWayOutIsNoShorterThanAnyPairNeeds) {
+  RandomSource source(11);
+  std::size_t hits = 0;
+  for (int run = 0; run < 12; ++run) {
+    const Mesh a = tests::random_soup({.count = 12, .extent = 0.4, .size = 0.4}, source);
+    const Mesh b = tests::random_soup({.count = 12, .extent = 0.4, .size = 0.4}, source);
+    const MeshReferee referee({a}, {b});
+    const std::vector<TrianglePair> pairs = referee.find_hits();
+    if (pairs.empty()) continue;
+    ++hits;
+    double deepest = 0;
+    for (const TrianglePair& pair : pairs) {
+      deepest = std::max(deepest, rounded_root(squared_depth(exactly(a.triangle(pair.a)),
+                                                             exactly(b.triangle(pair.b)))));
+    }
+    WayOut way_out(referee, pairs);
+    const double way = way_out.find();
+    EXPECT_GE(way, deepest * (1 - 0x1p-40));
+    EXPECT_FALSE(way_out.find_within(deepest / 2));
+    EXPECT_TRUE(way_out.find_within(way * (1 + 0x1p-40)));
+  }
+  EXPECT_GT(hits, 6u);
+}
+
+/// What a file claims is classed by the claim, not by an engine that happens to have its name.
+TEST(JudgeClasses, ANameOfAClaimantChangesNothing) {
+  const Triangle touching{{1, 1, 0}, {1, 2, 5}, {2, 1, 5}};
+  for (const bool is_touching : {false, true}) {
+    Case query = to_case(cube_at(0), cube_at(1.5), false);
+    if (is_touching) {
+      const auto mesh = [](const Triangle& t) {
+        return Mesh(std::vector<Eigen::Vector3d>{t.a, t.b, t.c},
+                    std::vector<TriangleIndices>{{0, 1, 2}});
+      };
+      Pose raised = Pose::Identity();
+      raised.translation().z() = 1;
+      query = to_case(CaseMesh(mesh(kFlat), raised), CaseMesh(mesh(touching), raised), false);
+    }
+    std::vector<ErrorClass> classes;
+    for (const char* name : {"graze", "fcl", "bullet", "nobody"}) {
+      query.answered_by = {name, ""};
+      classes.push_back(try_case(query, all_engines()).front().judgement.error_class);
+    }
+    EXPECT_EQ(classes,
+              std::vector<ErrorClass>(4, is_touching ? ErrorClass::Touching : ErrorClass::Real));
+  }
 }
 
 TEST(JudgeDistances, AreRightWithinTheirBoundsOnly) {

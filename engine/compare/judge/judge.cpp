@@ -3,6 +3,7 @@
 #include <graze/engine/compare/judge/pair_error.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/compare/judge/volume_referee.h>
+#include <graze/engine/compare/judge/way_out.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
@@ -89,6 +90,8 @@ struct Judge::Truth {
   }
 
   Judgement judge_any(bool says, const JudgeSettings& settings);
+  void add_missed_hit(Judgement& judgement, const JudgeSettings& settings);
+  bool has_area(const TrianglePair& pair) const;
   Judgement judge_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
   Judgement judge_distance(const CaseAnswer& answer, bool is_graze);
   Judgement judge_within(bool says, bool is_graze);
@@ -122,14 +125,48 @@ void Judge::Truth::add_error(Judgement& judgement, const TrianglePair& pair, boo
   judgement.culprit = pair;
 }
 
+bool Judge::Truth::has_area(const TrianglePair& pair) const {
+  return !has_no_area(exactly(referee->triangle_a(pair.a))) &&
+         !has_no_area(exactly(referee->triangle_b(pair.b)));
+}
+
+/// The class and size of having overlooked all hits. Each pair alone gives a lower bound only: the
+/// error is how far B must be moved until none is left.
+void Judge::Truth::add_missed_hit(Judgement& judgement, const JudgeSettings& settings) {
+  const std::size_t examined = std::min(hits().size(), kMaxExamined);
+  double ulp = 0;
+  for (std::size_t i = 0; i < examined; ++i) {
+    const TrianglePair& pair = hits()[i];
+    add_error(judgement, pair, true, settings);
+    ulp = std::max(ulp, ulp_of(referee->triangle_a(pair.a), referee->triangle_b(pair.b)));
+  }
+  const bool are_triangles =
+      meshes->a.mesh.triangles().size() == 1 && meshes->b.mesh.triangles().size() == 1;
+  const bool is_degenerate = std::none_of(hits().begin(), hits().end(),
+                                          [&](const TrianglePair& pair) { return has_area(pair); });
+  if (are_triangles || is_degenerate) return;
+
+  WayOut way_out(*referee, hits());
+  const bool may_be_rounding = judgement.error_class != ErrorClass::Real;
+  const std::optional<double> way =
+      may_be_rounding ? way_out.find_within(kTouchUlps * ulp) : std::nullopt;
+  judgement.error = way ? *way : std::max(way_out.find(), judgement.error);
+  judgement.ulps = judgement.error / ulp;
+  if (!way) {
+    judgement.error_class = ErrorClass::Real;
+  } else if (judgement.error_class == ErrorClass::PoseRounding && !settings.ask_again &&
+             !is_hit_by_placing(placed_a(), placed_b())) {
+    judgement.error_class = ErrorClass::Touching;
+  }
+}
+
 Judgement Judge::Truth::judge_any(bool says, const JudgeSettings& settings) {
   Judgement judgement;
   judgement.truth = is_hit() ? "hit" : "apart";
   judgement.verdict = says == is_hit() ? Verdict::Right : Verdict::Wrong;
   if (judgement.verdict == Verdict::Right) return judgement;
   if (is_hit()) {
-    for (std::size_t i = 0; i < std::min(hits().size(), kMaxExamined); ++i)
-      add_error(judgement, hits()[i], true, settings);
+    add_missed_hit(judgement, settings);
     return judgement;
   }
   const MeshReferee::Gap& nearest = gap(std::nullopt);
@@ -151,6 +188,10 @@ Judgement Judge::Truth::judge_list(const std::vector<TrianglePair>& pairs,
   judgement.truth = std::to_string(hits().size()) + " pairs";
   judgement.verdict = wrong.empty() ? Verdict::Right : Verdict::Wrong;
   judgement.wrong_pairs = wrong.size();
+  if (pairs.empty() && !hits().empty()) {  // that is to say that they are apart
+    add_missed_hit(judgement, settings);
+    return judgement;
+  }
   for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
     const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
     add_error(judgement, wrong[i], is_true, settings);

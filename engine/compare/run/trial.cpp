@@ -3,7 +3,6 @@
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/trial.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -74,12 +73,9 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     recorded.witness = query.answered_by;
     recorded.is_recorded = true;
     recorded.answer = *query.answer;
-    const auto owner = std::find_if(engines.begin(), engines.end(), [&](const EngineEntry& entry) {
-      return entry.engine != nullptr && entry.name == query.answered_by.engine;
-    });
-    recorded.judgement =
-        judge.judge(recorded.answer, recorded.witness,
-                    owner == engines.end() ? JudgeSettings() : asking(*owner->engine));
+    // By the claim alone: the engine that is here may be another version of who made it, or only
+    // bear its name.
+    recorded.judgement = judge.judge(recorded.answer, recorded.witness);
     all.push_back(std::move(recorded));
   }
   for (const EngineEntry& entry : engines) {
