@@ -241,6 +241,10 @@ double rounded_root(const mpq_class& square) {
 
 double root_error(double value, const mpq_class& square) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  return root_error(mpq_class(value), square);
+}
+
+double root_error(const mpq_class& value, const mpq_class& square) {
   const mpf_class root = precise_root(square);
   const mpf_class error = abs(mpf_class(value, root.get_prec()) - root);
   return error > std::numeric_limits<double>::max() ? std::numeric_limits<double>::infinity()

@@ -54,5 +54,6 @@ double rounded_root(const mpq_class& square);
 
 /// |value - root of square|, rounded likewise.
 double root_error(double value, const mpq_class& square);
+double root_error(const mpq_class& value, const mpq_class& square);
 
 }  // namespace graze::compare
