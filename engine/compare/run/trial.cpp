@@ -45,6 +45,10 @@ bool differs(const CaseAnswer& answer, const Case& query) {
          answer.triangles != query.answer->triangles;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 JudgeSettings asking(const Engine& engine) {
@@ -99,9 +103,9 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
 
 std::string brief(const CaseAnswer& answer) {
   if (answer.says) return *answer.says ? "yes" : "no";
-  if (answer.pairs) return std::to_string(answer.pairs->size()) + " pairs";
-  if (answer.triangles) return std::to_string(answer.triangles->size()) + " triangles";
-  if (answer.contacts) return std::to_string(answer.contacts->size()) + " contacts";
+  if (answer.pairs) return counted(answer.pairs->size(), "pair");
+  if (answer.triangles) return counted(answer.triangles->size(), "triangle");
+  if (answer.contacts) return counted(answer.contacts->size(), "contact");
   if (!answer.distance) return "nothing";
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.6g m", *answer.distance);
