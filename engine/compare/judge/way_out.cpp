@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMaxKnown = 64;
 
 /// Pairs that are looked at for the size of an error that is not one of rounding.
-constexpr std::size_t kMaxEffort = 8192;
+constexpr std::size_t kMaxEffort = 4096;
 
 /// Directions nearer to each other than this are one.
 constexpr double kSameDirection = 0x1p-30;
@@ -241,6 +241,7 @@ double WayOut::find() {
   if (!std::isfinite(best)) return best;
   effort_ = kMaxEffort;
   for (const Way& way : ways) {
+    if (effort_ == 0) break;
     const std::optional<mpq_class> square = march(way.direction, mpq_class(best) * mpq_class(best));
     if (square) best = std::min(best, rounded_root(*square));
   }
