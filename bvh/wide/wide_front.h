@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_separation.h>
+#include <graze/bvh/wide/front_planes.h>
 #include <graze/bvh/wide/wide_pair_walk.h>
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/bvh/wide/wide_way.h>
@@ -8,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace graze::bvh {
@@ -15,8 +17,9 @@ namespace graze::bvh {
 /// Where a walk over two trees ended, kept for the next pose of a motion: the pairs of a box and
 /// the children of a node, the pairs of leaves, and the pairs of primitives that it looked at. Each
 /// has a deadline: how far B may have moved, as measured from begin() on, until what keeps it out
-/// could be gone. A pass looks only at what is due, and opens what has come near. What was opened
-/// stays so until begin(), so that the front grows.
+/// could be gone, and planes that kept it out. A pass looks only at what is due and no longer kept
+/// out, and opens what has come near. What was opened stays so until begin(), so that the front
+/// grows.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.
@@ -28,21 +31,29 @@ class WideFront {
   /// What `moved` and limit must stay below.
   static constexpr double kFarthest = 0x1p60;
 
-  /// The poses of a query, and what it asks.
-  struct Pass {
-    /// How tree B lies in tree A and how A lies in B, each with its slack (law 5), in the same
-    /// common units. `moved`: since begin().
-    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds, double moved);
+  /// How B has moved in A since begin(): no point of B's box came further than `way`, and the
+  /// changes of its rotation, as lengths of nine numbers, add up to no more than `turn`.
+  struct Motion {
+    double way = 0;
+    double turn = 0;
+  };
 
+  /// The poses of a query, and what it asks: from pass().
+  struct Pass {
     /// As in WideDistanceWalk.
     void aim_along(const double (&direction)[3]);
 
     Bounds bounds;
-    double moved;
+    double moved = 0;
     double slack;  // of both
     WideWay into[2];
     float units[2];              // of each tree, in common units
     float direction[2][3] = {};  // in each tree's frame, from it to the other
+    FrontWay since[2];           // of guests of the other tree, since begin()
+
+   private:
+    friend class WideFront;
+    Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds);
   };
 
   /// Two primitives that are, or were, as near as was asked for.
@@ -52,8 +63,14 @@ class WideFront {
     std::uint32_t bit;     // which of its pairs
   };
 
-  /// Forgets everything and begins with the roots, which must outlive it.
-  void begin(const WideTree& tree_a, const WideTree& tree_b);
+  /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree
+  /// B lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
+  void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+             const RelativeFrame& a_in_b);
+
+  /// Of other poses of the same trees, in the same units.
+  Pass pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds,
+            const Motion& motion) const;
 
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
@@ -61,6 +78,9 @@ class WideFront {
   /// Looks at all boxes and leaves that are due. Afterwards no two primitives that are not among
   /// candidates() are `limit` apart or nearer; a limit of 0 is about those that meet.
   void advance(const Pass& pass, double limit);
+
+  /// How many of the boxes and leaves that it held the last pass had to look at.
+  std::size_t looked_at() const { return state_.looked_at; }
 
   std::size_t candidate_count() const { return state_.candidates.size(); }
   const Candidate& candidate(std::size_t index) const { return state_.candidates[index]; }
@@ -74,6 +94,9 @@ class WideFront {
   /// Candidate `index` is none now. Its leaves are looked at again in the next pass; the last
   /// candidate takes its index.
   void drop(std::size_t index);
+
+  /// Candidate i becomes what order[i] was: all of them, each once.
+  void arrange(std::span<const std::uint32_t> order);
 
   /// How far apart all is at least, if no candidate was near: valid after advance().
   double proven_gap(const Pass& pass) const;
@@ -101,25 +124,30 @@ class WideFront {
   /// Two leaves: which of their pairs of primitives are candidates.
   struct Leaves {
     WidePairWalk::Waiting pair;
-    std::uint32_t listed;
-    int host_side;  // whose primitives are the rows of bits
-    float row_deadlines[ChildLink::kMaxLeafSize];
+    std::uint32_t listed;  // its rows are of the host's primitives
   };
+
+  static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
+    std::vector<FrontPlanes<WideNode::kWidth>> visit_planes;
     std::vector<float> visit_deadlines;
     std::vector<Leaves> leaves;
+    std::vector<FrontPlanes<kLeafPairs>> leaf_planes;
     std::vector<float> leaves_deadlines;
     std::vector<Candidate> candidates;
     std::vector<float> candidate_deadlines;
-    std::uint64_t lanes = 0;  // of all visits
+    std::vector<std::uint32_t> due;  // what a pass looks at
+    std::size_t looked_at = 0;       // in the last pass, of what there was
+    std::uint64_t lanes = 0;         // of all visits
     WideWalkCounts counts;
   };
 
  private:
   State state_;
+  RelativeFrame first_[2] = {};  // at begin()
   std::uint64_t skipped_ = 0;
 };
 

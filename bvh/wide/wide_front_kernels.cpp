@@ -11,7 +11,7 @@
 
 #include <graze/bvh/wide/wide_front.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/leaf_gaps.inc>
+#include <graze/bvh/wide/front_gaps.inc>
 #include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
@@ -26,63 +26,15 @@ namespace {
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// What is further counts as so far: squares of it may have overflowed.
-constexpr float kFarthest = static_cast<float>(WideFront::kFarthest);
-
 /// What is rounded to float, times it, is no more than before.
 constexpr float kRoundDown = 1 - 0x1p-22f;
 
-/// Pays for kBoundGrowth, roots and products.
-constexpr float kShrink = 1 - 0x1p-13f;
+/// What gaps of planes are multiplied by where they are stored, and where they are read: four
+/// roundings each, and those of turns.
+constexpr float kRoundPlanes = 1 - 0x1p-20f;
 
-/// How far the children of a host are from a guest at least, along the axis that says most. Cross
-/// products of axes are no longer than 1, so that gaps along them are no larger than distances.
-HWY_INLINE void set_gaps(float* gaps, const WideNode& host, const GuestInNode& guest,
-                         float unit_of_host) {
-  const Tag tag;
-  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
-    Lanes gap = hn::Zero(tag);
-    for (int i = 0; i < 3; ++i) {
-      half[i] = hn::Load(tag, host.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
-      gap = hn::Max(gap, hn::Sub(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, guest.reach[i]))));
-    }
-    for (int k = 0; k < 3; ++k) {
-      const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
-                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
-                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
-                                                           hn::Set(tag, guest.half[k]))));
-      gap = hn::Max(gap, hn::Sub(hn::Abs(distance), reach));
-    }
-    for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < 3; ++i) {
-        const int i1 = (i + 1) % 3;
-        const int i2 = (i + 2) % 3;
-        const Lanes distance = hn::MulSub(way[i2], hn::Set(tag, guest.axes[k][i1]),
-                                          hn::Mul(way[i1], hn::Set(tag, guest.axes[k][i2])));
-        const Lanes reach = hn::MulAdd(half[i1], hn::Set(tag, guest.size[k][i2]),
-                                       hn::MulAdd(half[i2], hn::Set(tag, guest.size[k][i1]),
-                                                  hn::Set(tag, guest.crossed[k][i])));
-        gap = hn::Max(gap, hn::Sub(hn::Abs(distance), reach));
-      }
-    }
-    hn::Store(hn::Mul(known(tag, gap), hn::Set(tag, unit_of_host * kShrink)), tag, gaps + lane);
-  }
-}
-
-/// Of so many squared bounds.
-template <typename Tag>
-HWY_INLINE void set_roots(Tag tag, float* gaps, const float* squares, std::size_t count) {
-  for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
-    const auto gap = hn::Min(hn::Sqrt(hn::Load(tag, squares + lane)), hn::Set(tag, kFarthest));
-    hn::Store(hn::Mul(gap, hn::Set(tag, kShrink)), tag, gaps + lane);
-  }
-}
+using VisitPlanes = FrontPlanes<WideNode::kWidth>;
+using LeafPlanes = FrontPlanes<kLeafPairs>;
 
 /// One pass.
 class Passer {
@@ -92,41 +44,100 @@ class Passer {
         pass_(pass),
         limit_(limit),
         due_(due),
+        moved_(static_cast<float>(pass.moved) * kRoundDown),
         is_distance_(pass.bounds == WideFront::Bounds::Distance),
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
-    for (std::size_t i = 0; i < state_.visits.size();) {
-      i = next_due(state_.visit_deadlines, i);
-      if (i < state_.visits.size()) visit(i++);
-    }
-    for (std::size_t i = 0; i < state_.leaves.size();) {
-      i = next_due(state_.leaves_deadlines, i);
-      if (i < state_.leaves.size()) compare_leaves(i++);
-    }
+    const std::size_t visits = state_.visits.size();
+    const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
+    for (std::size_t i = 0; i < open; ++i)
+      visit(state_.due[i]);
+    state_.looked_at = open;
+    for (std::size_t i = visits; i < state_.visits.size(); ++i)
+      visit(i);
+    const std::size_t leaves = state_.leaves.size();
+    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    for (std::size_t i = 0; i < near; ++i)
+      compare_leaves(state_.due[i]);
+    state_.looked_at += near;
+    for (std::size_t i = leaves; i < state_.leaves.size(); ++i)
+      compare_leaves(i);
   }
 
  private:
-  HWY_INLINE std::size_t next_due(const std::vector<float>& deadlines, std::size_t from) const {
+  /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
+  /// its deadline, but for what its planes still keep out: that is due later. No branches but the
+  /// loops: nothing of it can be foretold.
+  template <typename Planes>
+  HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
+                                  std::vector<float>& deadlines) const {
+    const std::size_t size = list_due(deadlines);
+    std::uint32_t* const due = state_.due.data();
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint32_t index = due[i];
+      const float gap = least_gap(planes[index], pass_.since[planes[index].host_side]);
+      const float later = deadline_after(gap);
+      // Both false where it is no number.
+      const bool is_kept = (gap > limit_) & (later > due_);
+      deadlines[index] = is_kept ? later : deadlines[index];
+      due[open] = index;
+      open += !is_kept;
+    }
+    return open;
+  }
+
+  /// The indices of all deadlines that are up.
+  HWY_INLINE std::size_t list_due(const std::vector<float>& deadlines) const {
     const hn::ScalableTag<float> tag;
+    const hn::RebindToUnsigned<decltype(tag)> indices;
     const std::size_t lanes = hn::Lanes(tag);
     const std::size_t size = deadlines.size();
-    const auto due = hn::Set(tag, due_);
-    std::size_t i = from;
+    if (state_.due.size() < size + lanes) state_.due.resize(2 * size + lanes);
+    std::uint32_t* const list = state_.due.data();
+    std::size_t count = 0;
+    std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), due);
-      if (!hn::AllFalse(tag, is_due))
-        return i + static_cast<std::size_t>(hn::FindFirstTrue(tag, is_due));
+      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), hn::Set(tag, due_));
+      count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
+                                 hn::RebindMask(indices, is_due), indices, list + count);
     }
-    while (i < size && deadlines[i] > due_)
-      ++i;
-    return i;
+    for (; i < size; ++i) {
+      list[count] = static_cast<std::uint32_t>(i);
+      count += deadlines[i] <= due_;
+    }
+    return count;
   }
 
   float deadline_after(float gap) const {
-    // Rounded down: the sum is not negative.
-    return gap < kNever ? static_cast<float>(pass_.moved + static_cast<double>(gap)) * kRoundDown
-                        : kNever;
+    // Rounded down: the sum is not negative where it matters.
+    return gap < kNever ? (moved_ + gap) * kRoundDown : kNever;
+  }
+
+  /// The least of the gaps that planes prove now.
+  template <typename Planes>
+  HWY_INLINE float least_gap(const Planes& planes, const FrontWay& way) const {
+    const hn::CappedTag<float, Planes::kLanes> tag;
+    float step[3];
+    set_step(step, planes.guest, way);
+    const auto lost = hn::Set(tag, planes.guest.radius * way.turn * (1 / kRoundPlanes) + way.error);
+    auto least = hn::Set(tag, kNever);
+    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
+      auto gap = hn::Load(tag, planes.gap + lane);
+      for (int i = 0; i < 3; ++i)
+        gap = hn::MulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), gap);
+      least = hn::Min(least, hn::Sub(gap, lost));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  /// How far the guest's middle has come since the pose of reference.
+  HWY_INLINE static void set_step(float (&step)[3], const FrontBall& guest, const FrontWay& way) {
+    for (int i = 0; i < 3; ++i) {
+      step[i] = way.turned[i][0] * guest.centre[0] + way.turned[i][1] * guest.centre[1] +
+                way.turned[i][2] * guest.centre[2] + way.moved[i];
+    }
   }
 
   struct Nearness {
@@ -134,21 +145,30 @@ class Passer {
     float least;         // gap of the others
   };
 
-  /// Of these lanes alone.
-  template <typename Tag>
-  HWY_INLINE Nearness nearness(Tag tag, const float* gaps, std::size_t count,
-                               std::uint32_t lanes) const {
+  /// Of these lanes alone, from gaps as they are now, which become those of the pose of reference.
+  template <typename Planes>
+  HWY_INLINE Nearness keep(Planes& planes, std::uint32_t lanes, const FrontWay& way) const {
+    const hn::CappedTag<float, Planes::kLanes> tag;
+    float step[3];
+    set_step(step, planes.guest, way);
+    const auto gained = hn::Set(tag, planes.guest.radius * way.turn * kRoundPlanes - way.error);
     std::uint32_t near = 0;
     auto least = hn::Set(tag, kNever);
-    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(tag)) {
-      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane)};
+    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
+                                    static_cast<std::uint8_t>(lanes >> lane >> 8)};
       const auto is_asked = hn::LoadMaskBits(tag, bits);
-      const auto gap = hn::Load(tag, gaps + lane);
+      const auto gap = hn::Load(tag, planes.gap + lane);
       const auto is_far = hn::Gt(gap, hn::Set(tag, limit_));
-      least = hn::Min(least, hn::IfThenElse(hn::And(is_far, is_asked), gap, least));
-      std::uint8_t near_bits[8] = {};
-      hn::StoreMaskBits(tag, hn::AndNot(is_far, is_asked), near_bits);
-      near |= std::uint32_t{near_bits[0]} << lane;
+      const auto is_kept = hn::And(is_far, is_asked);
+      least = hn::Min(least, hn::IfThenElse(is_kept, gap, least));
+      near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
+      auto stored = hn::Mul(gap, hn::Set(tag, kRoundPlanes));
+      for (int i = 0; i < 3; ++i)
+        stored =
+            hn::NegMulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), stored);
+      stored = hn::IfThenElse(is_kept, hn::Add(stored, gained), hn::Set(tag, kNever));
+      hn::Store(stored, tag, planes.gap + lane);
     }
     return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }
@@ -177,19 +197,16 @@ class Passer {
         first_below(*state_.tree[host_side], host, host_link, state_.counts.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
-    alignas(32) float gaps[WideNode::kWidth];
-    if (is_distance_) {
-      set_promises(promises_, node, in_node_,
-                   aim_of(node, in_node_, guest_, pass_.direction[host_side]),
-                   pass_.units[host_side]);
-      set_roots(Tag(), gaps, promises_.bound, WideNode::kWidth);
-    } else {
-      set_gaps(gaps, node, in_node_, pass_.units[host_side]);
-    }
     WideFront::Visit& visit = state_.visits[index];
+    VisitPlanes& planes = state_.visit_planes[index];
+    if (state_.visit_deadlines[index] == kAtOnce) {
+      planes.host_side = host_side;
+      planes.guest = FrontBall(guest, pass_.units[1 - host_side]);
+    }
     if (state_.visit_deadlines[index] == kAtOnce) state_.lanes += node.count;
     const std::uint32_t closed = node.lanes() & ~visit.open;
-    const Nearness found = nearness(Tag(), gaps, WideNode::kWidth, closed);
+    set_gaps(planes, node, host_side, closed);
+    const Nearness found = keep(planes, closed, pass_.since[host_side]);
     std::uint32_t near = found.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
@@ -202,34 +219,60 @@ class Passer {
       const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
                                                         : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        state_.leaves.push_back({pair, 0, host_side, {kAtOnce, kAtOnce, kAtOnce, kAtOnce}});
-        state_.leaves_deadlines.push_back(kAtOnce);
+        add_leaves(pair, host_side);
       } else {
-        state_.visits.push_back({pair, 0});
-        state_.visit_deadlines.push_back(kAtOnce);
+        add_visit(pair);
       }
     }
   }
 
-  /// Of a primitive of the host and these of the guest's leaf.
-  HWY_INLINE Nearness nearness_of_row(std::uint32_t row, int host_side, std::uint32_t lanes) const {
-    const FourTag tag;
-    alignas(16) float gaps[4];
-    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
-      const PairLanes<FourTag> pairs(4 * row + part);
-      const PairBoxes<FourTag> boxes(pairs, host_leaf_, guest_leaf_);
-      const PairTriangles<FourTag> triangles(pairs, host_leaf_, guest_leaf_);
-      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, pass_.direction[host_side],
-                             pass_.units[host_side]),
-                tag, gaps + part);
+  HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
+    state_.visits.push_back({pair, 0});
+    state_.visit_planes.emplace_back();
+    state_.visit_deadlines.push_back(kAtOnce);
+  }
+
+  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side) {
+    const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
+    state_.leaves.push_back({pair, 0});
+    state_.leaf_planes.emplace_back().host_side = host_side;
+    state_.leaf_planes.back().guest = FrontBall(guest, pass_.units[1 - host_side]);
+    state_.leaves_deadlines.push_back(kAtOnce);
+  }
+
+  /// Of the children of a host beside guest_; of these lanes it matters.
+  HWY_INLINE void set_gaps(VisitPlanes& planes, const WideNode& node, int host_side,
+                           std::uint32_t asked) const {
+    for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(Tag())) {
+      BoxGaps gaps(node, in_node_, guest_, lane);
+      if (is_distance_) {
+        gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
+      } else if ((bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0) {
+        gaps.look_across();
+      }
+      gaps.store(planes, lane, pass_.units[host_side]);
     }
-    set_roots(tag, gaps, gaps, 4);
-    return nearness(tag, gaps, 4, lanes);
+  }
+
+  /// Of all pairs of the primitives of host_leaf_ and guest_leaf_; of these lanes it matters.
+  HWY_INLINE void set_leaf_gaps(LeafPlanes& planes, int host_side, std::uint32_t asked) const {
+    const PairTag tag;
+    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+      const PairLanes<PairTag> pairs(first);
+      const PairBoxes<PairTag> boxes(pairs, host_leaf_, guest_leaf_);
+      const PairTriangles<PairTag> triangles(pairs, host_leaf_, guest_leaf_);
+      PrimitiveGaps<PairTag> gaps(boxes, triangles, guest_leaf_.error);
+      if (is_distance_) gaps.look_along(pass_.direction[host_side]);
+      if (!is_distance_ && (bits_of(tag, hn::Not(gaps.are_apart())) & asked >> first) != 0)
+        gaps.look_across();
+      gaps.store(planes, first, pass_.units[host_side]);
+    }
   }
 
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
-    const int host_side = leaves.host_side;
+    LeafPlanes& planes = state_.leaf_planes[index];
+    const int host_side = planes.host_side;
     const WideSlot& host_slot = host_side == 0 ? leaves.pair.a : leaves.pair.b;
     const WideSlot& guest_slot = host_side == 0 ? leaves.pair.b : leaves.pair.a;
     const WideTree::Treelet& host = state_.tree[host_side]->treelet(host_slot.treelet);
@@ -241,24 +284,14 @@ class Passer {
       leaf_slot_ = guest_slot;
       leaf_host_ = &host;
     }
-    const std::uint32_t count = ChildLink::count(host_link);
-    const std::uint32_t guests = ChildLink::count(guest_link);
     set_host_leaf(host_leaf_, host, host_link);
-    const std::uint32_t row_bits = (1u << guests) - 1;
-    std::uint32_t near = 0;
-    float soonest = kNever;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      float& deadline = leaves.row_deadlines[i];
-      if (deadline <= due_) {
-        state_.counts.primitive_tests += guests;
-        const std::uint32_t shift = ChildLink::kMaxLeafSize * i;
-        const Nearness found = nearness_of_row(i, host_side, row_bits & ~(leaves.listed >> shift));
-        near |= found.near << shift;
-        deadline = deadline_after(found.least);
-      }
-      soonest = std::min(soonest, deadline);
-    }
-    state_.leaves_deadlines[index] = soonest;
+    const std::uint32_t asked =
+        pairs_of(ChildLink::count(host_link), ChildLink::count(guest_link)) & ~leaves.listed;
+    state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
+    set_leaf_gaps(planes, host_side, asked);
+    const Nearness found = keep(planes, asked, pass_.since[host_side]);
+    std::uint32_t near = found.near;
+    state_.leaves_deadlines[index] = deadline_after(found.least);
     leaves.listed |= near;
     const std::uint32_t first = host.first + ChildLink::first(host_link);
     const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
@@ -277,6 +310,7 @@ class Passer {
   const WideFront::Pass& pass_;
   float limit_;
   float due_;
+  float moved_;  // rounded down
   bool is_distance_;
   float scale_b_;
   Guest guest_{};
@@ -287,7 +321,6 @@ class Passer {
   GuestLeaf guest_leaf_;
   WideSlot leaf_slot_{};  // of guest_leaf_, in
   const WideTree::Treelet* leaf_host_ = nullptr;
-  Promises promises_;
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
@@ -307,6 +340,9 @@ namespace {
 
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 
+/// Of vectors that grow.
+constexpr std::size_t kFirstSize = 64;
+
 /// What has a deadline up to it is due.
 float due_at(const WideFront::Pass& pass, double limit) {
   return rounded_up((pass.moved + limit) + 2 * pass.slack);
@@ -319,10 +355,8 @@ std::size_t count_due(const std::vector<float>& deadlines, float due) {
 
 }  // namespace
 
-WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what,
-                      double way)
+WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
     : bounds(what),
-      moved(way),
       slack(std::max(b_in_a.slack, a_in_b.slack)),
       into{WideWay(b_in_a), WideWay(a_in_b)},
       units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
@@ -337,16 +371,43 @@ void WideFront::Pass::aim_along(const double (&along)[3]) {
   }
 }
 
-void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b) {
+WideFront::Pass WideFront::pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                                Bounds bounds, const Motion& motion) const {
+  Pass pass(b_in_a, a_in_b, bounds);
+  pass.moved = motion.way;
+  pass.since[0] = FrontWay(first_[0], b_in_a, *state_.tree[1], motion.turn);
+  pass.since[1] = FrontWay(first_[1], a_in_b, *state_.tree[0], motion.turn);
+  return pass;
+}
+
+void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+                      const RelativeFrame& a_in_b) {
+  first_[0] = b_in_a;
+  first_[1] = a_in_b;
   state_.tree[0] = &tree_a;
   state_.tree[1] = &tree_b;
+  state_.visits.reserve(kFirstSize);
+  state_.visit_planes.reserve(kFirstSize);
+  state_.leaves.reserve(kFirstSize);
+  state_.leaf_planes.reserve(kFirstSize);
   state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0});
+  state_.visit_planes.assign(1, {});
   state_.visit_deadlines.assign(1, kAtOnce);
   state_.leaves.clear();
+  state_.leaf_planes.clear();
   state_.leaves_deadlines.clear();
   state_.candidates.clear();
   state_.candidate_deadlines.clear();
   state_.lanes = 0;
+}
+
+void WideFront::arrange(std::span<const std::uint32_t> order) {
+  const std::vector<Candidate> candidates = state_.candidates;
+  const std::vector<float> deadlines = state_.candidate_deadlines;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    state_.candidates[i] = candidates[order[i]];
+    state_.candidate_deadlines[i] = deadlines[order[i]];
+  }
 }
 
 double WideFront::share_due(const Pass& pass, double limit) const {
@@ -378,8 +439,7 @@ void WideFront::drop(std::size_t index) {
   const Candidate candidate = state_.candidates[index];
   Leaves& leaves = state_.leaves[candidate.leaves];
   leaves.listed &= ~candidate.bit;
-  leaves.row_deadlines[static_cast<std::size_t>(std::countr_zero(candidate.bit)) /
-                       ChildLink::kMaxLeafSize] = kAtOnce;
+  state_.leaf_planes[candidate.leaves].gap[std::countr_zero(candidate.bit)] = kAtOnce;
   state_.leaves_deadlines[candidate.leaves] = kAtOnce;
   state_.candidates[index] = state_.candidates.back();
   state_.candidate_deadlines[index] = state_.candidate_deadlines.back();

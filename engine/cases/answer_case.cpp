@@ -3,6 +3,7 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_triangle.h>
@@ -43,6 +44,9 @@ struct AnyAnswer {
   }
   bool operator()(const CaseMesh& a, const CaseMesh& b) const {
     return intersects(placed(a), placed(b), settings_of(query), work);
+  }
+  bool operator()(const CaseBody& a, const CaseBody& b) const {
+    return intersects(a.shape, a.pose, b.shape, b.pose, work);
   }
   template <typename B>
   bool operator()(const CaseMesh& a, const B& b) const {

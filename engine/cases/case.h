@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/world/shape.h>
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 
@@ -39,12 +41,21 @@ struct CasePoint {
   Eigen::Vector3d position;
 };
 
-/// One of the two things that a case asks about. Only meshes have poses: a triangle is placed.
-using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh>;
+/// Any shape that a body of a world can have, in its pose.
+struct CaseBody {
+  CaseBody(Shape the_shape, const Pose& the_pose) : shape(std::move(the_shape)), pose(the_pose) {}
+
+  Shape shape;
+  Pose pose;
+};
+
+/// One of the two things that a case asks about. Only meshes and bodies have poses: a triangle is
+/// placed.
+using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh, CaseBody>;
 
 /// Which query a case is. The names in brackets are those of the file.
 enum class Ask {
-  Any,         ///< "any": intersects(A, B), or overlaps(A, B) of two volumes
+  Any,         ///< "any": intersects(A, B), of two bodies too, or overlaps(A, B) of two volumes
   Pairs,       ///< "pairs": find_triangle_pairs(A, B), find_triangles(A, B) for a volume B
   Distance,    ///< "distance": distance(A, B) of meshes or triangles
   Within,      ///< "within": within(A, B, clearance)

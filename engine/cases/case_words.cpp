@@ -38,7 +38,7 @@ const char* name_of(Ask ask) {
 }
 
 const char* name_of(const CaseShape& shape) {
-  constexpr std::array kNames = {"triangle", "box", "obb", "sphere", "point", "mesh"};
+  constexpr std::array kNames = {"triangle", "box", "obb", "sphere", "point", "mesh", "body"};
   static_assert(kNames.size() == std::variant_size_v<CaseShape>);
   return kNames[shape.index()];
 }

@@ -60,18 +60,27 @@ bool is_triangle(const CaseShape& shape) {
   return std::holds_alternative<Triangle>(shape);
 }
 
+bool is_body(const CaseShape& shape) {
+  return std::holds_alternative<CaseBody>(shape);
+}
+
+bool is_volume(const CaseShape& shape) {
+  return std::holds_alternative<Aabb>(shape) || std::holds_alternative<Obb>(shape) ||
+         std::holds_alternative<Sphere>(shape);
+}
+
 /// Whether the library has such a query.
 bool is_answerable(const Case& query) {
   const CaseShape& a = query.a;
   if (!query.b) return is_mesh(a);
   const CaseShape& b = *query.b;
   const bool is_point_b = std::holds_alternative<CasePoint>(b);
-  const bool is_volume_a = !is_mesh(a) && !is_triangle(a) && !std::holds_alternative<CasePoint>(a);
-  const bool is_volume_b = !is_mesh(b) && !is_triangle(b) && !is_point_b;
+  const bool is_volume_b = is_volume(b);
   switch (query.ask) {
     case Ask::Any:
       return (is_mesh(a) && (is_mesh(b) || is_volume_b)) ||
-             (is_triangle(a) && (is_triangle(b) || is_volume_b)) || (is_volume_a && is_volume_b);
+             (is_triangle(a) && (is_triangle(b) || is_volume_b)) || (is_volume(a) && is_volume_b) ||
+             (is_body(a) && is_body(b));
     case Ask::Pairs:
       return is_mesh(a) && (is_mesh(b) || is_volume_b);
     case Ask::Distance:

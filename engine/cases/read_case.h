@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,11 +18,14 @@ struct ReadCaseSettings {
 /// Reads a case, format version 1 (data/README.md, data/case.schema.json). Throws CaseError
 /// `file:line: /place: why` for what is no case: unknown and repeated keys, numbers that are not
 /// finite, indices out of range, poses that are not rigid, meshes that refer to each other in a
-/// circle, files outside of the folder or with another hash. Linear time and memory.
+/// circle, files outside of the folder or with another hash, shapes that the library refuses.
+/// Linear time and memory, but for hulls, which may have kMaxHullPoints points each.
 Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings = {});
 
 /// The same from memory; errors begin with `name`.
 Case parse_case(std::string_view bytes, const std::string& name,
                 const ReadCaseSettings& settings = {});
+
+inline constexpr std::size_t kMaxHullPoints = 4096;
 
 }  // namespace graze

@@ -3,7 +3,9 @@
 // How the parts of a case are read. Private to engine/cases.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 #include <graze/engine/cases/case.h>
 #include <graze/engine/cases/json_cursor.h>
@@ -22,6 +24,16 @@ CaseShapes read_shapes(const JsonCursor& root, bool has_b, const std::filesystem
 CaseAnswer read_answer(const JsonCursor& at, Ask ask, bool has_volume_b);
 
 Pose read_pose(const JsonCursor& at);
+
+/// How the shape of a body is read: a scene has units, and meshes in files.
+struct BodyShapeReader {
+  std::function<double(const JsonCursor&)> length;
+  std::function<Mesh(const JsonCursor&)> mesh;
+};
+
+/// The one shape, of any kind that bodies have, that the object `at` describes by a member of that
+/// kind's name. Its other members are the caller's.
+Shape read_body_shape(const JsonCursor& at, const BodyShapeReader& reader);
 
 /// A mesh by its vertices and triangles.
 Mesh read_inline_mesh(const JsonCursor& at);

@@ -2,6 +2,7 @@
 #include <graze/engine/cases/case_mesh_file.h>
 #include <graze/engine/cases/read_parts.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/shape_bounds.h>
 
 #include <limits>
 #include <string>
@@ -36,6 +37,22 @@ Sphere read_sphere(const JsonCursor& at) {
   return sphere;
 }
 
+Pose pose_of(const JsonCursor& at) {
+  return at.has("pose") ? read_pose(at.member("pose")) : Pose(Pose::Identity());
+}
+
+CaseBody read_body(const JsonCursor& at) {
+  const JsonCursor body = at.member("body");
+  body.require_keys({"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "convex_hull",
+                     "half_space", "mesh"});
+  const Shape shape =
+      read_body_shape(body, {.length = [](const JsonCursor& length) { return length.number(); },
+                             .mesh = read_inline_mesh});
+  const Pose pose = pose_of(at);
+  at_place(at.has("pose") ? at.member("pose") : at, [&] { return bounds_of(shape, pose); });
+  return {shape, pose};
+}
+
 CaseMeshFile read_mesh_file(const JsonCursor& at) {
   at.require_keys({"file", "sha256"});
   const JsonCursor hash = at.member("sha256");
@@ -52,25 +69,28 @@ class ShapeReader {
 
   CaseShape read(std::string_view side) const {
     const JsonCursor at = root_.member(side);
-    at.require_keys({"triangle", "box", "obb", "sphere", "point", "mesh", "pose"});
+    at.require_keys({"triangle", "box", "obb", "sphere", "point", "mesh", "body", "pose"});
     const int kinds = at.has("triangle") + at.has("box") + at.has("obb") + at.has("sphere") +
-                      at.has("point") + at.has("mesh");
+                      at.has("point") + at.has("mesh") + at.has("body");
     if (kinds != 1) {
       at.fail("has " + std::to_string(kinds) +
-              " shapes, not one of triangle, box, obb, sphere, point and mesh");
+              " shapes, not one of triangle, box, obb, sphere, point, mesh and body");
     }
-    if (at.has("pose") && !at.has("mesh")) at.member("pose").fail("only a mesh has a pose");
+    if (at.has("pose") && !at.has("mesh") && !at.has("body")) {
+      at.member("pose").fail("only a mesh and a body have a pose");
+    }
     if (at.has("triangle")) return read_triangle(at.member("triangle"));
     if (at.has("box")) return read_box(at.member("box"));
     if (at.has("obb")) return read_obb(at.member("obb"));
     if (at.has("sphere")) return read_sphere(at.member("sphere"));
     if (at.has("point")) return CasePoint{at.member("point").point()};
+    if (at.has("body")) return read_body(at);
     return read_placed_mesh(at, side);
   }
 
  private:
   CaseMesh read_placed_mesh(const JsonCursor& at, std::string_view side) const {
-    const Pose pose = at.has("pose") ? read_pose(at.member("pose")) : Pose(Pose::Identity());
+    const Pose pose = pose_of(at);
     const CaseMesh unplaced = read_mesh(at.member("mesh"), side, false);
     CaseMesh mesh(unplaced.mesh, pose);
     mesh.file = unplaced.file;

@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/mesh_error.h>
 
 #include <string_view>
+#include <vector>
 
 namespace graze {
 namespace {
@@ -62,6 +63,49 @@ std::string mesh_text(const CaseMesh& mesh) {
          "}";
 }
 
+/// The shape of a body, as a member named by its kind.
+struct BodyText {
+  static std::string round(const char* kind, double radius, const char* name, double half) {
+    return std::string("\"") + kind + "\": {\"radius\": " + json_number(radius) + ", \"" + name +
+           "\": " + json_number(half) + "}";
+  }
+
+  std::string operator()(const Sphere& sphere) const {
+    return std::string("\"sphere\": {\"centre\": ") + json_point(sphere.centre) +
+           ", \"radius\": " + json_number(sphere.radius) + "}";
+  }
+  std::string operator()(const Box& box) const {
+    return std::string("\"box\": {\"half_extents\": ") + json_point(box.half_extents) + "}";
+  }
+  std::string operator()(const Capsule& capsule) const {
+    return round("capsule", capsule.radius, "half_length", capsule.half_length);
+  }
+  std::string operator()(const Cylinder& cylinder) const {
+    return round("cylinder", cylinder.radius, "half_height", cylinder.half_height);
+  }
+  std::string operator()(const Cone& cone) const {
+    return round("cone", cone.radius, "half_height", cone.half_height);
+  }
+  std::string operator()(const Ellipsoid& ellipsoid) const {
+    return std::string("\"ellipsoid\": {\"centre\": ") + json_point(ellipsoid.centre) +
+           ", \"semi_axes\": " + json_point(ellipsoid.semi_axes) + "}";
+  }
+  std::string operator()(const ConvexHull& hull) const {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < hull.vertex_count(); ++i)
+      points.push_back(hull.vertex(i));
+    return std::string("\"convex_hull\": {\"points\": ") +
+           list_of(points, ",\n      ", json_point) + "}";
+  }
+  std::string operator()(const HalfSpace& half_space) const {
+    return std::string("\"half_space\": {\"normal\": ") + json_point(half_space.normal) +
+           ", \"offset\": " + json_number(half_space.offset) + "}";
+  }
+  std::string operator()(const Mesh& mesh) const {
+    return std::string("\"mesh\": ") + mesh_text(CaseMesh(mesh, Pose::Identity()));
+  }
+};
+
 struct ShapeText {
   bool is_same_as_a = false;
 
@@ -87,6 +131,10 @@ struct ShapeText {
   std::string operator()(const CaseMesh& mesh) const {
     return std::string("{\"mesh\": ") + (is_same_as_a ? "{\"same_as\": \"a\"}" : mesh_text(mesh)) +
            ",\n    \"pose\": " + json_pose(mesh.pose) + "}";
+  }
+  std::string operator()(const CaseBody& body) const {
+    return std::string("{\"body\": {") + std::visit(BodyText{}, body.shape.value()) +
+           "},\n    \"pose\": " + json_pose(body.pose) + "}";
   }
 };
 

@@ -16,27 +16,36 @@ differ, a referee in exact arithmetic that shares no formula with graze says who
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
 triangles, and written as cases to --cases.
 
+Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
+one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
+the referee once gave. A case that cannot be made smaller stays where it is.
+
 Of a scene (see graze simulate) each pair of bodies at each step is put to graze::World, to graze alone
 and to the engines that know such shapes. Two meshes, and boxes and balls with them, are the referee's;
 for other shapes a plane between them or a point in both is proof, and errors within 1e-6 of their size are
-called touching. What is not proved is not judged.
+called touching. What is not proved is not judged. Cases of such shapes hold the two bodies, their meshes
+and hulls cut down to what the error needs.
 
-With --json each pose gives one line, and the last one is
+With --json each pose, or case, gives one line, and the last one is
   {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],"cases":[{"file":...},...]}
+
+of a folder with what the case is called:
+  {"case":3,"file":"odd.json","question":"any","answers":[{"engine":"recorded",...},...]}
 
 and of a scene each difference:
   {"step":3,"time":0.06,"a":"gear","b":"pinion","answers":[{"engine":"world","says":true,...},...]}
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
-record of each pose or step as it is done, and goes on where a stopped run ended. Times of runs with many
+record of each pose, step or case as it is done, and goes on where a stopped run ended. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
 Examples:
   graze compare bolt.obj nut.stl --poses poses.txt --query pairs
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
-  graze compare data/regressions
+  graze compare data/regressions --save base
+  graze compare data/regressions --against base --report out.html
   graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
 
 Exit codes:
@@ -70,7 +79,7 @@ void add_scene_options(CLI::App& command, CompareOptions& options) {
       ->check(finite_number(Sign::Positive));
   command
       .add_option("--meshes", options.mesh_folder,
-                  "the folder of a scene's meshes (default: that of the scene)")
+                  "the folder of meshes of a scene or of cases (default: its own)")
       ->type_name("DIR");
 }
 

@@ -1,5 +1,8 @@
+#include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare_output.h>
+#include <graze/engine/cli/html_report.h>
 #include <graze/engine/cli/usage_error.h>
+#include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/io/source.h>
 
 #include <fmt/format.h>
@@ -57,8 +60,17 @@ void check_baseline(const CompareOptions& options, bool is_same_job) {
                    " is a record of something else");
 }
 
-Regression regression_of(const CompareOptions& options, const compare::BaselineDifference& found,
-                         std::string_view places) {
+namespace {
+
+/// What is said of an older run, and whether that is a regression.
+struct Regression {
+  bool is_one = false;
+  std::string text;
+};
+
+Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
+  if (!findings.difference) return {};
+  const compare::BaselineDifference& found = *findings.difference;
   const double ratio = found.old_time > 0 ? found.new_time / found.old_time : 1;
   const bool is_slower = ratio > options.time_tolerance;
   Regression result;
@@ -68,15 +80,91 @@ Regression regression_of(const CompareOptions& options, const compare::BaselineD
         "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
         "\n",
         fmt::join(found.changed, ","), fmt::join(found.missing, ","), ratio, is_slower);
-  } else {
-    const std::string where = fmt::format(" in {} {}", places, fmt::join(found.changed, " "));
-    result.text = fmt::format(
-        "against {}: {} answers of graze changed{}, {} missing; time {:.2f} of what it was{}\n",
-        mesh_io::printable(options.against), found.changed.size(),
-        found.changed.empty() ? "" : where, found.missing.size(), ratio,
-        is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
+    return result;
   }
+  std::string where;
+  for (const std::size_t place : found.changed) {
+    where += " " + (place < findings.names.size() ? mesh_io::printable(findings.names[place])
+                                                  : std::to_string(place));
+  }
+  result.text = fmt::format(
+      "against {}: {} answers of graze changed{}, {} missing; time {:.2f} of what it was{}\n",
+      mesh_io::printable(options.against), found.changed.size(),
+      where.empty() ? "" : fmt::format(" in {}s{}", findings.place, where), found.missing.size(),
+      ratio, is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
   return result;
+}
+
+bool is_graze_wrong(std::span<const compare::WrongAnswer> wrong) {
+  return std::any_of(wrong.begin(), wrong.end(), [](const compare::WrongAnswer& each) {
+    return each.answer->engine == "graze" || each.answer->engine == "world";
+  });
+}
+
+std::string text_of(const CompareFindings& findings, std::span<const WrittenCase> cases,
+                    std::span<const compare::EngineEntry> engines) {
+  std::string text;
+  for (const compare::EngineEntry& entry : engines) {
+    if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
+  }
+  text += findings.rows;
+  for (const WrittenCase& each : cases)
+    text += "shrunk: graze replay " + mesh_io::printable(each.file) + "\n";
+  return text + findings.count + "\n" + summary_text(findings.summaries);
+}
+
+/// A case that cannot be made smaller stays in the file that it came from, if it came from one.
+std::vector<WrittenCase> write_cases(const CompareOptions& options,
+                                     std::span<const compare::EngineEntry> field,
+                                     const CompareFindings& findings) {
+  std::vector<WrittenCase> written;
+  if (options.cases.empty()) return written;
+  for (compare::ShrunkCase& each : compare::shrink_worst(findings.wrong, field, options.keep)) {
+    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    if (!each.is_smaller && !from.origin.empty()) {
+      written.push_back({std::move(each), from.place, from.where, from.origin});
+      continue;
+    }
+    std::error_code error;
+    fs::create_directories(options.cases, error);
+    if (error) {
+      throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": " + error.message());
+    }
+    each.query.note = fmt::format(
+        "{}, {} {}: {} says {}, the truth is: {} ({})", findings.title, findings.place, from.where,
+        each.engine, each.query.answer ? compare::brief(*each.query.answer) : "nothing",
+        each.judgement.truth, name_of(each.judgement.error_class));
+    const fs::path file =
+        fs::path(options.cases) / fmt::format("{}-{}.json", each.engine, from.name);
+    write_case(file, each.query);
+    written.push_back({std::move(each), from.place, from.where, file.string()});
+  }
+  return written;
+}
+
+}  // namespace
+
+ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                  std::span<const compare::EngineEntry> field, const CompareFindings& findings,
+                  Output& output) {
+  const std::vector<WrittenCase> cases = write_cases(options, field, findings);
+  if (!options.report.empty()) {
+    write_report(options.report, {.mesh_a = options.mesh_a,
+                                  .mesh_b = options.mesh_b,
+                                  .query = findings.question,
+                                  .places = findings.count,
+                                  .place = findings.place,
+                                  .summaries = findings.summaries,
+                                  .wrong = findings.wrong,
+                                  .cases = cases});
+  }
+  const Regression regression = regression_of(options, findings);
+  const std::string text =
+      options.is_json ? findings.json + summary_json(findings.summaries, cases, findings.place)
+                      : text_of(findings, cases, engines);
+  output.write(text + regression.text);
+  const bool is_bad = is_graze_wrong(findings.wrong) || regression.is_one;
+  return is_bad ? ExitCode::GrazeWrong : ExitCode::Answered;
 }
 
 }  // namespace graze::cli

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include <graze/engine/cli/compare_report.h>
 #include <graze/engine/cli/compare_run.h>
-#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/baseline.h>
+#include <graze/engine/compare/run/shrink_worst.h>
 
 namespace graze::cli {
 
@@ -21,14 +23,25 @@ void check_resumed(const CompareOptions& options, bool is_same_job,
 /// Throws UsageError if the baseline is of another job.
 void check_baseline(const CompareOptions& options, bool is_same_job);
 
-/// What is said of an older run, and whether that is a regression.
-struct Regression {
-  bool is_one = false;
-  std::string text;
+/// What a comparison has found, of whatever kind it is.
+struct CompareFindings {
+  std::string title;                    ///< in the notes of cases: "bolt.obj against nut.stl"
+  std::string question;                 ///< empty if each case says it
+  std::string count;                    ///< "12 poses"
+  std::string place;                    ///< what one of them is called: "pose"
+  std::vector<std::string> names = {};  ///< of places, for people; empty: they are numbers
+  std::string rows = {};                ///< the table of what is wrong, or differs
+  std::string json = {};                ///< lines before the summary
+  std::vector<EngineSummary> summaries;
+  std::vector<compare::WrongAnswer> wrong;
+  std::optional<compare::BaselineDifference> difference;  ///< from --against
 };
 
-/// `places` are "poses" or "steps".
-Regression regression_of(const CompareOptions& options, const compare::BaselineDifference& found,
-                         std::string_view places);
+/// Shrinks the worst answers of the engines that took part to cases, writes these and the report,
+/// and prints what was found; `engines` are all that there are. GrazeWrong if graze is wrong
+/// anywhere, or other than it was.
+ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                  std::span<const compare::EngineEntry> field, const CompareFindings& findings,
+                  Output& output);
 
 }  // namespace graze::cli

@@ -14,34 +14,11 @@ namespace {
 using cases::json_number;
 using cases::json_string;
 using compare::AnswerRecord;
-using compare::PoseRecord;
+using compare::PlaceRecord;
 using compare::Verdict;
+using compare::WrongAnswer;
 
 constexpr std::size_t kMaxRows = 40;
-
-std::string wrong_rows(std::span<const PoseRecord> records) {
-  const Table table({{"pose", 6},
-                     {"engine", 8},
-                     {"says", 14},
-                     {"truth", 22},
-                     {"why", 13},
-                     {"error (m)", 10},
-                     {"ulp", 9},
-                     {"pairs", 6}});
-  const std::vector<WrongAnswer> wrong = wrong_answers(records);
-  if (wrong.empty()) return "no wrong answer\n";
-  std::string out = "wrong answers:\n" + table.header();
-  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i) {
-    const AnswerRecord& answer = *wrong[i].answer;
-    const compare::Judgement& judgement = answer.judgement;
-    out += table.row({wrong[i].where, answer.engine, answer.brief, judgement.truth,
-                      name_of(judgement.error_class), fmt::format("{:.3g}", judgement.error),
-                      fmt::format("{:.3g}", judgement.ulps),
-                      judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
-  }
-  if (wrong.size() > kMaxRows) out += fmt::format("... and {} more\n", wrong.size() - kMaxRows);
-  return out;
-}
 
 /// An answer that somebody contradicted.
 void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
@@ -96,9 +73,9 @@ class Tallies {
 
 }  // namespace
 
-std::vector<EngineSummary> summarise(std::span<const PoseRecord> records) {
+std::vector<EngineSummary> summarise(std::span<const PlaceRecord> records) {
   Tallies tallies;
-  for (const PoseRecord& record : records) {
+  for (const PlaceRecord& record : records) {
     for (const AnswerRecord& answer : record.answers) {
       EngineSummary& summary = tallies.add(answer.engine, 1, answer.time);
       if (answer.is_agreed) {
@@ -128,20 +105,42 @@ std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> record
   return tallies.take();
 }
 
-std::vector<WrongAnswer> wrong_answers(std::span<const PoseRecord> records) {
+std::vector<WrongAnswer> wrong_answers(std::span<const PlaceRecord> records) {
   std::vector<WrongAnswer> wrong;
-  for (const PoseRecord& record : records) {
-    for (const AnswerRecord& answer : record.answers)
-      if (answer.is_wrong()) wrong.push_back({std::to_string(record.pose), &answer});
+  for (const PlaceRecord& record : records) {
+    const std::string number = std::to_string(record.place);
+    for (const AnswerRecord& answer : record.answers) {
+      if (!answer.is_wrong()) continue;
+      wrong.push_back({.place = record.place, .where = number, .name = number, .answer = &answer});
+    }
   }
   return wrong;
 }
 
-std::string compare_text(std::span<const PoseRecord> records, std::span<const WrittenCase> cases) {
-  std::string out = wrong_rows(records);
-  for (const WrittenCase& each : cases)
-    out += "shrunk: graze replay " + mesh_io::printable(each.file) + "\n";
-  return out + summary_text(summarise(records));
+std::string wrong_rows(std::span<const WrongAnswer> wrong, const std::string& place) {
+  std::size_t width = 6;
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i)
+    width = std::max(width, wrong[i].where.size());
+  const Table table({{place, width},
+                     {"engine", 8},
+                     {"says", 14},
+                     {"truth", 22},
+                     {"why", 13},
+                     {"error (m)", 10},
+                     {"ulp", 9},
+                     {"pairs", 6}});
+  if (wrong.empty()) return "no wrong answer\n";
+  std::string out = "wrong answers:\n" + table.header();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i) {
+    const AnswerRecord& answer = *wrong[i].answer;
+    const compare::Judgement& judgement = answer.judgement;
+    out += table.row({mesh_io::printable(wrong[i].where), answer.engine, answer.brief,
+                      judgement.truth, name_of(judgement.error_class),
+                      fmt::format("{:.3g}", judgement.error), fmt::format("{:.3g}", judgement.ulps),
+                      judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
+  }
+  if (wrong.size() > kMaxRows) out += fmt::format("... and {} more\n", wrong.size() - kMaxRows);
+  return out;
 }
 
 std::string summary_text(std::span<const EngineSummary> summaries) {
@@ -171,7 +170,7 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
 }
 
 std::string summary_json(std::span<const EngineSummary> summaries,
-                         std::span<const WrittenCase> cases) {
+                         std::span<const WrittenCase> cases, const std::string& place) {
   std::string out = "{\"summary\":[";
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const EngineSummary& s = summaries[i];
@@ -186,9 +185,9 @@ std::string summary_json(std::span<const EngineSummary> summaries,
   out += "],\"cases\":[";
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const WrittenCase& each = cases[i];
-    out += fmt::format("{}{{\"file\":{},\"engine\":{},\"pose\":{},\"class\":{}}}",
-                       i == 0 ? "" : ",", json_string(each.file), json_string(each.shrunk.engine),
-                       each.shrunk.pose, json_string(name_of(each.shrunk.judgement.error_class)));
+    out += fmt::format("{}{{\"file\":{},\"engine\":{},{}:{},\"class\":{}}}", i == 0 ? "" : ",",
+                       json_string(each.file), json_string(each.shrunk.engine), json_string(place),
+                       each.place, json_string(name_of(each.shrunk.judgement.error_class)));
   }
   return out + "]}\n";
 }

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include <graze/engine/compare/run/comparison.h>
-#include <graze/engine/compare/run/scene_comparison.h>
+#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/compare/run/shrink_worst.h>
+#include <graze/engine/compare/run/step_record.h>
 
 namespace graze::cli {
 
-/// What one engine did in all poses.
+/// What one engine did in all places.
 struct EngineSummary {
   std::string engine;
   std::size_t answers = 0;
@@ -27,35 +28,30 @@ struct EngineSummary {
 };
 
 /// In the order in which engines first answered.
-std::vector<EngineSummary> summarise(std::span<const compare::PoseRecord> records);
+std::vector<EngineSummary> summarise(std::span<const compare::PlaceRecord> records);
 
 /// Of a scene. The median is that of the steps' means.
 std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records);
 
-/// A wrong answer and the pose, or the step and the bodies, where it was given.
-struct WrongAnswer {
-  std::string where;
-  const compare::AnswerRecord* answer;
-};
-
-/// Of all engines, in the order of poses. They refer to the records.
-std::vector<WrongAnswer> wrong_answers(std::span<const compare::PoseRecord> records);
+/// Of all engines, in the order of places, which have no query yet. They refer to the records.
+std::vector<compare::WrongAnswer> wrong_answers(std::span<const compare::PlaceRecord> records);
 
 /// A shrunk case and the file that it went to.
 struct WrittenCase {
   compare::ShrunkCase shrunk;
+  std::size_t place = 0;
+  std::string where;  ///< the place for people
   std::string file;
 };
 
-/// Tables for people: wrong answers one by one, then a line an engine.
-std::string compare_text(std::span<const compare::PoseRecord> records,
-                         std::span<const WrittenCase> cases);
+/// A table of wrong answers one by one; `place` is "pose", "case".
+std::string wrong_rows(std::span<const compare::WrongAnswer> wrong, const std::string& place);
 
 /// A line an engine.
 std::string summary_text(std::span<const EngineSummary> summaries);
 
 /// One JSON object on one line: {"summary":[...],"cases":[...]}.
 std::string summary_json(std::span<const EngineSummary> summaries,
-                         std::span<const WrittenCase> cases);
+                         std::span<const WrittenCase> cases, const std::string& place);
 
 }  // namespace graze::cli

@@ -127,7 +127,7 @@ std::string case_section(const WrittenCase& each, const std::string& place) {
       "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay "
       "{}</code></p></div></div>\n",
       picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture,
-      escaped(each.shrunk.engine), place, each.shrunk.pose, escaped(each.shrunk.engine),
+      escaped(each.shrunk.engine), place, escaped(each.where), escaped(each.shrunk.engine),
       each.shrunk.query.answer ? escaped(compare::brief(*each.shrunk.query.answer)) : "nothing",
       escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps,
       escaped(quoted_for_shell(each.file)));
@@ -142,10 +142,11 @@ std::string html_report(const HtmlReportInput& input) {
   if (!input.mesh_b.empty()) {
     out += fmt::format(" and <span class=\"b\">{}</span>", escaped(input.mesh_b));
   }
+  if (!input.query.empty()) out += fmt::format(", question <b>{}</b>", escaped(input.query));
   out += fmt::format(
-      ", question <b>{}</b>, {}. Where engines differ, a referee in exact arithmetic decides; "
+      ", {}. Where engines differ, a referee in exact arithmetic decides; "
       "<i>agreed</i> are answers that nobody contradicted.</p>\n",
-      escaped(input.query), input.places);
+      input.places);
   out += summary_table(input.summaries);
   out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";

@@ -9,13 +9,13 @@
 namespace graze::cli {
 
 struct HtmlReportInput {
-  std::string mesh_a;  ///< or a scene
-  std::string mesh_b;  ///< empty for a scene
-  std::string query;
+  std::string mesh_a;  ///< or a scene, or a folder
+  std::string mesh_b;  ///< empty for these
+  std::string query;   ///< empty if each case says it
   std::string places;  ///< "12 poses"
   std::string place;   ///< "pose"
   std::span<const EngineSummary> summaries;
-  std::span<const WrongAnswer> wrong;  ///< of which the first are shown
+  std::span<const compare::WrongAnswer> wrong;  ///< of which the first are shown
   std::span<const WrittenCase> cases;
 };
 
@@ -26,7 +26,7 @@ std::string html_report(const HtmlReportInput& input);
 /// Writes it to a file. Throws MeshError if that cannot be done.
 void write_report(const std::filesystem::path& path, const HtmlReportInput& input);
 
-/// The two shapes of a case as an SVG picture from two sides; empty for what has no triangles.
+/// The two shapes of a case as an SVG picture from two sides; empty if it cannot be drawn.
 std::string svg_picture(const Case& query);
 
 }  // namespace graze::cli

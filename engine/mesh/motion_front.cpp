@@ -5,12 +5,14 @@
 namespace graze {
 namespace {
 
-/// Measured: what is due lies scattered in memory, so that half of a front costs about as much as a
-/// walk of its own.
-constexpr double kMostDue = 0.45;
-constexpr int kLongestPause = 16;  // queries
+/// Measured. Where nearly all is due by its deadline, there was a jump, and planes hold no better;
+/// to look at a third of a front costs as much as a walk of its own.
+constexpr double kMostDue = 0.7;
+constexpr double kMostLookedAt = 0.35;
+constexpr std::size_t kMostCandidates = 250;  // whose distances are asked for in one pass
+constexpr int kLongestPause = 32;             // queries
 
-/// To begin a front costs a third more than a walk: so many passes pay for that.
+/// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
 
 /// A front grows with what opens and never closes.
@@ -18,15 +20,30 @@ constexpr int kMostPasses = 64;
 constexpr double kMostGrowth = 1.5;
 constexpr std::size_t kFewMore = 64;
 
-/// Of pairs of boxes, leaves and triangles: some 40 bytes each.
-constexpr std::size_t kLargest = std::size_t{1} << 21;
+/// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
+constexpr std::size_t kLargest = std::size_t{1} << 19;
 
 }  // namespace
 
-void MotionFront::move(double step) {
-  // The sum rounds up.
-  moved_ = (moved_ + step) * (1 + 0x1p-50);
-  if (!(moved_ < bvh::WideFront::kFarthest)) is_live_ = false;
+void MotionFront::move(const bvh::WideFront::Motion& step) {
+  // The sums round up.
+  motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
+  motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
+  if (!(motion_.way < bvh::WideFront::kFarthest)) is_live_ = false;
+}
+
+void MotionFront::pause() {
+  is_live_ = false;
+  pause_ = next_pause_;
+  next_pause_ = std::min(2 * next_pause_, kLongestPause);
+}
+
+bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const {
+  if (bounds_ == bvh::WideFront::Bounds::Meeting) return false;
+  std::size_t due = 0;
+  for (std::size_t i = 0; i < front_.candidate_count(); ++i)
+    due += front_.is_due(i, pass, limit);
+  return due > kMostCandidates;
 }
 
 bool MotionFront::is_outgrown() const {
@@ -41,33 +58,37 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
                                                       double limit) {
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
-    bvh::WideFront::Pass pass(b_in_a, a_in_b, bounds_, moved_);
-    if (front_.share_due(pass, limit) <= kMostDue) {
+    const bvh::WideFront::Pass pass = front_.pass(b_in_a, a_in_b, bounds_, motion_);
+    if (front_.share_due(pass, limit) <= kMostDue && !has_many_candidates(pass, limit)) {
       if (passes_ >= kEnoughPasses) next_pause_ = 1;
       return pass;
     }
-    is_live_ = false;
-    pause_ = next_pause_;
-    next_pause_ = std::min(2 * next_pause_, kLongestPause);
+    pause();
     return std::nullopt;
   }
   if (!is_live_ && pause_ > 0) {
     --pause_;
     return std::nullopt;
   }
-  front_.begin(tree_a, tree_b);
+  front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;
   ++generation_;
-  moved_ = 0;
+  motion_ = {};
   passes_ = 0;
-  return bvh::WideFront::Pass(b_in_a, a_in_b, bounds_, moved_);
+  return front_.pass(b_in_a, a_in_b, bounds_, motion_);
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
   is_live_ = false;  // should it throw
+  const std::size_t size_before = front_.size();
   front_.advance(pass, limit);
   is_live_ = true;
-  if (passes_++ == 0) first_size_ = front_.size();
+  if (passes_++ == 0) {
+    first_size_ = front_.size();
+  } else if (static_cast<double>(front_.looked_at()) >
+             kMostLookedAt * static_cast<double>(size_before)) {
+    pause();
+  }
   if (front_.size() > kLargest) {
     is_live_ = false;
     pause_ = kLongestPause;

@@ -21,13 +21,13 @@ class MotionFront {
   /// Another number each time that it begins anew.
   std::uint64_t generation() const { return generation_; }
 
-  /// B has come so much further (common units).
-  void move(double step);
+  /// B has come so much further, in one step (common units).
+  void move(const bvh::WideFront::Motion& step);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
-  /// be: where more than half of it is due, the query had better walk the trees, and so had the
-  /// next ones, the more of them the more often that happens in turn. `limit` as in
-  /// WideFront::advance().
+  /// be: where most of it is due, or a third of it had to be looked at in the last pass, the query
+  /// had better walk the trees, and so had the next ones, the more of them the more often that
+  /// happens in turn. `limit` as in WideFront::advance().
   std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
                                            const bvh::RelativeFrame& b_in_a,
                                            const bvh::RelativeFrame& a_in_b, double limit);
@@ -38,14 +38,18 @@ class MotionFront {
  private:
   bool is_outgrown() const;
 
+  /// Of distances, each of which is computed: where many are nearly equal a walk sees fewer.
+  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const;
+  void pause();
+
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
   std::uint64_t generation_ = 0;
-  double moved_ = 0;
-  int passes_ = 0;              // since it was begun
-  std::size_t first_size_ = 0;  // after the first of these
-  int pause_ = 0;               // queries until it may begin
+  bvh::WideFront::Motion motion_;  // since it was begun
+  int passes_ = 0;                 // since it was begun
+  std::size_t first_size_ = 0;     // after the first of these
+  int pause_ = 0;                  // queries until it may begin
   int next_pause_ = 1;
 };
 

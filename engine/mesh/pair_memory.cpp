@@ -10,6 +10,7 @@
 #include <graze/engine/mesh/wide_query.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace graze {
 
@@ -125,27 +126,31 @@ class MeetingQuery {
   /// The corners of all candidates: most are known from the last pass, with A as it is placed if
   /// that has not moved.
   void gather_triangles() {
-    const bvh::WideFront& front = remembered_.meeting.front();
-    std::vector<RememberedTriangles>& all = remembered_.triangles;
+    bvh::WideFront& front = remembered_.meeting.front();
+    CandidateTriangles& all = remembered_.triangles;
     const Pose& pose_a = query_.a.pose;
-    if (remembered_.triangles_generation != remembered_.meeting.generation()) all.clear();
-    remembered_.triangles_generation = remembered_.meeting.generation();
-    if (!are_equal(remembered_.triangles_pose_a, pose_a)) {
-      for (RememberedTriangles& triangles : all)
-        triangles.placed_a = query_.triangle_a(triangles.pair);
+    if (remembered_.triangles_generation != remembered_.meeting.generation()) {
+      all.clear();
+      arrange(front);
     }
+    remembered_.triangles_generation = remembered_.meeting.generation();
+    if (!are_equal(remembered_.triangles_pose_a, pose_a)) all.place_a(pose_a);
     remembered_.triangles_pose_a = pose_a;
     for (std::size_t i = all.size(); i < front.candidate_count(); ++i) {
       const TrianglePair pair = query_.pair_at(front.candidate(i).places);
-      all.push_back({pair, query_.triangle_a(pair), query_.b.mesh.triangle(pair.b)});
+      all.add(pair, query_.a.mesh.triangle(pair.a), query_.b.mesh.triangle(pair.b));
     }
   }
 
-  /// One that does not meet: it makes way for the last.
-  void drop(std::size_t index) {
-    remembered_.meeting.front().drop(index);
-    remembered_.triangles[index] = remembered_.triangles.back();
-    remembered_.triangles.pop_back();
+  /// Candidates as they are when a front begins, in the order of results: so that these stay nearly
+  /// sorted.
+  void arrange(bvh::WideFront& front) const {
+    std::vector<std::uint32_t> order(front.candidate_count());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return query_.pair_at(front.candidate(i).places) < query_.pair_at(front.candidate(j).places);
+    });
+    front.arrange(order);
   }
 
   /// Decides all candidates of the front, from the last on, so that what takes the place of one
@@ -153,29 +158,38 @@ class MeetingQuery {
   template <typename OnPair>
   bvh::Walk decide_candidates(OnPair&& on_pair) {
     gather_triangles();
-    Candidates candidates(touch_, work_);
-    for (std::size_t end = remembered_.triangles.size(); end > 0;) {
-      const std::size_t begin = end - std::min(end, Candidates::kCapacity);
-      for (std::size_t i = end; i > begin; --i) {
-        const RememberedTriangles& triangles = remembered_.triangles[i - 1];
-        candidates.add(triangles.pair, triangles.placed_a, place(query_.b.pose, triangles.b));
-      }
-      std::size_t next = end;
-      const auto drop_until = [&](auto&& is_it) {
-        while (next > begin && !is_it(remembered_.triangles[next - 1].pair))
-          drop(--next);
-      };
-      const bvh::Walk walk = candidates.decide([&](TrianglePair hit) {
-        drop_until([&](TrianglePair pair) { return pair == hit; });
-        --next;
+    CandidateTriangles& all = remembered_.triangles;
+    for (std::size_t end = all.size(); end > 0;) {
+      const std::size_t begin = (end - 1) / CandidateTriangles::kBlock * CandidateTriangles::kBlock;
+      const CandidateTriangles::Placed placed(all, begin / CandidateTriangles::kBlock,
+                                              query_.b.pose);
+      const narrowphase::Verdicts verdicts = placed.verdicts();
+      work_.triangle_tests += end - begin;
+      std::uint32_t meeting = 0;
+      for (std::size_t lane = 0; lane < end - begin; ++lane)
+        meeting |= std::uint32_t{does_meet(placed, lane, verdicts)} << lane;
+      for (; end > begin; --end) {
+        if ((meeting >> (end - 1 - begin) & 1) == 0) {
+          remembered_.meeting.front().drop(end - 1);
+          all.drop(end - 1);
+          continue;
+        }
         has_hit_ = true;
-        return on_pair(hit);
-      });
-      if (walk == bvh::Walk::Stop) return walk;
-      drop_until([](TrianglePair) { return false; });
-      end = begin;
+        if (on_pair(all.pair(end - 1)) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      }
     }
     return bvh::Walk::Continue;
+  }
+
+  bool does_meet(const CandidateTriangles::Placed& placed, std::size_t lane,
+                 const narrowphase::Verdicts& verdicts) {
+    if ((verdicts.apart >> lane & 1) != 0) return false;
+    // Lanes of two that surely cross count as touching, too.
+    if ((verdicts.touching >> lane & 1) != 0) return true;
+    const narrowphase::Decision decision =
+        narrowphase::decide(placed.a(lane), placed.b(lane), touch_);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
   }
 
   WideQuery query_;
@@ -237,7 +251,8 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (is_done && found.pairs.size() <= settings.limit) {
-    sort_pairs(found.pairs);
+    std::reverse(found.pairs.begin(), found.pairs.end());
+    sort_nearly_sorted(found.pairs);
   } else {
     // Which pairs come first is for the walk to say.
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());

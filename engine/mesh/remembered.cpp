@@ -24,8 +24,10 @@ namespace {
 constexpr double kFrameGrowth = 1e-5;
 
 /// How far points of the box move between two placings, common units.
-double motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)[3][3],
-                 const double (&translation)[3], const bvh::RelativeFrame& now) {
+bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
+                                 const double (&rotation)[3][3], const double (&translation)[3],
+                                 const bvh::RelativeFrame& now) {
+  double turns = 0;
   double moved[3] = {0, 0, 0};
   double sizes = 0;
   double total = 0;
@@ -40,6 +42,7 @@ double motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)
       sizes += std::abs(turned * middle);
     }
     total += half * std::sqrt(square);
+    turns += square;
   }
   double square = 0;
   for (int i = 0; i < 3; ++i) {
@@ -48,7 +51,8 @@ double motion_of(const bvh::FloatBox& box, double unit, const double (&rotation)
     square += (moved[i] + way) * (moved[i] + way);
   }
   // Rounding of sums of five terms, and squares that underflow.
-  return (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+  const double way = (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+  return {way, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
 }
 
 }  // namespace
@@ -129,7 +133,8 @@ bool Remembered::follow(const WideQuery& query) {
   const bvh::RelativeFrame& now = query.b_in_a;
   const bool was_followed = is_followed_;
   if (was_followed) {
-    const double step = motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
+    const bvh::WideFront::Motion step =
+        motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
     meeting.move(step);
     near.move(step);
   }

@@ -2,6 +2,7 @@
 
 // Private to engine/mesh.
 
+#include <graze/engine/mesh/candidate_triangles.h>
 #include <graze/engine/mesh/motion_front.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/wide_query.h>
@@ -12,7 +13,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace graze {
 
@@ -52,14 +52,6 @@ class RememberedMesh {
   bool is_placed_ = false;
 };
 
-/// A candidate of a front about what meets: corners lie side by side in here, and all over the
-/// place in the meshes.
-struct RememberedTriangles {
-  TrianglePair pair;
-  Triangle placed_a;
-  Triangle b;
-};
-
 /// What a PairMemory holds of one pair of meshes.
 class Remembered {
  public:
@@ -95,8 +87,8 @@ class Remembered {
   bool was_within = false;
   bool was_touching = false;  // when a distance was last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
-  std::vector<RememberedTriangles> triangles;  // candidate by candidate of `meeting`
-  std::uint64_t triangles_generation = 0;      // of which it is
+  CandidateTriangles triangles;            // candidate by candidate of `meeting`
+  std::uint64_t triangles_generation = 0;  // of which it is
   Pose triangles_pose_a = Pose::Identity();
   MotionFront near{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;

@@ -26,7 +26,6 @@ Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& set
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings = {});
 
-inline constexpr std::size_t kMaxHullPoints = 4096;
 inline constexpr std::size_t kMaxSceneSteps = 10'000'000;
 
 }  // namespace graze

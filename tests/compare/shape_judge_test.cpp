@@ -140,11 +140,11 @@ TEST(SceneComparison, FindsWhoIsWrongAtEachStep) {
   compare_scene(scene, engines, {.steps = scene.steps, .threads = 3}, is_done,
                 [&](const StepRecord& record) {
                   ++steps;
-                  EXPECT_NE(record.step, 7u);
-                  EXPECT_EQ(record.time, static_cast<double>(record.step) * scene.step);
+                  EXPECT_NE(record.place, 7u);
+                  EXPECT_EQ(record.time, static_cast<double>(record.place) * scene.step);
                   for (const SceneDifference& difference : record.differences) {
                     for (const AnswerRecord& answer : difference.answers)
-                      on_answer(answer, record.step);
+                      on_answer(answer, record.place);
                   }
                 });
   EXPECT_EQ(steps, scene.steps);

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/sort_pairs.h>
 #include <graze/narrowphase/derived/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <new>
 
+#include "tests/narrowphase/simd_targets.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -154,6 +156,65 @@ TEST(Law9, AMemoryChangesNoAnswer) {
   EXPECT_GT(still_apart, 5u);
 }
 
+/// Steps along which planes hold for long: B turns on the spot, about an axis far from it, on a
+/// screw, there and back, or both move as one. All of it far from the origin of the meshes.
+TEST(Law9, AMemoryFollowsMotionsThatHardlyChangeGaps) {
+  RandomSource source(27);
+  const auto moved_off = [](const Mesh& mesh) {
+    std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    for (Eigen::Vector3d& vertex : vertices)
+      vertex += Eigen::Vector3d(40, -70, 25);
+    return Mesh(vertices, mesh.triangles());
+  };
+  const Mesh torus = moved_off(tests::make_torus(1, 0.3, 24, 16));
+  const Mesh ball = moved_off(tests::make_sphere(0.5, 12, 12));
+  const Eigen::Vector3d middle(40, -70, 25);
+  Memories memories;
+  PairMemory beside_brute_force;
+  Counts counts;
+  for (int motion = 0; motion < 20; ++motion) {
+    const Pose start = tests::random_pose(0.7, source);
+    const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
+    const Eigen::Vector3d way = 0.002 * source.vector(-1, 1);
+    const double angle = motion % 2 == 0 ? 0.03 : 0.004;
+    const bool is_common = motion % 5 == 4;
+    for (int i = 0; i < 40; ++i) {
+      const int step = motion % 4 == 3 && i > 20 ? 40 - i : i;
+      Pose by = Pose::Identity();
+      by.linear() = Eigen::AngleAxisd(angle * step, axis).toRotationMatrix();
+      // About the middle, or about a point beside it.
+      const Eigen::Vector3d about =
+          middle + (motion % 3 == 0 ? 1.0 : 0.0) * Eigen::Vector3d(1, 1, 0);
+      by.translation() = about - by.linear() * about + (motion % 3 == 1 ? step : 0) * way;
+      Pose into = Pose::Identity();
+      into.translation() = middle - start.linear() * middle + start.translation();
+      into.linear() = start.linear();
+      const PlacedMesh a{torus, is_common ? by : Pose::Identity()};
+      const PlacedMesh b{ball, is_common ? Pose(by * into) : Pose(into * by)};
+      ++(expect_no_difference(a, b, 0.05, memories) ? counts.hits : counts.misses);
+      if (i % 13 == 12) expect_brute_force(a, b, beside_brute_force);
+    }
+  }
+  EXPECT_GT(counts.hits, 50);
+  EXPECT_GT(counts.misses, 50);
+  EXPECT_GT(memories.work.skipped_by_memory, 1000u);
+}
+
+TEST(Law8, AMemoryChangesNoAnswerOnAnyTarget) {
+  const Mesh torus = tests::make_torus(1, 0.3, 20, 12);
+  const Mesh ball = tests::make_sphere(0.4, 10, 10);
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    RandomSource source(28);
+    Memories memories;
+    const Counts counts = walk(torus, ball, {.jumps = 5}, memories, source);
+    EXPECT_GT(counts.hits, 10) << target;
+    EXPECT_GT(counts.misses, 10) << target;
+    EXPECT_GT(memories.work.skipped_by_memory, 1000u) << target;
+  }
+  narrowphase::force_simd_target(0);
+}
+
 TEST(Law9, AMemoryChangesNoAnswerAtTheEndsOfDoubles) {
   RandomSource source(23);
   for (const double size : {1e-150, 1e140}) {
@@ -262,6 +323,26 @@ TEST(Law9, AMemoryOfOtherMeshesIsForgotten) {
     expect_same(distance({far, pose}, {near}, memory), distance({far, pose}, {near}));
   }
   EXPECT_EQ(memory.still_touching() + memory.still_apart(), 0u);
+}
+
+TEST(PairMemory, SortsWhatIsNearlySorted) {
+  RandomSource source(29);
+  for (const std::size_t swaps : {0u, 1u, 5u, 1000u}) {
+    for (const std::uint32_t size : {0u, 1u, 2u, 90u, 700u}) {
+      std::vector<TrianglePair> sorted;
+      for (std::uint32_t i = 0; i < size; ++i)
+        sorted.push_back({i / 3, i});
+      std::vector<TrianglePair> pairs = sorted;
+      for (std::size_t i = 0; i < swaps && size > 0; ++i) {
+        const auto random_index = [&] {
+          return static_cast<std::size_t>(source.uniform(0, 1) * size) % size;
+        };
+        std::swap(pairs[random_index()], pairs[random_index()]);
+      }
+      sort_nearly_sorted(pairs);
+      EXPECT_EQ(pairs, sorted);
+    }
+  }
 }
 
 TEST(PairMemory, RefusesOtherVolumes) {

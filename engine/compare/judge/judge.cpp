@@ -3,6 +3,7 @@
 #include <graze/engine/compare/judge/mesh_referee.h>
 #include <graze/engine/compare/judge/pair_error.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
+#include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/judge/volume_judge.h>
 #include <graze/engine/compare/judge/way_out.h>
 #include <graze/engine/compare/judge/witness_check.h>
@@ -33,6 +34,10 @@ bool may_be_judged(const Case& query) {
 struct Judge::Truth {
   explicit Truth(const Case& the_query) : query(the_query), meshes(as_meshes(the_query)) {
     if (meshes) referee.emplace(placed_a(), placed_b());
+    if (const std::optional<BodyCase> pair = as_bodies(query)) {
+      bodies.emplace(PlacedBody{pair->a.shape, pair->a.pose},
+                     PlacedBody{pair->b.shape, pair->b.pose});
+    }
   }
 
   PlacedMesh placed_a() const { return {meshes->a.mesh, meshes->a.pose}; }
@@ -68,6 +73,7 @@ struct Judge::Truth {
   const Case& query;
   std::optional<MeshCase> meshes;
   std::optional<MeshReferee> referee;
+  std::optional<ShapeJudge> bodies;
   std::once_flag hits_once;
   std::once_flag any_once;
   std::once_flag gap_once;
@@ -278,6 +284,10 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
   const bool is_graze = witness.engine == "graze";
   const Case& query = truth_->query;
   if (!may_be_judged(query) || !query.b) return {};
+  if (truth_->bodies) {
+    if (query.ask != Ask::Any || !answer.says) return {};
+    return truth_->bodies->judge(*answer.says, witness, settings);
+  }
   if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
   if (query.ask == Ask::Any && answer.says) return truth_->judge_any(*answer.says, settings);
   if (query.ask == Ask::Pairs && answer.pairs) return truth_->judge_list(*answer.pairs, settings);

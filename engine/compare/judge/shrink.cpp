@@ -1,30 +1,17 @@
+#include <graze/engine/compare/judge/reductions.h>
+#include <graze/engine/compare/judge/shape_numbers.h>
 #include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/judge/shrink_bodies.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/mesh/placement.h>
 
-#include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace graze::compare {
 namespace {
-
-using Indices = std::vector<std::uint32_t>;
-
-Mesh part_of(const Mesh& mesh, const Indices& triangles) {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<TriangleIndices> indices;
-  for (const std::uint32_t i : triangles) {
-    const auto first = static_cast<std::uint32_t>(vertices.size());
-    const Triangle t = mesh.triangle(i);
-    vertices.insert(vertices.end(), {t.a, t.b, t.c});
-    indices.push_back({first, first + 1, first + 2});
-  }
-  return {vertices, indices};
-}
 
 Mesh placed_triangle(const CaseMesh& mesh, std::uint32_t index) {
   const Triangle t = place(mesh.pose, mesh.mesh.triangle(index));
@@ -53,11 +40,11 @@ class Shrinking {
 
   /// Takes triangles away, now from one mesh, now from the other, until none can go.
   void halve() {
-    Indices a = all(meshes_.a.mesh);
-    Indices b = all(meshes_.b.mesh);
+    Indices a = all_indices(meshes_.a.mesh.triangles().size());
+    Indices b = all_indices(meshes_.b.mesh.triangles().size());
     for (bool is_smaller = true; is_smaller;) {
-      is_smaller = halve(a, [&](const Indices& part) { return try_parts(part, b); });
-      is_smaller |= halve(b, [&](const Indices& part) { return try_parts(a, part); });
+      is_smaller = take_away(a, [&](const Indices& part) { return try_parts(part, b); });
+      is_smaller |= take_away(b, [&](const Indices& part) { return try_parts(a, part); });
     }
     if (a.size() == 1 && b.size() == 1) try_placed({a[0], b[0]});
   }
@@ -75,12 +62,6 @@ class Shrinking {
   }
 
  private:
-  static Indices all(const Mesh& mesh) {
-    Indices indices(mesh.triangles().size());
-    std::iota(indices.begin(), indices.end(), 0U);
-    return indices;
-  }
-
   bool try_case(Case candidate) {
     if (!is_still_wrong_(candidate)) return false;
     best_ = std::move(candidate);
@@ -94,46 +75,18 @@ class Shrinking {
     return try_case(std::move(candidate));
   }
 
-  template <typename Try>
-  static bool halve(Indices& indices, Try&& try_part) {
-    const std::size_t before = indices.size();
-    for (std::size_t step = (indices.size() + 1) / 2; step > 0 && indices.size() > 1;) {
-      bool is_smaller = false;
-      for (std::size_t first = 0; first < indices.size() && indices.size() > 1;) {
-        const std::size_t last = std::min(first + step, indices.size());
-        Indices rest(indices.begin(), indices.begin() + static_cast<std::ptrdiff_t>(first));
-        rest.insert(rest.end(), indices.begin() + static_cast<std::ptrdiff_t>(last), indices.end());
-        if (!rest.empty() && try_part(rest)) {
-          indices = std::move(rest);
-          is_smaller = true;
-        } else {
-          first = last;
-        }
-      }
-      step = step == 1 && !is_smaller ? 0 : std::max<std::size_t>(step / 2, 1);
-    }
-    return indices.size() < before;
-  }
-
   void simplify(std::size_t corner, int axis) {
-    for (const int digits : {0, 1, 4, 12, 24}) {
+    const auto& before = std::get<CaseMesh>(corner < 3 ? best_.a : *best_.b);
+    const double value = before.mesh.vertices()[corner % 3][axis];
+    shorten(value, [&](double coarse) {
       Case candidate = best_;
       auto& mesh = std::get<CaseMesh>(corner < 3 ? candidate.a : *candidate.b);
       const auto list = mesh.mesh.vertices();
       std::vector<Eigen::Vector3d> vertices(list.begin(), list.end());
-      double& value = vertices[corner % 3][axis];
-      const double coarse = digits == 0 ? 0 : rounded(value, digits);
-      if (coarse == value) return;
-      value = coarse;
+      vertices[corner % 3][axis] = coarse;
       mesh = CaseMesh(Mesh(vertices, mesh.mesh.triangles()), mesh.pose);
-      if (try_case(std::move(candidate))) return;
-    }
-  }
-
-  static double rounded(double value, int digits) {
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    return std::ldexp(std::nearbyint(std::ldexp(fraction, digits)), exponent - digits);
+      return try_case(std::move(candidate));
+    });
   }
 
   Case best_;
@@ -146,6 +99,7 @@ class Shrinking {
 Case shrink(const Case& query, const std::optional<TrianglePair>& culprit,
             const StillWrong& is_still_wrong) {
   const std::optional<MeshCase> meshes = as_meshes(query);
+  if (as_bodies(query)) return shrink_bodies(query, is_still_wrong);
   if (!meshes) return query;
   Shrinking shrinking(query, *meshes, is_still_wrong);
   const bool is_pair = culprit && (shrinking.try_placed(*culprit) ||

@@ -9,12 +9,11 @@ namespace graze::compare {
 /// Whether a smaller query still shows what is to be shown.
 using StillWrong = std::function<bool(const Case&)>;
 
-/// Makes a query about two meshes as small as it can while `is_still_wrong` holds, and asks that of
-/// every query that it returns: what shows no disagreement is never a result. First the two
-/// triangles of `culprit`, placed, without poses; then the same with their poses; else triangles
-/// are taken away by halves, then by quarters, and so on (Zeller and Hildebrandt, "Simplifying and
-/// isolating failure-inducing input", IEEE Transactions on Software Engineering 28(2), 2002).
-/// At last coordinates lose the digits that do not matter. O(n log n) questions at worst.
+/// Makes a query about two meshes or bodies as small as it can while `is_still_wrong` holds, and
+/// asks that of every query that it returns: what shows no disagreement is never a result. First
+/// the two triangles of `culprit`, placed, without poses; then the same with their poses; else
+/// triangles are taken away (take_away()). At last coordinates lose the digits that do not matter.
+/// Of bodies see shrink_bodies(); other queries come back as they are.
 Case shrink(const Case& query, const std::optional<TrianglePair>& culprit,
             const StillWrong& is_still_wrong);
 

@@ -28,12 +28,37 @@ std::optional<MeshCase> as_meshes(const Case& query) {
   return MeshCase{*std::move(a), *std::move(b)};
 }
 
+std::optional<BodyCase> as_bodies(const Case& query) {
+  const auto* a = std::get_if<CaseBody>(&query.a);
+  const auto* b = query.b ? std::get_if<CaseBody>(&*query.b) : nullptr;
+  if (a == nullptr || b == nullptr) return std::nullopt;
+  return BodyCase{*a, *b};
+}
+
+LoadedQuestion load_question(const Engine& engine, const Case& query) {
+  if (const std::optional<MeshCase> meshes = as_meshes(query)) {
+    const std::shared_ptr<LoadedPair> pair = engine.load(meshes->a.mesh, meshes->b.mesh);
+    return [pair, question = Question{query.ask, query.settings}, pose_a = meshes->a.pose,
+            pose_b = meshes->b.pose] { return pair->answer(question, pose_a, pose_b); };
+  }
+  const std::optional<BodyCase> bodies = as_bodies(query);
+  if (bodies && query.ask == Ask::Any) {
+    const std::array<Shape, 2> shapes = {bodies->a.shape, bodies->b.shape};
+    const std::shared_ptr<LoadedShapes> loaded = engine.load_shapes(shapes);
+    return [loaded, pose_a = bodies->a.pose, pose_b = bodies->b.pose] {
+      std::optional<CaseAnswer> answer;
+      if (!loaded) return answer;
+      const std::optional<bool> says = loaded->intersects(0, pose_a, 1, pose_b);
+      if (says) answer.emplace().says = says;
+      return answer;
+    };
+  }
+  if (engine.name().engine != "graze") return [] { return std::optional<CaseAnswer>(); };
+  return [&query] { return std::optional(answer_case(query)); };
+}
+
 std::optional<CaseAnswer> ask(const Engine& engine, const Case& query) {
-  if (engine.name().engine == "graze" && !as_meshes(query)) return answer_case(query);
-  const std::optional<MeshCase> meshes = as_meshes(query);
-  if (!meshes) return std::nullopt;
-  return engine.load(meshes->a.mesh, meshes->b.mesh)
-      ->answer({query.ask, query.settings}, meshes->a.pose, meshes->b.pose);
+  return load_question(engine, query)();
 }
 
 std::vector<EngineEntry> all_engines() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -65,8 +66,14 @@ std::unique_ptr<Engine> make_bullet_engine();
 std::unique_ptr<Engine> make_ode_engine();
 std::unique_ptr<Engine> make_coal_engine();
 
-/// The engine's answer to a case; nothing if it knows no such question. Only graze is asked about
-/// shapes other than meshes and triangles, which become meshes of one triangle.
+/// What an engine answers to a case that it holds; nothing if it knows no such question.
+using LoadedQuestion = std::function<std::optional<CaseAnswer>()>;
+
+/// Only graze is asked about shapes other than bodies, meshes and triangles, which become meshes of
+/// one triangle. Engine and case must outlive the result. Throws Error if the engine refuses.
+LoadedQuestion load_question(const Engine& engine, const Case& query);
+
+/// Loads it and asks.
 std::optional<CaseAnswer> ask(const Engine& engine, const Case& query);
 
 /// The meshes of a case, a triangle as a mesh of one; nothing for other shapes.
@@ -75,5 +82,12 @@ struct MeshCase {
   CaseMesh b;
 };
 std::optional<MeshCase> as_meshes(const Case& query);
+
+/// The two bodies of a case, which must outlive this; nothing for other shapes.
+struct BodyCase {
+  const CaseBody& a;
+  const CaseBody& b;
+};
+std::optional<BodyCase> as_bodies(const Case& query);
 
 }  // namespace graze::compare

@@ -1,57 +1,62 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
-#include <graze/engine/compare/run/comparison.h>
+#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/run/line_file.h>
 
 namespace graze::compare {
 
-/// What tells one comparison from another: the meshes, the poses, the question and its settings.
-std::string key_of(const ComparisonJob& job);
+/// What tells one comparison from another: the first line of its file.
+struct JournalHead {
+  std::string kind;        ///< the first key of the file: "graze_comparison"
+  std::string unit;        ///< of what the other lines are, one each: "poses"
+  std::string key;         ///< SHA-256 of all that is asked
+  std::size_t places = 0;  ///< how many lines a complete one has
+};
 
-/// SHA-256 of a mesh's vertices and triangles, with `before` in front.
-std::string digest_of(const Mesh& mesh, const std::string& before);
-
-/// One line of JSON for one pose, without its line break.
-std::string to_json(const PoseRecord& record);
-
-/// A comparison in a file, a line a pose behind a line that names the job: what a run that was
-/// stopped is resumed from, and what a later run is held against.
-struct Journal {
-  std::string key;
+/// The first line, as far as it says more than the job does.
+struct JournalStart {
+  bool is_same_job = false;
   std::vector<std::string> engines;  ///< that were asked
-  std::size_t poses = 0;
-  std::vector<PoseRecord> records;  ///< in the order of the file
 };
 
-/// Throws CaseError, naming file and line. A last line that a stopped run left unfinished is
-/// dropped: its pose is asked again.
-Journal read_journal(const std::filesystem::path& path);
-
-/// Appends records as they come, so that nothing is lost when the run is stopped.
-class JournalWriter {
- public:
-  /// Begins the file, or with `known` lines rewrites it with these. Throws CaseError.
-  JournalWriter(const std::filesystem::path& path, const ComparisonJob& job,
-                std::span<const EngineEntry> engines, const std::vector<PoseRecord>& known);
-  void add(const PoseRecord& record) { file_.add(to_json(record)); }
-
- private:
-  LineFile file_;
+/// A comparison in a file, a line a place behind a line that names the job: what a run that was
+/// stopped is resumed from, and what a later run is held against.
+template <typename Record>
+struct Journal {
+  JournalStart start;
+  std::vector<Record> records;  ///< of this job, in the order of the file, each place once
 };
 
-/// How a run differs from an older one of the same job.
-struct BaselineDifference {
-  std::vector<std::size_t> changed;  ///< poses, or steps: graze's answer has another bit
-  std::vector<std::size_t> missing;  ///< one of the two has no answer of graze
-  double old_time = 0;               ///< microseconds, graze's sum over what both have
-  double new_time = 0;
-};
+/// Calls `on_record` with each line behind the first, if that is of this job. Throws CaseError,
+/// naming file and line, and for a file that is no record of this kind. A last line that a stopped
+/// run left unfinished is dropped: its place is asked again.
+JournalStart read_journal_lines(const std::filesystem::path& path, const JournalHead& head,
+                                const std::function<void(const cases::JsonCursor&)>& on_record);
 
-BaselineDifference compare_to_baseline(const Journal& baseline,
-                                       const std::vector<PoseRecord>& records);
+/// Reads the records of a job.
+template <typename Record>
+Journal<Record> read_journal(const std::filesystem::path& path, const JournalHead& head,
+                             const std::function<Record(const cases::JsonCursor&)>& read) {
+  Journal<Record> journal;
+  std::set<std::size_t> seen;
+  journal.start = read_journal_lines(path, head, [&](const cases::JsonCursor& line) {
+    Record record = read(line);
+    if (seen.insert(record.place).second) journal.records.push_back(std::move(record));
+  });
+  return journal;
+}
+
+/// The file of a job with these records as lines, to which more can be added as they come.
+LineFile start_journal(const std::filesystem::path& path, const JournalHead& head,
+                       std::span<const EngineEntry> engines, std::span<const std::string> records);
 
 }  // namespace graze::compare

@@ -54,7 +54,7 @@ class StepTrial {
  public:
   StepTrial(const Scene& scene, std::span<const SceneEngine> engines, WorldStep world)
       : scene_(scene), engines_(engines), world_(std::move(world)), said_(engines.size() + 1) {
-    record_.step = world_.step;
+    record_.place = world_.step;
     record_.time = world_.time;
     record_.engines.push_back({"world", 0, "", world_.took});
     for (const SceneEngine& engine : engines)
@@ -229,15 +229,24 @@ void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
       [&] { world.stop(); });
 }
 
-ComparisonJob mesh_job(const Scene& scene, const ScenePair& pair, double time) {
-  const auto mesh_of = [&](std::size_t body) {
-    return *scene.shapes[scene.bodies[body].shape].shape.as<Mesh>();
+Case case_of(const Scene& scene, const ScenePair& pair, double time) {
+  const auto shape_of = [&](std::size_t body) -> const Shape& {
+    return scene.shapes[scene.bodies[body].shape].shape;
   };
-  return {.a = CaseMesh(mesh_of(pair.a), pose_at(scene.bodies[pair.a], time)),
-          .b = CaseMesh(mesh_of(pair.b), Pose::Identity()),
-          .poses_b = {pose_at(scene.bodies[pair.b], time)},
-          .question = {Ask::Any, {}},
-          .threads = 1};
+  const bool are_meshes =
+      shape_of(pair.a).kind() == ShapeKind::Mesh && shape_of(pair.b).kind() == ShapeKind::Mesh;
+  const auto placed = [&](std::size_t body) -> CaseShape {
+    const Pose pose = pose_at(scene.bodies[body], time);
+    if (are_meshes) return CaseMesh(*shape_of(body).as<Mesh>(), pose);
+    return CaseBody(shape_of(body), pose);
+  };
+  return {.note = "",
+          .ask = Ask::Any,
+          .settings = {},
+          .a = placed(pair.a),
+          .b = placed(pair.b),
+          .answer = std::nullopt,
+          .answered_by = {}};
 }
 
 }  // namespace graze::compare

@@ -13,23 +13,12 @@ using Clock = std::chrono::steady_clock;
 
 /// Asks twice: the first query builds what it needs.
 std::optional<Testimony> testify(const Engine& engine, const Case& query) {
+  const LoadedQuestion question = load_question(engine, query);
+  if (!question()) return std::nullopt;
   Testimony testimony;
   testimony.witness = engine.name();
-  const std::optional<MeshCase> meshes = as_meshes(query);
-  if (!meshes) {
-    const std::optional<CaseAnswer> answer = ask(engine, query);
-    if (!answer) return std::nullopt;
-    const auto start = Clock::now();
-    testimony.answer = *ask(engine, query);
-    testimony.time = Clock::now() - start;
-    return testimony;
-  }
-  const std::unique_ptr<LoadedPair> pair = engine.load(meshes->a.mesh, meshes->b.mesh);
-  const Question question{query.ask, query.settings};
-  std::optional<CaseAnswer> answer = pair->answer(question, meshes->a.pose, meshes->b.pose);
-  if (!answer) return std::nullopt;
   const auto start = Clock::now();
-  testimony.answer = *pair->answer(question, meshes->a.pose, meshes->b.pose);
+  testimony.answer = *question();
   testimony.time = Clock::now() - start;
   return testimony;
 }

@@ -7,6 +7,7 @@
 #include <graze/engine/cases/sha256.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <vector>
 
 #include "tests/files/temporary_directory.h"
 #include "tests/narrowphase/simd_targets.h"
@@ -193,6 +195,38 @@ TEST_F(Cases, MeshesByFileAreReadWithTheirHash) {
   const Case back = read_case(path);
   EXPECT_EQ(std::get<CaseMesh>(back.a).file->sha256, mesh.file->sha256);
   EXPECT_EQ(to_json(back), to_json(query));
+}
+
+TEST_F(Cases, BodiesOfEveryKindComeBack) {
+  const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {0.75, 0, 0}, {0, 0.5, 0}, {0, 0, 3}};
+  const std::vector<Shape> shapes = {Sphere{{0.1, 0, 0}, 0.7},
+                                     Box{{0.1, 0.2, 0.3}},
+                                     Capsule{0.3, 0},
+                                     Cylinder{0.1, 0.9},
+                                     Cone{0.3, 0.7},
+                                     Ellipsoid{{0, 0.1, 0}, {0.1, 0.2, 0.3}},
+                                     ConvexHull(corners),
+                                     HalfSpace{{0, -1, 0}, -0.3},
+                                     Mesh(corners, std::vector<TriangleIndices>{{0, 1, 3}})};
+  std::set<bool> answers;
+  for (const Shape& shape_a : shapes) {
+    for (const Shape& shape_b : shapes) {
+      const Pose here = Pose::Identity();
+      const bool says = intersects(shape_a, here, shape_b, pose_);
+      answers.insert(says);
+      const Case query =
+          to_case(CaseShape(CaseBody(shape_a, here)), CaseBody(shape_b, pose_), says);
+      const Case back = parse_case(to_json(query), "memory");
+      EXPECT_EQ(to_json(back), to_json(query));
+      EXPECT_EQ(std::get<CaseBody>(back.a).shape.kind(), shape_a.kind());
+      EXPECT_EQ(answer_case(back).says, says) << name_of(shape_a.kind()) << name_of(shape_b.kind());
+    }
+  }
+  EXPECT_EQ(answers.size(), 2u);
+  const CaseBody ball(shapes[0], pose_);
+  const Case with_volume = to_case(CaseShape(ball), Sphere{{0, 0, 0}, 1}, false);
+  EXPECT_THROW(answer_case(with_volume), InputError) << "a body and a volume";
+  EXPECT_THROW(parse_case(to_json(with_volume), "memory"), CaseError);
 }
 
 TEST_F(Cases, ACutListIsNoCase) {

@@ -107,6 +107,32 @@ TEST_F(HostileCase, CountsAndIndices) {
             "case.json:1: /graze_case: is version 2; this program reads 1");
 }
 
+TEST_F(HostileCase, BodiesThatAreNone) {
+  const auto body = [](const std::string& shape, const std::string& more = "") {
+    return "{\"graze_case\": 1, \"question\": \"any\",\n\"a\": {\"body\": {\"sphere\": "
+           "{\"radius\": 1}}},"
+           "\n\"b\": {\"body\": {" +
+           shape + "}" + more + "}}";
+  };
+  EXPECT_EQ(error_of(body("\"cone\": {\"radius\": 1, \"half_height\": 2}")), "");
+  EXPECT_EQ(error_of(body("\"cone\": {\"radius\": 1}")),
+            "case.json:3: /b/body/cone: has no \"half_height\"");
+  EXPECT_EQ(error_of(body("\"box\": {\"half_extents\": [1, 0, 1]}")),
+            "case.json:3: /b/body/box: box: half extent y is not positive");
+  EXPECT_EQ(error_of(body("\"prism\": {}")).substr(0, 41),
+            "case.json:3: /b/body: unknown key \"prism\"");
+  EXPECT_EQ(error_of(body("")).substr(0, 37), "case.json:3: /b/body: has 0 shapes, n");
+  EXPECT_EQ(error_of(body("\"mesh\": {\"same_as\": \"a\"}")).substr(0, 27),
+            "case.json:3: /b/body/mesh: ");
+  EXPECT_EQ(error_of(body("\"box\": {\"half_extents\": [1, 1, 1]}",
+                          ",\"pose\": [1,0,0,1e300, 0,1,0,0, 0,0,1,0]"))
+                .substr(0, 21),
+            "case.json:3: /b/pose:");
+  EXPECT_NE(error_of(with("\"b\": {\"body\": {\"sphere\": {\"radius\": 1}}}"))
+                .find("no query answers \"any\" for a triangle and a body"),
+            std::string::npos);
+}
+
 TEST_F(HostileCase, MeshesThatReferToEachOther) {
   const std::string circle =
       "{\"graze_case\": 1, \"question\": \"any\", \"a\": {\"mesh\": {\"same_as\": \"b\"}},\n"

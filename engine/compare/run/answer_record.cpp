@@ -1,7 +1,8 @@
 #include <graze/engine/cases/json_text.h>
-#include <graze/engine/compare/run/answer_json.h>
+#include <graze/engine/compare/run/answer_record.h>
 #include <graze/engine/mesh/io/source.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -73,16 +74,45 @@ AnswerRecord read_answer(const JsonCursor& at) {
   return answer;
 }
 
-std::string engine_names_json(std::span<const EngineEntry> engines) {
+std::string to_json(std::span<const AnswerRecord> answers) {
   std::string out = "[";
   const char* separator = "";
-  for (const EngineEntry& entry : engines) {
-    if (entry.engine == nullptr) continue;
+  for (const AnswerRecord& answer : answers) {
     out += separator;
-    out += json_string(entry.name);
+    out += to_json(answer);
     separator = ",";
   }
   return out + "]";
+}
+
+std::vector<AnswerRecord> read_answers(const JsonCursor& at) {
+  std::vector<AnswerRecord> answers;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    answers.push_back(read_answer(at.item(i)));
+  return answers;
+}
+
+std::string to_json(const PlaceRecord& record, std::string_view name) {
+  return std::string("{") + json_string(name) + ":" + std::to_string(record.place) +
+         ",\"answers\":" + to_json(record.answers) + "}";
+}
+
+PlaceRecord read_place_record(const JsonCursor& at, std::string_view name, std::size_t places) {
+  at.require_keys({name, "answers"});
+  return {read_place(at.member(name), places), read_answers(at.member("answers"))};
+}
+
+std::size_t read_place(const JsonCursor& at, std::size_t end) {
+  const std::size_t place = at.index(kMaxIndex);
+  if (place >= end) at.fail("there are " + std::to_string(end));
+  return place;
+}
+
+GrazePart graze_part(const PlaceRecord& record) {
+  const auto at = std::find_if(record.answers.begin(), record.answers.end(),
+                               [](const AnswerRecord& answer) { return answer.engine == "graze"; });
+  if (at == record.answers.end()) return {record.place, "", 0};
+  return {record.place, at->digest, at->time};
 }
 
 }  // namespace graze::compare

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include <graze/engine/compare/run/case_comparison.h>
+#include <graze/engine/compare/run/comparison.h>
+#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/scene_comparison.h>
+
+namespace graze::compare {
+
+/// Of two meshes: their content, the poses, the question and its settings.
+JournalHead head_of(const ComparisonJob& job);
+
+/// Of a scene: the file's bytes, its meshes, and the length of a step. Throws SceneError if the
+/// file cannot be read.
+JournalHead head_of(const std::filesystem::path& file, const Scene& scene,
+                    const SceneComparisonSettings& settings);
+
+/// Of cases: their names and their content.
+JournalHead head_of(const CaseJob& job);
+
+}  // namespace graze::compare

@@ -1,0 +1,93 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/write_case.h>
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/run/shrink_worst.h>
+#include <graze/engine/compare/run/trial.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace graze::compare {
+namespace {
+
+auto rank_of(const WrongAnswer& wrong) {
+  const AnswerRecord& answer = *wrong.answer;
+  return std::tuple(answer.engine != "graze", -static_cast<int>(answer.judgement.error_class),
+                    wrong.place, answer.engine);
+}
+
+/// Errors of rounding are of one kind: without its poses one of placing becomes one of touching.
+bool is_same_kind(ErrorClass a, ErrorClass b) {
+  return a == b || (a <= ErrorClass::PoseRounding && b <= ErrorClass::PoseRounding);
+}
+
+/// A record from a file may name triangles that the meshes do not have.
+std::optional<TrianglePair> culprit_of(const Case& query, const AnswerRecord& answer) {
+  const std::optional<TrianglePair>& culprit = answer.judgement.culprit;
+  const std::optional<MeshCase> meshes = as_meshes(query);
+  const bool is_there = culprit && meshes && culprit->a < meshes->a.mesh.triangles().size() &&
+                        culprit->b < meshes->b.mesh.triangles().size();
+  return is_there ? culprit : std::nullopt;
+}
+
+bool is_same_query(const Case& a, const Case& b) {
+  const auto question_of = [](Case query) {
+    query.note.clear();
+    query.answer.reset();
+    return to_json(query);
+  };
+  return question_of(a) == question_of(b);
+}
+
+/// Wrong for the same reason: rounding coordinates could make a real error of one of touching.
+ShrunkCase shrink_one(const WrongAnswer& wrong, const Engine& engine) {
+  const AnswerRecord& answer = *wrong.answer;
+  const CaseWitness witness = {answer.engine, engine.name().version};
+  const StillWrong is_still_wrong = [&](const Case& smaller) {
+    try {
+      const std::optional<CaseAnswer> says = ask(engine, smaller);
+      if (!says) return false;
+      const Judgement judgement = Judge(smaller).judge(*says, witness, asking(engine));
+      return judgement.verdict == Verdict::Wrong &&
+             is_same_kind(judgement.error_class, answer.judgement.error_class);
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  const Case query = wrong.query();
+  Case small = shrink(query, culprit_of(query, answer), is_still_wrong);
+  const bool is_smaller = !is_same_query(small, query);
+  small.answer = ask(engine, small);
+  small.answered_by = witness;
+  const Judgement judgement =
+      small.answer ? Judge(small).judge(*small.answer, witness, asking(engine)) : Judgement();
+  return {answer.engine, 0, std::move(small), judgement, is_smaller};
+}
+
+}  // namespace
+
+std::vector<ShrunkCase> shrink_worst(std::span<const WrongAnswer> wrong,
+                                     std::span<const EngineEntry> engines, std::size_t limit) {
+  std::vector<std::size_t> order(wrong.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(rank_of(wrong[a]), a) < std::pair(rank_of(wrong[b]), b);
+  });
+  std::vector<ShrunkCase> shrunk;
+  for (const std::size_t i : order) {
+    if (shrunk.size() == limit) break;
+    const auto entry = std::find_if(
+        engines.begin(), engines.end(),
+        [&](const EngineEntry& candidate) { return candidate.name == wrong[i].answer->engine; });
+    if (entry == engines.end() || entry->engine == nullptr) continue;
+    shrunk.push_back(shrink_one(wrong[i], *entry->engine));
+    shrunk.back().wrong = i;
+  }
+  return shrunk;
+}
+
+}  // namespace graze::compare

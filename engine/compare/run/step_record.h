@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/scenes/scene.h>
+
+namespace graze::compare {
+
+/// What one engine did at one step. "world" is a graze::World that steps the scene, with all that
+/// it remembers and skips; "graze" is asked about each pair alone, as the others are.
+struct StepAnswers {
+  std::string engine;
+  std::size_t answers = 0;
+  std::string digest;  ///< SHA-256 of all that it said: equal for equal answers
+  double time = 0;     ///< microseconds, all pairs together
+};
+
+/// A pair of bodies of which not all engines said the same, or of which the world should not speak.
+struct SceneDifference {
+  ScenePair pair;
+  std::vector<AnswerRecord> answers;  ///< that of "world" first
+};
+
+/// All engines about all pairs at one step.
+struct StepRecord {
+  std::size_t place = 0;  ///< the step
+  double time = 0;        ///< seconds
+  std::size_t questions = 0;
+  std::vector<StepAnswers> engines;  ///< "world" first
+  std::vector<SceneDifference> differences;
+};
+
+/// One line of JSON, without its line break.
+std::string to_json(const StepRecord& record);
+
+/// The same from JSON, of a scene with so many steps and bodies. Throws CaseError.
+StepRecord read_step_record(const cases::JsonCursor& at, std::size_t steps, std::size_t bodies);
+
+/// What "world" and "graze" said together.
+GrazePart graze_part(const StepRecord& record);
+
+}  // namespace graze::compare
