@@ -86,8 +86,10 @@ struct CaseAnswer {
   std::optional<bool> says;  ///< Any, Within, Contains, SelfAny
   std::optional<std::vector<TrianglePair>> pairs;
   std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
-  std::optional<double> distance;                       ///< Distance, Separation; metres
-  std::optional<Eigen::Vector3d> point_a;               ///< Distance, if the engine names points
+  /// Distance, Separation; metres. Of a distance a negative one claims a touch: some engines return
+  /// -1 or how deep it is.
+  std::optional<double> distance;
+  std::optional<Eigen::Vector3d> point_a;  ///< Distance, if the engine names points
   std::optional<Eigen::Vector3d> point_b;
   std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
   std::optional<Eigen::Vector3d> translation;  ///< Separation, metres

@@ -1,6 +1,9 @@
 #include <graze/engine/cases/hex_float.h>
 #include <graze/engine/cases/json_text.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 
 namespace graze::cases {
@@ -64,6 +67,13 @@ std::string json_number(double value) {
   std::string out = "\"";
   out += to_hex_float(value);
   return out + '"';
+}
+
+std::string json_plain_number(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::array<char, 32> text;
+  const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
 }
 
 std::string json_point(const Eigen::Vector3d& point) {

@@ -16,6 +16,10 @@ std::string json_string(std::string_view text);
 /// A double as a hex float in quotes.
 std::string json_number(double value);
 
+/// A double as a JSON number, of the fewest digits that read back as the same double; null for what
+/// is not finite. For people and their tools: what is read again is written as hex floats.
+std::string json_plain_number(double value);
+
 /// `["0x1p+0","0x0p+0",...]`.
 std::string json_point(const Eigen::Vector3d& point);
 

@@ -96,9 +96,28 @@ bool is_answerable(const Case& query) {
   }
 }
 
+/// A name is printed: nothing in it may move the cursor of a terminal. Of UTF-8 the control
+/// characters are the bytes below space, 0x7f, and 0x80 to 0x9f behind 0xc2.
+std::string read_name(const JsonCursor& at) {
+  constexpr std::size_t kMaxName = 128;
+  const std::string& name = at.text();
+  if (name.size() > kMaxName) {
+    at.fail("is a name of " + std::to_string(name.size()) + " bytes, more than " +
+            std::to_string(kMaxName));
+  }
+  unsigned before = 0;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_high = before == 0xc2 && byte <= 0x9f;
+    if (byte < 0x20 || byte == 0x7f || is_high) at.fail("is a name with a control character");
+    before = byte;
+  }
+  return name;
+}
+
 CaseWitness read_witness(const JsonCursor& at) {
   at.require_keys({"engine", "version"});
-  return {at.member("engine").text(), at.has("version") ? at.member("version").text() : ""};
+  return {read_name(at.member("engine")), at.has("version") ? read_name(at.member("version")) : ""};
 }
 
 /// A pair of the answer beyond the meshes would be found nowhere.

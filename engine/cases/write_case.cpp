@@ -38,13 +38,19 @@ std::string text_of(const TriangleIndices& t) {
          std::to_string(t[2]) + "]";
 }
 
-std::string text_of(const CaseContact& contact) {
-  return std::string("{\"point\":") + json_point(contact.point) +
-         ",\"point_a\":" + json_point(contact.point_a) +
-         ",\"point_b\":" + json_point(contact.point_b) +
-         ",\"normal\":" + json_point(contact.normal) + ",\"depth\":" + json_number(contact.depth) +
-         "}";
-}
+/// How the numbers of an answer are written.
+struct NumberText {
+  std::string (*number)(double);
+
+  std::string point(const Eigen::Vector3d& p) const {
+    return std::string("[") + number(p.x()) + "," + number(p.y()) + "," + number(p.z()) + "]";
+  }
+  std::string contact(const CaseContact& contact) const {
+    return std::string("{\"point\":") + point(contact.point) +
+           ",\"point_a\":" + point(contact.point_a) + ",\"point_b\":" + point(contact.point_b) +
+           ",\"normal\":" + point(contact.normal) + ",\"depth\":" + number(contact.depth) + "}";
+  }
+};
 
 std::string mesh_text(const CaseMesh& mesh) {
   if (mesh.file) {
@@ -147,9 +153,7 @@ bool is_one_mesh(const Case& query) {
   return a != nullptr && b != nullptr && a->mesh == b->mesh;
 }
 
-}  // namespace
-
-std::string to_json(const CaseAnswer& answer) {
+std::string answer_text(const CaseAnswer& answer, const NumberText& numbers) {
   std::string out;
   const auto add = [&](const char* key, const std::string& value) {
     out += (out.empty() ? "\"" : ",\"") + std::string(key) + "\":" + value;
@@ -161,16 +165,26 @@ std::string to_json(const CaseAnswer& answer) {
     add("triangles",
         list_of(*answer.triangles, ",", [](std::uint32_t t) { return std::to_string(t); }));
   }
-  if (answer.distance) add("distance", json_number(*answer.distance));
-  if (answer.point_a) add("point_a", json_point(*answer.point_a));
-  if (answer.point_b) add("point_b", json_point(*answer.point_b));
+  if (answer.distance) add("distance", numbers.number(*answer.distance));
+  if (answer.point_a) add("point_a", numbers.point(*answer.point_a));
+  if (answer.point_b) add("point_b", numbers.point(*answer.point_b));
   if (answer.pair) add("pair", text_of(*answer.pair));
-  if (answer.translation) add("translation", json_point(*answer.translation));
+  if (answer.translation) add("translation", numbers.point(*answer.translation));
   if (answer.contacts) {
     add("contacts", list_of(*answer.contacts, ",",
-                            [](const CaseContact& contact) { return text_of(contact); }));
+                            [&](const CaseContact& contact) { return numbers.contact(contact); }));
   }
   return "{" + out + "}";
+}
+
+}  // namespace
+
+std::string to_json(const CaseAnswer& answer) {
+  return answer_text(answer, {json_number});
+}
+
+std::string to_plain_json(const CaseAnswer& answer) {
+  return answer_text(answer, {cases::json_plain_number});
 }
 
 std::string to_json(const Case& query) {

@@ -11,13 +11,13 @@ constexpr const char* kReplayFooter = R"(
 A case is a query in a file, bit for bit (data/README.md, data/case.schema.json). Each is put to graze
 and to every other engine that this command was built with, and the referee, exact arithmetic that shares
 no formula with graze, says who is right: about any, pairs, distance, within, and of contacts whether
-there are any. The answer that stands in the file is judged too. "changed" is an answer of graze other
-than the one that graze or the referee once gave.
+there are any. The answer that stands in the file is judged too, by itself. "changed" is an answer of graze
+other than the one that graze or the referee once gave: that is right where a bug was fixed since.
 
 Wrong answers have a class: touching (by no more than 64 ulp), pose rounding (as little, and right
 without poses), degenerate (a triangle without area), containment (one mesh inside the other), real.
 
-With --json each case gives one line:
+With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
    "answer":{"says":true},"verdict":"right","truth":"hit","us":1.234},...]}
 
@@ -27,8 +27,9 @@ Examples:
 
 Exit codes:
   0  graze is right everywhere, or was not judged
-  1  exact arithmetic found an answer of graze to be wrong, or it has changed
-  2  bad input, with one line on stderr: FILE:LINE: /PLACE: why)";
+  1  exact arithmetic found an answer of graze to be wrong, or one that nobody judges has changed; with
+     --same also if any has changed
+  2  bad input, with one line on stderr for each bad file, FILE:LINE: /PLACE: why; the others are replayed)";
 
 }  // namespace
 
@@ -42,6 +43,8 @@ void add_replay_command(CLI::App& program, Action& action) {
                    "the folder of meshes by file (default: that of each case)")
       ->type_name("DIR");
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
+  command->add_flag("--same", options->is_change_failure,
+                    "fail if an answer of graze is not the one that the case records");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
   command->footer(kReplayFooter);

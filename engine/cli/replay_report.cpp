@@ -20,9 +20,17 @@ std::string engine_of(const Testimony& testimony) {
   return testimony.is_recorded ? name + " (recorded)" : name;
 }
 
-std::string verdict_of(const Testimony& testimony) {
-  if (testimony.differs_from_record) return "changed";
-  return name_of(testimony.judgement.verdict);
+/// A class for what is wrong, and a word for what is no longer as it was.
+std::string reason_of(const Testimony& testimony) {
+  std::string reason;
+  if (testimony.is_wrong()) reason = name_of(testimony.judgement.error_class);
+  if (testimony.differs_from_record) reason += reason.empty() ? "changed" : ", changed";
+  return reason;
+}
+
+/// Distances with all digits: two that differ in the last one are two answers.
+std::string in_full(const CaseAnswer& answer) {
+  return answer.distance ? cases::json_plain_number(*answer.distance) + " m" : brief(answer);
 }
 
 }  // namespace
@@ -32,12 +40,12 @@ std::string to_json(const Testimony& t) {
   std::string out =
       fmt::format("{{\"engine\":{},\"version\":{},\"recorded\":{},\"answer\":{},\"verdict\":{}",
                   json_string(t.witness.engine), json_string(t.witness.version), t.is_recorded,
-                  to_json(t.answer), json_string(name_of(judgement.verdict)));
+                  to_plain_json(t.answer), json_string(name_of(judgement.verdict)));
   if (!judgement.truth.empty()) out += fmt::format(",\"truth\":{}", json_string(judgement.truth));
   if (judgement.verdict == Verdict::Wrong) {
-    out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
-                       json_string(name_of(judgement.error_class)),
-                       cases::json_number(judgement.error), cases::json_number(judgement.ulps));
+    out += fmt::format(
+        ",\"class\":{},\"error\":{},\"ulps\":{}", json_string(name_of(judgement.error_class)),
+        cases::json_plain_number(judgement.error), cases::json_plain_number(judgement.ulps));
     if (judgement.wrong_pairs > 0) out += fmt::format(",\"wrong_pairs\":{}", judgement.wrong_pairs);
   }
   if (t.differs_from_record) out += ",\"changed\":true";
@@ -51,7 +59,8 @@ ReplayReport::ReplayReport(Output& output, bool is_json)
       table_({{"case", 28},
               {"question", 10},
               {"engine", 20},
-              {"answer", 13},
+              {"answer", 21},
+              {"truth", 20},
               {"verdict", 10},
               {"why", 13},
               {"error (m)", 10},
@@ -70,8 +79,13 @@ void ReplayReport::begin(std::span<const compare::EngineEntry> engines) {
 void ReplayReport::add(const std::string& file, const Case& query,
                        const std::vector<Testimony>& testimonies) {
   ++cases_;
-  for (const Testimony& testimony : testimonies)
-    graze_wrong_ += testimony.is_graze() && testimony.is_wrong();
+  for (const Testimony& testimony : testimonies) {
+    if (!testimony.is_graze()) continue;
+    const bool is_judged = testimony.judgement.verdict != Verdict::NotJudged;
+    graze_wrong_ += testimony.is_wrong();
+    changed_ += testimony.differs_from_record;
+    changed_unjudged_ += testimony.differs_from_record && !is_judged;
+  }
   if (is_json_) {
     std::string line = fmt::format("{{\"case\":{},\"question\":{},\"testimonies\":[",
                                    json_string(file), json_string(name_of(query.ask)));
@@ -88,9 +102,9 @@ void ReplayReport::add(const std::string& file, const Case& query,
   std::string name = mesh_io::printable(std::filesystem::path(file).filename().string());
   std::string question = name_of(query.ask);
   for (const Testimony& t : testimonies) {
-    const bool is_wrong = t.judgement.verdict == Verdict::Wrong;
-    rows += table_.row({name, question, engine_of(t), brief(t.answer), verdict_of(t),
-                        is_wrong ? name_of(t.judgement.error_class) : "",
+    const bool is_wrong = t.is_wrong();
+    rows += table_.row({name, question, engine_of(t), in_full(t.answer), t.judgement.truth,
+                        name_of(t.judgement.verdict), reason_of(t),
                         is_wrong ? fmt::format("{:.3g}", t.judgement.error) : "",
                         is_wrong ? fmt::format("{:.3g}", t.judgement.ulps) : "",
                         t.is_recorded ? "" : fmt::format("{:.1f}", t.time.count())});
@@ -102,8 +116,8 @@ void ReplayReport::add(const std::string& file, const Case& query,
 
 void ReplayReport::end() {
   if (is_json_) return;
-  output_.write(
-      fmt::format("{} case{}, graze wrong in {}\n", cases_, cases_ == 1 ? "" : "s", graze_wrong_));
+  output_.write(fmt::format("{} case{}, graze wrong in {}, changed in {}\n", cases_,
+                            cases_ == 1 ? "" : "s", graze_wrong_, changed_));
 }
 
 }  // namespace graze::cli

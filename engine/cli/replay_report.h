@@ -19,7 +19,13 @@ class ReplayReport {
   void add(const std::string& file, const Case& query,
            const std::vector<compare::Testimony>& testimonies);
   void end();
+
+  /// graze is wrong today, by the referee.
   bool is_graze_wrong() const { return graze_wrong_ > 0; }
+  /// An answer of graze is another than the recorded one of graze or the referee.
+  bool has_changed() const { return changed_ > 0; }
+  /// And no referee says which of the two is right.
+  bool has_changed_unjudged() const { return changed_unjudged_ > 0; }
 
  private:
   Output& output_;
@@ -27,6 +33,8 @@ class ReplayReport {
   Table table_;
   std::size_t cases_ = 0;
   std::size_t graze_wrong_ = 0;
+  std::size_t changed_ = 0;
+  std::size_t changed_unjudged_ = 0;
 };
 
 /// A JSON object: {"engine":...,"verdict":...}.

@@ -1,3 +1,4 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/replay_report.h>
@@ -5,6 +6,8 @@
 #include <graze/engine/mesh/io/source.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <utility>
 
 namespace graze::cli {
 
@@ -31,23 +34,61 @@ std::vector<fs::path> case_files(const std::vector<std::string>& arguments) {
   return files;
 }
 
+namespace {
+
+struct ReadFile {
+  fs::path path;
+  Case query;
+};
+
+void name_refused(const std::string& message) {
+  std::fprintf(stderr, "graze: %s\n", mesh_io::printable(message).c_str());
+}
+
+ExitCode exit_code_of(const ReplayReport& report, const ReplayOptions& options, bool is_all_read) {
+  if (!is_all_read) return ExitCode::BadInput;
+  const bool is_failure = report.is_graze_wrong() || report.has_changed_unjudged() ||
+                          (options.is_change_failure && report.has_changed());
+  return is_failure ? ExitCode::GrazeWrong : ExitCode::Answered;
+}
+
+}  // namespace
+
 ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
                     Output& output) {
-  const std::vector<fs::path> files = case_files(options.files);
-  std::vector<Case> cases;
-  cases.reserve(files.size());
-  for (const fs::path& file : files)
-    cases.push_back(read_case(file, {.mesh_folder = options.mesh_folder}));
+  std::vector<ReadFile> cases;
+  std::vector<std::string> refusals;
+  for (const fs::path& file : case_files(options.files)) {
+    try {
+      cases.push_back({file, read_case(file, {.mesh_folder = options.mesh_folder})});
+    } catch (const Error& error) {
+      refusals.emplace_back(error.what());
+    }
+  }
+  if (cases.empty() && refusals.size() == 1) throw CaseError(refusals.front());
+  for (const std::string& refusal : refusals)
+    name_refused(refusal);
+  if (cases.empty()) return ExitCode::BadInput;
 
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress});
   ReplayReport report(output, options.is_json);
   report.begin(engines);
+  bool is_all_read = refusals.empty();
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    report.add(files[i].string(), cases[i], compare::try_case(cases[i], engines));
+    const std::string file = cases[i].path.string();
+    std::vector<compare::Testimony> testimonies;
+    try {
+      testimonies = compare::try_case(cases[i].query, engines);
+    } catch (const Error& error) {  // graze refuses the question
+      name_refused(file + ": " + error.what());
+      is_all_read = false;
+      continue;
+    }
+    report.add(file, cases[i].query, testimonies);
     progress.update(i + 1);
   }
   report.end();
-  return report.is_graze_wrong() ? ExitCode::GrazeWrong : ExitCode::Answered;
+  return exit_code_of(report, options, is_all_read);
 }
 
 }  // namespace graze::cli

@@ -16,10 +16,12 @@ struct ReplayOptions {
   std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
   bool is_json = false;
   bool has_progress = false;
+  bool is_change_failure = false;  ///< an answer other than the recorded one is exit code 1
 };
 
-/// All cases are read before the first is asked, so that bad input leaves standard output empty.
-/// Throws CaseError or MeshError.
+/// All cases are read before the first is asked. What cannot be read is named, one line each on
+/// stderr, and the others are replayed; the exit code is then BadInput. Where no case is left,
+/// standard output stays empty; a refusal that is the only one is thrown as a CaseError.
 ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
                     Output& output);
 

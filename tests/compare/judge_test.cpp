@@ -6,11 +6,14 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/mesh_referee.h>
+#include <graze/engine/compare/judge/rational_box.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/judge/way_out.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/volumes/obb_overlap.h>
 #include <gtest/gtest.h>
 #include <tests/oracle/category.h>
 #include <tests/oracle/sampler.h>
@@ -141,6 +144,44 @@ TEST(JudgeClasses, OneInsideTheOtherIsContainment) {
   EXPECT_EQ(judgement.error, 3.0);
 }
 
+Judgement judged_distance(const CaseShape& a, const CaseShape& b, double distance,
+                          const char* engine = "somebody") {
+  Case query = to_case(a, b, true);
+  query.ask = Ask::Distance;
+  CaseAnswer answer;
+  answer.distance = distance;
+  return Judge(query).judge(answer, {engine, ""});
+}
+
+TEST(JudgeClasses, ContainmentIsAClassOfEveryClaimOfATouch) {
+  const CaseMesh inner(tests::make_box({1, 1, 1}), Pose::Identity());
+  const CaseMesh outer(tests::make_box({4, 4, 4}), Pose::Identity());
+  for (const double claimed : {0.0, -1.0}) {
+    const Judgement judgement = judged_distance(inner, outer, claimed);
+    EXPECT_EQ(judgement.verdict, Verdict::Wrong);
+    EXPECT_EQ(judgement.error_class, ErrorClass::Containment) << claimed;
+    EXPECT_EQ(judgement.error, 3.0);
+  }
+  EXPECT_EQ(judged_distance(inner, outer, 1).error_class, ErrorClass::Real) << "no claim of one";
+  Case within = to_case(inner, outer, true);
+  within.ask = Ask::Within;
+  within.settings.clearance = 0.25;
+  EXPECT_EQ(Judge(within).judge(*within.answer, {"somebody", ""}).error_class,
+            ErrorClass::Containment);
+}
+
+TEST(JudgeDistances, ANegativeOneClaimsATouch) {
+  const Triangle crossing{{1, 1, -1}, {1, 1, 2}, {1, 2, 5}};
+  const Triangle above = moved(kFlat, way(0, 0, 3));
+  for (const double claimed : {-1.0, -0.25, -7e5}) {
+    EXPECT_EQ(judged_distance(kFlat, crossing, claimed).verdict, Verdict::Right);
+    const Judgement wrong = judged_distance(kFlat, above, claimed);
+    EXPECT_EQ(wrong.verdict, Verdict::Wrong);
+    EXPECT_EQ(wrong.error, 3) << "the gap, not the difference";
+    EXPECT_EQ(judged_distance(kFlat, crossing, claimed, "graze").verdict, Verdict::Wrong);
+  }
+}
+
 TEST(JudgeClasses, WhatOnlyThePoseHasRoundedIsPoseRounding) {
   // 1/3 above 1 is no double: placing moves the touching point off the face by a part of an ulp.
   Pose pose = Pose::Identity();
@@ -154,6 +195,112 @@ TEST(JudgeClasses, WhatOnlyThePoseHasRoundedIsPoseRounding) {
       judged(CaseMesh(flat, Pose::Identity()), CaseMesh(above, pose), false);
   EXPECT_EQ(judgement.verdict, Verdict::Wrong) << "law 1 places it on the face";
   EXPECT_EQ(judgement.error_class, ErrorClass::PoseRounding) << "in real numbers it is above";
+}
+
+CaseMesh cube_at(double x, double y = 0) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Eigen::Vector3d(x, y, 0);
+  return {tests::make_box({1, 1, 1}), pose};
+}
+
+// All pairs of triangles of cubes in line merely touch: what undoes the hit is what counts.
+TEST(JudgeClasses, AMissedHitIsAsLargeAsTheWayOut) {
+  for (const double x : {1.5, -1.5, 0.25}) {
+    const Judgement missed = judged(cube_at(0), cube_at(x), false);
+    EXPECT_EQ(missed.error_class, ErrorClass::Real) << x;
+    EXPECT_EQ(missed.error, 2 - std::abs(x));
+  }
+  EXPECT_EQ(judged(cube_at(0), cube_at(0), false).error, 2) << "one and the same cube";
+  EXPECT_EQ(judged(cube_at(0), cube_at(1.75, 0.125), false).error, 0.25);
+  const Judgement face = judged(cube_at(0), cube_at(2), false);
+  EXPECT_EQ(face.error_class, ErrorClass::Touching);
+  EXPECT_EQ(face.error, 0);
+  const Judgement deeper = judged(cube_at(0), cube_at(2 - 0x1p-50), false);
+  EXPECT_EQ(deeper.error_class, ErrorClass::Touching);
+  EXPECT_EQ(deeper.error, 0x1p-50);
+  EXPECT_EQ(judged(cube_at(0), cube_at(2 - 0x1p-40), false).error_class, ErrorClass::Real);
+  EXPECT_EQ(judged(cube_at(0), cube_at(2, 2), false).error_class, ErrorClass::Touching) << "edges";
+}
+
+/// A floor and a wall in one mesh: out of the corner leads a way that no triangle is normal to.
+TEST(JudgeClasses, ACornerIsLeftAwayFromBothFaces) {
+  const Mesh corner(std::vector<Eigen::Vector3d>{{-1, -3, -3},
+                                                 {-1, 3, -3},
+                                                 {-1, -3, 3},
+                                                 {-1, 3, 3},
+                                                 {5, -3, -1},
+                                                 {5, 3, -1},
+                                                 {-3, -3, -1},
+                                                 {-3, 3, -1}},
+                    std::vector<TriangleIndices>{{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {5, 7, 6}});
+  const Judgement missed = judged(CaseMesh(corner, Pose::Identity()), cube_at(0), false);
+  EXPECT_EQ(missed.error_class, ErrorClass::Touching);
+  EXPECT_EQ(missed.error, 0);
+}
+
+TEST(JudgeClasses, AnEmptyListOrNoContactSaysThatTheyAreApart) {
+  Case query = to_case(cube_at(0), cube_at(1.5), true);
+  query.ask = Ask::Pairs;
+  CaseAnswer none;
+  none.pairs.emplace();
+  const Judgement list = Judge(query).judge(none, {"somebody", ""});
+  EXPECT_EQ(list.error_class, ErrorClass::Real);
+  EXPECT_EQ(list.error, 0.5);
+  EXPECT_GT(list.wrong_pairs, 8u);
+  query.ask = Ask::Contacts;
+  CaseAnswer no_contact;
+  no_contact.contacts.emplace();
+  EXPECT_EQ(Judge(query).judge(no_contact, {"somebody", ""}).error, 0.5);
+}
+
+/// The way out is one: moved by a little more, two soups of triangles are apart, and every pair
+/// needs at least its own depth.
+TEST(JudgeClasses, TheWayOutIsNoShorterThanAnyPairNeeds) {
+  RandomSource source(11);
+  std::size_t hits = 0;
+  for (int run = 0; run < 12; ++run) {
+    const Mesh a = tests::random_soup({.count = 12, .extent = 0.4, .size = 0.4}, source);
+    const Mesh b = tests::random_soup({.count = 12, .extent = 0.4, .size = 0.4}, source);
+    const MeshReferee referee({a}, {b});
+    const std::vector<TrianglePair> pairs = referee.find_hits();
+    if (pairs.empty()) continue;
+    ++hits;
+    double deepest = 0;
+    for (const TrianglePair& pair : pairs) {
+      deepest = std::max(deepest, rounded_root(squared_depth(exactly(a.triangle(pair.a)),
+                                                             exactly(b.triangle(pair.b)))));
+    }
+    WayOut way_out(referee, pairs);
+    const double way = way_out.find();
+    EXPECT_GE(way, deepest * (1 - 0x1p-40));
+    EXPECT_FALSE(way_out.find_within(deepest / 2));
+    EXPECT_TRUE(way_out.find_within(way * (1 + 0x1p-40)));
+  }
+  EXPECT_GT(hits, 6u);
+}
+
+/// What a file claims is classed by the claim, not by an engine that happens to have its name.
+TEST(JudgeClasses, ANameOfAClaimantChangesNothing) {
+  const Triangle touching{{1, 1, 0}, {1, 2, 5}, {2, 1, 5}};
+  for (const bool is_touching : {false, true}) {
+    Case query = to_case(cube_at(0), cube_at(1.5), false);
+    if (is_touching) {
+      const auto mesh = [](const Triangle& t) {
+        return Mesh(std::vector<Eigen::Vector3d>{t.a, t.b, t.c},
+                    std::vector<TriangleIndices>{{0, 1, 2}});
+      };
+      Pose raised = Pose::Identity();
+      raised.translation().z() = 1;
+      query = to_case(CaseMesh(mesh(kFlat), raised), CaseMesh(mesh(touching), raised), false);
+    }
+    std::vector<ErrorClass> classes;
+    for (const char* name : {"graze", "fcl", "bullet", "nobody"}) {
+      query.answered_by = {name, ""};
+      classes.push_back(try_case(query, all_engines()).front().judgement.error_class);
+    }
+    EXPECT_EQ(classes,
+              std::vector<ErrorClass>(4, is_touching ? ErrorClass::Touching : ErrorClass::Real));
+  }
 }
 
 TEST(JudgeDistances, AreRightWithinTheirBoundsOnly) {
@@ -186,7 +333,157 @@ TEST(JudgeVolumes, AreJudgedWhereTheyArePromisedToBeExact) {
   EXPECT_EQ(judged(kFlat, Aabb{{1, 1, 0}, {1, 1, 1}}, true).verdict, Verdict::Right);
   EXPECT_EQ(judged(kFlat, Obb{Pose::Identity(), {1, 1, 1}}, false).verdict, Verdict::Wrong);
   EXPECT_EQ(judged(ball, Aabb{{0, 0, 0}, {1, 1, 1}}, true).verdict, Verdict::Right);
-  EXPECT_EQ(judged(ball, Obb{Pose::Identity(), {1, 1, 1}}, true).verdict, Verdict::NotJudged);
+}
+
+TEST(JudgeVolumes, TheSizeOfAnErrorAndItsClass) {
+  const Sphere ball{{0, 0, 0}, 1};
+  const auto expect = [](const Judgement& judgement, ErrorClass error_class, double error) {
+    EXPECT_EQ(judgement.verdict, Verdict::Wrong);
+    EXPECT_EQ(judgement.error_class, error_class);
+    EXPECT_EQ(judgement.error, error);
+  };
+  expect(judged(ball, Sphere{{2, 0, 0}, 1}, false), ErrorClass::Touching, 0);
+  expect(judged(ball, Sphere{{1.5, 0, 0}, 1}, false), ErrorClass::Real, 0.5);
+  expect(judged(ball, Sphere{{3, 4, 0}, 1}, true), ErrorClass::Real, 3);
+  const Aabb box{{-1, -1, -1}, {1, 1, 1}};
+  expect(judged(Sphere{{4, 5, 0}, 1}, box, true), ErrorClass::Real, 4);
+  expect(judged(Sphere{{0.75, 0, 0}, 1}, box, false), ErrorClass::Real, 1.25);
+  expect(judged(Sphere{{1.75, 0, 0}, 1}, box, false), ErrorClass::Real, 0.25);
+  expect(judged(Sphere{{1.75, 0, 0}, 1}, Obb{Pose::Identity(), {1, 1, 1}}, false), ErrorClass::Real,
+         0.25);
+  expect(judged(box, Aabb{{4, 5, 0}, {6, 6, 6}}, true), ErrorClass::Real, 5);
+  expect(judged(box, Aabb{{0.5, 0, 0}, {6, 6, 6}}, false), ErrorClass::Real, 0.5);
+  expect(judged(kFlat, Sphere{{1, 1, 2}, 1}, true), ErrorClass::Real, 1);
+  expect(judged(kFlat, Sphere{{1, 1, 0.5}, 1}, false), ErrorClass::Real, 0.5);
+  expect(judged(kFlat, Aabb{{0, 0, 2}, {1, 1, 3}}, true), ErrorClass::Real, 2);
+  expect(judged(kFlat, Aabb{{1, 1, -0.25}, {2, 1.5, 3}}, false), ErrorClass::Real, 0.25);
+}
+
+TEST(JudgeVolumes, OfMeshes) {
+  const CaseMesh cube = cube_at(0);
+  const Judgement far = judged(cube, Sphere{{3, 0, 0}, 1}, true);
+  EXPECT_EQ(far.error_class, ErrorClass::Real);
+  EXPECT_EQ(far.error, 1);
+  EXPECT_EQ(judged(cube, Sphere{{2, 0, 0}, 1}, false).error_class, ErrorClass::Touching);
+  const Judgement inside = judged(cube, Sphere{{0, 0, 0}, 0.25}, true);
+  EXPECT_EQ(inside.error_class, ErrorClass::Containment);
+  EXPECT_EQ(inside.error, 0.75);
+  EXPECT_EQ(judged(cube, Aabb{{0, 0, 0}, {0.5, 0.5, 0.5}}, true).error_class,
+            ErrorClass::Containment);
+  const Judgement same = judged(cube, Aabb{{-1, -1, -1}, {1, 1, 1}}, false);
+  EXPECT_EQ(same.error_class, ErrorClass::Real) << "though each triangle merely touches";
+  EXPECT_EQ(same.error, 2);
+  EXPECT_EQ(judged(cube, Aabb{{1, -1, -1}, {2, 1, 1}}, false).error_class, ErrorClass::Touching);
+  Case list = to_case(cube, Sphere{{2, 0, 0}, 1}, true);
+  list.ask = Ask::Pairs;
+  CaseAnswer none;
+  none.triangles.emplace();
+  const Judgement missed = Judge(list).judge(none, {"somebody", ""});
+  EXPECT_EQ(missed.error_class, ErrorClass::Touching);
+  EXPECT_EQ(std::to_string(missed.wrong_pairs) + " triangles", missed.truth);
+}
+
+Obb turned_box(double x, double half) {
+  Obb box{Pose::Identity(), Eigen::Vector3d::Constant(half)};
+  box.pose.linear() << 0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1;
+  box.pose.translation().x() = x;
+  return box;
+}
+
+TEST(JudgeVolumes, OrientedBoxesAreJudgedAsTheirDoublesSay) {
+  const Obb still{Pose::Identity(), {1, 1, 1}};
+  Obb half = still;
+  half.pose.translation().x() = 1.5;
+  const Judgement missed = judged(still, half, false);
+  EXPECT_EQ(missed.verdict, Verdict::Wrong);
+  EXPECT_EQ(missed.error_class, ErrorClass::Real);
+  EXPECT_EQ(missed.error, 0.5);
+  EXPECT_EQ(judged(still, half, true).verdict, Verdict::Right);
+  // Turned by the angle of 3, 4 and 5 a cube reaches 1.4 along x.
+  EXPECT_EQ(judged(still, turned_box(2.375, 1), false).verdict, Verdict::Wrong);
+  const Judgement invented = judged(still, turned_box(2.5, 1), true);
+  EXPECT_EQ(invented.error_class, ErrorClass::Real);
+  EXPECT_NEAR(invented.error, 0.1, 1e-15);
+  EXPECT_EQ(judged(Aabb{{-1, -1, -1}, {1, 1, 1}}, turned_box(2.5, 1), false).verdict,
+            Verdict::Right);
+  Case query = to_case(CaseShape(still), CaseShape(turned_box(2.5, 1)), true);
+  EXPECT_EQ(Judge(query).judge(*query.answer, {"graze", ""}).verdict, Verdict::NotJudged)
+      << "only apart is promised";
+  EXPECT_EQ(judged(still, turned_box(1, 0), false).error_class, ErrorClass::Touching)
+      << "a point on a face";
+  EXPECT_EQ(judged(still, turned_box(1.5, 0), true).error, 0.5);
+}
+
+/// What separates by one method does by the other, and graze's boxes that are apart are.
+TEST(JudgeVolumes, OverlapsAndGapsAgree) {
+  RandomSource source(5);
+  std::size_t hits = 0;
+  for (int run = 0; run < 40; ++run) {
+    const Obb a{tests::random_pose(1, source), {0.5, 0.75, run % 5 == 0 ? 0 : 0.25}};
+    const Obb b{tests::random_pose(1, source), {0.25, 0.5, 0.75}};
+    const std::optional<mpq_class> overlap = squared_overlap(exactly(a), exactly(b));
+    EXPECT_EQ(squared_overlap(exactly(b), exactly(a)), overlap);
+    const bool do_faces_meet = squared_gap(exactly(a), exactly(b)) == 0;
+    hits += overlap.has_value();
+    if (do_faces_meet) {
+      EXPECT_TRUE(overlap);
+    }
+    if (!overlaps(a, b)) {
+      EXPECT_FALSE(overlap);
+    }
+    if (!overlap) {
+      EXPECT_GT(squared_gap(exactly_by_frame(a), exactly_by_frame(b)), 0);
+    }
+  }
+  EXPECT_GT(hits, 4u);
+  EXPECT_LT(hits, 36u);
+}
+
+TEST(JudgeWitnesses, PointsOfADistanceLieOnTheSurfacesAndAreSoFarApart) {
+  Case query = to_case(kFlat, moved(kFlat, way(0, 0, 1)), true);
+  query.ask = Ask::Distance;
+  const Judge judge(query);
+  const auto judgement = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    CaseAnswer answer;
+    answer.distance = 1;
+    answer.point_a = a;
+    answer.point_b = b;
+    return judge.judge(answer, {"somebody", ""});
+  };
+  EXPECT_EQ(judgement({1, 1, 0}, {1, 1, 1}).verdict, Verdict::Right);
+  EXPECT_EQ(judgement({1, 1, 0x1p-50}, {1, 1, 1}).verdict, Verdict::Right);
+  const Judgement off_a = judgement({1, 1, 0.25}, {1, 1, 1.25});
+  EXPECT_EQ(off_a.verdict, Verdict::Wrong);
+  EXPECT_EQ(off_a.error, 0.25);
+  EXPECT_EQ(judgement({1, 1, 0}, {1, 1, 1.5}).error, 0.5) << "off B";
+  EXPECT_EQ(judgement({0, 0, 0}, {0, 0.75, 1}).error, 0.25) << "1.25 m from each other";
+  EXPECT_EQ(judge.judge(answer_case(query), this_library()).verdict, Verdict::Right);
+}
+
+TEST(JudgeWitnesses, ContactsThatNoDefinitionAllows) {
+  Case query = to_case(cube_at(0), cube_at(1.5), true);
+  query.ask = Ask::Contacts;
+  const Judge judge(query);
+  const auto judgement = [&](const Eigen::Vector3d& normal, double depth) {
+    CaseAnswer answer;
+    answer.contacts = {{way(0.75, 0, 0), way(1, 0, 0), way(0.5, 0, 0), normal, depth}};
+    return judge.judge(answer, {"somebody", ""});
+  };
+  const Judgement right = judgement({1, 0, 0}, 0.5);
+  EXPECT_EQ(right.verdict, Verdict::Right);
+  EXPECT_EQ(right.truth, "hit, depths not judged");
+  EXPECT_EQ(judgement({1, 0, 0}, 7).verdict, Verdict::Wrong);
+  EXPECT_EQ(judgement({1, 0, 0}, 7).error, 3.5) << "3.5 m are the longest way out along x";
+  EXPECT_EQ(judgement({0, 1, 0}, 0.5).error, 0.5)
+      << "at right angles to the way between the points";
+  EXPECT_EQ(judgement({2, 0, 0}, 0.5).error, 1);
+  EXPECT_EQ(judge.judge(answer_case(query), this_library()).verdict, Verdict::Right);
+  for (const EngineEntry& entry : all_engines()) {
+    if (entry.engine == nullptr) continue;
+    const std::optional<CaseAnswer> answer = ask(*entry.engine, query);
+    if (!answer) continue;
+    EXPECT_EQ(judge.judge(*answer, entry.engine->name()).verdict, Verdict::Right) << entry.name;
+  }
 }
 
 /// Two bodies that meet, for engines with planted bugs.

@@ -19,7 +19,7 @@ namespace graze::compare {
 namespace {
 
 /// Of many corners and triangles, so that there is something to take away.
-std::vector<Shape> one_of_each_kind() {
+std::vector<Shape> one_of_each_shape() {
   std::vector<Eigen::Vector3d> corners;
   const Mesh ball = tests::make_sphere(1, 6, 9);
   corners.assign(ball.vertices().begin(), ball.vertices().end());
@@ -65,7 +65,7 @@ void expect_small(const Shape& shape) {
 
 TEST(ShrinkBodies, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
   const std::unique_ptr<Engine> engine = make_wrong_sign_engine("fcl");
-  const std::vector<Shape> shapes = one_of_each_kind();
+  const std::vector<Shape> shapes = one_of_each_shape();
   RandomSource source(11);
   std::size_t found = 0;
   for (const Shape& a : shapes) {
@@ -96,7 +96,7 @@ TEST(ShrinkBodies, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
 }
 
 TEST(ShrinkBodies, NumbersAreOfTheShapeThatTheyMake) {
-  for (const Shape& shape : one_of_each_kind()) {
+  for (const Shape& shape : one_of_each_shape()) {
     SCOPED_TRACE(name_of(shape.kind()));
     Shape same = shape;
     for (int i = 0; i < 8; ++i)

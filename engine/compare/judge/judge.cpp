@@ -1,9 +1,12 @@
+#include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/mesh_referee.h>
 #include <graze/engine/compare/judge/pair_error.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/compare/judge/shape_judge.h>
-#include <graze/engine/compare/judge/volume_referee.h>
+#include <graze/engine/compare/judge/volume_judge.h>
+#include <graze/engine/compare/judge/way_out.h>
+#include <graze/engine/compare/judge/witness_check.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
@@ -11,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -22,47 +24,8 @@ namespace {
 /// So many pairs of a list are looked at for the worst.
 constexpr std::size_t kMaxExamined = 64;
 
-std::string in_metres(const char* what, double length) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%s %.3g m", what, length);
-  return text.data();
-}
-
 bool may_be_judged(const Case& query) {
   return query.settings.touch == Touch::Include && query.settings.interior == Interior::Surface;
-}
-
-/// All placed triangles of A that meet the volume B, or just the first.
-template <typename Volume>
-std::vector<std::uint32_t> hits_of(const CaseMesh& mesh, const Volume& volume,
-                                   bool is_first_enough) {
-  std::vector<std::uint32_t> hits;
-  for (std::uint32_t i = 0; i < mesh.mesh.triangles().size(); ++i) {
-    if (!referee_meets(place(mesh.pose, mesh.mesh.triangle(i)), volume)) continue;
-    hits.push_back(i);
-    if (is_first_enough) break;
-  }
-  return hits;
-}
-
-std::optional<std::vector<std::uint32_t>> volume_hits(const Case& query) {
-  const Case& q = query;
-  CaseMesh mesh(Mesh(std::array<Eigen::Vector3d, 1>{Eigen::Vector3d::Zero()},
-                     std::array<TriangleIndices, 1>{{{0, 0, 0}}}),
-                Pose::Identity());
-  if (const auto* placed = std::get_if<CaseMesh>(&q.a)) {
-    mesh = *placed;
-  } else if (const auto* t = std::get_if<Triangle>(&q.a)) {
-    mesh.mesh = Mesh(std::array<Eigen::Vector3d, 3>{t->a, t->b, t->c},
-                     std::array<TriangleIndices, 1>{{{0, 1, 2}}});
-  } else {
-    return std::nullopt;
-  }
-  const bool is_first_enough = q.ask == Ask::Any;
-  if (const auto* box = std::get_if<Aabb>(&*q.b)) return hits_of(mesh, *box, is_first_enough);
-  if (const auto* box = std::get_if<Obb>(&*q.b)) return hits_of(mesh, *box, is_first_enough);
-  if (const auto* ball = std::get_if<Sphere>(&*q.b)) return hits_of(mesh, *ball, is_first_enough);
-  return std::nullopt;
 }
 
 }  // namespace
@@ -94,10 +57,15 @@ struct Judge::Truth {
   }
 
   Judgement judge_any(bool says, const JudgeSettings& settings);
+  void add_missed_hit(Judgement& judgement, const JudgeSettings& settings);
+  bool is_one_inside() const;
+  bool has_area(const TrianglePair& pair) const;
   Judgement judge_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
   Judgement judge_distance(const CaseAnswer& answer, bool is_graze);
+  Judgement judge_contacts(const CaseAnswer& answer, const JudgeSettings& settings);
+  void add_fault(Judgement& judgement, const std::optional<WitnessFault>& fault) const;
+  Judgement judge_touch_claim(const MeshReferee::Gap& nearest);
   Judgement judge_within(bool says, bool is_graze);
-  Judgement judge_volumes(const CaseAnswer& answer) const;
   double distance_tolerance(const TrianglePair& pair, bool is_graze) const;
   void add_error(Judgement& judgement, const TrianglePair& pair, bool is_a_hit,
                  const JudgeSettings& settings) const;
@@ -128,23 +96,60 @@ void Judge::Truth::add_error(Judgement& judgement, const TrianglePair& pair, boo
   judgement.culprit = pair;
 }
 
+/// For what is apart on the surface. It names a reason, and decides no verdict.
+bool Judge::Truth::is_one_inside() const {
+  return meshes->a.mesh.topology().is_closed && meshes->b.mesh.topology().is_closed &&
+         intersects(placed_a(), placed_b(), {.interior = Interior::Solid});
+}
+
+bool Judge::Truth::has_area(const TrianglePair& pair) const {
+  return !has_no_area(exactly(referee->triangle_a(pair.a))) &&
+         !has_no_area(exactly(referee->triangle_b(pair.b)));
+}
+
+/// The class and size of having overlooked all hits. Each pair alone gives a lower bound only: the
+/// error is how far B must be moved until none is left.
+void Judge::Truth::add_missed_hit(Judgement& judgement, const JudgeSettings& settings) {
+  const std::size_t examined = std::min(hits().size(), kMaxExamined);
+  double ulp = 0;
+  for (std::size_t i = 0; i < examined; ++i) {
+    const TrianglePair& pair = hits()[i];
+    add_error(judgement, pair, true, settings);
+    ulp = std::max(ulp, ulp_of(referee->triangle_a(pair.a), referee->triangle_b(pair.b)));
+  }
+  const bool are_triangles =
+      meshes->a.mesh.triangles().size() == 1 && meshes->b.mesh.triangles().size() == 1;
+  const bool is_degenerate = std::none_of(hits().begin(), hits().end(),
+                                          [&](const TrianglePair& pair) { return has_area(pair); });
+  if (are_triangles || is_degenerate) return;
+
+  WayOut way_out(*referee, hits());
+  const bool may_be_rounding = judgement.error_class != ErrorClass::Real;
+  const std::optional<double> way =
+      may_be_rounding ? way_out.find_within(kTouchUlps * ulp) : std::nullopt;
+  judgement.error = way ? *way : std::max(way_out.find(), judgement.error);
+  judgement.ulps = judgement.error / ulp;
+  if (!way) {
+    judgement.error_class = ErrorClass::Real;
+  } else if (judgement.error_class == ErrorClass::PoseRounding && !settings.ask_again &&
+             !is_hit_by_placing(placed_a(), placed_b())) {
+    judgement.error_class = ErrorClass::Touching;
+  }
+}
+
 Judgement Judge::Truth::judge_any(bool says, const JudgeSettings& settings) {
   Judgement judgement;
   judgement.truth = is_hit() ? "hit" : "apart";
   judgement.verdict = says == is_hit() ? Verdict::Right : Verdict::Wrong;
   if (judgement.verdict == Verdict::Right) return judgement;
   if (is_hit()) {
-    for (std::size_t i = 0; i < std::min(hits().size(), kMaxExamined); ++i)
-      add_error(judgement, hits()[i], true, settings);
+    add_missed_hit(judgement, settings);
     return judgement;
   }
   const MeshReferee::Gap& nearest = gap(std::nullopt);
   judgement.truth = in_metres("apart by", rounded_root(nearest.square));
   add_error(judgement, nearest.pair, false, settings);
-  const bool is_closed = meshes->a.mesh.topology().is_closed && meshes->b.mesh.topology().is_closed;
-  if (is_closed && intersects(placed_a(), placed_b(), {.interior = Interior::Solid})) {
-    judgement.error_class = ErrorClass::Containment;
-  }
+  if (is_one_inside()) judgement.error_class = ErrorClass::Containment;
   return judgement;
 }
 
@@ -154,9 +159,13 @@ Judgement Judge::Truth::judge_list(const std::vector<TrianglePair>& pairs,
   std::set_symmetric_difference(pairs.begin(), pairs.end(), hits().begin(), hits().end(),
                                 std::back_inserter(wrong));
   Judgement judgement;
-  judgement.truth = std::to_string(hits().size()) + " pairs";
+  judgement.truth = std::to_string(hits().size()) + (hits().size() == 1 ? " pair" : " pairs");
   judgement.verdict = wrong.empty() ? Verdict::Right : Verdict::Wrong;
   judgement.wrong_pairs = wrong.size();
+  if (pairs.empty() && !hits().empty()) {  // that is to say that they are apart
+    add_missed_hit(judgement, settings);
+    return judgement;
+  }
   for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
     const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
     add_error(judgement, wrong[i], is_true, settings);
@@ -179,28 +188,66 @@ double Judge::Truth::distance_tolerance(const TrianglePair& pair, bool is_graze)
   return 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
 }
 
+/// A negative distance, as other engines return it, claims a touch, and no more: how deep it is has
+/// as many definitions as there are engines.
+Judgement Judge::Truth::judge_touch_claim(const MeshReferee::Gap& nearest) {
+  Judgement judgement;
+  judgement.truth = in_metres("apart by", rounded_root(nearest.square));
+  judgement.error = rounded_root(nearest.square);
+  judgement.ulps = judgement.error /
+                   ulp_of(referee->triangle_a(nearest.pair.a), referee->triangle_b(nearest.pair.b));
+  judgement.verdict = judgement.ulps <= kTouchUlps ? Verdict::Right : Verdict::Wrong;
+  return judgement;
+}
+
+/// What else an answer says may be wrong though its number is right.
+void Judge::Truth::add_fault(Judgement& judgement, const std::optional<WitnessFault>& fault) const {
+  if (!fault) return;
+  judgement.verdict = Verdict::Wrong;
+  judgement.error_class = ErrorClass::Real;
+  judgement.truth += ", but " + fault->what;
+  judgement.error = fault->error;
+  judgement.ulps = fault->error / ulp_of(referee->triangle_a(0), referee->triangle_b(0));
+}
+
+Judgement Judge::Truth::judge_contacts(const CaseAnswer& answer, const JudgeSettings& settings) {
+  Judgement judgement = judge_any(!answer.contacts->empty(), settings);
+  if (judgement.verdict == Verdict::Wrong || answer.contacts->empty()) return judgement;
+  const std::optional<WitnessFault> fault = fault_of_contacts(*referee, answer);
+  add_fault(judgement, fault);
+  if (!fault) judgement.truth += ", depths not judged";
+  return judgement;
+}
+
 Judgement Judge::Truth::judge_distance(const CaseAnswer& answer, bool is_graze) {
   const auto in_range = [&](const TrianglePair& pair) {
     return pair.a < meshes->a.mesh.triangles().size() && pair.b < meshes->b.mesh.triangles().size();
   };
   const bool has_hint = answer.pair && in_range(*answer.pair);
   const MeshReferee::Gap& nearest = gap(has_hint ? answer.pair : std::nullopt);
-  Judgement judgement;
-  judgement.truth = in_metres("apart by", rounded_root(nearest.square));
-  judgement.error = root_error(*answer.distance, nearest.square);
-  const Triangle& a = referee->triangle_a(nearest.pair.a);
-  const Triangle& b = referee->triangle_b(nearest.pair.b);
-  judgement.ulps = judgement.error / ulp_of(a, b);
-  const bool agrees_on_zero = !is_graze || (*answer.distance == 0) == (nearest.square == 0);
-  const bool is_right =
-      agrees_on_zero && judgement.error <= distance_tolerance(nearest.pair, is_graze);
-  judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
-  if (is_right) return judgement;
+  const double claimed = *answer.distance;
+  const bool claims_touch = claimed < 0 && !is_graze;
+  Judgement judgement = claims_touch ? judge_touch_claim(nearest) : Judgement();
+  if (!claims_touch) {
+    judgement.truth = in_metres("apart by", rounded_root(nearest.square));
+    judgement.error = root_error(claimed, nearest.square);
+    judgement.ulps = judgement.error / ulp_of(referee->triangle_a(nearest.pair.a),
+                                              referee->triangle_b(nearest.pair.b));
+    const bool agrees_on_zero = !is_graze || (claimed == 0) == (nearest.square == 0);
+    const bool is_right =
+        agrees_on_zero && judgement.error <= distance_tolerance(nearest.pair, is_graze);
+    judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
+    if (is_right) add_fault(judgement, fault_of_distance(*referee, answer));
+    if (is_right) return judgement;
+  }
+  if (judgement.verdict == Verdict::Right) return judgement;
   judgement.culprit = nearest.pair;
-  if (has_no_area(exactly(a)) || has_no_area(exactly(b))) {
+  if (!has_area(nearest.pair)) {
     judgement.error_class = ErrorClass::Degenerate;
   } else if (judgement.ulps <= kTouchUlps) {
     judgement.error_class = ErrorClass::Touching;
+  } else if (claimed <= 0 && nearest.square != 0 && is_one_inside()) {
+    judgement.error_class = ErrorClass::Containment;
   }
   return judgement;
 }
@@ -221,23 +268,11 @@ Judgement Judge::Truth::judge_within(bool says, bool is_graze) {
   judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
   if (is_right) return judgement;
   judgement.culprit = nearest.pair;
-  if (judgement.ulps <= kTouchUlps) judgement.error_class = ErrorClass::Touching;
-  return judgement;
-}
-
-Judgement Judge::Truth::judge_volumes(const CaseAnswer& answer) const {
-  Judgement judgement;
-  const std::optional<std::vector<std::uint32_t>> hits = volume_hits(query);
-  if (hits && query.ask == Ask::Pairs && answer.triangles) {
-    judgement.truth = std::to_string(hits->size()) + " triangles";
-    judgement.verdict = *hits == *answer.triangles ? Verdict::Right : Verdict::Wrong;
-    return judgement;
+  if (judgement.ulps <= kTouchUlps) {
+    judgement.error_class = ErrorClass::Touching;
+  } else if (says && is_one_inside()) {
+    judgement.error_class = ErrorClass::Containment;
   }
-  const std::optional<bool> is_a_hit =
-      hits ? std::optional(!hits->empty()) : referee_overlaps(query.a, *query.b);
-  if (query.ask != Ask::Any || !is_a_hit || !answer.says) return judgement;
-  judgement.truth = *is_a_hit ? "hit" : "apart";
-  judgement.verdict = *is_a_hit == *answer.says ? Verdict::Right : Verdict::Wrong;
   return judgement;
 }
 
@@ -253,14 +288,14 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
     if (query.ask != Ask::Any || !answer.says) return {};
     return truth_->bodies->judge(*answer.says, witness, settings);
   }
-  if (!truth_->meshes) return truth_->judge_volumes(answer);
+  if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
   if (query.ask == Ask::Any && answer.says) return truth_->judge_any(*answer.says, settings);
   if (query.ask == Ask::Pairs && answer.pairs) return truth_->judge_list(*answer.pairs, settings);
   if (query.ask == Ask::Distance && answer.distance)
     return truth_->judge_distance(answer, is_graze);
   if (query.ask == Ask::Within && answer.says) return truth_->judge_within(*answer.says, is_graze);
   if (query.ask == Ask::Contacts && answer.contacts) {
-    return truth_->judge_any(!answer.contacts->empty(), settings);
+    return truth_->judge_contacts(answer, settings);
   }
   return {};
 }

@@ -18,7 +18,8 @@ struct JudgeSettings {
 /// distance and within, and of contacts whether there are any, for surfaces; others are NotJudged.
 /// Two bodies are ShapeJudge's.
 /// A distance is right within law 7's four ulp if graze says so, and for other engines, which
-/// promise nothing, within kTouchUlps of the largest coordinate.
+/// promise nothing, within kTouchUlps of the largest coordinate; a negative one of theirs claims a
+/// touch, and is judged as that alone.
 class Judge {
  public:
   /// The case must outlive the judge.

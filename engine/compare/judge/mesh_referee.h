@@ -31,6 +31,8 @@ class MeshReferee {
   Gap find_gap(const std::optional<TrianglePair>& hint = std::nullopt) const;
 
   bool is_hit(const TrianglePair& pair) const;
+  const std::vector<Triangle>& triangles_a() const { return triangles_a_; }
+  const std::vector<Triangle>& triangles_b() const { return triangles_b_; }
   const Triangle& triangle_a(std::uint32_t index) const { return triangles_a_[index]; }
   const Triangle& triangle_b(std::uint32_t index) const { return triangles_b_[index]; }
 

@@ -15,6 +15,9 @@ struct PairError {
 PairError pair_error(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
                      bool is_hit, const JudgeSettings& settings);
 
+/// Whether two meshes that hit do not where the poses are real numbers and nothing is rounded.
+bool is_hit_by_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+
 /// The distance from the largest absolute coordinate of both to the next double.
 double ulp_of(const Triangle& triangle_a, const Triangle& triangle_b);
 

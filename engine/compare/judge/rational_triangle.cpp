@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace graze::compare {
-namespace {
 
 RationalPoint exactly(const Eigen::Vector3d& p) {
   return {mpq_class(p.x()), mpq_class(p.y()), mpq_class(p.z())};
@@ -22,6 +21,22 @@ mpq_class dot(const RationalPoint& p, const RationalPoint& q) {
 RationalPoint cross(const RationalPoint& p, const RationalPoint& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
+
+RationalPoint edge_of(const RationalTriangle& t, std::size_t i) {
+  return minus(t[(i + 1) % 3], t[i]);
+}
+
+Extent extent_of(const RationalTriangle& triangle, const RationalPoint& axis) {
+  Extent result{dot(triangle[0], axis), dot(triangle[0], axis)};
+  for (std::size_t i = 1; i < 3; ++i) {
+    const mpq_class value = dot(triangle[i], axis);
+    if (value < result.min) result.min = value;
+    if (value > result.max) result.max = value;
+  }
+  return result;
+}
+
+namespace {
 
 RationalPoint placed(const Pose& pose, const Eigen::Vector3d& point) {
   const RationalPoint p = exactly(point);
@@ -160,25 +175,6 @@ bool find_stationary(const Supports& s, mpq_class& square) {
   return true;
 }
 
-struct Interval {
-  mpq_class min;
-  mpq_class max;
-};
-
-Interval extent(const RationalTriangle& triangle, const RationalPoint& axis) {
-  Interval result{dot(triangle[0], axis), dot(triangle[0], axis)};
-  for (std::size_t i = 1; i < 3; ++i) {
-    const mpq_class value = dot(triangle[i], axis);
-    if (value < result.min) result.min = value;
-    if (value > result.max) result.max = value;
-  }
-  return result;
-}
-
-RationalPoint edge(const RationalTriangle& t, std::size_t i) {
-  return minus(t[(i + 1) % 3], t[i]);
-}
-
 mpf_class precise_root(const mpq_class& square) {
   constexpr mp_bitcnt_t kBits = 2400;  // the range of squares of doubles, and their digits
   return sqrt(mpf_class(square, kBits));
@@ -210,18 +206,19 @@ mpq_class squared_distance(const RationalTriangle& triangle_a, const RationalTri
 }
 
 mpq_class squared_depth(const RationalTriangle& a, const RationalTriangle& b) {
-  std::vector<RationalPoint> axes = {cross(edge(a, 0), edge(a, 1)), cross(edge(b, 0), edge(b, 1))};
+  std::vector<RationalPoint> axes = {cross(edge_of(a, 0), edge_of(a, 1)),
+                                     cross(edge_of(b, 0), edge_of(b, 1))};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j)
-      axes.push_back(cross(edge(a, i), edge(b, j)));
+      axes.push_back(cross(edge_of(a, i), edge_of(b, j)));
   }
   const mpq_class unknown = -1;
   mpq_class best = unknown;
   for (const RationalPoint& axis : axes) {
     const mpq_class length = dot(axis, axis);
     if (length == 0) continue;
-    const Interval in_a = extent(a, axis);
-    const Interval in_b = extent(b, axis);
+    const Extent in_a = extent_of(a, axis);
+    const Extent in_b = extent_of(b, axis);
     for (const mpq_class& way : {mpq_class(in_a.max - in_b.min), mpq_class(in_b.max - in_a.min)}) {
       if (way < 0) return 0;  // they are apart
       const mpq_class square = way * way / length;
@@ -232,7 +229,7 @@ mpq_class squared_depth(const RationalTriangle& a, const RationalTriangle& b) {
 }
 
 bool has_no_area(const RationalTriangle& triangle) {
-  const RationalPoint normal = cross(edge(triangle, 0), edge(triangle, 1));
+  const RationalPoint normal = cross(edge_of(triangle, 0), edge_of(triangle, 1));
   return normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
 }
 
@@ -244,6 +241,10 @@ double rounded_root(const mpq_class& square) {
 
 double root_error(double value, const mpq_class& square) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  return root_error(mpq_class(value), square);
+}
+
+double root_error(const mpq_class& value, const mpq_class& square) {
   const mpf_class root = precise_root(square);
   const mpf_class error = abs(mpf_class(value, root.get_prec()) - root);
   return error > std::numeric_limits<double>::max() ? std::numeric_limits<double>::infinity()

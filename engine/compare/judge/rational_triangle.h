@@ -12,7 +12,22 @@ namespace graze::compare {
 using RationalPoint = std::array<mpq_class, 3>;
 using RationalTriangle = std::array<RationalPoint, 3>;
 
+RationalPoint minus(const RationalPoint& p, const RationalPoint& q);
+mpq_class dot(const RationalPoint& p, const RationalPoint& q);
+RationalPoint cross(const RationalPoint& p, const RationalPoint& q);
+
+/// The way from corner i to the next one.
+RationalPoint edge_of(const RationalTriangle& triangle, std::size_t i);
+
+struct Extent {
+  mpq_class min;
+  mpq_class max;
+};
+/// Of axis . x over the triangle.
+Extent extent_of(const RationalTriangle& triangle, const RationalPoint& axis);
+
 /// The doubles as they are.
+RationalPoint exactly(const Eigen::Vector3d& point);
 RationalTriangle exactly(const Triangle& triangle);
 
 /// The triangle as the pose's real numbers place it, without law 1's rounding.
@@ -39,5 +54,6 @@ double rounded_root(const mpq_class& square);
 
 /// |value - root of square|, rounded likewise.
 double root_error(double value, const mpq_class& square);
+double root_error(const mpq_class& value, const mpq_class& square);
 
 }  // namespace graze::compare

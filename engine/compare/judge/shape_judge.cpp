@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/shape_bodies.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/judge/volume_referee.h>
@@ -9,19 +10,11 @@
 #include <graze/narrowphase/triangle_box.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace graze::compare {
 namespace {
-
-std::string in_metres(const char* what, double length) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%s %.3g m", what, length);
-  return text.data();
-}
 
 /// As cases know shapes: boxes and balls lie where their poses put them, by laws 1 and 3.
 std::optional<CaseShape> case_shape(const PlacedBody& body) {

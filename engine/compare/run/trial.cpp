@@ -3,7 +3,6 @@
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/trial.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -35,6 +34,10 @@ bool differs(const CaseAnswer& answer, const Case& query) {
          answer.triangles != query.answer->triangles;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 JudgeSettings asking(const Engine& engine) {
@@ -63,12 +66,9 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
     recorded.witness = query.answered_by;
     recorded.is_recorded = true;
     recorded.answer = *query.answer;
-    const auto owner = std::find_if(engines.begin(), engines.end(), [&](const EngineEntry& entry) {
-      return entry.engine != nullptr && entry.name == query.answered_by.engine;
-    });
-    recorded.judgement =
-        judge.judge(recorded.answer, recorded.witness,
-                    owner == engines.end() ? JudgeSettings() : asking(*owner->engine));
+    // By the claim alone: the engine that is here may be another version of who made it, or only
+    // bear its name.
+    recorded.judgement = judge.judge(recorded.answer, recorded.witness);
     all.push_back(std::move(recorded));
   }
   for (const EngineEntry& entry : engines) {
@@ -92,9 +92,9 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
 
 std::string brief(const CaseAnswer& answer) {
   if (answer.says) return *answer.says ? "yes" : "no";
-  if (answer.pairs) return std::to_string(answer.pairs->size()) + " pairs";
-  if (answer.triangles) return std::to_string(answer.triangles->size()) + " triangles";
-  if (answer.contacts) return std::to_string(answer.contacts->size()) + " contacts";
+  if (answer.pairs) return counted(answer.pairs->size(), "pair");
+  if (answer.triangles) return counted(answer.triangles->size(), "triangle");
+  if (answer.contacts) return counted(answer.contacts->size(), "contact");
   if (!answer.distance) return "nothing";
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.6g m", *answer.distance);

@@ -202,6 +202,40 @@ TEST_F(HostileCase, QuestionsThatNobodyCanAnswer) {
             "case.json:3: /answer: unknown key \"distance\"; there are says");
 }
 
+TEST_F(HostileCase, NegativeDistancesAreClaimsButNegativeLengthsAreNone) {
+  const auto answer = [](const std::string& question, const std::string& text) {
+    const std::string mesh =
+        "{\"mesh\": {\"vertices\": [[0,0,0],[1,0,0],[0,1,0]], \"triangles\": [[0,1,2]]}}";
+    return "{\"graze_case\": 1, \"question\": \"" + question + "\", \"a\": " + mesh +
+           ", \"b\": " + mesh + ",\n\"answer\": " + text +
+           ", \"answered_by\": {\"engine\": \"x\"}}";
+  };
+  const std::string claim = answer("distance", "{\"distance\": -0.5}");
+  EXPECT_EQ(error_of(claim), "");
+  EXPECT_EQ(parse_case(claim, "case.json").answer->distance, -0.5);
+  EXPECT_EQ(error_of(answer("separation", "{\"distance\": -1, \"translation\": [0,0,0]}")),
+            "case.json:2: /answer/distance: is negative");
+}
+
+TEST_F(HostileCase, NamesThatWouldMoveACursor) {
+  const auto by = [](const std::string& members) {
+    return with(
+        "\"b\": {\"sphere\": {\"centre\": [0,0,0], \"radius\": 1}}, \"answer\": "
+        "{\"says\": true},\n\"answered_by\": {" +
+        members + "}");
+  };
+  EXPECT_EQ(error_of(by("\"engine\": \"f\\u00fcr 3D\"")), "");
+  const std::string engine = "case.json:4: /answered_by/engine: is a name ";
+  EXPECT_EQ(error_of(by("\"engine\": \"\\u001b[2Jx\"")), engine + "with a control character");
+  EXPECT_EQ(error_of(by("\"engine\": \"\\u0085\"")), engine + "with a control character");
+  EXPECT_EQ(error_of(by("\"engine\": \"\\u007f\"")), engine + "with a control character");
+  EXPECT_EQ(error_of(by("\"engine\": \"x\", \"version\": \"a\\nb\"")),
+            "case.json:4: /answered_by/version: is a name with a control character");
+  EXPECT_EQ(error_of(by("\"engine\": \"" + std::string(128, 'x') + "\"")), "");
+  EXPECT_EQ(error_of(by("\"engine\": \"" + std::string(129, 'x') + "\"")),
+            engine + "of 129 bytes, more than 128");
+}
+
 TEST_F(HostileCase, FilesThatCannotBeRead) {
   EXPECT_THROW(read_case(folder_.path() / "none.json"), CaseError);
   EXPECT_THROW(read_case(folder_.path()), CaseError);

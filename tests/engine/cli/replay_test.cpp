@@ -1,0 +1,164 @@
+// `graze replay`: what counts as wrong and what as changed, what is printed, and bad files among
+// good ones.
+
+#include <graze/engine/cases/answer_case.h>
+#include <graze/engine/cases/case_error.h>
+#include <graze/engine/cases/to_case.h>
+#include <graze/engine/cli/replay_run.h>
+#include <gtest/gtest.h>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tests/compare/engine_doubles.h"
+#include "tests/files/temporary_directory.h"
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::cli {
+namespace {
+
+using compare::EngineEntry;
+
+class CliReplay : public testing::Test {
+ protected:
+  static std::vector<EngineEntry> only_graze() {
+    std::vector<EngineEntry> engines;
+    engines.push_back({"graze", compare::make_graze_engine()});
+    return engines;
+  }
+
+  static CaseMesh cube_at(double x) {
+    Pose pose = Pose::Identity();
+    pose.translation().x() = x;
+    return {tests::make_box({1, 1, 1}), pose};
+  }
+
+  /// Cubes half a metre deep in each other, or a metre apart, and what somebody said of them.
+  void write_any(const std::string& name, double x, bool says, const std::string& by) const {
+    Case query = to_case(cube_at(0), cube_at(x), says);
+    query.answered_by = {by, "0.0.9"};
+    directory_.write(name, to_json(query));
+  }
+  void write_distance(const std::string& name, double distance, const std::string& by) const {
+    Case query = to_case(cube_at(0), cube_at(3), true);
+    query.ask = Ask::Distance;
+    query.answer = CaseAnswer();
+    query.answer->distance = distance;
+    query.answered_by = {by, ""};
+    directory_.write(name, to_json(query));
+  }
+
+  ExitCode replay(ReplayOptions options, const std::vector<EngineEntry>& engines = only_graze()) {
+    options.files = {directory_.path().string()};
+    std::FILE* stream = std::tmpfile();
+    Output output(stream);
+    testing::internal::CaptureStderr();
+    const ExitCode code = run_replay(options, engines, output);
+    err_ = testing::internal::GetCapturedStderr();
+    out_.assign(static_cast<std::size_t>(std::ftell(stream)), ' ');
+    std::rewind(stream);
+    EXPECT_EQ(std::fread(out_.data(), 1, out_.size(), stream), out_.size());
+    std::fclose(stream);
+    return code;
+  }
+
+  void expect_summary(const std::string& line) const {
+    EXPECT_NE(out_.find("\n" + line + "\n"), out_.npos) << out_;
+  }
+
+  tests::TemporaryDirectory directory_;
+  std::string out_;
+  std::string err_;
+};
+
+TEST_F(CliReplay, ABugThatWasFixedIsNoFailure) {
+  write_any("old.json", 1.5, false, "graze");
+  EXPECT_EQ(replay({}), ExitCode::Answered);
+  expect_summary("1 case, graze wrong in 0, changed in 1");
+  EXPECT_EQ(replay({.is_change_failure = true}), ExitCode::GrazeWrong);
+}
+
+TEST_F(CliReplay, ARecordOfTheRefereeThatIsWrongDoesNotMakeGrazeWrong) {
+  write_any("referee.json", 1.5, false, "referee");
+  EXPECT_EQ(replay({}), ExitCode::Answered);
+  expect_summary("1 case, graze wrong in 0, changed in 1");
+}
+
+TEST_F(CliReplay, WhatIsWrongTodayIsOne) {
+  write_any("now.json", 1.5, true, "graze");
+  write_any("other.json", -3, false, "fcl");
+  std::vector<EngineEntry> engines;
+  engines.push_back({"graze", compare::make_inward_rounding_engine("graze", 10)});
+  EXPECT_EQ(replay({}, engines), ExitCode::GrazeWrong);
+  expect_summary("2 cases, graze wrong in 1, changed in 1");
+}
+
+/// Nobody says which of the two answers is right.
+TEST_F(CliReplay, AChangeThatNobodyJudgesIsAFailure) {
+  Case query = to_case_contains(tests::make_box({1, 1, 1}), Eigen::Vector3d(0, 0, 0), false);
+  query.answered_by = {"graze", "0.0.9"};
+  directory_.write("contains.json", to_json(query));
+  EXPECT_EQ(replay({}), ExitCode::GrazeWrong);
+  expect_summary("1 case, graze wrong in 0, changed in 1");
+}
+
+TEST_F(CliReplay, TheTruthStandsBesideAnswersWithAllTheirDigits) {
+  write_distance("far.json", 1 + 0x1p-40, "fcl");
+  EXPECT_EQ(replay({}), ExitCode::Answered);
+  EXPECT_NE(out_.find(" truth "), out_.npos);
+  EXPECT_NE(out_.find(" apart by 1 m "), out_.npos) << out_;
+  EXPECT_NE(out_.find(" 1.0000000000009095 m "), out_.npos) << out_;
+}
+
+TEST_F(CliReplay, OneIsNoPlural) {
+  const Triangle a{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Triangle b{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}};
+  const auto mesh = [](const Triangle& t) {
+    return Mesh(std::vector<Eigen::Vector3d>{t.a, t.b, t.c},
+                std::vector<TriangleIndices>{{0, 1, 2}});
+  };
+  Case query =
+      to_case(CaseMesh(mesh(a), Pose::Identity()), CaseMesh(mesh(b), Pose::Identity()), true);
+  query.ask = Ask::Pairs;
+  query.answer.reset();
+  directory_.write("pairs.json", to_json(query));
+  EXPECT_EQ(replay({}), ExitCode::Answered);
+  EXPECT_NE(out_.find(" 1 pair  "), out_.npos) << out_;
+  EXPECT_EQ(out_.find("1 pairs"), out_.npos) << out_;
+}
+
+TEST_F(CliReplay, OneBadFileStopsNoOther) {
+  write_any("b.json", 1.5, true, "graze");
+  directory_.write("a.json", "{");
+  directory_.write("c.json", "{\"graze_case\": 2}");
+  EXPECT_EQ(replay({}), ExitCode::BadInput);
+  expect_summary("1 case, graze wrong in 0, changed in 0");
+  const std::size_t first = err_.find("a.json:1: not JSON");
+  const std::size_t second = err_.find("c.json:1: /graze_case: is version 2");
+  EXPECT_LT(first, second) << err_;
+  EXPECT_NE(second, err_.npos) << err_;
+}
+
+TEST_F(CliReplay, WhereNothingCanBeReadNothingIsPrinted) {
+  directory_.write("a.json", "{");
+  Output output(stdout);
+  EXPECT_THROW(run_replay({.files = {directory_.path("a.json")}}, only_graze(), output), CaseError);
+  directory_.write("b.json", "{");
+  EXPECT_EQ(replay({}), ExitCode::BadInput);
+  EXPECT_EQ(out_, "");
+}
+
+TEST_F(CliReplay, JsonHasPlainNumbersThatLoseNothing) {
+  write_distance("far.json", 1.0 / 3, "fcl");
+  EXPECT_EQ(replay({.is_json = true}), ExitCode::Answered);
+  const nlohmann::json line = nlohmann::json::parse(out_);
+  const nlohmann::json& recorded = line.at("testimonies").at(0);
+  EXPECT_EQ(recorded.at("answer").at("distance").get<double>(), 1.0 / 3);
+  EXPECT_TRUE(recorded.at("error").is_number());
+  EXPECT_TRUE(recorded.at("ulps").is_number());
+  const nlohmann::json& graze = line.at("testimonies").at(1);
+  EXPECT_EQ(graze.at("answer").at("distance").get<double>(), 1);
+  EXPECT_TRUE(graze.at("answer").at("point_a").at(0).is_number());
+}
+
+}  // namespace
+}  // namespace graze::cli
