@@ -172,7 +172,10 @@ void World::sleep(BodyId id) {
 }
 
 void World::wake(BodyId id) {
-  state_->body(id, "wake").is_awake = true;
+  Bodies::Body& body = state_->body(id, "wake");
+  if (body.is_awake) return;
+  body.is_awake = true;
+  state_->note_change(id.index);
 }
 
 void World::exclude(BodyId a, BodyId b) {
@@ -229,7 +232,7 @@ std::uint64_t World::user_data(BodyId id) const {
 
 bool World::is_awake(BodyId id) const {
   const Bodies::Body& body = state_->body(id, "is_awake");
-  return body.is_awake && body.motion != Motion::Static;
+  return body.is_awake && !body.is_static();
 }
 
 std::vector<BodyPair> World::pairs() const {

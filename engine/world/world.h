@@ -27,7 +27,7 @@ struct WorldSettings {
 
   // What need not be done is left out. Switching that off changes no answer, only what it costs.
   bool skip_apart = true;         // pairs whose gap cannot have closed are not tested
-  bool skip_at_rest = true;       // pairs in which nothing moved are not tested
+  bool skip_at_rest = true;       // pairs in which nothing moved are not tested again
   bool skip_unused_trees = true;  // a mesh's tree is built where a question first walks it; else
                                   // when a body takes the mesh
 };
@@ -42,7 +42,8 @@ struct BodyContact {
 /// What an update did, and what it could leave out.
 struct WorldWork {
   std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
-  std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing moved
+  std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing changed
+  std::uint64_t pairs_asleep = 0;    // pairs in which something changed, but nobody is awake
   std::uint64_t pairs_apart = 0;     // pairs in which something moved, but less than their gap
   std::uint64_t shape_tests = 0;
   std::uint64_t gaps_measured = 0;     // of pairs that were tested
@@ -56,7 +57,7 @@ struct WorldUpdate {
   std::span<const BodyPair> begun;  // touch now and did not
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
-      moved;  // touch now, and one of them moved or came or changed its filter
+      moved;  // touch now, and one of them moved, came, woke or changed its filter
   std::span<const BodyContact> contacts;  // of the solid pairs in `moved`, if the settings ask
   WorldWork work;
 };
@@ -119,7 +120,19 @@ class World {
   void set_role(BodyId id, Role role);
   void set_user_data(BodyId id, std::uint64_t data);
 
-  /// Pairs of bodies none of which is awake are not looked at. A static body sleeps always.
+  /// A body that comes is awake; what is moved or takes another shape wakes. An update looks at a
+  /// pair if one of the two changed - came, moved, woke, took another shape, filter, motion or role
+  /// - and one of the two is awake. So what lies still costs nothing, asleep or not; and what is
+  /// put to sleep where it was moved to is not asked about others that sleep, nor about what is
+  /// static: the last answer stands until one of the two wakes, but ends if their boxes part, a
+  /// filter keeps them apart or one is removed. What wakes is listed with all that it touches.
+  ///
+  /// The world wakes nobody: a body that comes to touch one that sleeps is listed with it in each
+  /// update in which it moves, and one that leaves it in `ended`. Whom that wakes, and with whom,
+  /// is for a solver to decide, who knows of speeds and of islands.
+  ///
+  /// A static body is not awake, unless it is a sensor; but its pairs are looked at in the update
+  /// after it changed. To put a body to sleep that sleeps, or wake one that is awake, does nothing.
   void sleep(BodyId id);
   void wake(BodyId id);
 
@@ -146,7 +159,8 @@ class World {
   /// All pairs that touch, in ascending order. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
-  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each. Throws
+  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each: for bodies
+  /// that were put to sleep where they were moved to from where they are, which may be none. Throws
   /// InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
 

@@ -23,9 +23,13 @@ struct Bodies {
     Motion motion = Motion::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
-    bool has_changed = false;       // came, moved or changed its filter since the last update
+    bool has_changed = false;       // came, moved, woke, changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
+
+    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
+    /// Whether its pairs are looked at where one of the two changed.
+    bool is_up() const { return is_awake && (has_changed || !is_static()); }
   };
 
   IdTable<std::uint32_t> ids;

@@ -129,6 +129,10 @@ void World::State::test_candidate(std::uint32_t at) {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
   if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
+  if (!a.is_up() && !b.is_up()) {
+    ++work.pairs_asleep;
+    return;
+  }
   if (is_apart_for_sure(at)) return;
   ++work.shape_tests;
   const bool touches = test(pair);
@@ -190,13 +194,14 @@ void World::State::list_changed_pairs() {
   }
 }
 
-/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out.
+/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out. Where all sleep the last
+/// answer stands.
 void World::State::test_pairs_at_rest() {
   for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
     const BoxPair pair = candidates.list()[at];
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
-    if (a.has_changed || b.has_changed) continue;
+    if (a.has_changed || b.has_changed || (!a.is_up() && !b.is_up())) continue;
     ++work.shape_tests;
     note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
   }
@@ -255,8 +260,8 @@ WorldUpdate World::update() {
   }
   state.sort_contacts();
   state.all.ids.next_round();
-  state.work.pairs_at_rest =
-      state.candidates.list().size() - state.work.shape_tests - state.work.pairs_apart;
+  state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests -
+                             state.work.pairs_apart - state.work.pairs_asleep;
   return {state.begun, state.ended, state.moved, state.contacts, state.work};
 }
 
