@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -41,14 +42,21 @@ struct BodyContact {
 
 /// What an update did, and what it could leave out.
 struct WorldWork {
-  std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
-  std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing changed
-  std::uint64_t pairs_asleep = 0;    // pairs in which something changed, but nobody is awake
-  std::uint64_t pairs_apart = 0;     // pairs in which something moved, but less than their gap
+  /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
+  /// motion, role or exclusion changed. After that they cost nothing, and are not counted.
+  std::uint64_t pairs_filtered = 0;
+  std::uint64_t pairs_at_rest = 0;  // pairs with overlapping boxes in which nothing changed
+  std::uint64_t pairs_asleep = 0;   // pairs in which something changed, but nobody is awake
+  std::uint64_t pairs_apart = 0;    // pairs in which something moved, but less than their gap
   std::uint64_t shape_tests = 0;
   std::uint64_t gaps_measured = 0;     // of pairs that were tested
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
   std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
+
+  /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other
+  /// meshes being left until something walks them; and searches among convex shapes that proved
+  /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.
+  Work shapes;
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the

@@ -1,6 +1,7 @@
 // What an update of a world does: which pairs are candidates now, and which of those in which
 // something changed touch.
 
+#include <graze/engine/world/shape_work.h>
 #include <graze/engine/world/world_state.h>
 #include <hwy/cache_control.h>
 
@@ -84,6 +85,8 @@ void World::State::end_pairs() {
 void World::State::begin_pairs() {
   for (const BoxPair& boxes : broad.begun()) {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
+    // Where a filter changed, too, filter_again() sees to it.
+    if (all.bodies[pair.a].has_other_filter || all.bodies[pair.b].has_other_filter) continue;
     if (all.meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
@@ -103,14 +106,17 @@ void World::State::list_partners(std::uint32_t index) {
   std::sort(partners.begin(), partners.end());
 }
 
+/// Of two with other filters the smaller one sees to the pair, so that each is asked about once.
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
+    if (all.bodies[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
     if (do_meet && at == Candidates::kNowhere) candidates.add(pair);
     if (!do_meet && at != Candidates::kNowhere) end(at);
+    work.pairs_filtered += !do_meet;
   }
 }
 
@@ -236,6 +242,7 @@ WorldUpdate World::update() {
   State& state = *state_;
   state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
   state.work = {};
+  const ShapeWorkScope counted(state.work.shapes);
   state.broad.update();
   state.end_pairs();
   state.begin_pairs();
