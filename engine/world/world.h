@@ -23,7 +23,8 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;       // at least 1; no result depends on it
+  int threads = 1;  // at least 1, of the broad phase: shapes are asked by the thread that calls
+                    // update(). No result depends on it
   bool contacts = true;  // update() finds contacts; without, only World::contacts() does
 
   // What need not be done is left out. Switching that off changes no answer, only what it costs.
@@ -117,6 +118,7 @@ class World {
   /// All of these throw StaleIdError for the id of a body that is gone.
   void remove(BodyId id);
   void move(BodyId id, const Pose& pose);  // wakes the body
+  /// All or none: what it throws names the element.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
   /// each step. Throws as add() does, and leaves the body as it was.
@@ -164,7 +166,8 @@ class World {
   /// Brings all pairs up to date.
   WorldUpdate update();
 
-  /// All pairs that touch, in ascending order. O(pairs log pairs).
+  /// All pairs that touched at the last update, in ascending order, without bodies that were
+  /// removed since. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
   /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each: for bodies
@@ -173,7 +176,7 @@ class World {
   std::vector<BodyContact> contacts() const;
 
   /// The bodies whose boxes share a point with `box`, in ascending order.
-  std::vector<BodyId> find_in_box(const Aabb& box) const;
+  std::vector<BodyId> find_in_box(const Aabb& box, const BodyQuerySettings& settings = {}) const;
 
   // The bodies about a shape that is none of them, as they are now, moves since the last update
   // included; in ascending order. Throw PoseError, InputError for a clearance that is not finite or
@@ -187,7 +190,7 @@ class World {
   std::vector<BodyDistance> find_within(const Shape& shape, const Pose& pose, double clearance,
                                         const BodyQuerySettings& settings = {}) const;
 
-  /// The body whose distance() is least, the first of equals; none in an empty world.
+  /// The body whose distance() is least, the first of equals; none if the settings ask for none.
   std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
                                            const BodyQuerySettings& settings = {}) const;
 

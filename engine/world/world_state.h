@@ -6,7 +6,7 @@
 #include <graze/engine/world/id_table.h>
 #include <graze/engine/world/world.h>
 
-#include <unordered_set>
+#include <set>
 
 namespace graze {
 
@@ -33,8 +33,8 @@ struct Bodies {
   };
 
   IdTable<std::uint32_t> ids;
-  std::vector<Body> bodies;                    // by index
-  std::unordered_set<std::uint64_t> excluded;  // pairs, the smaller index in the high half
+  std::vector<Body> bodies;          // by index
+  std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
 
   /// The id of a body that is there, or was until the last update.
@@ -110,6 +110,8 @@ struct World::State {
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
   void insert_box(std::uint32_t index);
+  void prepare_move(BodyId id, const Pose& pose, const char* what);
+  void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
 
   void end_pairs();
@@ -127,6 +129,7 @@ struct World::State {
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
   bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
+  bool asks_for_any(const BodyQuerySettings& query) const;
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   template <typename OnHit>
