@@ -11,15 +11,20 @@ namespace graze::cli {
 namespace {
 
 constexpr const char* kExplainFooter = R"(
-Why this answer: the pair of triangles that decides, or came closest, the stage of the test that is sure
-of it, a witness point or the separating axis, the axis along which the boxes around the meshes are
-furthest apart, and what each kind of bounding volume let the query skip.
+Why this answer: the stage that decided, the pair of triangles that decides, or came closest, and the stage
+of a test of these two that is sure, a witness point or the separating axis; for a miss the largest boxes on
+the way down to that pair that are apart, and along which axis, and of closed meshes whether one lies inside
+the other; and what each kind of bounding volume let the query skip.
 
 With --json the answer is one line:
   {"intersects":false,"pair":[a,b],"stage":"rounded","point_a":[x,y,z],"point_b":[...],"gap":...,
-   "axis":[...],"boxes":{"axis":"x of A","direction":[...],"gap":...},"pairs":...,
-   "first_query":{...},"volumes":{"aabb":{"volume_tests":...,...},...}}
-"stage" is "rounded", where a floating-point filter was sure, or "exact". "axis" is there for a miss.
+   "axis":[...],"decided_by":"volumes","boxes_apart":{"triangles":[n,m],"axis":"x of A",
+   "direction":[...],"gap":...},"solids_intersect":false,"boxes":{"axis":"x of A","direction":[...],
+   "gap":...},"pairs":...,"first_query":{...},"volumes":{"aabb":{"volume_tests":...,...},...}}
+"stage" is "rounded", where a floating-point filter was sure, or "exact". For a miss alone: "axis";
+"decided_by", the last stage that had to be asked: "boxes of the meshes", "volumes", "leaves" (bounds of the
+gaps between triangles in leaves), "triangles" (tests in rounded arithmetic), "exact"; "boxes_apart", unless
+the boxes of the leaves overlap; "solids_intersect", if both meshes are closed.
 
 Examples:
   graze explain bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"

@@ -5,56 +5,61 @@
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <fmt/format.h>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace graze::cli {
 namespace {
 
-constexpr std::array kAxisNames = {"x", "y", "z"};
-
-/// The gap of two placed boxes along a direction of length one.
-double gap_along(const Eigen::Vector3d& axis, const PlacedMesh& a, const PlacedMesh& b) {
-  const auto middle = [](const PlacedMesh& mesh) -> Eigen::Vector3d {
-    const Aabb& box = mesh.mesh.bounds();
-    return place(mesh.pose, Eigen::Vector3d(box.min / 2 + box.max / 2));
-  };
-  const auto reach = [&](const PlacedMesh& mesh) {
-    const Eigen::Vector3d half = mesh.mesh.bounds().max / 2 - mesh.mesh.bounds().min / 2;
-    return (mesh.pose.linear().transpose() * axis).cwiseAbs().dot(half);
-  };
-  return std::abs(axis.dot(middle(b) - middle(a))) - reach(a) - reach(b);
-}
-
-/// Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996: the fifteen directions in which two boxes
-/// can be apart. Computed in double, for people to read; no answer comes from here.
-BoxAxis widest_axis(const PlacedMesh& a, const PlacedMesh& b) {
-  BoxAxis best{"", Eigen::Vector3d::UnitX(), -std::numeric_limits<double>::infinity()};
-  const auto offer = [&](const std::string& name, const Eigen::Vector3d& direction) {
-    const double length = direction.norm();
-    if (length < 1e-6) return;  // parallel edges name no axis of their own
-    const Eigen::Vector3d unit = direction / length;
-    const double gap = gap_along(unit, a, b);
-    if (gap > best.gap) best = {name, unit, gap};
-  };
-  for (int i = 0; i < 3; ++i)
-    offer(fmt::format("{} of A", kAxisNames[static_cast<std::size_t>(i)]), a.pose.linear().col(i));
-  for (int j = 0; j < 3; ++j)
-    offer(fmt::format("{} of B", kAxisNames[static_cast<std::size_t>(j)]), b.pose.linear().col(j));
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      offer(fmt::format("{} of A cross {} of B", kAxisNames[static_cast<std::size_t>(i)],
-                        kAxisNames[static_cast<std::size_t>(j)]),
-            a.pose.linear().col(i).cross(b.pose.linear().col(j)));
-    }
-  }
-  return best;
-}
-
 const char* name_of(narrowphase::Stage stage) {
   return stage == narrowphase::Stage::Triage ? "the rounded stage, whose error bound sufficed"
                                              : "the exact stage: rounding left it unsure";
+}
+
+const char* name_of(Decider decider) {
+  switch (decider) {
+    case Decider::MeshBoxes:
+      return "boxes of the meshes";
+    case Decider::Volumes:
+      return "volumes";
+    case Decider::Leaves:
+      return "leaves";
+    case Decider::Triangles:
+      return "triangles";
+    case Decider::Exact:
+      return "exact";
+  }
+  return "";
+}
+
+/// The last stage that had to be asked.
+Decider decider_of(const Work& work) {
+  if (work.exact_tests > 0) return Decider::Exact;
+  if (work.triangle_tests > 0) return Decider::Triangles;
+  if (work.filter_tests > 0) return Decider::Leaves;
+  return work.volume_tests > 1 ? Decider::Volumes : Decider::MeshBoxes;
+}
+
+std::string miss_text(Decider decider, const Work& work) {
+  switch (decider) {
+    case Decider::MeshBoxes:
+      return "the boxes around the meshes alone, which are apart";
+    case Decider::Volumes:
+      return "bounding volumes alone: no pair of triangles was looked at";
+    case Decider::Leaves:
+      return fmt::format(
+          "bounding volumes, and bounds of the gaps of {} pairs of triangles in leaves",
+          work.filter_tests);
+    case Decider::Triangles:
+      return fmt::format(
+          "bounding volumes, and tests of {} pairs of triangles, all sure in rounded arithmetic",
+          work.triangle_tests);
+    case Decider::Exact:
+      return fmt::format(
+          "bounding volumes, and tests of {} pairs of triangles, {} of them exact: rounding "
+          "left these unsure",
+          work.triangle_tests, work.exact_tests);
+  }
+  return "";
 }
 
 std::string point_text(const Eigen::Vector3d& p) {
@@ -67,10 +72,10 @@ std::string point_json(const Eigen::Vector3d& p) {
 
 std::string work_json(const Work& work) {
   return fmt::format(
-      "{{\"volume_tests\":{},\"volume_rejections\":{},\"triangle_tests\":{},\"exact_tests\":{},"
-      "\"trees_built\":{}}}",
-      work.volume_tests, work.volume_rejections, work.triangle_tests, work.exact_tests,
-      work.trees_built);
+      "{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},\"triangle_tests\":{},"
+      "\"exact_tests\":{},\"trees_built\":{}}}",
+      work.volume_tests, work.volume_rejections, work.filter_tests, work.triangle_tests,
+      work.exact_tests, work.trees_built);
 }
 
 std::string decision_text(const Explanation& e) {
@@ -81,21 +86,30 @@ std::string decision_text(const Explanation& e) {
         "  witness point    {} m\n",
         e.pair.a, e.pair.b, name_of(e.stage), point_text(e.point_a));
   }
-  std::string text;
-  const Work& work = e.volumes.front().work;
-  if (work.triangle_tests == 0) {
-    text += "  decided by       bounding volumes alone: no pair of triangles was tested\n";
+  std::string text =
+      fmt::format("  decided by       {}\n", miss_text(e.decider, e.volumes.front().work));
+  text += fmt::format("  came closest     triangle {} of A and {} of B, {:.6g} m apart\n", e.pair.a,
+                      e.pair.b, e.gap);
+  if (e.boxes) {
+    text += fmt::format(
+        "  apart already    the boxes with these among {} triangles of A and {} of B,\n"
+        "                   along {}, by {:.6g} m\n",
+        e.boxes->triangles_a, e.boxes->triangles_b, e.boxes->axis.name, e.boxes->axis.gap);
   } else {
-    text += "  decided by       volumes for most, and a triangle test for each pair left over\n";
+    text += "  apart already    no boxes that hold these: those of the leaves overlap\n";
   }
-  return text + fmt::format(
-                    "  came closest     triangle {} of A and {} of B, {:.6g} m apart\n"
-                    "  at               {}\n"
-                    "  nearest points   {} m\n"
-                    "                   {} m\n"
-                    "  separating axis  {}\n",
-                    e.pair.a, e.pair.b, e.gap, name_of(e.stage), point_text(e.point_a),
-                    point_text(e.point_b), point_text(*e.axis));
+  text += fmt::format(
+      "  a test of them   is sure at {}\n"
+      "  nearest points   {} m\n"
+      "                   {} m\n"
+      "  separating axis  {}\n",
+      name_of(e.stage), point_text(e.point_a), point_text(e.point_b), point_text(*e.axis));
+  if (e.solids) {
+    text += *e.solids == Solids::Meet
+                ? "  as solids        they intersect: a part of one lies inside the other\n"
+                : "  as solids        they do not intersect either\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -122,6 +136,13 @@ Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
     result.axis = largest > 0 ? Eigen::Vector3d((way / largest).normalized())
                               : widest_axis(mesh_a, mesh_b).direction;
   }
+  if (!result.intersects) {
+    result.boxes = separated_boxes(mesh_a, mesh_b, result.pair);
+    if (mesh_a.mesh.topology().is_closed && mesh_b.mesh.topology().is_closed) {
+      result.solids =
+          intersects(mesh_a, mesh_b, {.interior = Interior::Solid}) ? Solids::Meet : Solids::Apart;
+    }
+  }
   result.widest = widest_axis(mesh_a, mesh_b);
   result.all_pairs = static_cast<double>(mesh_a.mesh.triangles().size()) *
                      static_cast<double>(mesh_b.mesh.triangles().size());
@@ -131,6 +152,7 @@ Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
     intersects(mesh_a, mesh_b, {.volume = volume}, &work);
     result.volumes.push_back({volume, work});
   }
+  result.decider = decider_of(result.volumes.front().work);
   return result;
 }
 
@@ -141,11 +163,11 @@ std::string to_text(const Explanation& e) {
                       e.widest.gap > 0 ? "apart" : "overlap least", e.widest.name,
                       std::abs(e.widest.gap));
   text += fmt::format("  pairs there are  {:.0f}, of triangles\n", e.all_pairs);
-  text += fmt::format("\n{:<14}{:>14}{:>14}{:>16}{:>14}\n", "volume", "volume tests", "found apart",
-                      "triangle tests", "exact tests");
+  text += fmt::format("\n{:<14}{:>14}{:>14}{:>14}{:>16}{:>14}\n", "volume", "volume tests",
+                      "found apart", "leaf bounds", "triangle tests", "exact tests");
   for (const VolumeWork& each : e.volumes) {
-    text += fmt::format("{:<14}{:>14}{:>14}{:>16}{:>14}\n", graze::name_of(each.volume),
-                        each.work.volume_tests, each.work.volume_rejections,
+    text += fmt::format("{:<14}{:>14}{:>14}{:>14}{:>16}{:>14}\n", graze::name_of(each.volume),
+                        each.work.volume_tests, each.work.volume_rejections, each.work.filter_tests,
                         each.work.triangle_tests, each.work.exact_tests);
   }
   text +=
@@ -162,6 +184,14 @@ std::string to_json(const Explanation& e) {
       e.intersects, e.pair.a, e.pair.b, e.stage == narrowphase::Stage::Triage ? "rounded" : "exact",
       point_json(e.point_a), point_json(e.point_b), e.gap);
   if (e.axis) out += fmt::format(",\"axis\":{}", point_json(*e.axis));
+  if (!e.intersects) out += fmt::format(",\"decided_by\":\"{}\"", name_of(e.decider));
+  if (e.boxes) {
+    out += fmt::format(
+        ",\"boxes_apart\":{{\"triangles\":[{},{}],\"axis\":\"{}\",\"direction\":{},\"gap\":{}}}",
+        e.boxes->triangles_a, e.boxes->triangles_b, e.boxes->axis.name,
+        point_json(e.boxes->axis.direction), e.boxes->axis.gap);
+  }
+  if (e.solids) out += fmt::format(",\"solids_intersect\":{}", *e.solids == Solids::Meet);
   out += fmt::format(",\"boxes\":{{\"axis\":\"{}\",\"direction\":{},\"gap\":{}}},\"pairs\":{:.0f}",
                      e.widest.name, point_json(e.widest.direction), e.widest.gap, e.all_pairs);
   out += ",\"first_query\":" + work_json(e.first) + ",\"volumes\":{";

@@ -19,8 +19,9 @@ void SharedWalk::give(bvh::WidePairWalk& walk) {
 SharedWalk::Answer SharedWalk::try_take(bvh::WidePairWalk& walk) {
   const std::lock_guard lock(mutex_);
   if (offer_.empty()) return walking_ == 0 ? Answer::Never : Answer::Later;
-  // As much for each who waits.
-  for (std::size_t left = (offer_.size() + waiting_ - 1) / waiting_; left > 0; --left) {
+  // A few at a time: should this thread have to make way for another program's, the rest is there
+  // for others.
+  for (std::size_t left = (offer_.size() + 3) / 4; left > 0; --left) {
     walk.start_at(offer_.back());
     offer_.pop_back();
   }

@@ -5,19 +5,19 @@
 namespace graze {
 namespace {
 
-thread_local Work* counted = nullptr;
+thread_local Work* asked_for = nullptr;
 
 }  // namespace
 
-ShapeWorkScope::ShapeWorkScope(Work& work) : outer_(std::exchange(counted, &work)) {}
+ShapeWorkScope::ShapeWorkScope(Work& work) : outer_(std::exchange(asked_for, &work)) {}
 
 ShapeWorkScope::~ShapeWorkScope() {
-  counted = outer_;
+  asked_for = outer_;
 }
 
 Work& shape_work() {
   static thread_local Work unread;
-  return counted != nullptr ? *counted : unread;
+  return asked_for != nullptr ? *asked_for : unread;
 }
 
 }  // namespace graze

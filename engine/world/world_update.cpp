@@ -242,7 +242,7 @@ WorldUpdate World::update() {
   State& state = *state_;
   state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
   state.work = {};
-  const ShapeWorkScope counted(state.work.shapes);
+  const ShapeWorkScope scope(state.work.shapes);
   state.broad.update();
   state.end_pairs();
   state.begin_pairs();

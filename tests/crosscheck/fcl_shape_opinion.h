@@ -13,7 +13,6 @@ struct FclOpinion {
   bool is_hit;
   double depth;     ///< of the deepest contact; 0 without
   double distance;  ///< 0 or less for hits; not asked, and 0, where FCL has no answer: half-spaces
-                    ///< and meshes
 };
 
 /// Two placed shapes as FCL's objects, made once so that questions alone can be timed.

@@ -54,6 +54,11 @@ std::vector<EngineEntry> all_engines() {
 #else
   engines.push_back({"ode", nullptr});
 #endif
+#if GRAZE_HAS_COAL
+  engines.push_back({"coal", make_coal_engine()});
+#else
+  engines.push_back({"coal", nullptr});
+#endif
   return engines;
 }
 

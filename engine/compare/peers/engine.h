@@ -63,6 +63,7 @@ std::unique_ptr<Engine> make_graze_engine();
 std::unique_ptr<Engine> make_fcl_engine();
 std::unique_ptr<Engine> make_bullet_engine();
 std::unique_ptr<Engine> make_ode_engine();
+std::unique_ptr<Engine> make_coal_engine();
 
 /// The engine's answer to a case; nothing if it knows no such question. Only graze is asked about
 /// shapes other than meshes and triangles, which become meshes of one triangle.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace graze::mesh_io {
 namespace {
@@ -30,12 +32,35 @@ class ObjReader {
         builder_(source, {.first = 1}) {}
 
   MeshArrays read() {
+    if (cursor_.find_token()) read_counts();
     while (cursor_.find_token())
       read_statement();
+    check_counts();
     return builder_.finish();
   }
 
  private:
+  /// Some files, those that come with FCL among them, begin with how many vertices and faces there
+  /// are. What they say must be so.
+  void read_counts() {
+    const std::string_view first = cursor_.peek();
+    if (first.find_first_not_of("0123456789") != std::string_view::npos) return;
+    const std::int64_t vertices = cursor_.integer();
+    counts_ = {vertices, cursor_.integer()};
+    cursor_.end_line();
+  }
+
+  void check_counts() const {
+    if (!counts_) return;
+    const auto check = [&](std::int64_t announced, std::size_t count, const char* what) {
+      if (announced >= 0 && static_cast<std::uint64_t>(announced) == count) return;
+      cursor_.fail("the first line announces " + std::to_string(announced) + " " + what +
+                   ", there are " + std::to_string(count));
+    };
+    check(counts_->first, builder_.vertex_count(), "vertices");
+    check(counts_->second, faces_, "faces");
+  }
+
   void read_statement() {
     const Place place = cursor_.place();
     const std::string_view keyword = cursor_.token();
@@ -67,6 +92,7 @@ class ObjReader {
   }
 
   void read_face(Place place) {
+    ++faces_;
     builder_.begin_polygon();
     while (cursor_.has_token())
       read_corner();
@@ -108,6 +134,8 @@ class ObjReader {
 
   TextCursor cursor_;
   MeshBuilder builder_;
+  std::optional<std::pair<std::int64_t, std::int64_t>> counts_;
+  std::size_t faces_ = 0;
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <graze/engine/mesh/placement.h>
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "tests/shapes/formula_meshes.h"
 
@@ -50,7 +52,61 @@ TEST_F(CliExplain, AMissHasTheAxisOfThePairThatCameClosest) {
   EXPECT_NEAR(low_b - high_a, gap.distance, 1e-14);
   EXPECT_EQ(miss.widest.name, "x of A");
   EXPECT_NEAR(miss.widest.gap, 2.5 - 1.25 - 0.5, 1e-12);
-  EXPECT_NE(to_text(miss).find("bounding volumes alone"), std::string::npos);
+  EXPECT_EQ(miss.decider, Decider::MeshBoxes);
+  EXPECT_NE(to_text(miss).find("the boxes around the meshes alone"), std::string::npos);
+  ASSERT_TRUE(miss.boxes);
+  EXPECT_EQ(miss.boxes->triangles_a, torus_.triangles().size());
+}
+
+TEST_F(CliExplain, TheBoxesThatAreApartHoldThePair) {
+  int below_the_roots = 0;
+  const Mesh grain = tests::make_box({0.02, 0.02, 0.02});
+  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.3, 0.2, 0),
+                                     Eigen::Vector3d(0.2, -0.4, 0.1), Eigen::Vector3d(3, 0, 0)}) {
+    pose_.translation() = way;
+    const Explanation miss = explain({torus_}, {grain, pose_});
+    ASSERT_TRUE(miss.boxes);
+    const BoxAxis& axis = miss.boxes->axis;
+    const Triangle a = torus_.triangle(miss.pair.a);
+    const Triangle b = place(pose_, grain.triangle(miss.pair.b));
+    const auto along = [&](const Eigen::Vector3d& p) { return axis.direction.dot(p); };
+    const auto [low_a, high_a] = std::minmax({along(a.a), along(a.b), along(a.c)});
+    const auto [low_b, high_b] = std::minmax({along(b.a), along(b.b), along(b.c)});
+    EXPECT_GE(std::max(low_a - high_b, low_b - high_a), axis.gap - 1e-6);
+    EXPECT_GT(axis.gap, 0);
+    below_the_roots += miss.boxes->triangles_a < torus_.triangles().size();
+  }
+  EXPECT_GE(below_the_roots, 2);
+}
+
+TEST_F(CliExplain, WhatIsInsideHasNoBoxesThatAreApart) {
+  const Mesh grain = tests::make_box({0.02, 0.02, 0.02});
+  pose_.translation() << 1, 0.01, 0;  // in the tube of the torus
+  const Explanation inside = explain({torus_}, {grain, pose_});
+  EXPECT_FALSE(inside.intersects);
+  EXPECT_NE(inside.decider, Decider::MeshBoxes);
+  ASSERT_TRUE(inside.solids);
+  EXPECT_EQ(*inside.solids, Solids::Meet);
+  EXPECT_NE(to_text(inside).find("a part of one lies inside the other"), std::string::npos);
+  pose_.translation() << 0, 0, 0;  // in its hole
+  EXPECT_EQ(explain({torus_}, {grain, pose_}).solids, Solids::Apart);
+}
+
+// An edge an ulp over a plane: what decides is not a volume, and the words must not say so.
+TEST_F(CliExplain, AMissThatOnlyExactArithmeticSeesSaysSo) {
+  const auto mesh_of = [](std::vector<Eigen::Vector3d> corners) {
+    return Mesh(corners, std::vector<TriangleIndices>{{0, 1, 2}});
+  };
+  const Mesh floor = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 1}});
+  const double up = std::nextafter(0.25, 1);
+  const Mesh edge = mesh_of({{1, 1, up}, {2, 1, 0.25 + 1e-9}, {1, 1, 2}});
+  const Explanation miss = explain({floor}, {edge});
+  EXPECT_FALSE(miss.intersects);
+  const Work& work = miss.volumes.front().work;
+  EXPECT_EQ(miss.decider == Decider::Exact, work.exact_tests > 0);
+  EXPECT_EQ(miss.decider, Decider::Exact);
+  EXPECT_NE(to_text(miss).find("1 of them exact"), std::string::npos);
+  EXPECT_FALSE(miss.solids);  // they are open
 }
 
 TEST_F(CliExplain, JsonSaysTheSame) {

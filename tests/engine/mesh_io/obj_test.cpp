@@ -32,6 +32,16 @@ TEST(Obj, NegativeIndicesCountFromTheEnd) {
             (std::vector<TriangleIndices>{{0, 1, 2}, {0, 3, 2}}));
 }
 
+TEST(Obj, CountsInTheFirstLineMustBeTrue) {
+  const std::string rest = std::string(kTriangle) + "f 1 2 3\n";
+  EXPECT_EQ(triangles("# a comment\n3 1\n" + rest), (std::vector<TriangleIndices>{{0, 1, 2}}));
+  EXPECT_EQ(error("4 1\n" + rest), "a.obj:5: the first line announces 4 vertices, there are 3");
+  EXPECT_EQ(error("3 0\n" + rest), "a.obj:5: the first line announces 0 faces, there are 1");
+  EXPECT_NE(error("3\n" + rest).find("a.obj:1: "), std::string::npos);
+  EXPECT_NE(error("3 1 1\n" + rest).find("a.obj:1: "), std::string::npos);
+  EXPECT_EQ(error(rest + "3 1\n"), "a.obj:5: unknown statement \"3\"") << "not the first line";
+}
+
 TEST(Obj, FacesMayNameVerticesToCome) {
   EXPECT_EQ(triangles("f 1 2 3 4\nf 1 3 4\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 3 2 1\nv 0 1 0"),
             (std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}, {0, 2, 3}, {2, 1, 0}}));
