@@ -49,19 +49,19 @@ void World::State::insert_box(std::uint32_t index) {
 
 /// Throws, or has the body's box in the list of those that move.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
-  const Bodies::Body& moved = body(id, what);
+  const Bodies::Body& mover = body(id, what);
   check_rigid(pose, what);
-  places.push_back(bounds_of(*moved.shape, pose, what));
-  boxes_to_move.push_back(broad.id(moved.box));
+  places.push_back(bounds_of(*mover.shape, pose, what));
+  boxes_to_move.push_back(broad.id(mover.box));
 }
 
 void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
   broad.move(boxes_to_move, places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    Bodies::Body& moved = all.bodies[ids[i].index];
-    moved.path = longer_path(moved.path, motion_bound(moved.pose, poses[i], moved.shape->reach()));
-    moved.pose = poses[i];
-    moved.is_awake = true;
+    Bodies::Body& mover = all.bodies[ids[i].index];
+    mover.path = longer_path(mover.path, motion_bound(mover.pose, poses[i], mover.shape->reach()));
+    mover.pose = poses[i];
+    mover.is_awake = true;
     note_change(ids[i].index);
   }
 }
