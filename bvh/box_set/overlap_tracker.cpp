@@ -77,9 +77,9 @@ void OverlapTracker::search_all(BoxChanges& changes) {
   set_.refit();
   set_.sort_if_worthwhile();
   std::swap(pairs_, before_);
-  std::swap(sorted_, sorted_before_);
-  is_before_sorted_ = is_sorted_;
-  is_sorted_ = false;
+  std::swap(rows_, rows_before_);
+  is_before_grouped_ = is_grouped_;
+  is_grouped_ = is_sorted_ = false;
   set_.find_all_pairs(pairs_);
   index_.reset();
   has_difference_ = false;
@@ -180,7 +180,7 @@ void OverlapTracker::search_movers(const BoxChanges& changes) {
   edit_list();
   std::sort(begun_.data(), begun_.data() + begun_.size());
   std::sort(ended_.data(), ended_.data() + ended_.size());
-  if (begun_.size() + ended_.size() != 0) is_sorted_ = false;
+  if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
   has_difference_ = true;
   ++searches_for_movers_;
   set_.sort_if_crowded();
@@ -196,10 +196,10 @@ std::span<const BoxPair> OverlapTracker::sorted_pairs() {
 
 void OverlapTracker::work_out_difference() {
   if (has_difference_) return;
-  if (!is_before_sorted_) sort_pairs(before_.pairs(), set_.owner_limit(), starts_, sorted_before_);
-  is_before_sorted_ = true;
-  append_difference(sorted_pairs(), sorted_before_.pairs(), begun_);
-  append_difference(sorted_before_.pairs(), sorted_pairs(), ended_);
+  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.owner_limit());
+  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.owner_limit());
+  is_before_grouped_ = is_grouped_ = true;
+  append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
   has_difference_ = true;
 }
 
@@ -215,11 +215,11 @@ std::span<const BoxPair> OverlapTracker::ended() {
 
 std::size_t OverlapTracker::bytes_for_pairs() const {
   const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
-                            sorted_before_.capacity() + begun_.capacity() + ended_.capacity() +
-                            former_pairs_.capacity();
-  return pairs * sizeof(BoxPair) + index_.bytes() + starts_.capacity() * 4 +
-         movers_.capacity() * sizeof(Mover) + boxes_before_.capacity() * sizeof(OrderedBox) +
-         hits_.capacity() * sizeof(MoverHit) +
+                            begun_.capacity() + ended_.capacity() + former_pairs_.capacity() +
+                            rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
+  return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
+         starts_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
+         boxes_before_.capacity() * sizeof(OrderedBox) + hits_.capacity() * sizeof(MoverHit) +
          (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
 }
 

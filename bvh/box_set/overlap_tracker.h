@@ -4,6 +4,7 @@
 #include <graze/bvh/box_set/box_set.h>
 #include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/pair_index.h>
+#include <graze/bvh/box_set/pair_rows.h>
 
 #include <cstdint>
 #include <span>
@@ -67,10 +68,13 @@ class OverlapTracker {
   PairBuffer pairs_;
   PairBuffer before_;  // the list before the last search for all
   PairIndex index_;    // of pairs_, while it is built
-  PairBuffer sorted_, sorted_before_;
-  bool is_sorted_ = false;         // sorted_ holds pairs_
-  bool is_before_sorted_ = false;  // sorted_before_ holds before_
-  bool has_difference_ = true;     // begun_ and ended_ are up to date
+  PairBuffer sorted_;
+  bool is_sorted_ = false;  // sorted_ holds pairs_
+  PairRows rows_, rows_before_;
+  bool is_grouped_ = false;         // rows_ holds pairs_
+  bool is_before_grouped_ = false;  // rows_before_ holds before_
+  RowsToSort rows_to_sort_;
+  bool has_difference_ = true;  // begun_ and ended_ are up to date
   bool all_moved_ = false;
   PairBuffer begun_, ended_;
   std::vector<std::uint32_t> starts_;

@@ -8,14 +8,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double above(double value) {
-  return std::nextafter(value, kInfinity);
-}
-
-double below(double value) {
-  return std::nextafter(value, -kInfinity);
-}
-
 double sum_of_sizes(const double* v) {
   return (std::abs(v[0]) + std::abs(v[1])) + std::abs(v[2]);
 }
@@ -44,20 +36,18 @@ double motion_bound(const Pose& from, const Pose& to, double reach) {
 }
 
 double longer_path(double path, double motion) {
-  return above(path + motion);
+  return next_up(path + motion);
 }
 
-bool Separation::holds(double path_a, double path_b) const {
-  return above(path_a + path_b) < limit_;
-}
-
-bool Separation::wants_gap() {
+bool Separation::wants_gap(const GapCost& cost) {
+  if (wait_ == kNotAsked) wait_ = tests_left_ = cost.first_wait;
   if (tests_left_ != 0) {
     --tests_left_;
     return false;
   }
   const int longer = 2 * wait_ + 1;
-  wait_ = skips_ >= kWorthIt ? 0 : static_cast<std::uint16_t>(std::min<int>(longer, kLongestWait));
+  wait_ =
+      skips_ >= cost.worth_it ? 0 : static_cast<std::uint16_t>(std::min<int>(longer, kLongestWait));
   tests_left_ = wait_;
   skips_ = 0;
   return true;
@@ -65,7 +55,7 @@ bool Separation::wants_gap() {
 
 // Motions since now are the paths then less the paths now, each path rounded up on its way.
 void Separation::set_gap(double gap, double path_a, double path_b) {
-  limit_ = below(below(path_a + path_b) + gap);
+  limit_ = next_down(next_down(path_a + path_b) + gap);
 }
 
 }  // namespace graze

@@ -1,5 +1,6 @@
 #include <graze/engine/world/contact_questions.h>
 #include <graze/engine/world/placed_core.h>
+#include <graze/narrowphase/convex/box_axes.h>
 #include <graze/narrowphase/convex/closed_gap.h>
 #include <graze/narrowphase/convex/contact_face.h>
 
@@ -14,7 +15,7 @@ using narrowphase::CoreGap;
 using narrowphase::Parting;
 using narrowphase::Vec3;
 
-// The tables' booleans have been asked before: what comes here touches.
+// The tables' booleans have been asked before: what comes here touches, but for boxes.
 
 namespace {
 
@@ -42,14 +43,25 @@ void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touch
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
   const Core core_b = core_of(b.shape, b.pose, touches.origin);
-  // Two boxes are known to touch, and part by their axes alone.
-  const bool are_boxes = core_a.kind == narrowphase::CoreKind::Box && core_b.kind == core_a.kind;
-  const CoreGap gap = are_boxes ? CoreGap{} : narrowphase::nearest(core_a, core_b);
-  work.convex_tests += !are_boxes;
+  const CoreGap gap = narrowphase::nearest(core_a, core_b);
+  ++work.convex_tests;
   const Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
   add_touches(core_a, core_b, parting, touches.list);
+}
+
+// The axes along which they part mostly tell for sure whether they touch.
+void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  using narrowphase::Verdict;
+  touches.origin = middle_of(a.shape, a.pose);
+  const Core core_a = core_of(a.shape, a.pose, touches.origin);
+  const Core core_b = core_of(b.shape, b.pose, touches.origin);
+  const narrowphase::BoxAxes axes(core_a, core_b);
+  const Verdict verdict = axes.verdict();
+  if (verdict == Verdict::Apart) return;
+  if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
+  add_touches(core_a, core_b, part_boxes(axes), touches.list);
 }
 
 void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches) {

@@ -25,6 +25,8 @@ struct Touches {
 };
 
 void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+/// Two boxes, which need not touch: no contacts then.
+void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
 void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches);
 void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
                            Work& work);

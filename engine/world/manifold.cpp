@@ -16,10 +16,11 @@ void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touch
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
-    case BoxAxes:
     case ClosedForm:
     case Cores:
       return touches_of_cores(a, b, touches, work);
+    case BoxAxes:
+      return touches_of_boxes(a, b, touches, work);
     case Plane:
       return touches_with_plane(a, b, touches);
     case MeshPlane:
@@ -76,9 +77,8 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
 namespace {
 
 /// True where triangles are tested exactly: that they meet is found out along with how.
-bool is_one_question(const PlacedShape& a, const PlacedShape& b) {
-  const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
-  return method == PairMethod::Meshes || method == PairMethod::MeshVolume;
+bool is_one_question(PairMethod method) {
+  return method == Meshes || method == MeshVolume;
 }
 
 Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
@@ -92,7 +92,10 @@ Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& 
 }  // namespace
 
 Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  if (!is_one_question(a, b) && !intersect_in_boxes(a, b, work)) return {};
+  const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
+  // Two boxes are one question, too, where those around them are known to overlap.
+  const bool is_one = is_one_question(method) || method == BoxAxes;
+  if (!is_one && !intersect_in_boxes(a, b, work)) return {};
   return contacts_of_touching(a, b, work);
 }
 
@@ -102,7 +105,8 @@ Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  if (!is_one_question(a, b) && !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
+  if (!is_one_question(pair_method(shape_a.kind(), shape_b.kind())) &&
+      !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
     return {};
   return contacts_of_touching(a, b, counted.work());
 }

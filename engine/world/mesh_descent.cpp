@@ -10,9 +10,33 @@ namespace graze {
 using narrowphase::Core;
 using narrowphase::Vec3;
 
+namespace {
+
+// In a tree's units, of which its boxes are a few: what is as far as that is beside all of them,
+// and no float overflows.
+constexpr double kFar = 0x1p60;
+
+struct Extent {
+  double low, high;
+};
+
+/// Of the set along a column of a rotation: of balls and boxes without asking for a point.
+Extent extent_along(const Core& core, const Vec3& axis) {
+  using enum narrowphase::CoreKind;
+  if (core.kind != Point && core.kind != Box)
+    return {dot(rounded_support(core, -axis), axis), dot(rounded_support(core, axis), axis)};
+  const double middle = dot(core.at, axis);
+  const double reach = (std::abs(dot(core.axis[0], axis)) * core.half.x +
+                        std::abs(dot(core.axis[1], axis)) * core.half.y) +
+                       (std::abs(dot(core.axis[2], axis)) * core.half.z + core.radius);
+  return {middle - reach, middle + reach};
+}
+
+}  // namespace
+
 // A point p of a placed triangle, p = R x + t to rounding, has the coordinates q = R^T (p - t) in
 // the mesh's frame: off from x by R^T R - I, 3 dev of the largest coordinate of x, and by law 1's
-// rounding, 8 u of all coordinates on the way. The set's box there comes from support points along
+// rounding, 8 u of all coordinates on the way. The set's box there comes from what it reaches along
 // R's columns, off by 20 u of the pair's scale, and by 2 dev of the radius for columns that are not
 // quite of length 1. The slack, 8 dev + 2^-45 of the sum of all, covers both.
 MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::Vector3d& origin,
@@ -36,11 +60,13 @@ MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::
   for (int k = 0; k < 3; ++k) {
     const Vec3 axis{m[4 * k], m[4 * k + 1], m[4 * k + 2]};
     const double shift = dot(axis, from_mesh) - tree_.frame.centre[k];
-    const double high = dot(rounded_support(core, axis), axis) + slack;
-    const double low = dot(rounded_support(core, -axis), axis) - slack;
+    const Extent extent = extent_along(core, axis);
+    const double high = extent.high + slack, low = extent.low - slack;
     const double pad = 0x1p-50 * std::abs(tree_.frame.centre[k]);
     min_[k] = (shift + low - pad) / unit_;
     max_[k] = (shift + high + pad) / unit_;
+    around_.min[k] = bvh::rounded_down(std::clamp(min_[k], -kFar, kFar));
+    around_.max[k] = bvh::rounded_up(std::clamp(max_[k], -kFar, kFar));
     // A unit is a power of two; the sum is off by a rounding, of which the pad and the slack have
     // each their part.
     own_min_[k] = min_[k] * unit_ + tree_.frame.centre[k];

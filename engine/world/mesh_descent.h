@@ -8,6 +8,7 @@
 #include <graze/engine/work.h>
 #include <graze/narrowphase/convex/core.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -74,12 +75,15 @@ class MeshDescent {
   double bound_of(const double (&low)[3], const double (&high)[3]) const;
   bool is_beyond(double bound, double limit) const;
 
+  // Both without branches: what comes here cannot be foreseen.
   bool is_apart(std::uint32_t node) const {
     ++work_.volume_tests;
     const bvh::FloatBox& box = tree_.nodes[node].box;
     bool is_apart = false;
-    for (int k = 0; k < 3; ++k)
-      is_apart |= box.min[k] > max_[k] || box.max[k] < min_[k];
+    for (int k = 0; k < 3; ++k) {
+      is_apart |= box.min[k] > around_.max[k];
+      is_apart |= box.max[k] < around_.min[k];
+    }
     work_.volume_rejections += is_apart;
     return is_apart;
   }
@@ -91,8 +95,10 @@ class MeshDescent {
     const double* c = vertices_[t[2]].data();
     bool is_apart = false;
     for (int k = 0; k < 3; ++k) {
-      is_apart |= (a[k] > own_max_[k] && b[k] > own_max_[k] && c[k] > own_max_[k]) ||
-                  (a[k] < own_min_[k] && b[k] < own_min_[k] && c[k] < own_min_[k]);
+      const double low = std::min(std::min(a[k], b[k]), c[k]);
+      const double high = std::max(std::max(a[k], b[k]), c[k]);
+      is_apart |= low > own_max_[k];
+      is_apart |= high < own_min_[k];
     }
     return is_apart;
   }
@@ -115,7 +121,8 @@ class MeshDescent {
   Work& work_;
   double min_[3];  // of the set's box, in the tree's units
   double max_[3];
-  double own_min_[3];  // in the mesh's frame, metres
+  bvh::FloatBox around_;  // the same box, outward
+  double own_min_[3];     // in the mesh's frame, metres
   double own_max_[3];
   double unit_;    // metres
   double shrink_;  // lengths in the mesh's frame are at most this much longer than in the world

@@ -10,14 +10,6 @@ using narrowphase::Core;
 using narrowphase::CoreKind;
 using narrowphase::Vec3;
 
-Vec3 to_vec3(const Eigen::Vector3d& v) {
-  return {v.data()[0], v.data()[1], v.data()[2]};
-}
-
-Eigen::Vector3d to_eigen(const Vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 namespace {
 
 Vec3 column(const Pose& pose, int k) {

@@ -9,8 +9,12 @@
 
 namespace graze {
 
-narrowphase::Vec3 to_vec3(const Eigen::Vector3d& v);
-Eigen::Vector3d to_eigen(const narrowphase::Vec3& v);
+static inline narrowphase::Vec3 to_vec3(const Eigen::Vector3d& v) {
+  return {v.data()[0], v.data()[1], v.data()[2]};
+}
+static inline Eigen::Vector3d to_eigen(const narrowphase::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// Where the shape's middle lies in the world: the origin to which cores of a pair are relative.
 Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose);

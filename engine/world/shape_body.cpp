@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/pair_input.h>
+#include <graze/engine/world/quick_gap.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
@@ -103,7 +104,11 @@ class ShapeBody final : public BodyShape {
   // as much as the door lets in: see bounds_of().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     const Shape* shape = other.shape();
-    if (shape == nullptr || !is_worth_a_gap(pair_method(shape_.kind(), shape->kind()))) return 0;
+    if (shape == nullptr) return 0;
+    const PairMethod method = pair_method(shape_.kind(), shape->kind());
+    if (is_gap_quick(method) && method != PairMethod::MeshVolume)
+      return quick_gap({shape_, pose, reach_}, {*shape, other_pose, other.reach()});
+    if (!is_worth_a_gap(method)) return 0;
     const double* t = pose.data() + 12;
     const double* o = other_pose.data() + 12;
     const double scale =
@@ -122,6 +127,11 @@ class ShapeBody final : public BodyShape {
                      double smaller_reach) const {
     const Mesh* mesh = shape_.as<Mesh>();
     const Mesh* other = shape.as<Mesh>();
+    if (pair_method(shape_.kind(), shape.kind()) == PairMethod::MeshVolume) {
+      const PlacedShape own{shape_, pose}, others{shape, other_pose};
+      return mesh == nullptr ? mesh_distance_bound(own, others, shape_work())
+                             : mesh_distance_bound(others, own, shape_work());
+    }
     if (mesh == nullptr || other == nullptr)
       return distance(shape_, pose, shape, other_pose, &shape_work()).lower_bound;
     const double clearance = smaller_reach / 64;

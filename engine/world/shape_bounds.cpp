@@ -1,4 +1,5 @@
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/next_double.h>
 #include <graze/engine/world/placed_core.h>
 #include <graze/engine/world/shape_bounds.h>
 
@@ -13,11 +14,11 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 double below(double value) {
-  return std::nextafter(value, -kLargest);
+  return std::max(next_down(value), -kLargest);
 }
 
 double above(double value) {
-  return std::nextafter(value, kLargest);
+  return std::min(next_up(value), kLargest);
 }
 
 // Distances as computed are off by at most 128 u of the sizes of both shapes and the way between

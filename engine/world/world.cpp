@@ -30,13 +30,13 @@ const Bodies::Body& World::State::body(BodyId id, const char* what) const {
 }
 
 void World::State::note_change(std::uint32_t index) {
-  if (all.bodies[index].has_changed) return;
-  all.bodies[index].has_changed = true;
+  if (all.ways[index].has_changed) return;
+  all.ways[index].has_changed = true;
   changed.push_back(index);
 }
 
 void World::State::note_other_filter(std::uint32_t index) {
-  all.bodies[index].has_other_filter = true;
+  all.ways[index].has_other_filter = true;
   note_change(index);
 }
 
@@ -59,7 +59,8 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
   broad.move(boxes_to_move, places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
-    mover.path = longer_path(mover.path, motion_bound(mover.pose, poses[i], mover.shape->reach()));
+    double& path = all.ways[ids[i].index].path;
+    path = longer_path(path, motion_bound(mover.pose, poses[i], mover.shape->reach()));
     mover.pose = poses[i];
     mover.is_awake = true;
     note_change(ids[i].index);
@@ -94,9 +95,11 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   bounds_of(*shape, pose, "add");
   State& state = *state_;
   const std::uint32_t index = state.all.ids.take();
-  if (index >= state.all.bodies.size()) state.all.bodies.emplace_back();
+  if (index >= state.all.bodies.size())
+    state.all.bodies.emplace_back(), state.all.ways.emplace_back();
   Bodies::Body& body = state.all.bodies[index];
   body = {};
+  state.all.ways[index] = {};
   state.take_shape(index, std::move(shape));
   body.pose = pose;
   body.motion = settings.motion;
@@ -163,7 +166,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
   state.broad.move(state.broad.id(body.box), box);
   state.take_shape(id.index, std::move(shape));
   body.is_awake = true;
-  body.has_other_shape = true;
+  state.all.ways[id.index].has_other_shape = true;
   state.note_change(id.index);
 }
 

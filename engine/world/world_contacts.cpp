@@ -26,25 +26,25 @@ bool World::State::test(BoxPair pair) {
   if (!settings.contacts || !all.are_solid(pair.a, pair.b))
     return a.shape->touches(a.pose, *b.shape, b.pose);
   const std::optional<Manifold> manifold = a.shape->meet(a.pose, *b.shape, b.pose);
-  if (manifold) found.push_back({all.id_pair(pair), *manifold});
+  if (manifold) found.add(all.id_pair(pair), *manifold);
   return manifold.has_value();
 }
 
 void World::State::sort_contacts() {
-  const auto is_before = [](const BodyContact& s, const BodyContact& t) { return s.pair < t.pair; };
-  if (std::is_sorted(found.begin(), found.end(), is_before)) {
-    contacts.swap(found);
+  if (found.is_ascending()) {
+    std::swap(contacts, found);
   } else {
-    order.resize(found.size());
+    const std::span<const BodyContact> list = found.all();
+    order.resize(list.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
-              [&](std::uint32_t s, std::uint32_t t) { return is_before(found[s], found[t]); });
+              [&](std::uint32_t s, std::uint32_t t) { return list[s].pair < list[t].pair; });
     contacts.clear();
     for (const std::uint32_t at : order)
-      contacts.push_back(found[at]);
+      contacts.add(list[at]);
   }
-  work.contacts_found = contacts.size();
-  work.contacts_skipped = moved.size() - contacts.size();
+  work.contacts_found = contacts.all().size();
+  work.contacts_skipped = moved.size() - contacts.all().size();
 }
 
 std::vector<BodyContact> World::contacts() const {

@@ -6,6 +6,7 @@
 #include <graze/engine/world/id_table.h>
 #include <graze/engine/world/world.h>
 
+#include <algorithm>
 #include <set>
 
 namespace graze {
@@ -17,23 +18,25 @@ struct Bodies {
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
-    double path = 0;        // metres: no point of it has gone further since it came
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
     Motion motion = Motion::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
+    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
+  };
+
+  /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.
+  struct Way {
+    double path = 0;                // metres: no point of it has gone further since it came
     bool has_changed = false;       // came, moved, woke, changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
-
-    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
-    /// Whether its pairs are looked at where one of the two changed.
-    bool is_up() const { return is_awake && (has_changed || !is_static()); }
   };
 
   IdTable<std::uint32_t> ids;
   std::vector<Body> bodies;          // by index
+  std::vector<Way> ways;             // likewise
   std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
 
@@ -44,6 +47,10 @@ struct Bodies {
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
+  /// Whether its pairs are looked at where one of the two changed.
+  bool is_up(std::uint32_t index) const {
+    return bodies[index].is_awake && (ways[index].has_changed || !bodies[index].is_static());
+  }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
   }
@@ -81,6 +88,42 @@ struct WorldSnapshot::State {
   std::vector<std::uint8_t> touches;
 };
 
+/// Contacts of pairs, kept from update to update and written over: of a manifold only the contacts
+/// that there are, mostly one or two of four.
+class ContactList {
+ public:
+  void clear() {
+    count_ = 0;
+    is_ascending_ = true;
+  }
+  void add(const BodyPair& pair, const Manifold& manifold) {
+    if (count_ == list_.size()) list_.emplace_back();
+    if (count_ != 0 && !(last_ < pair)) is_ascending_ = false;
+    last_ = pair;
+    BodyContact& contact = list_[count_++];
+    contact.pair = pair;
+    contact.manifold.count = manifold.count;
+    std::copy(manifold.begin(), manifold.end(), contact.manifold.contacts.begin());
+    if (count_ < list_.size()) fetch(list_[count_]);
+  }
+  void add(const BodyContact& contact) { add(contact.pair, contact.manifold); }
+  std::span<const BodyContact> all() const { return {list_.data(), count_}; }
+  bool is_ascending() const { return is_ascending_; }
+
+ private:
+  /// What the next one will write to, if it is of one contact.
+  static void fetch(const BodyContact& next) {
+    __builtin_prefetch(&next, 1);
+    __builtin_prefetch(&next.manifold.contacts[0].feature, 1);
+    __builtin_prefetch(&next.manifold.count, 1);
+  }
+
+  std::vector<BodyContact> list_;
+  std::size_t count_ = 0;
+  BodyPair last_;
+  bool is_ascending_ = true;
+};
+
 struct World::State {
   explicit State(const WorldSettings& chosen)
       : settings(chosen), broad({.threads = chosen.threads}) {}
@@ -94,10 +137,11 @@ struct World::State {
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
   std::vector<BodyPair> begun, ended, moved;
-  std::vector<BodyContact> found;         // contacts in the order in which pairs were tested
-  std::vector<std::uint32_t> order;       // of those, or of pairs
+  ContactList found;                      // in the order in which pairs were tested
+  std::vector<std::uint32_t> due;         // pairs to be tested, in the order of the list
+  std::vector<std::uint32_t> order;       // of those, or of contacts that were found
   std::vector<std::uint32_t> first_pair;  // of each body, in that
-  std::vector<BodyContact> contacts;      // the same, ascending
+  ContactList contacts;                   // the same, ascending
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
@@ -121,6 +165,7 @@ struct World::State {
   void list_changed_pairs();
   void fetch(BoxPair pair) const;
   void test_pairs(std::uint32_t index);
+  bool is_due(BoxPair pair) const;
   void test_candidate(std::uint32_t at);
   void test_pairs_at_rest();
   void note_answer(std::uint32_t at, bool touches);

@@ -1,6 +1,7 @@
 // What an update of a world does: which pairs are candidates now, and which of those in which
 // something changed touch.
 
+#include <graze/engine/world/quick_gap.h>
 #include <graze/engine/world/shape_work.h>
 #include <graze/engine/world/world_state.h>
 #include <hwy/cache_control.h>
@@ -30,6 +31,13 @@ bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   if (s.role == Role::Sensor) return t.motion != Motion::Static;
   if (t.role == Role::Sensor) return s.motion != Motion::Static;
   return s.motion == Motion::Dynamic || t.motion == Motion::Dynamic;
+}
+
+GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
+  const Shape *s = a.shape(), *t = b.shape();
+  const bool is_quick =
+      s != nullptr && t != nullptr && is_gap_quick(pair_method(s->kind(), t->kind()));
+  return is_quick ? kQuickGap : kMeasuredGap;
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ void World::State::begin_pairs() {
   for (const BoxPair& boxes : broad.begun()) {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
     // Where a filter changed, too, filter_again() sees to it.
-    if (all.bodies[pair.a].has_other_filter || all.bodies[pair.b].has_other_filter) continue;
+    if (all.ways[pair.a].has_other_filter || all.ways[pair.b].has_other_filter) continue;
     if (all.meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
@@ -110,7 +118,7 @@ void World::State::list_partners(std::uint32_t index) {
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
-    if (all.bodies[partner].has_other_filter && partner < index) continue;
+    if (all.ways[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
@@ -124,22 +132,18 @@ void World::State::filter_again(std::uint32_t index) {
 void World::State::test_pairs(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
-    if (all.bodies[partner].has_changed && partner < index) continue;
+    if (all.ways[partner].has_changed && partner < index) continue;
     const std::uint32_t at = candidates.position(ordered_pair(index, partner));
-    if (at != Candidates::kNowhere) test_candidate(at);
+    if (at != Candidates::kNowhere && !is_apart_for_sure(at)) test_candidate(at);
   }
 }
 
 void World::State::test_candidate(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
-  const Bodies::Body& a = all.bodies[pair.a];
-  const Bodies::Body& b = all.bodies[pair.b];
-  if (a.has_other_shape || b.has_other_shape) candidates.separation(at) = {};
-  if (!a.is_up() && !b.is_up()) {
+  if (!all.is_up(pair.a) && !all.is_up(pair.b)) {
     ++work.pairs_asleep;
     return;
   }
-  if (is_apart_for_sure(at)) return;
   ++work.shape_tests;
   const bool touches = test(pair);
   if (touches) moved.push_back(all.id_pair(pair));
@@ -177,21 +181,25 @@ void World::State::test_changed() {
   }
 }
 
-/// In `order`, ascending by their bodies, so that what is found needs no sorting: by counting for
-/// the first body, and then the few of each by the second.
+bool World::State::is_due(BoxPair pair) const {
+  return all.ways[pair.a].has_changed || all.ways[pair.b].has_changed;
+}
+
+/// Those that are not apart for sure, in `order`, ascending by their bodies, so that what is found
+/// needs no sorting: by counting for the first body, and then the few of each by the second.
 void World::State::list_changed_pairs() {
   const std::span<const BoxPair> list = candidates.list();
-  const auto is_due = [&](const BoxPair& pair) {
-    return all.bodies[pair.a].has_changed || all.bodies[pair.b].has_changed;
-  };
+  due.clear();
   first_pair.assign(all.bodies.size() + 1, 0);
-  for (const BoxPair& pair : list)
-    first_pair[pair.a + 1] += is_due(pair);
-  std::partial_sum(first_pair.begin(), first_pair.end(), first_pair.begin());
-  order.resize(first_pair.back());
   for (std::uint32_t at = 0; at < list.size(); ++at) {
-    if (is_due(list[at])) order[first_pair[list[at].a]++] = at;
+    if (!is_due(list[at]) || is_apart_for_sure(at)) continue;
+    due.push_back(at);
+    ++first_pair[list[at].a + 1];
   }
+  std::partial_sum(first_pair.begin(), first_pair.end(), first_pair.begin());
+  order.resize(due.size());
+  for (const std::uint32_t at : due)
+    order[first_pair[list[at].a]++] = at;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : first_pair) {
     std::sort(order.begin() + begin, order.begin() + std::max(begin, end),
@@ -207,7 +215,7 @@ void World::State::test_pairs_at_rest() {
     const BoxPair pair = candidates.list()[at];
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
-    if (a.has_changed || b.has_changed || (!a.is_up() && !b.is_up())) continue;
+    if (is_due(pair) || (!all.is_up(pair.a) && !all.is_up(pair.b))) continue;
     ++work.shape_tests;
     note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
   }
@@ -221,8 +229,10 @@ void World::State::note_answer(std::uint32_t at, bool touches) {
 
 bool World::State::is_apart_for_sure(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
+  const Bodies::Way &a = all.ways[pair.a], &b = all.ways[pair.b];
   Separation& separation = candidates.separation(at);
-  if (!separation.holds(all.bodies[pair.a].path, all.bodies[pair.b].path)) return false;
+  if (a.has_other_shape || b.has_other_shape) separation = {};
+  if (!separation.holds(a.path, b.path)) return false;
   separation.note_skip();
   ++work.pairs_apart;
   return true;
@@ -230,11 +240,13 @@ bool World::State::is_apart_for_sure(std::uint32_t at) {
 
 void World::State::learn_gap(std::uint32_t at) {
   Separation& separation = candidates.separation(at);
-  if (!settings.skip_apart || !separation.wants_gap()) return;
+  if (!settings.skip_apart) return;
   const BoxPair pair = candidates.list()[at];
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
-  separation.set_gap(a.shape->gap(a.pose, *b.shape, b.pose), a.path, b.path);
+  if (!separation.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
+  const double gap = a.shape->gap(a.pose, *b.shape, b.pose);
+  separation.set_gap(gap, all.ways[pair.a].path, all.ways[pair.b].path);
   ++work.gaps_measured;
 }
 
@@ -248,17 +260,17 @@ WorldUpdate World::update() {
   state.begin_pairs();
   std::erase_if(state.changed, [&](std::uint32_t index) {
     const bool is_gone = !state.all.ids.is_live(index);
-    if (is_gone) state.all.bodies[index].has_changed = false;
+    if (is_gone) state.all.ways[index].has_changed = false;
     return is_gone;
   });
   for (const std::uint32_t index : state.changed) {
-    if (state.all.bodies[index].has_other_filter) state.filter_again(index);
+    if (state.all.ways[index].has_other_filter) state.filter_again(index);
   }
   state.test_changed();
   if (!state.settings.skip_at_rest) state.test_pairs_at_rest();
   for (const std::uint32_t index : state.changed) {
-    Bodies::Body& body = state.all.bodies[index];
-    body.has_changed = body.has_other_filter = body.has_other_shape = false;
+    Bodies::Way& way = state.all.ways[index];
+    way.has_changed = way.has_other_filter = way.has_other_shape = false;
   }
   state.changed.clear();
   state.removed = 0;
@@ -269,7 +281,7 @@ WorldUpdate World::update() {
   state.all.ids.next_round();
   state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests -
                              state.work.pairs_apart - state.work.pairs_asleep;
-  return {state.begun, state.ended, state.moved, state.contacts, state.work};
+  return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
 }
 
 WorldSnapshot World::snapshot() const {

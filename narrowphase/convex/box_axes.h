@@ -1,16 +1,37 @@
 #pragma once
 
 #include <graze/narrowphase/convex/penetration.h>
+#include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {
 
-/// The least way out of two boxes, by their 15 axes: for poses that are rotations exact but for
-/// rounding, and by as much as they deviate for others. A product of edges
-/// must save more than a twentieth of the depth over the best face, so that boxes that rest on one
-/// another do not change their axis from step to step; where one does, the points are the nearest
-/// ones of the two edges that meet.
+/// Two boxes along the 15 axes that may part them: the three of each and the nine products.
 /// Gottschalk, Lin, Manocha, "OBBTree" (1996).
-Penetration least_axis(const Core& box_a, const Core& box_b);
+class BoxAxes {
+ public:
+  /// Keeps references.
+  BoxAxes(const Core& box_a, const Core& box_b);
+
+  /// What may_overlap() of ../volumes/obb_overlap.h says of the two, in either order; Unsure where
+  /// its slack might decide.
+  Verdict verdict() const;
+
+  /// The least way out: for poses that are rotations exact but for rounding, and by as much as they
+  /// deviate for others. A product of edges must save more than a twentieth of the depth over the
+  /// best face, so that boxes that rest on one another do not change their axis from step to step;
+  /// where one does, the points are the nearest ones of the two edges that meet.
+  Penetration least_way() const;
+
+ private:
+  const Core& box_a_;
+  const Core& box_b_;
+  // The ways between the middles along the axes, and how far the boxes reach past each other.
+  double way_a_[3], way_b_[3];
+  double past_a_[3], past_b_[3];
+  // Along the products of an axis of A and one of B, which are as long as the roots of the squares.
+  double way_[3][3], past_[3][3], square_[3][3];
+  double margin_;  // past which an answer is sure
+};
 
 /// The ends of a box's edge along one of its axes: of the four the farthest along a direction.
 struct BoxEdge {

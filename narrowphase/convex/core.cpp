@@ -61,14 +61,6 @@ Vec3 own_support(const Core& core, const Vec3& d) {
 
 }  // namespace
 
-Vec3 turned(const Core& core, const Vec3& own) {
-  return (core.axis[0] * own.x + core.axis[1] * own.y) + core.axis[2] * own.z;
-}
-
-Vec3 into_own(const Core& core, const Vec3& direction) {
-  return {dot(core.axis[0], direction), dot(core.axis[1], direction), dot(core.axis[2], direction)};
-}
-
 Vec3 support(const Core& core, const Vec3& direction) {
   if (core.kind == CoreKind::Point) return core.at;
   if (core.kind == CoreKind::Triangle) return farthest(core.corner, 3, direction);

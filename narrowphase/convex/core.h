@@ -34,16 +34,22 @@ struct Core {
   Vec3 corner[3];  ///< Triangle: in the common frame; axes do not concern it, `at` is corner[0]
 };
 
+// Static, as the functions of vector.h are.
+
+/// The vector from the core's own frame to the common one, and back by the transpose.
+static inline Vec3 turned(const Core& core, const Vec3& own) {
+  return (core.axis[0] * own.x + core.axis[1] * own.y) + core.axis[2] * own.z;
+}
+static inline Vec3 into_own(const Core& core, const Vec3& direction) {
+  return {dot(core.axis[0], direction), dot(core.axis[1], direction), dot(core.axis[2], direction)};
+}
+
 /// A point of the core that is farthest in a direction, not zero. Ties go to the first of the
 /// points, and to the positive side.
 Vec3 support(const Core& core, const Vec3& direction);
 
 /// As support(), of the set: with the radius.
 Vec3 rounded_support(const Core& core, const Vec3& unit_direction);
-
-/// The vector from the core's own frame to the common one, and back by the transpose.
-Vec3 turned(const Core& core, const Vec3& own);
-Vec3 into_own(const Core& core, const Vec3& direction);
 
 /// What the sums that make up points of both sets are at most: the measure of rounding.
 double pair_scale(const Core& a, const Core& b);

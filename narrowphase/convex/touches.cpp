@@ -152,6 +152,14 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
 
 }  // namespace
 
+Parting part_boxes(const BoxAxes& boxes) {
+  Parting parting;
+  parting.way = boxes.least_way();
+  parting.way.depth = std::max(parting.way.depth, 0.0);
+  parting.has_witnesses = parting.way.has_witnesses;
+  return parting;
+}
+
 Parting part(const Core& a, const Core& b, const CoreGap& gap) {
   Parting parting;
   Penetration& way = parting.way;
@@ -163,8 +171,7 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
     way.point_b = gap.point_b - between * b.radius;
     parting.has_witnesses = true;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
-    way = least_axis(a, b);
-    parting.has_witnesses = way.has_witnesses;
+    return part_boxes(BoxAxes(a, b));
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
     way = nearest_face(a, b);
   } else if (a.kind == CoreKind::Point && b.kind == CoreKind::Box) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/narrowphase/convex/box_axes.h>
 #include <graze/narrowphase/convex/core_gap.h>
 #include <graze/narrowphase/convex/penetration.h>
 
@@ -32,6 +33,7 @@ struct Parting {
 /// and a point in a box, by their faces; all others by penetration(), and then by the faces at hand
 /// if one is as good.
 Parting part(const Core& a, const Core& b, const CoreGap& gap);
+Parting part_boxes(const BoxAxes& boxes);
 
 /// The points of contact along that way, added to `touches`; one at least. Where faces face each
 /// other along the normal, the one is clipped by the other's sides, else there is one point.

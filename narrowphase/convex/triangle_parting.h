@@ -5,7 +5,7 @@
 namespace graze::narrowphase {
 
 /// How a box, or a point with a radius, parts soonest from a triangle that it touches, by formula:
-/// the box by the axes of both, as least_axis() does, the point by where the triangle is nearest to
+/// the box by the axes of both, as BoxAxes does, the point by where the triangle is nearest to
 /// it. The way leads to the triangle. The triangle has an area.
 Parting part_from_triangle(const Core& core, const Core& triangle);
 

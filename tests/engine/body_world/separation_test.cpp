@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "tests/shapes/random_meshes.h"
 
@@ -38,12 +39,33 @@ TEST(MotionBound, IsInfiniteForWhatHasNoEnd) {
   EXPECT_EQ(motion_bound(Pose::Identity(), Pose::Identity(), infinity), infinity);
 }
 
+TEST(NextDouble, IsThatOfTheStandardLibrary) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  RandomSource source(4);
+  std::vector<double> values = {0.0,
+                                -0.0,
+                                infinity,
+                                -infinity,
+                                std::numeric_limits<double>::denorm_min(),
+                                -std::numeric_limits<double>::denorm_min(),
+                                std::numeric_limits<double>::min(),
+                                std::numeric_limits<double>::max(),
+                                -std::numeric_limits<double>::max()};
+  for (int i = 0; i < 1000; ++i)
+    values.push_back(source.uniform(-1, 1) * std::exp2(source.integer(-1070, 1020)));
+  for (const double value : values) {
+    EXPECT_EQ(next_up(value), std::nextafter(value, infinity)) << value;
+    EXPECT_EQ(next_down(value), std::nextafter(value, -infinity)) << value;
+  }
+  EXPECT_TRUE(std::isnan(next_up(std::nan(""))));
+}
+
 TEST(Separation, HoldsUntilThePathsHaveClosedTheGap) {
   Separation separation;
   EXPECT_FALSE(separation.holds(0, 0));
-  EXPECT_FALSE(separation.wants_gap());
+  EXPECT_FALSE(separation.wants_gap(kMeasuredGap));
   int tests = 1;
-  while (!separation.wants_gap())
+  while (!separation.wants_gap(kMeasuredGap))
     ASSERT_LT(++tests, 20);
   separation.set_gap(1, 10, 20);
   EXPECT_TRUE(separation.holds(10, 20));
@@ -58,20 +80,33 @@ TEST(Separation, MeasuresSeldomWhatIsSoonUsedUp) {
   Separation separation;
   int measured = 0;
   for (int i = 0; i < 1000; ++i)
-    measured += separation.wants_gap() ? 1 : 0;
+    measured += separation.wants_gap(kMeasuredGap) ? 1 : 0;
   EXPECT_GT(measured, 3);
   EXPECT_LT(measured, 20);
 }
 
 TEST(Separation, MeasuresAgainAtOnceWhatLasted) {
   Separation separation;
-  while (!separation.wants_gap()) {
+  while (!separation.wants_gap(kMeasuredGap)) {
   }
   for (int i = 0; i < 100; ++i)
     separation.note_skip();
-  while (!separation.wants_gap()) {
+  while (!separation.wants_gap(kMeasuredGap)) {
   }
-  EXPECT_TRUE(separation.wants_gap());
+  EXPECT_TRUE(separation.wants_gap(kMeasuredGap));
+}
+
+TEST(Separation, MeasuresAtOnceWhatIsMeasuredInNoTime) {
+  Separation separation;
+  EXPECT_TRUE(separation.wants_gap(kQuickGap));
+  separation.note_skip();
+  EXPECT_FALSE(separation.wants_gap(kQuickGap));
+  EXPECT_TRUE(separation.wants_gap(kQuickGap));
+  separation.note_skip(), separation.note_skip();
+  while (!separation.wants_gap(kQuickGap)) {
+  }
+  separation.note_skip(), separation.note_skip();
+  EXPECT_TRUE(separation.wants_gap(kQuickGap));
 }
 
 }  // namespace
