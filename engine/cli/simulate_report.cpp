@@ -44,10 +44,12 @@ struct Names {
 
 std::string json_of(const WorldWork& work) {
   return fmt::format(
-      "{{\"shape_tests\":{},\"pairs_filtered\":{},\"pairs_at_rest\":{},\"pairs_apart\":{},"
-      "\"gaps_measured\":{},\"contacts_found\":{},\"contacts_skipped\":{}}}",
-      work.shape_tests, work.pairs_filtered, work.pairs_at_rest, work.pairs_apart,
-      work.gaps_measured, work.contacts_found, work.contacts_skipped);
+      "{{\"shape_tests\":{},\"pairs_filtered\":{},\"pairs_at_rest\":{},\"pairs_asleep\":{},"
+      "\"pairs_apart\":{},\"gaps_measured\":{},\"contacts_found\":{},\"contacts_skipped\":{},"
+      "\"trees_built\":{},\"convex_failures\":{},\"penetration_failures\":{}}}",
+      work.shape_tests, work.pairs_filtered, work.pairs_at_rest, work.pairs_asleep,
+      work.pairs_apart, work.gaps_measured, work.contacts_found, work.contacts_skipped,
+      work.shapes.trees_built, work.shapes.convex_failures, work.shapes.penetration_failures);
 }
 
 }  // namespace

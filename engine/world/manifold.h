@@ -54,7 +54,10 @@ struct Manifold {
 /// mostly find_contacts()'s, and a guide: it is not proved to part them. Meshes that only touch, in
 /// a plane, along a line or in a point, offer their find_contacts().
 ///
-/// Of all that is offered four remain: the deepest, and then whichever is farthest from those.
+/// Of all that is offered four remain: the deepest, and those that are far from all that remain. So
+/// that features persist, edges of two faces that are within a 256th of the smaller shape's size of
+/// each other count as one, which no answer of yes or no depends on: their corners are moved by so
+/// much at most, along the face, and keep the names that they have in the face that is cut.
 /// Swapping A and B mirrors the result. Throws as intersects() does, and UnsupportedPairError for
 /// two half-spaces that intersect: no finite translation parts them.
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,

@@ -7,6 +7,7 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
+#include <graze/engine/world/shape_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,7 @@ class ShapeBody final : public BodyShape {
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     const Shape* shape = other.shape();
     if (shape == nullptr) return other.touches(other_pose, *this, pose);
-    Work work;
-    return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, work);
+    return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
   }
 
   Manifold contacts(const Pose& pose, const BodyShape& other,
@@ -76,8 +76,7 @@ class ShapeBody final : public BodyShape {
     if (shape == nullptr) return mirrored(other.contacts(other_pose, *this, pose));
     // No finite translation parts two half-spaces: they touch, and have no contact.
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
-    Work work;
-    return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, work);
+    return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
   }
 
   std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
@@ -91,8 +90,7 @@ class ShapeBody final : public BodyShape {
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
       return BodyShape::meet(pose, other, other_pose);
     // Empty exactly when they do not touch.
-    Work work;
-    Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, work);
+    Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
     if (found.empty()) return std::nullopt;
     return found;
   }
@@ -130,15 +128,15 @@ class ShapeBody final : public BodyShape {
     const Mesh* mesh = shape_.as<Mesh>();
     const Mesh* other = shape.as<Mesh>();
     if (pair_method(shape_.kind(), shape.kind()) == PairMethod::MeshVolume) {
-      Work work;
       const PlacedShape own{shape_, pose}, others{shape, other_pose};
-      return mesh == nullptr ? mesh_distance_bound(own, others, work)
-                             : mesh_distance_bound(others, own, work);
+      return mesh == nullptr ? mesh_distance_bound(own, others, shape_work())
+                             : mesh_distance_bound(others, own, shape_work());
     }
     if (mesh == nullptr || other == nullptr)
-      return distance(shape_, pose, shape, other_pose).lower_bound;
+      return distance(shape_, pose, shape, other_pose, &shape_work()).lower_bound;
     const double clearance = smaller_reach / 64;
-    return within({*mesh, pose}, {*other, other_pose}, clearance) ? 0 : 0.5 * clearance;
+    const bool is_near = within({*mesh, pose}, {*other, other_pose}, clearance, {}, &shape_work());
+    return is_near ? 0 : 0.5 * clearance;
   }
 
   std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {

@@ -9,7 +9,7 @@ namespace graze {
 namespace {
 
 std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
-  return static_cast<std::uint64_t>(std::min(s, t)) << 32 | std::max(s, t);
+  return static_cast<std::uint64_t>(s) << 32 | t;
 }
 
 Aabb bounds_of(const BodyShape& shape, const Pose& pose, const char* what) {
@@ -47,6 +47,26 @@ void World::State::insert_box(std::uint32_t index) {
   body_of_box[body.box] = index;
 }
 
+/// Throws, or has the body's box in the list of those that move.
+void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
+  const Bodies::Body& mover = body(id, what);
+  check_rigid(pose, what);
+  places.push_back(bounds_of(*mover.shape, pose, what));
+  boxes_to_move.push_back(broad.id(mover.box));
+}
+
+void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  broad.move(boxes_to_move, places);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    Bodies::Body& mover = all.bodies[ids[i].index];
+    double& path = all.ways[ids[i].index].path;
+    path = longer_path(path, motion_bound(mover.pose, poses[i], mover.shape->reach()));
+    mover.pose = poses[i];
+    mover.is_awake = true;
+    note_change(ids[i].index);
+  }
+}
+
 void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape) {
   const Shape* known = shape->shape();
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
@@ -57,7 +77,13 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
   all.bodies[index].shape = std::move(shape);
 }
 
-World::World(const WorldSettings& settings) : state_(std::make_unique<State>(settings)) {}
+World::World(const WorldSettings& settings) {
+  if (settings.threads < 1) {
+    throw InputError("World: threads is " + std::to_string(settings.threads) +
+                     ", must be at least 1");
+  }
+  state_ = std::make_unique<State>(settings);
+}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -93,13 +119,12 @@ void World::remove(BodyId id) {
   State& state = *state_;
   Bodies::Body& body = state.body(id, "remove");
   state.broad.remove(state.broad.id(body.box));
-  if (body.exclusions != 0) {
-    std::erase_if(state.all.excluded, [&](std::uint64_t key) {
-      const bool is_its = key >> 32 == id.index || static_cast<std::uint32_t>(key) == id.index;
-      const std::uint32_t other = static_cast<std::uint32_t>((key >> 32) ^ key) ^ id.index;
-      if (is_its) --state.all.bodies[other].exclusions;
-      return is_its;
-    });
+  auto& excluded = state.all.excluded;
+  for (auto next = excluded.lower_bound(pair_key(id.index, 0)); body.exclusions != 0;) {
+    const auto other = static_cast<std::uint32_t>(*next);
+    next = excluded.erase(next);
+    excluded.erase(pair_key(other, id.index));
+    --body.exclusions, --state.all.bodies[other].exclusions;
   }
   body.shape.reset();
   state.all.ids.free(id.index);
@@ -107,7 +132,10 @@ void World::remove(BodyId id) {
 }
 
 void World::move(BodyId id, const Pose& pose) {
-  move({&id, 1}, {&pose, 1});
+  state_->boxes_to_move.clear();
+  state_->places.clear();
+  state_->prepare_move(id, pose, "move");
+  state_->move_prepared({&id, 1}, {&pose, 1});
 }
 
 void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
@@ -118,21 +146,16 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
   }
   state.boxes_to_move.clear();
   state.places.clear();
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const Bodies::Body& body = state.body(ids[i], "move");
-    check_rigid(poses[i], "move");
-    state.places.push_back(bounds_of(*body.shape, poses[i], "move"));
-    state.boxes_to_move.push_back(state.broad.id(body.box));
+  std::size_t i = 0;
+  try {
+    for (; i < ids.size(); ++i)
+      state.prepare_move(ids[i], poses[i], "move");
+  } catch (const std::exception&) {
+    const std::string what = "move, element " + std::to_string(i);
+    state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+    throw;
   }
-  state.broad.move(state.boxes_to_move, state.places);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    Bodies::Body& body = state.all.bodies[ids[i].index];
-    double& path = state.all.ways[ids[i].index].path;
-    path = longer_path(path, motion_bound(body.pose, poses[i], body.shape->reach()));
-    body.pose = poses[i];
-    body.is_awake = true;
-    state.note_change(ids[i].index);
-  }
+  state.move_prepared(ids, poses);
 }
 
 void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
@@ -175,7 +198,10 @@ void World::sleep(BodyId id) {
 }
 
 void World::wake(BodyId id) {
-  state_->body(id, "wake").is_awake = true;
+  Bodies::Body& body = state_->body(id, "wake");
+  if (body.is_awake) return;
+  body.is_awake = true;
+  state_->note_change(id.index);
 }
 
 void World::exclude(BodyId a, BodyId b) {
@@ -183,6 +209,7 @@ void World::exclude(BodyId a, BodyId b) {
   Bodies::Body& body_b = state_->body(b, "exclude");
   if (a == b) throw InputError("exclude: a body and itself");
   if (!state_->all.excluded.insert(pair_key(a.index, b.index)).second) return;
+  state_->all.excluded.insert(pair_key(b.index, a.index));
   ++body_a.exclusions, ++body_b.exclusions;
   state_->note_other_filter(a.index);
 }
@@ -191,6 +218,7 @@ void World::include(BodyId a, BodyId b) {
   Bodies::Body& body_a = state_->body(a, "include");
   Bodies::Body& body_b = state_->body(b, "include");
   if (state_->all.excluded.erase(pair_key(a.index, b.index)) == 0) return;
+  state_->all.excluded.erase(pair_key(b.index, a.index));
   --body_a.exclusions, --body_b.exclusions;
   state_->note_other_filter(a.index);
 }
@@ -232,29 +260,20 @@ std::uint64_t World::user_data(BodyId id) const {
 
 bool World::is_awake(BodyId id) const {
   const Bodies::Body& body = state_->body(id, "is_awake");
-  return body.is_awake && body.motion != Motion::Static;
+  return body.is_awake && !body.is_static();
 }
 
 std::vector<BodyPair> World::pairs() const {
   const State& state = *state_;
   std::vector<BodyPair> pairs;
   for (std::uint32_t at = 0; at < state.candidates.list().size(); ++at) {
-    if (state.candidates.touches(at))
-      pairs.push_back(state.all.id_pair(state.candidates.list()[at]));
+    const BoxPair pair = state.candidates.list()[at];
+    if (state.candidates.touches(at) && state.all.ids.is_live(pair.a) &&
+        state.all.ids.is_live(pair.b))
+      pairs.push_back(state.all.id_pair(pair));
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
-}
-
-std::vector<BodyId> World::find_in_box(const Aabb& box) const {
-  std::vector<std::uint32_t> found;
-  state_->broad.find_overlapping(box, found);
-  std::vector<BodyId> bodies;
-  bodies.reserve(found.size());
-  for (const std::uint32_t index : found)
-    bodies.push_back(state_->all.id(state_->body_of_box[index]));
-  std::sort(bodies.begin(), bodies.end());
-  return bodies;
 }
 
 }  // namespace graze

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -22,12 +23,13 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;       // at least 1; no result depends on it
+  int threads = 1;  // at least 1, of the broad phase: shapes are asked by the thread that calls
+                    // update(). No result depends on it
   bool contacts = true;  // update() finds contacts; without, only World::contacts() does
 
   // What need not be done is left out. Switching that off changes no answer, only what it costs.
   bool skip_apart = true;         // pairs whose gap cannot have closed are not tested
-  bool skip_at_rest = true;       // pairs in which nothing moved are not tested
+  bool skip_at_rest = true;       // pairs in which nothing moved are not tested again
   bool skip_unused_trees = true;  // a mesh's tree is built where a question first walks it; else
                                   // when a body takes the mesh
 };
@@ -41,13 +43,21 @@ struct BodyContact {
 
 /// What an update did, and what it could leave out.
 struct WorldWork {
-  std::uint64_t pairs_filtered = 0;  // boxes that began to overlap, of bodies that do not meet
-  std::uint64_t pairs_at_rest = 0;   // pairs with overlapping boxes in which nothing moved
-  std::uint64_t pairs_apart = 0;     // pairs in which something moved, but less than their gap
+  /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
+  /// motion, role or exclusion changed. After that they cost nothing, and are not counted.
+  std::uint64_t pairs_filtered = 0;
+  std::uint64_t pairs_at_rest = 0;  // pairs with overlapping boxes in which nothing changed
+  std::uint64_t pairs_asleep = 0;   // pairs in which something changed, but nobody is awake
+  std::uint64_t pairs_apart = 0;    // pairs in which something moved, but less than their gap
   std::uint64_t shape_tests = 0;
   std::uint64_t gaps_measured = 0;     // of pairs that were tested
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
   std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
+
+  /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other
+  /// meshes being left until something walks them; and searches among convex shapes that proved
+  /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.
+  Work shapes;
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the
@@ -56,7 +66,7 @@ struct WorldUpdate {
   std::span<const BodyPair> begun;  // touch now and did not
   std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
-      moved;  // touch now, and one of them moved or came or changed its filter
+      moved;  // touch now, and one of them moved, came, woke or changed its filter
   std::span<const BodyContact> contacts;  // of the solid pairs in `moved`, if the settings ask
   WorldWork work;
 };
@@ -108,6 +118,7 @@ class World {
   /// All of these throw StaleIdError for the id of a body that is gone.
   void remove(BodyId id);
   void move(BodyId id, const Pose& pose);  // wakes the body
+  /// All or none: what it throws names the element.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
   /// each step. Throws as add() does, and leaves the body as it was.
@@ -119,7 +130,19 @@ class World {
   void set_role(BodyId id, Role role);
   void set_user_data(BodyId id, std::uint64_t data);
 
-  /// Pairs of bodies none of which is awake are not looked at. A static body sleeps always.
+  /// A body that comes is awake; what is moved or takes another shape wakes. An update looks at a
+  /// pair if one of the two changed - came, moved, woke, took another shape, filter, motion or role
+  /// - and one of the two is awake. So what lies still costs nothing, asleep or not; and what is
+  /// put to sleep where it was moved to is not asked about others that sleep, nor about what is
+  /// static: the last answer stands until one of the two wakes, but ends if their boxes part, a
+  /// filter keeps them apart or one is removed. What wakes is listed with all that it touches.
+  ///
+  /// The world wakes nobody: a body that comes to touch one that sleeps is listed with it in each
+  /// update in which it moves, and one that leaves it in `ended`. Whom that wakes, and with whom,
+  /// is for a solver to decide, who knows of speeds and of islands.
+  ///
+  /// A static body is not awake, unless it is a sensor; but its pairs are looked at in the update
+  /// after it changed. To put a body to sleep that sleeps, or wake one that is awake, does nothing.
   void sleep(BodyId id);
   void wake(BodyId id);
 
@@ -143,15 +166,17 @@ class World {
   /// Brings all pairs up to date.
   WorldUpdate update();
 
-  /// All pairs that touch, in ascending order. O(pairs log pairs).
+  /// All pairs that touched at the last update, in ascending order, without bodies that were
+  /// removed since. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
-  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each. Throws
+  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each: for bodies
+  /// that were put to sleep where they were moved to from where they are, which may be none. Throws
   /// InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
 
   /// The bodies whose boxes share a point with `box`, in ascending order.
-  std::vector<BodyId> find_in_box(const Aabb& box) const;
+  std::vector<BodyId> find_in_box(const Aabb& box, const BodyQuerySettings& settings = {}) const;
 
   // The bodies about a shape that is none of them, as they are now, moves since the last update
   // included; in ascending order. Throw PoseError, InputError for a clearance that is not finite or
@@ -165,7 +190,7 @@ class World {
   std::vector<BodyDistance> find_within(const Shape& shape, const Pose& pose, double clearance,
                                         const BodyQuerySettings& settings = {}) const;
 
-  /// The body whose distance() is least, the first of equals; none in an empty world.
+  /// The body whose distance() is least, the first of equals; none if the settings ask for none.
   std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
                                            const BodyQuerySettings& settings = {}) const;
 

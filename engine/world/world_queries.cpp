@@ -72,6 +72,21 @@ BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,
   return {all.id(index), distance(shape, pose, *body.shape->shape(), body.pose)};
 }
 
+bool World::State::asks_for_any(const BodyQuerySettings& query) const {
+  for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
+    if (all.ids.is_live(index) && is_asked_for(index, query)) return true;
+  }
+  return false;
+}
+
+std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings& settings) const {
+  check_box(box, "find_in_box");
+  std::vector<BodyId> bodies;
+  for (const std::uint32_t index : state_->find_bodies(box, settings))
+    bodies.push_back(state_->all.id(index));
+  return bodies;
+}
+
 std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
                                          const BodyQuerySettings& settings) const {
   const State& state = *state_;
@@ -106,6 +121,7 @@ std::optional<BodyDistance> World::find_closest(const Shape& shape, const Pose& 
   const Aabb own = bounds_of(shape, pose);
   std::optional<BodyDistance> best;
   std::vector<std::uint32_t> seen;  // ascending
+  if (!state.asks_for_any(settings)) return best;
   for (double width = width_of(own);; width *= 4) {
     const bool is_all = !(width < kLargest);
     const Aabb box = grown(own, std::min(width, kLargest));

@@ -33,6 +33,7 @@ void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
 }
 
 std::optional<BodyRayHit> World::cast_ray(const Ray& ray, const BodyQuerySettings& settings) const {
+  check_ray(ray, "cast_ray");
   std::optional<BodyRayHit> first;
   state_->for_each_hit(ray, settings, [&](const BodyRayHit& hit) {
     if (!first || is_before(hit, *first)) first = hit;
@@ -43,6 +44,7 @@ std::optional<BodyRayHit> World::cast_ray(const Ray& ray, const BodyQuerySetting
 
 std::vector<BodyRayHit> World::cast_ray_all(const Ray& ray,
                                             const BodyQuerySettings& settings) const {
+  check_ray(ray, "cast_ray_all");
   std::vector<BodyRayHit> hits;
   state_->for_each_hit(ray, settings, [&](const BodyRayHit& hit) {
     hits.push_back(hit);

@@ -7,7 +7,7 @@
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
 
 namespace graze {
 
@@ -23,20 +23,21 @@ struct Bodies {
     Motion motion = Motion::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
+    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
   };
 
   /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.
   struct Way {
     double path = 0;                // metres: no point of it has gone further since it came
-    bool has_changed = false;       // came, moved or changed its filter since the last update
+    bool has_changed = false;       // came, moved, woke, changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
   };
 
   IdTable<std::uint32_t> ids;
-  std::vector<Body> bodies;                    // by index
-  std::vector<Way> ways;                       // likewise
-  std::unordered_set<std::uint64_t> excluded;  // pairs, the smaller index in the high half
+  std::vector<Body> bodies;          // by index
+  std::vector<Way> ways;             // likewise
+  std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
 
   /// The id of a body that is there, or was until the last update.
@@ -46,6 +47,10 @@ struct Bodies {
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
+  /// Whether its pairs are looked at where one of the two changed.
+  bool is_up(std::uint32_t index) const {
+    return bodies[index].is_awake && (ways[index].has_changed || !bodies[index].is_static());
+  }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
   }
@@ -149,6 +154,8 @@ struct World::State {
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
   void insert_box(std::uint32_t index);
+  void prepare_move(BodyId id, const Pose& pose, const char* what);
+  void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
 
   void end_pairs();
@@ -167,6 +174,7 @@ struct World::State {
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
   bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
+  bool asks_for_any(const BodyQuerySettings& query) const;
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   template <typename OnHit>

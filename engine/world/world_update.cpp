@@ -2,6 +2,7 @@
 // something changed touch.
 
 #include <graze/engine/world/quick_gap.h>
+#include <graze/engine/world/shape_work.h>
 #include <graze/engine/world/world_state.h>
 #include <hwy/cache_control.h>
 
@@ -92,6 +93,8 @@ void World::State::end_pairs() {
 void World::State::begin_pairs() {
   for (const BoxPair& boxes : broad.begun()) {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
+    // Where a filter changed, too, filter_again() sees to it.
+    if (all.ways[pair.a].has_other_filter || all.ways[pair.b].has_other_filter) continue;
     if (all.meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
@@ -111,14 +114,17 @@ void World::State::list_partners(std::uint32_t index) {
   std::sort(partners.begin(), partners.end());
 }
 
+/// Of two with other filters the smaller one sees to the pair, so that each is asked about once.
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
+    if (all.ways[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
     if (do_meet && at == Candidates::kNowhere) candidates.add(pair);
     if (!do_meet && at != Candidates::kNowhere) end(at);
+    work.pairs_filtered += !do_meet;
   }
 }
 
@@ -134,6 +140,10 @@ void World::State::test_pairs(std::uint32_t index) {
 
 void World::State::test_candidate(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
+  if (!all.is_up(pair.a) && !all.is_up(pair.b)) {
+    ++work.pairs_asleep;
+    return;
+  }
   ++work.shape_tests;
   const bool touches = test(pair);
   if (touches) moved.push_back(all.id_pair(pair));
@@ -198,13 +208,14 @@ void World::State::list_changed_pairs() {
   }
 }
 
-/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out.
+/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out. Where all sleep the last
+/// answer stands.
 void World::State::test_pairs_at_rest() {
   for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
     const BoxPair pair = candidates.list()[at];
     const Bodies::Body& a = all.bodies[pair.a];
     const Bodies::Body& b = all.bodies[pair.b];
-    if (is_due(pair)) continue;
+    if (is_due(pair) || (!all.is_up(pair.a) && !all.is_up(pair.b))) continue;
     ++work.shape_tests;
     note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
   }
@@ -243,6 +254,7 @@ WorldUpdate World::update() {
   State& state = *state_;
   state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
   state.work = {};
+  const ShapeWorkScope scope(state.work.shapes);
   state.broad.update();
   state.end_pairs();
   state.begin_pairs();
@@ -267,8 +279,8 @@ WorldUpdate World::update() {
   }
   state.sort_contacts();
   state.all.ids.next_round();
-  state.work.pairs_at_rest =
-      state.candidates.list().size() - state.work.shape_tests - state.work.pairs_apart;
+  state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests -
+                             state.work.pairs_apart - state.work.pairs_asleep;
   return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
 }
 

@@ -1,22 +1,54 @@
 #include <graze/narrowphase/convex/clip.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze::narrowphase {
 namespace {
 
-/// Puts what is not in front of the plane through `on` with the outward normal `out` into `kept`,
-/// which is another face. False if that is all of the face, and then `kept` says nothing.
-bool cut(const ClippedFace& face, const Vec3& on, const Vec3& out, std::uint32_t edge,
-         bool is_closed, ClippedFace& kept) {
+struct Plane {
+  Vec3 on;
+  Vec3 out;  // of any length
+};
+
+/// Edges that lie in the plane, to so much, are not cut by it: their corners count as on it. Those
+/// in front of it slide onto it, along the face. What is not behind it by more stays as it is.
+void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double within,
+               bool is_closed, double (&height)[ClippedFace::kMostCorners]) {
+  const int n = face.count;
+  const Vec3 along = plane.out - normal * dot(plane.out, normal);
+  const double fall = dot(plane.out, along);
+  const double square = dot(plane.out, plane.out);
+  const double limit = within * std::sqrt(square);
+  const auto is_level = [&](int i) { return std::abs(height[i]) <= limit; };
+  if (!(fall > 0.25 * square) || !(*std::min_element(height, height + n) < -limit)) return;
+  bool lies[ClippedFace::kMostCorners] = {};
+  for (int i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
+    const int next = i + 1 == n ? 0 : i + 1;
+    if (is_level(i) && is_level(next)) lies[i] = lies[next] = true;
+  }
+  for (int i = 0; i < n; ++i) {
+    if (!lies[i]) continue;
+    Vec3& point = face.corner[i].point;
+    if (height[i] > 0) point = point - along * (height[i] / fall);
+    height[i] = 0;
+  }
+}
+
+/// Puts what is not in front of the plane into `kept`, which is another face. False if that is all
+/// of the face, and then `kept` says nothing.
+bool cut(ClippedFace& face, const Vec3& normal, const Plane& plane, std::uint32_t edge,
+         double within, bool is_closed, ClippedFace& kept) {
   const int n = face.count;
   double height[ClippedFace::kMostCorners];
-  bool is_cut = false;
-  for (int i = 0; i < n; ++i) {
-    height[i] = dot(face.corner[i].point - on, out);
-    is_cut |= !(height[i] <= 0);
-  }
-  if (!is_cut) return false;
+  const auto is_cut = [&] {
+    return std::any_of(height, height + n, [](double h) { return !(h <= 0); });
+  };
+  for (int i = 0; i < n; ++i)
+    height[i] = dot(face.corner[i].point - plane.on, plane.out);
+  if (!is_cut()) return false;
+  lay_edges(face, normal, plane, within, is_closed, height);
+  if (!is_cut()) return false;
   kept.count = 0;
   const auto keep = [&](const ClippedFace::Corner& corner) {
     if (kept.count < ClippedFace::kMostCorners) kept.corner[kept.count++] = corner;
@@ -38,7 +70,7 @@ bool cut(const ClippedFace& face, const Vec3& on, const Vec3& out, std::uint32_t
 
 }  // namespace
 
-ClippedFace clip(const ContactFace& face, const ContactFace& sides) {
+ClippedFace clip(const ContactFace& face, const ContactFace& sides, double within) {
   ClippedFace faces[2];
   int now = 0;
   for (int i = 0; i < face.count; ++i)
@@ -48,8 +80,8 @@ ClippedFace clip(const ContactFace& face, const ContactFace& sides) {
     const Vec3& from = sides.corner[i];
     const Vec3 edge = sides.corner[i + 1 == sides.count ? 0 : i + 1] - from;
     const Vec3 out = sides.count == 2 ? -edge : cross(edge, sides.normal);
-    if (cut(faces[now], from, out, ClippedFace::kEdge + sides.corner_id[i], is_closed,
-            faces[1 - now])) {
+    if (cut(faces[now], face.normal, {from, out}, ClippedFace::kEdge + sides.corner_id[i], within,
+            is_closed, faces[1 - now])) {
       now = 1 - now;
     }
   }

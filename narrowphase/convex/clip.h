@@ -26,6 +26,10 @@ struct ClippedFace {
 /// of `sides` at right angles to its face; of a segment, the planes through its ends at right
 /// angles to it.
 /// Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
-ClippedFace clip(const ContactFace& face, const ContactFace& sides);
+///
+/// An edge of the face whose ends are both `within` so much of a plane, metres, is not cut by it
+/// but lies in it: corners that stick out slide back along the face. So faces whose edges coincide
+/// keep their corners, and their names, however they jitter.
+ClippedFace clip(const ContactFace& face, const ContactFace& sides, double within);
 
 }  // namespace graze::narrowphase

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace graze::narrowphase {
 namespace {
@@ -21,6 +22,19 @@ constexpr double kTouching = 0x1p-34;
 
 // A face takes part if its normal is within 8 degrees of the contact's.
 constexpr double kFacing = 0.99;
+
+// Edges of two faces coincide where they are this share of the smaller set's size apart: far more
+// than what jitters in a stack, less than anyone sees of a contact that is moved by so much.
+constexpr double kCoinciding = 0x1p-8;
+
+// Depths and distances are the same to this share of the contacts' spread.
+constexpr double kSame = 1e-4;
+
+// Contacts are level where their depths are within this share of their spread.
+constexpr double kLevel = 0.01;
+
+// A contact is one of the outermost at this share of the greatest square from the middle.
+constexpr double kOuter = 0.9;
 
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
@@ -54,6 +68,14 @@ void settle_on_faces(const Core& a, const Core& b, Penetration& way) {
 
 enum class Reference { A, B, None };
 
+/// Of two sets of one size the one whose face cuts the other's, by where the normal leads: which of
+/// the two is called A may change with each step. No normal along an axis or midway between axes is
+/// near where this changes.
+Reference by_size(const Core& a, const Core& b, const Vec3& normal) {
+  if (a.reach != b.reach) return b.reach > a.reach ? Reference::B : Reference::A;
+  return dot(normal, {1, 2, 4}) < 0 ? Reference::B : Reference::A;
+}
+
 /// Which face cuts the other: the one that is more nearly at right angles to the normal; of equals
 /// the larger set's, so that it stays the same from step to step.
 Reference choose(const ContactFace& face_a, const ContactFace& face_b, const Core& a, const Core& b,
@@ -62,7 +84,7 @@ Reference choose(const ContactFace& face_a, const ContactFace& face_b, const Cor
   const double of_b = face_b.count > 2 ? -dot(face_b.normal, normal) : -1;
   if (of_a >= kFacing || of_b >= kFacing) {
     constexpr double kEqual = 1e-3;
-    if (std::abs(of_a - of_b) < kEqual) return b.reach > a.reach ? Reference::B : Reference::A;
+    if (std::abs(of_a - of_b) < kEqual) return by_size(a, b, normal);
     return of_a > of_b ? Reference::A : Reference::B;
   }
   if (face_a.count != 2 || face_b.count != 2) return Reference::None;
@@ -72,7 +94,7 @@ Reference choose(const ContactFace& face_a, const ContactFace& face_b, const Cor
   const Vec3 line_a = unit_or(face_a.corner[1] - face_a.corner[0], normal);
   const Vec3 line_b = unit_or(face_b.corner[1] - face_b.corner[0], normal);
   if (length(cross(line_a, line_b)) > kOneLine) return Reference::None;
-  return b.reach > a.reach ? Reference::B : Reference::A;
+  return by_size(a, b, normal);
 }
 
 std::uint64_t feature(std::uint32_t face, std::uint32_t part) {
@@ -82,17 +104,22 @@ std::uint64_t feature(std::uint32_t face, std::uint32_t part) {
 // What stands for a whole face.
 constexpr std::uint32_t kWhole = 0x20000;
 
+struct Tolerances {
+  double touching;
+  double coinciding;
+};
+
 /// The clipped corners of `incident` that are behind `reference`, whose outward sense along the
 /// normal is `sign`: 1 if it is A's.
 void add_clipped(const ContactFace& incident, const ContactFace& reference, const Penetration& way,
-                 double sign, double tolerance, std::vector<ContactPoint>& touches) {
+                 double sign, const Tolerances& tolerance, std::vector<ContactPoint>& touches) {
   const Vec3& normal = way.normal;
-  const ClippedFace clipped = clip(incident, reference);
+  const ClippedFace clipped = clip(incident, reference, tolerance.coinciding);
   const double facing = dot(reference.normal, normal) * sign;
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
     const double depth = dot(reference.normal, reference.corner[0] - corner.point) / facing;
-    if (depth < -tolerance) continue;
+    if (depth < -tolerance.touching) continue;
     ContactPoint touch;
     // Faces that are not quite at right angles to the normal are not met where it leads.
     touch.depth = std::clamp(depth, 0.0, std::max(way.depth, 0.0));
@@ -170,7 +197,7 @@ void add_face_touches(const Core& a, const Core& b, const Penetration& way,
   const ContactFace face_a = face_along(a, normal);
   const ContactFace face_b = face_along(b, -normal);
   if (face_a.count == 1 || face_b.count == 1) return;
-  const double tolerance = kTouching * pair_scale(a, b);
+  const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b)};
   switch (choose(face_a, face_b, a, b, normal)) {
     case Reference::A:
       add_clipped(face_b, face_a, way, 1, tolerance, touches);
@@ -183,16 +210,43 @@ void add_face_touches(const Core& a, const Core& b, const Penetration& way,
   }
 }
 
+namespace {
+
+double square_between(const ContactPoint& s, const ContactPoint& t) {
+  const Vec3 way = s.point - t.point;
+  return dot(way, way);
+}
+
+/// The least depth and the greatest, and how far the contacts are spread.
+struct Extent {
+  double shallowest = std::numeric_limits<double>::infinity();
+  double deepest = -1;
+  double spread = 0;
+};
+
+Extent extent_of(std::span<const ContactPoint> touches) {
+  Extent extent;
+  for (const ContactPoint& touch : touches) {
+    extent.shallowest = std::min(extent.shallowest, touch.depth);
+    extent.deepest = std::max(extent.deepest, touch.depth);
+    extent.spread = std::max(extent.spread, square_between(touch, touches[0]));
+  }
+  extent.spread = std::sqrt(extent.spread);
+  return extent;
+}
+
+}  // namespace
+
 void add_touches(const Core& a, const Core& b, const Parting& parting,
                  std::vector<ContactPoint>& touches) {
   const std::size_t before = touches.size();
   add_face_touches(a, b, parting.way, touches);
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
-  double deepest = -1;
-  for (std::size_t i = before; i < touches.size(); ++i)
-    deepest = std::max(deepest, touches[i].depth);
-  const double missed = parting.way.depth - deepest;
-  if (deepest < 0 || missed > kSameDepth * smaller_size(a, b)) add_single(a, b, parting, touches);
+  const Extent extent = extent_of(std::span(touches).subspan(before));
+  const double missed = parting.way.depth - extent.deepest;
+  if (extent.deepest < 0 ||
+      missed > std::max(kSameDepth * smaller_size(a, b), kSame * extent.spread))
+    add_single(a, b, parting, touches);
 }
 
 namespace {
@@ -203,47 +257,79 @@ bool comes_before(const ContactPoint& s, const ContactPoint& t) {
   return s.depth > t.depth;
 }
 
-double square_between(const ContactPoint& s, const ContactPoint& t) {
-  const Vec3 way = s.point - t.point;
-  return dot(way, way);
+using Points = std::vector<ContactPoint>;
+
+/// Moves it to the front of those that are not kept yet, which stay in the order of their features.
+void keep(Points& touches, std::size_t kept, std::size_t next) {
+  const auto at = [&](std::size_t i) { return touches.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::rotate(at(kept), at(next), at(next + 1));
+}
+
+/// Beside the first, which is kept, whichever is farthest from all that are, until there are
+/// `most`.
+void keep_farthest(Points& touches, std::size_t most) {
+  for (std::size_t kept = 1; kept < most; ++kept) {
+    const auto away = [&](std::size_t i) {
+      double least = square_between(touches[i], touches[0]);
+      for (std::size_t j = 1; j < kept; ++j)
+        least = std::min(least, square_between(touches[i], touches[j]));
+      return least;
+    };
+    std::size_t next = kept;
+    double farthest = away(kept);
+    for (std::size_t i = kept + 1; i < touches.size(); ++i) {
+      const double square = away(i);
+      if (square > farthest * (1 + kSame)) farthest = square, next = i;
+    }
+    keep(touches, kept, next);
+  }
+}
+
+/// The first of those that are about as far from the middle of all as any is.
+std::size_t outermost(const Points& touches) {
+  Vec3 middle{0, 0, 0};
+  for (const ContactPoint& touch : touches)
+    middle = middle + touch.point * (1.0 / static_cast<double>(touches.size()));
+  const auto away = [&](const ContactPoint& touch) {
+    const Vec3 way = touch.point - middle;
+    return dot(way, way);
+  };
+  double farthest = 0;
+  for (const ContactPoint& touch : touches)
+    farthest = std::max(farthest, away(touch));
+  std::size_t at = 0;
+  while (!(away(touches[at]) >= kOuter * farthest))
+    ++at;
+  return at;
+}
+
+std::size_t first_so_deep(const Points& touches, double depth) {
+  std::size_t at = 0;
+  while (touches[at].depth < depth)
+    ++at;
+  return at;
 }
 
 }  // namespace
 
 // Depths and distances that are nearly equal count as equal, and then the lower feature is taken:
 // otherwise which four of the corners of a round cap are left would change with every rounding.
-void reduce(std::vector<ContactPoint>& touches, std::size_t most) {
-  constexpr double kSame = 1e-4;
+// Where all are level one of the outermost is the first to stay, as which is deepest changes with
+// every jitter; and the deepest takes the place of the one next to it, if none is so deep.
+void reduce(Points& touches, std::size_t most) {
   std::sort(touches.begin(), touches.end(), comes_before);
   if (touches.size() > most) {
-    double deepest = 0;
-    double spread = 0;
-    for (const ContactPoint& touch : touches) {
-      deepest = std::max(deepest, touch.depth);
-      spread = std::max(spread, square_between(touch, touches[0]));
-    }
-    const double deep_enough = deepest - kSame * std::sqrt(spread);
-    std::size_t next = 0;
-    while (touches[next].depth < deep_enough)
-      ++next;
-    // Those that are kept move to the front; the others stay in the order of their features.
-    for (std::size_t kept = 0;;) {
-      std::rotate(touches.begin() + static_cast<std::ptrdiff_t>(kept),
-                  touches.begin() + static_cast<std::ptrdiff_t>(next),
-                  touches.begin() + static_cast<std::ptrdiff_t>(next + 1));
-      if (++kept == most) break;
-      const auto away = [&](std::size_t i) {
-        double least = square_between(touches[i], touches[0]);
-        for (std::size_t j = 1; j < kept; ++j)
-          least = std::min(least, square_between(touches[i], touches[j]));
-        return least;
-      };
-      next = kept;
-      double farthest = away(kept);
-      for (std::size_t i = kept + 1; i < touches.size(); ++i) {
-        const double square = away(i);
-        if (square > farthest * (1 + kSame)) farthest = square, next = i;
-      }
+    const Extent extent = extent_of(touches);
+    const double deep_enough = extent.deepest - kSame * extent.spread;
+    const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.spread;
+    keep(touches, 0, is_level ? outermost(touches) : first_so_deep(touches, deep_enough));
+    keep_farthest(touches, most);
+    const std::size_t deepest = first_so_deep(touches, deep_enough);
+    if (deepest >= most) {
+      const auto end = touches.begin() + static_cast<std::ptrdiff_t>(most);
+      *std::min_element(touches.begin(), end, [&](const auto& s, const auto& t) {
+        return square_between(s, touches[deepest]) < square_between(t, touches[deepest]);
+      }) = touches[deepest];
     }
     touches.resize(most);
   }

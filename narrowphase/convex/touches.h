@@ -45,7 +45,7 @@ void add_face_touches(const Core& a, const Core& b, const Penetration& way,
                       std::vector<ContactPoint>& touches);
 
 /// Leaves at most `most` of the touches, the deepest first: the deepest, to 1e-4 of their spread,
-/// and then whichever is farthest from all that are left. Ties, to 1e-4, go to the lower features.
+/// and those that are far from all that are left. Ties, to 1e-4, go to the lower features.
 void reduce(std::vector<ContactPoint>& touches, std::size_t most);
 
 }  // namespace graze::narrowphase

@@ -188,14 +188,14 @@ const Golden kGolden[] = {
      {2611819615404182040u, 2349950009526158711u}},
     {"one_point",
      [] { return scene_of(Setting::OnePoint, 100); },
-     {7657835112598276934u, 13098576096161663358u}},
+     {7657835112598276934u, 3436326624201694110u}},
     {"skewed",
      [] { return scene_of(Setting::Skewed, 500); },
      {12437386417364618355u, 8141650705612955047u}},
     {"teleports",
      [] { return scene_of(Setting::Teleports, 500); },
      {5188659544485798361u, 2833550952888158176u}},
-    {"thousands", crowd_scene, {4889208235947139791u, 17964304110144345859u}},
+    {"thousands", crowd_scene, {4889208235947139791u, 3373131141220854424u}},
 };
 
 void expect_golden(const Hashes& found, const Golden& golden, const std::string& of) {

@@ -108,7 +108,7 @@ TEST(HistoryText, RefusesWhatItDoesNotKnowAndNamesTheLine) {
 
 /// A world that does not listen is found out, and what is left of the history says why.
 TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
-  for (const Fault fault : {Fault::DeafToFilters, Fault::DeafToShapes}) {
+  for (const Fault fault : {Fault::DeafToFilters, Fault::DeafToShapes, Fault::DeafToSleep}) {
     const History history = random_history(Setting::Lattice, 2, 1500);
     ASSERT_FALSE(play(history));
     ASSERT_TRUE(play(history, nullptr, fault));
@@ -117,7 +117,9 @@ TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
     EXPECT_FALSE(play(least));
     EXPECT_LE(least.operations.size(), 6u);
     EXPECT_GE(least.operations.size(), 3u);
-    const Verb guilty = fault == Fault::DeafToFilters ? Verb::SetFilter : Verb::SetShape;
+    const Verb guilty = fault == Fault::DeafToFilters  ? Verb::SetFilter
+                        : fault == Fault::DeafToShapes ? Verb::SetShape
+                                                       : Verb::Sleep;
     EXPECT_TRUE(std::any_of(least.operations.begin(), least.operations.end(),
                             [&](const Operation& o) { return o.verb == guilty; }));
     const std::string path = keep(least, "history-on-trial");

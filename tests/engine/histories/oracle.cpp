@@ -1,8 +1,11 @@
 #include "tests/engine/histories/oracle.h"
 
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
+
+#include "tests/engine/broad_phase/box_histories.h"
 
 namespace graze::tests {
 namespace {
@@ -34,7 +37,8 @@ NamePair ordered(std::uint32_t a, std::uint32_t b) {
 }
 
 bool Oracle::is_awake(std::uint32_t name) const {
-  return beings_.at(name).is_awake && beings_.at(name).motion != Motion::Static;
+  const Being& being = beings_.at(name);
+  return being.is_awake && (being.motion != Motion::Static || being.role == Role::Sensor);
 }
 
 bool Oracle::are_alike(std::uint32_t a, std::uint32_t b) const {
@@ -118,8 +122,12 @@ void Oracle::change(const Operation& operation) {
     case Verb::SetRole:
       being.role = settings.role;
       break;
+    case Verb::Wake:
+      if (!being.is_awake) changed_.insert(name);
+      being.is_awake = true;
+      return;
     default:
-      being.is_awake = operation.verb == Verb::Wake;
+      being.is_awake = false;
       return;
   }
   being.version = ++version_;
@@ -142,16 +150,39 @@ bool Oracle::touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being
   return answer.touches;
 }
 
-std::vector<NamePair> Oracle::touching() {
+bool Oracle::has_changed(std::uint32_t name) const {
+  return changed_.contains(name) || excluded_anew_.contains(name);
+}
+
+/// One of the two changed, and one is awake; or a static one that does not sleep is what changed.
+bool Oracle::is_looked_at(const NamePair& pair) const {
+  const auto [a, b] = pair;
+  if (!has_changed(a) && !has_changed(b)) return false;
+  const auto is_up = [&](std::uint32_t name) {
+    return is_awake(name) || (has_changed(name) && beings_.at(name).is_awake);
+  };
+  return is_up(a) || is_up(b);
+}
+
+bool Oracle::do_boxes_overlap(const Being& s, const Being& t) const {
+  return test::share_point(bounds_of(palette_[s.shape], s.pose),
+                           bounds_of(palette_[t.shape], t.pose));
+}
+
+std::vector<NamePair> Oracle::touching(const std::vector<NamePair>& before) {
   std::erase_if(answers_, [&](const auto& entry) {
     return !has(entry.first.first) || !has(entry.first.second);
   });
   std::vector<NamePair> pairs;
   for (auto s = beings_.begin(); s != beings_.end(); ++s) {
     for (auto t = std::next(s); t != beings_.end(); ++t) {
-      if (meet(s->first, s->second, t->first, t->second) &&
-          touch(s->first, s->second, t->first, t->second))
-        pairs.push_back({s->first, t->first});
+      const NamePair pair{s->first, t->first};
+      if (!meet(s->first, s->second, t->first, t->second)) continue;
+      const bool touches = is_looked_at(pair)
+                               ? touch(s->first, s->second, t->first, t->second)
+                               : std::binary_search(before.begin(), before.end(), pair) &&
+                                     do_boxes_overlap(s->second, t->second);
+      if (touches) pairs.push_back(pair);
     }
   }
   return pairs;
@@ -169,12 +200,11 @@ Manifold Oracle::contacts(const NamePair& pair) const {
 }
 
 bool Oracle::must_be_listed(const NamePair& pair) const {
-  return changed_.contains(pair.first) || changed_.contains(pair.second);
+  return is_looked_at(pair) && (changed_.contains(pair.first) || changed_.contains(pair.second));
 }
 
 bool Oracle::may_be_listed(const NamePair& pair) const {
-  return must_be_listed(pair) || excluded_anew_.contains(pair.first) ||
-         excluded_anew_.contains(pair.second);
+  return is_looked_at(pair);
 }
 
 void Oracle::settle() {

@@ -15,8 +15,8 @@ namespace graze::tests {
 
 using NamePair = std::pair<std::uint32_t, std::uint32_t>;  // the smaller name first
 
-/// Bodies by name. It knows no broad phase, no world and no memory of pairs but one: what the
-/// shapes said of a pair is kept until either body is placed anew or takes another shape.
+/// Bodies by name. It knows no broad phase and no world; what the shapes said of a pair is kept
+/// until either body is placed anew or takes another shape.
 class Oracle {
  public:
   struct Being {
@@ -42,13 +42,14 @@ class Oracle {
   bool concerns_nobody(const Operation& operation) const;
   void change(const Operation& operation);
 
-  /// Pairs that touch now, ascending.
-  std::vector<NamePair> touching();
+  /// Pairs that touch now, ascending. Where something changed but nobody is awake those of `before`
+  /// stand, unless their boxes or a filter part them.
+  std::vector<NamePair> touching(const std::vector<NamePair>& before);
   bool are_solid(const NamePair& pair) const;
   Manifold contacts(const NamePair& pair) const;
 
-  /// What an update has to list in `moved`: bodies that moved, came or changed what they are; and
-  /// what it may list besides: those whose exclusions changed.
+  /// What an update has to list in `moved`: bodies that moved, came, woke or changed what they are;
+  /// and what it may list besides: those whose exclusions changed. Not where both sleep.
   bool must_be_listed(const NamePair& pair) const;
   bool may_be_listed(const NamePair& pair) const;
 
@@ -62,6 +63,9 @@ class Oracle {
     bool touches;
   };
 
+  bool has_changed(std::uint32_t name) const;
+  bool is_looked_at(const NamePair& pair) const;
+  bool do_boxes_overlap(const Being& s, const Being& t) const;
   bool meet(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) const;
   bool touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t);
 

@@ -126,6 +126,7 @@ void Contestant::tell(const Operation& operation) {
     case Verb::SetRole:
       return world.set_role(id, settings.role);
     case Verb::Sleep:
+      if (fault == Fault::DeafToSleep) return;
       return world.sleep(id);
     case Verb::Wake:
       return world.wake(id);
@@ -333,7 +334,7 @@ void Player::restore(const Operation& operation) {
 }
 
 void Player::update() {
-  const std::vector<NamePair> now = oracle_.touching();
+  const std::vector<NamePair> now = oracle_.touching(before_);
   const bool is_time = ++sights_.updates % 16 == 0;
   std::vector<NamePair> moved;
   std::vector<NamedContacts> contacts;

@@ -8,7 +8,7 @@
 namespace graze::tests {
 
 /// What a world that is not told of something would say: for tests of the tests.
-enum class Fault { None, DeafToFilters, DeafToShapes };
+enum class Fault { None, DeafToFilters, DeafToShapes, DeafToSleep };
 
 struct Failure {
   std::size_t at = 0;  // the operation

@@ -5,6 +5,9 @@
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 
@@ -69,6 +72,76 @@ TEST(Skips, OfTreesThatNobodyWalksSaveBuildingThem) {
     world.update();
     EXPECT_EQ(has_no_tree(second), skip);
   }
+}
+
+TEST(Skips, OfTreesAreCountedWhereTheyEnd) {
+  World world;
+  const Mesh near = tests::make_sphere(1, 8, 12), far = tests::make_sphere(1, 8, 12);
+  world.add(near, at(0, 0, 0), {.motion = Motion::Static});
+  world.add(far, at(90, 0, 0), {.motion = Motion::Static});
+  const BodyId ball = world.add(Sphere{{0, 0, 0}, 1}, at(50, 0, 0));
+  EXPECT_EQ(world.update().work.shapes.trees_built, 0u);
+  world.move(ball, at(1.5, 0, 0));
+  const WorldUpdate met = world.update();
+  EXPECT_EQ(met.begun.size(), 1u);
+  EXPECT_EQ(met.work.shapes.trees_built, 1u);
+  EXPECT_GT(met.work.shapes.triangle_tests, 0u);
+  world.move(ball, at(1.4, 0, 0));
+  EXPECT_EQ(world.update().work.shapes.trees_built, 0u);
+  EXPECT_TRUE(has_no_tree(far));
+}
+
+/// Cones that are flat by a millionth are found out about by searches that come to no proof.
+TEST(Skips, SearchesAreCountedAsThoseOfThePairsAre) {
+  World world;
+  Work all;
+  std::vector<Shape> shapes;
+  std::vector<Pose> poses;
+  for (int i = 0; i < 24; ++i) {
+    shapes.emplace_back(Cone{1, std::ldexp(1.0, -i)});
+    shapes.emplace_back(Cylinder{1, std::ldexp(1.0, -i)});
+    poses.push_back(at(0.01 * i, 0.02 * i, 0.5)), poses.push_back(at(0.02 * i, 0.01 * i, 0.4));
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    world.add(shapes[i], poses[i]);
+  const Work found = world.update().work.shapes;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t j = i + 1; j < shapes.size(); ++j)
+      find_contacts(shapes[i], poses[i], shapes[j], poses[j], &all);
+  }
+  EXPECT_GT(found.convex_tests, 100u);
+  EXPECT_EQ(found.penetration_tests, all.penetration_tests);
+  EXPECT_EQ(found.penetration_failures, all.penetration_failures);
+  EXPECT_EQ(found.convex_failures, all.convex_failures);
+  EXPECT_GT(found.penetration_failures + found.convex_failures, 0u);
+  EXPECT_EQ(world.update().work.shapes.convex_tests, 0u);
+}
+
+/// Once where boxes begin to overlap, and once where a filter changes.
+TEST(Skips, OfFilteredPairsAreCountedOnce) {
+  World world;
+  int asked = 0;
+  const BodyId a = world.add(Box{{1, 1, 1}}, at(0, 0, 0), {.filter = {.category = 2}});
+  const BodyId b = world.add(Box{{1, 1, 1}}, at(1, 0, 0), {.filter = {.mask = 1}});
+  EXPECT_EQ(world.update().work.pairs_filtered, 1u);
+  EXPECT_EQ(world.update().work.pairs_filtered, 0u);
+  world.move(a, at(0.1, 0, 0));
+  EXPECT_EQ(world.update().work.pairs_filtered, 0u);
+  world.set_filter(b, {.mask = 5});
+  EXPECT_EQ(world.update().work.pairs_filtered, 1u);
+  world.set_filter(a, {}), world.set_filter(b, {});
+  WorldUpdate update = world.update();
+  EXPECT_EQ(update.work.pairs_filtered, 0u);
+  EXPECT_EQ(update.begun.size(), 1u);
+  world.exclude(a, b);
+  update = world.update();
+  EXPECT_EQ(update.work.pairs_filtered, 1u);
+  EXPECT_EQ(update.ended.size(), 1u);
+  world.include(a, b);
+  world.set_pair_filter([&](BodyId, BodyId) { return ++asked, false; });
+  world.add(Box{{1, 1, 1}}, at(0, 1, 0), {.motion = Motion::Static});
+  EXPECT_EQ(world.update().work.pairs_filtered, 3u);
+  EXPECT_EQ(asked, 3);
 }
 
 }  // namespace
