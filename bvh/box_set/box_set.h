@@ -42,8 +42,18 @@ class BoxSet {
   void move(std::uint32_t owner, const OrderedBox& box);
   void erase(std::uint32_t owner);
 
-  /// Moves many: boxes[i] belongs to owners[i], of equal owners the last counts. Checks nothing.
-  void move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
+  /// Moves many: boxes[i] belongs to owner_of(i), of equal owners the last counts. Checks nothing.
+  template <typename OwnerOf>
+  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    // What a box will be is noted where it was: that place is written next.
+    scratch_.is_named.assign(owner_.size(), false);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const std::uint32_t place = place_[owner_of(i)];
+      scratch_.is_named[place] = true;
+      low_[place >> kLaneBits].row[0][place & (kLanes - 1)] = static_cast<std::uint32_t>(i);
+    }
+    move_named(boxes);
+  }
 
   /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
   void move_first(std::span<const Aabb> boxes);
@@ -57,6 +67,9 @@ class BoxSet {
 
   /// Makes the bounds fit the boxes again. Costs what was touched.
   void refit();
+
+  /// refit(), and an order for boxes that came in a crowd: before queries.
+  void settle();
 
   /// Puts all boxes into a new order, if the old one has cost more by now than that does.
   /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.
@@ -86,14 +99,12 @@ class BoxSet {
 
  private:
   struct Scratch {
-    std::vector<std::uint32_t> input;
+    std::vector<bool> is_named;  // by place
     RankedOwners ranked;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
     std::vector<double> sums;
-    std::vector<KdItem> newcomers;
-    std::vector<OrderedBox> boxes;
   };
 
   /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
@@ -103,6 +114,7 @@ class BoxSet {
   };
 
   std::size_t layer_of(std::uint32_t block) const;
+  void make_room(std::size_t lanes);
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
   std::uint64_t find_below(std::span<const BlockPair> tasks, PairBuffer& out) const;
@@ -119,6 +131,7 @@ class BoxSet {
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
   void move_ranked(std::span<const Aabb> boxes);
+  void move_named(std::span<const Aabb> boxes);
   template <typename InputOf>
   void fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of);
   void measure_sorted();

@@ -185,9 +185,9 @@ void BoxSet::measure_sorted() {
 /// Puts the boxes that came since the last sort in order among themselves.
 void BoxSet::sort_newcomers() {
   Layer& last = layers_.back();
-  std::vector<KdItem>& items = scratch_.newcomers;
-  std::vector<OrderedBox>& boxes = scratch_.boxes;
-  items.clear();
+  std::vector<KdItem> items;
+  std::vector<OrderedBox> boxes;
+  items.reserve(newcomers_), boxes.reserve(newcomers_);
   const std::uint32_t first = last.first_block * kLanes;
   for (std::uint32_t place = first; place < first + newcomers_; ++place) {
     if (owner_[place] == kNobody) continue;
@@ -197,7 +197,6 @@ void BoxSet::sort_newcomers() {
       items.back().centre[c] = centre(of[c], of[c + 3], 0);
   }
   kd_order(items);
-  boxes.clear();
   for (const KdItem& item : items)
     boxes.push_back(box(item.owner));
   holes_ -= newcomers_ - items.size();
