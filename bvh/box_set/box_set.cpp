@@ -10,9 +10,10 @@ constexpr std::size_t kTouchedShare = 4;
 
 // Crowds that a set without searches for all pairs puts up with before it sorts.
 constexpr std::size_t kFewNewcomers = 256;
-constexpr std::size_t kNewcomerShare = 64;
+constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;
 constexpr std::size_t kUnsettledShare = 4;
+constexpr double kMuchInflated = 4;
 
 // A block is looked at for strays when its girth has grown by this factor, unless one block in so
 // many has; a box is one if the block without it has at most this share of its girth.
@@ -73,6 +74,11 @@ void BoxSet::touch(std::uint32_t block) {
 }
 
 void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
+  if (!fill_hole(owner, box)) append(owner, box);
+}
+
+/// To the last layer.
+void BoxSet::append(std::uint32_t owner, const OrderedBox& box) {
   if (layers_.empty()) layers_.emplace_back();
   Layer& last = layers_.back();
   if (newcomers_ % kLanes == 0) {
@@ -83,6 +89,11 @@ void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
     last.reshape(last.first_block, last.block_count + 1);
   }
   const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers_++);
+  take(place, owner, box);
+}
+
+/// An empty lane becomes the owner's.
+void BoxSet::take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box) {
   if (owner >= place_.size()) {
     if (sorts_ != 0) make_room_in(place_, owner + std::size_t{1} - place_.size());
     place_.resize(owner + std::size_t{1}, kNobody);
@@ -124,7 +135,7 @@ void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
     const double usual = layer.sorted_girth[here] + girth(spanned, 1);
     if (girth(spanned, 0) > 2 * usual) {
       erase(owner);
-      insert(owner, box);
+      append(owner, box);
       return;
     }
   }
@@ -239,7 +250,7 @@ bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
   const std::uint32_t owner = owner_[block * kLanes + best];
   const OrderedBox box = this->box(owner);
   erase(owner);
-  insert(owner, box);
+  append(owner, box);
   return true;
 }
 
@@ -269,7 +280,7 @@ void BoxSet::walk_along(const RaySlabs& ray, double& limit, const RayVisitor& vi
 void BoxSet::settle() {
   refit();
   if (newcomers_ > kFewNewcomers + size_ / kUnsettledShare ||
-      inflation_ > static_cast<double>(high_.size())) {
+      inflation_ > kMuchInflated * static_cast<double>(high_.size())) {
     sort();
   } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {
     sort_newcomers();

@@ -114,6 +114,10 @@ class BoxSet {
   };
 
   std::size_t layer_of(std::uint32_t block) const;
+  void take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box);
+  void append(std::uint32_t owner, const OrderedBox& box);
+  bool fill_hole(std::uint32_t owner, const OrderedBox& box);
+  std::uint32_t holes_below(const Layer& layer, std::uint32_t block) const;
   void make_room(std::size_t lanes);
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
@@ -126,8 +130,8 @@ class BoxSet {
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
   std::vector<KdItem> sample_centres(const double* origin) const;
-  std::vector<std::size_t> choose_layers(std::span<const std::uint32_t> count_of_class,
-                                         const double* origin) const;
+  std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
+                                          const double* origin) const;
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
   void move_ranked(std::span<const Aabb> boxes);
@@ -141,6 +145,7 @@ class BoxSet {
   std::vector<std::uint32_t> owner_;  // by position: 16 times the block plus the lane
   std::vector<std::uint32_t> place_;  // by owner: the position
   std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
+  std::vector<std::uint8_t> layer_of_class_;  // of sizes, as of the last sort; kNoLayer if new
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
