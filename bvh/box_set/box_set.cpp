@@ -151,6 +151,9 @@ void BoxSet::refit() {
     move_strays();
   }
   refit_touched();
+  sort_groups();
+  arrivals_before_ = arrivals_;
+  arrivals_ = 0;
 }
 
 void BoxSet::refit_every_layer() {
@@ -299,7 +302,8 @@ void BoxSet::sort_if_crowded() {
 
 std::size_t BoxSet::bytes() const {
   std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
-                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4;
+                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4 +
+                    filled_.capacity() * sizeof(FilledGroup);
   for (const Layer& layer : layers_) {
     for (const std::vector<Block>& level : layer.upper)
       sum += level.capacity() * sizeof(Block);

@@ -92,6 +92,7 @@ class BoxSet {
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;
 
   std::uint64_t sorts() const { return sorts_; }
+  std::uint64_t groups_sorted() const { return groups_sorted_; }
   std::uint64_t blocks_met() const { return met_; }
   std::size_t bytes() const;
   int layer_count() const { return static_cast<int>(layers_.size()); }
@@ -113,6 +114,13 @@ class BoxSet {
     std::vector<std::uint32_t> starts;  // of the layers' items, and the end
   };
 
+  /// A block of the level above those of boxes, below which a hole was filled.
+  struct FilledGroup {
+    std::uint32_t layer;
+    std::uint32_t block;
+    friend auto operator<=>(const FilledGroup&, const FilledGroup&) = default;
+  };
+
   std::size_t layer_of(std::uint32_t block) const;
   void take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box);
   void append(std::uint32_t owner, const OrderedBox& box);
@@ -129,6 +137,9 @@ class BoxSet {
   void move_strays();
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
+  void sort_groups();
+  void sort_group(Layer& layer, std::uint32_t group);
+  double inflation_of_group(const Layer& layer, std::uint32_t first) const;
   std::vector<KdItem> sample_centres(const double* origin) const;
   std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
                                           const double* origin) const;
@@ -146,16 +157,20 @@ class BoxSet {
   std::vector<std::uint32_t> place_;  // by owner: the position
   std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
   std::vector<std::uint8_t> layer_of_class_;  // of sizes, as of the last sort; kNoLayer if new
+  std::vector<FilledGroup> filled_;
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
   std::size_t newcomers_ = 0;         // positions of the last layer that are or were taken
   std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
+  std::size_t arrivals_ = 0;         // since the last refit
+  std::size_t arrivals_before_ = 0;  // between that and the one before
   bool all_touched_ = false;
   Workers workers_;
 
   std::uint64_t sorts_ = 0;
+  std::uint64_t groups_sorted_ = 0;
   std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs
   std::uint64_t met_sorted_ = 0;  // the same, in the first search after the last sort
   double excess_ = 0;             // pairs of blocks met since then beyond that number

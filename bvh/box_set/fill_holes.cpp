@@ -9,6 +9,10 @@
 namespace graze::bvh {
 namespace {
 
+// Of more boxes between two refits each is not looked after: a sort costs less.
+constexpr std::size_t kFewArrivals = 256;
+constexpr std::size_t kArrivalShare = 32;
+
 constexpr double kWidened = 2;  // how much wider a block may become than sorted ones are
 
 /// Lane 0 of the result: what holds a lane and a box.
@@ -77,6 +81,8 @@ std::uint32_t BoxSet::holes_below(const Layer& layer, std::uint32_t block) const
 
 /// False if none of the 256 places where the box belongs is empty and near.
 bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
+  ++arrivals_;
+  if (std::max(arrivals_, arrivals_before_) > kFewArrivals + size_ / kArrivalShare) return false;
   if (holes_ == 0 || layers_.size() < 2) return false;
   const std::uint8_t number = layer_of_class_[static_cast<std::size_t>(size_class(box))];
   if (number == kNoLayer) return false;
@@ -97,6 +103,7 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   const std::uint32_t first = (layer.first_block + leaf) * kLanes;
   const auto hole = std::find(owner_.begin() + first, owner_.begin() + first + kLanes, kNobody);
   --holes_;
+  filled_.push_back({number, block});
   take(static_cast<std::uint32_t>(hole - owner_.begin()), owner, box);
   return true;
 }

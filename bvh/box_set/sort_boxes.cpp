@@ -221,6 +221,7 @@ void BoxSet::sort() {
   newcomers_ = sorted_newcomers_ = holes_ = 0;
   all_touched_ = false;
   touched_.clear();
+  filled_.clear();
   met_sorted_ = 0;
   excess_ = inflation_ = 0;
   place_.shrink_to_fit();

@@ -159,6 +159,7 @@ void BroadPhase::update() {
   state.work.searches_for_all = state.tracker.searches_for_all();
   state.work.searches_for_movers = state.tracker.searches_for_movers();
   state.work.sorts = state.tracker.set().sorts();
+  state.work.groups_sorted = state.tracker.set().groups_sorted();
   state.work.blocks_met = state.tracker.set().blocks_met();
 }
 
