@@ -51,21 +51,33 @@ void OverlapTracker::forget_changes() {
 }
 
 void OverlapTracker::insert(std::uint32_t owner, const Aabb& box) {
+  end_moves();
   note(owner);
   set_.insert(owner, ordered_box(box));
 }
 
 void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
-  note(owner);
-  set_.move(owner, ordered_box(box));
+  if (waiting_count_ == kMostWaiting) end_moves();
+  waiting_[waiting_count_++] = {box, owner};
+  set_.prefetch(set_.place(owner));
+}
+
+void OverlapTracker::end_moves() {
+  for (std::size_t i = 0; i < waiting_count_; ++i) {
+    note(waiting_[i].owner);
+    set_.move(waiting_[i].owner, ordered_box(waiting_[i].box));
+  }
+  waiting_count_ = 0;
 }
 
 void OverlapTracker::erase(std::uint32_t owner) {
+  end_moves();
   note(owner);
   set_.erase(owner);
 }
 
 bool OverlapTracker::update() {
+  end_moves();
   begun_.clear();
   ended_.clear();
   if (!have_many_changed_ && changed_.empty()) {

@@ -4,6 +4,7 @@
 #include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/pair_index.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
+  /// As of the last settle(), update() or end_moves(): a few moves may wait.
   const BoxSet& set() const { return set_; }
 
   /// As of a box set. An owner that is erased must not come again before the next update.
@@ -27,27 +29,36 @@ class OverlapTracker {
   void move(std::uint32_t owner, const Aabb& box);
   void erase(std::uint32_t owner);
 
+  /// Makes the moves that wait for their blocks to be fetched.
+  void end_moves();
+
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
 
   /// The same, of so many boxes.
   void move_first(std::span<const Aabb> boxes) {
+    end_moves();
     note_many();
     set_.move_first(boxes);
   }
   template <typename OwnerOf>
   void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_moves();
     note_many();
     set_.move_ascending(boxes, owner_of);
   }
   template <typename OwnerOf>
   void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_moves();
     note_many();
     set_.move_many(boxes, owner_of);
   }
 
   /// Makes the set ready for queries. No list changes.
-  void settle() { set_.settle(); }
+  void settle() {
+    end_moves();
+    set_.settle();
+  }
 
   /// Makes the lists fit the boxes. False if there was nothing to do.
   bool update();
@@ -66,6 +77,10 @@ class OverlapTracker {
   struct Changed {
     OrderedBox before;    // no_box() for one that is new
     std::uint32_t place;  // in the set: neighbours are looked up together
+    std::uint32_t owner;
+  };
+  struct Waiting {
+    Aabb box;
     std::uint32_t owner;
   };
   struct Mover {
@@ -95,6 +110,9 @@ class OverlapTracker {
   bool is_before_sorted_ = false;  // sorted_before_ holds before_
   bool has_difference_ = true;     // begun_ and ended_ are up to date
   PairBuffer begun_, ended_;
+  static constexpr std::size_t kMostWaiting = 8;
+  std::array<Waiting, kMostWaiting> waiting_;
+  std::size_t waiting_count_ = 0;
   std::vector<Changed> changed_;  // while they are few
   std::vector<bool> is_changed_;  // by owner
   bool have_many_changed_ = false;
