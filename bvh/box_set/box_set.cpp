@@ -10,8 +10,10 @@ constexpr std::size_t kTouchedShare = 4;
 
 // Crowds that a set without searches for all pairs puts up with before it sorts.
 constexpr std::size_t kFewNewcomers = 256;
-constexpr std::size_t kNewcomerShare = 64;
+constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;
+constexpr std::size_t kUnsettledShare = 4;
+constexpr double kMuchInflated = 4;
 
 // A block is looked at for strays when its girth has grown by this factor, unless one block in so
 // many has; a box is one if the block without it has at most this share of its girth.
@@ -21,6 +23,14 @@ constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level
 constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
 constexpr double kWorthMoving = 0.75;
+
+constexpr std::size_t kGrowthShare = 32;
+
+/// Grows by a small share where a vector would double what it holds.
+template <typename T>
+void make_room_in(std::vector<T>& of, std::size_t count) {
+  if (of.size() + count > of.capacity()) of.reserve(of.size() + of.size() / kGrowthShare + count);
+}
 
 }  // namespace
 
@@ -49,6 +59,14 @@ TreeView BoxSet::view(int layer) const {
                  owner_.data() + std::size_t{of.first_block} * kLanes);
 }
 
+/// Before the first sort memory doubles, and the sort gives back what is too much.
+void BoxSet::make_room(std::size_t lanes) {
+  if (sorts_ == 0) return;
+  make_room_in(high_, lanes / kLanes);
+  make_room_in(low_, lanes / kLanes);
+  make_room_in(owner_, lanes);
+}
+
 void BoxSet::touch(std::uint32_t block) {
   if (all_touched_) return;
   touched_.push_back(block);
@@ -56,16 +74,30 @@ void BoxSet::touch(std::uint32_t block) {
 }
 
 void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
+  if (!fill_hole(owner, box)) append(owner, box);
+}
+
+/// To the last layer.
+void BoxSet::append(std::uint32_t owner, const OrderedBox& box) {
   if (layers_.empty()) layers_.emplace_back();
   Layer& last = layers_.back();
   if (newcomers_ % kLanes == 0) {
+    make_room(kLanes);
     high_.push_back(empty_block());
     low_.emplace_back();
     owner_.resize(owner_.size() + kLanes, kNobody);
     last.reshape(last.first_block, last.block_count + 1);
   }
   const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers_++);
-  if (owner >= place_.size()) place_.resize(owner + std::size_t{1}, kNobody);
+  take(place, owner, box);
+}
+
+/// An empty lane becomes the owner's.
+void BoxSet::take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box) {
+  if (owner >= place_.size()) {
+    if (sorts_ != 0) make_room_in(place_, owner + std::size_t{1} - place_.size());
+    place_.resize(owner + std::size_t{1}, kNobody);
+  }
   place_[owner] = place;
   owner_[place] = owner;
   set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), box);
@@ -86,8 +118,8 @@ void BoxSet::erase(std::uint32_t owner) {
 void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
   const std::uint32_t place = place_[owner];
   const std::uint32_t block = place >> kLaneBits;
-  const std::size_t number = layer_of(block);
-  if (!all_touched_ && number + 1 != layers_.size()) {
+  const std::size_t number = all_touched_ ? layers_.size() - 1 : layer_of(block);
+  if (number + 1 != layers_.size()) {
     // A box that leaves its neighbours for good would make their block span the way between.
     const Layer& layer = layers_[number];
     const std::uint32_t here = block - layer.first_block;
@@ -103,7 +135,7 @@ void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
     const double usual = layer.sorted_girth[here] + girth(spanned, 1);
     if (girth(spanned, 0) > 2 * usual) {
       erase(owner);
-      insert(owner, box);
+      append(owner, box);
       return;
     }
   }
@@ -119,6 +151,9 @@ void BoxSet::refit() {
     move_strays();
   }
   refit_touched();
+  sort_groups();
+  arrivals_before_ = arrivals_;
+  arrivals_ = 0;
 }
 
 void BoxSet::refit_every_layer() {
@@ -218,7 +253,7 @@ bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
   const std::uint32_t owner = owner_[block * kLanes + best];
   const OrderedBox box = this->box(owner);
   erase(owner);
-  insert(owner, box);
+  append(owner, box);
   return true;
 }
 
@@ -245,6 +280,16 @@ void BoxSet::walk_along(const RaySlabs& ray, double& limit, const RayVisitor& vi
   }
 }
 
+void BoxSet::settle() {
+  refit();
+  if (newcomers_ > kFewNewcomers + size_ / kUnsettledShare ||
+      inflation_ > kMuchInflated * static_cast<double>(high_.size())) {
+    sort();
+  } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {
+    sort_newcomers();
+  }
+}
+
 void BoxSet::sort_if_crowded() {
   const double blocks = static_cast<double>(high_.size());
   if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||
@@ -257,14 +302,14 @@ void BoxSet::sort_if_crowded() {
 
 std::size_t BoxSet::bytes() const {
   std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
-                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4;
+                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4 +
+                    filled_.capacity() * sizeof(FilledGroup);
   for (const Layer& layer : layers_) {
     for (const std::vector<Block>& level : layer.upper)
       sum += level.capacity() * sizeof(Block);
     sum += layer.sorted_girth.capacity() * sizeof(float);
   }
-  sum += scratch_.newcomers.capacity() * sizeof(KdItem) + scratch_.input.capacity() * 4 +
-         scratch_.ranked.bytes() + scratch_.boxes.capacity() * sizeof(OrderedBox);
+  sum += scratch_.is_named.capacity() / 8 + scratch_.ranked.bytes();
   for (const PairBuffer& found : scratch_.found)
     sum += found.capacity() * sizeof(BoxPair);
   return sum;

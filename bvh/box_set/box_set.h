@@ -42,8 +42,18 @@ class BoxSet {
   void move(std::uint32_t owner, const OrderedBox& box);
   void erase(std::uint32_t owner);
 
-  /// Moves many: boxes[i] belongs to owners[i], of equal owners the last counts. Checks nothing.
-  void move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
+  /// Moves many: boxes[i] belongs to owner_of(i), of equal owners the last counts. Checks nothing.
+  template <typename OwnerOf>
+  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    // What a box will be is noted where it was: that place is written next.
+    scratch_.is_named.assign(owner_.size(), false);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const std::uint32_t place = place_[owner_of(i)];
+      scratch_.is_named[place] = true;
+      low_[place >> kLaneBits].row[0][place & (kLanes - 1)] = static_cast<std::uint32_t>(i);
+    }
+    move_named(boxes);
+  }
 
   /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
   void move_first(std::span<const Aabb> boxes);
@@ -57,6 +67,9 @@ class BoxSet {
 
   /// Makes the bounds fit the boxes again. Costs what was touched.
   void refit();
+
+  /// refit(), and an order for boxes that came in a crowd: before queries.
+  void settle();
 
   /// Puts all boxes into a new order, if the old one has cost more by now than that does.
   /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.
@@ -79,6 +92,7 @@ class BoxSet {
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;
 
   std::uint64_t sorts() const { return sorts_; }
+  std::uint64_t groups_sorted() const { return groups_sorted_; }
   std::uint64_t blocks_met() const { return met_; }
   std::size_t bytes() const;
   int layer_count() const { return static_cast<int>(layers_.size()); }
@@ -86,14 +100,12 @@ class BoxSet {
 
  private:
   struct Scratch {
-    std::vector<std::uint32_t> input;
+    std::vector<bool> is_named;  // by place
     RankedOwners ranked;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
     std::vector<double> sums;
-    std::vector<KdItem> newcomers;
-    std::vector<OrderedBox> boxes;
   };
 
   /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
@@ -102,7 +114,19 @@ class BoxSet {
     std::vector<std::uint32_t> starts;  // of the layers' items, and the end
   };
 
+  /// A block of the level above those of boxes, below which a hole was filled.
+  struct FilledGroup {
+    std::uint32_t layer;
+    std::uint32_t block;
+    friend auto operator<=>(const FilledGroup&, const FilledGroup&) = default;
+  };
+
   std::size_t layer_of(std::uint32_t block) const;
+  void take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box);
+  void append(std::uint32_t owner, const OrderedBox& box);
+  bool fill_hole(std::uint32_t owner, const OrderedBox& box);
+  std::uint32_t holes_below(const Layer& layer, std::uint32_t block) const;
+  void make_room(std::size_t lanes);
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
   std::uint64_t find_below(std::span<const BlockPair> tasks, PairBuffer& out) const;
@@ -113,12 +137,16 @@ class BoxSet {
   void move_strays();
   bool move_stray(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
+  void sort_groups();
+  void sort_group(Layer& layer, std::uint32_t group);
+  double inflation_of_group(const Layer& layer, std::uint32_t first) const;
   std::vector<KdItem> sample_centres(const double* origin) const;
-  std::vector<std::size_t> choose_layers(std::span<const std::uint32_t> count_of_class,
-                                         const double* origin) const;
+  std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
+                                          const double* origin) const;
   void collect_items(SortSpace& space);
   void place_items(const SortSpace& space);
   void move_ranked(std::span<const Aabb> boxes);
+  void move_named(std::span<const Aabb> boxes);
   template <typename InputOf>
   void fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of);
   void measure_sorted();
@@ -128,16 +156,21 @@ class BoxSet {
   std::vector<std::uint32_t> owner_;  // by position: 16 times the block plus the lane
   std::vector<std::uint32_t> place_;  // by owner: the position
   std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
+  std::vector<std::uint8_t> layer_of_class_;  // of sizes, as of the last sort; kNoLayer if new
+  std::vector<FilledGroup> filled_;
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
   std::size_t newcomers_ = 0;         // positions of the last layer that are or were taken
   std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
+  std::size_t arrivals_ = 0;         // since the last refit
+  std::size_t arrivals_before_ = 0;  // between that and the one before
   bool all_touched_ = false;
   Workers workers_;
 
   std::uint64_t sorts_ = 0;
+  std::uint64_t groups_sorted_ = 0;
   std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs
   std::uint64_t met_sorted_ = 0;  // the same, in the first search after the last sort
   double excess_ = 0;             // pairs of blocks met since then beyond that number

@@ -123,12 +123,11 @@ void BoxSet::fill_blocks(std::span<const Aabb> boxes, const InputOf& input_of) {
   all_touched_ = true;
 }
 
-void BoxSet::move_many(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
-  std::vector<std::uint32_t>& input = scratch_.input;
-  input.assign(owner_.size(), kNobody);
-  for (std::size_t i = 0; i < owners.size(); ++i)
-    input[place_[owners[i]]] = static_cast<std::uint32_t>(i);
-  fill_blocks(boxes, [&](std::size_t place) { return input[place]; });
+void BoxSet::move_named(std::span<const Aabb> boxes) {
+  fill_blocks(boxes, [&](std::size_t place) {
+    if (!scratch_.is_named[place]) return boxes.size();
+    return std::size_t{low_[place >> kLaneBits].row[0][place & (kLanes - 1)]};
+  });
 }
 
 void BoxSet::move_ranked(std::span<const Aabb> boxes) {

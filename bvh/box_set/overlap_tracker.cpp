@@ -22,58 +22,78 @@ bool OverlapTracker::are_many(std::size_t changes) const {
   return changes > kAlwaysFew + set_.size() / kFewShare;
 }
 
-void OverlapTracker::move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes) {
-  set_.move_many(owners, boxes);
-  end_moves();
+/// Before the owner's box changes.
+void OverlapTracker::note(std::uint32_t owner) {
+  if (have_many_changed_) return;
+  if (owner >= is_changed_.size()) is_changed_.resize(owner + std::size_t{1});
+  if (is_changed_[owner]) return;
+  if (are_many(changed_.size() + 1)) {
+    note_many();
+    return;
+  }
+  is_changed_[owner] = true;
+  changed_.push_back({set_.contains(owner) ? set_.box(owner) : no_box(), set_.place(owner), owner});
 }
 
-void OverlapTracker::move_first_now(std::span<const Aabb> boxes) {
-  set_.move_first(boxes);
+/// From here to the next update nobody asks what was where.
+void OverlapTracker::note_many() {
+  if (have_many_changed_) return;
+  forget_changes();
+  changed_.shrink_to_fit();
+  have_many_changed_ = true;
+}
+
+void OverlapTracker::forget_changes() {
+  for (const Changed& changed : changed_)
+    is_changed_[changed.owner] = false;
+  changed_.clear();
+  have_many_changed_ = false;
+}
+
+void OverlapTracker::insert(std::uint32_t owner, const Aabb& box) {
   end_moves();
+  note(owner);
+  set_.insert(owner, ordered_box(box));
+}
+
+void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
+  if (waiting_count_ == kMostWaiting) end_moves();
+  waiting_[waiting_count_++] = {box, owner};
+  set_.prefetch(set_.place(owner));
 }
 
 void OverlapTracker::end_moves() {
-  set_.refit();
-  all_moved_ = true;
+  for (std::size_t i = 0; i < waiting_count_; ++i) {
+    note(waiting_[i].owner);
+    set_.move(waiting_[i].owner, ordered_box(waiting_[i].box));
+  }
+  waiting_count_ = 0;
 }
 
-bool OverlapTracker::update(BoxChanges& changes) {
+void OverlapTracker::erase(std::uint32_t owner) {
+  end_moves();
+  note(owner);
+  set_.erase(owner);
+}
+
+bool OverlapTracker::update() {
+  end_moves();
   begun_.clear();
   ended_.clear();
-  if (!all_moved_ && changes.size() == 0) {
+  if (!have_many_changed_ && changed_.empty()) {
     has_difference_ = true;
     return false;
   }
-  if (all_moved_ || are_many(changes.size())) {
-    search_all(changes);
+  if (have_many_changed_) {
+    search_all();
   } else {
-    search_movers(changes);
+    search_movers();
   }
-  // A crowd of newcomers comes once; movers come again in each step.
-  if (2 * changes.moves < changes.size() && are_many(changes.size())) changes = {};
-  changes.clear();
+  forget_changes();
   return true;
 }
 
-void OverlapTracker::apply(const BoxChanges& changes) {
-  if (changes.moves == changes.size() && are_many(changes.size())) {
-    set_.move_many(changes.owner, changes.box);
-    return;
-  }
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    const std::uint32_t owner = changes.owner[i];
-    if (changes.kind[i] == BoxChanges::Kind::Erase) {
-      if (set_.contains(owner)) set_.erase(owner);
-    } else if (set_.contains(owner)) {
-      set_.move(owner, ordered_box(changes.box[i]));
-    } else {
-      set_.insert(owner, ordered_box(changes.box[i]));
-    }
-  }
-}
-
-void OverlapTracker::search_all(BoxChanges& changes) {
-  apply(changes);
+void OverlapTracker::search_all() {
   set_.refit();
   set_.sort_if_worthwhile();
   std::swap(pairs_, before_);
@@ -83,20 +103,13 @@ void OverlapTracker::search_all(BoxChanges& changes) {
   set_.find_all_pairs(pairs_);
   index_.reset();
   has_difference_ = false;
-  all_moved_ = false;
   ++searches_for_all_;
 }
 
-/// One mover for each box that changes, by the last entry that names it.
-void OverlapTracker::list_movers(const BoxChanges& changes) {
+void OverlapTracker::list_movers() {
   movers_.clear();
-  for (std::size_t i = changes.size(); i-- > 0;) {
-    const std::uint32_t owner = changes.owner[i];
-    if (owner >= is_mover_.size()) is_mover_.resize(owner + std::size_t{1});
-    if (is_mover_[owner]) continue;
-    is_mover_[owner] = true;
-    movers_.push_back({set_.place(owner), static_cast<std::uint32_t>(i)});
-  }
+  for (std::uint32_t i = 0; i < changed_.size(); ++i)
+    movers_.push_back({changed_[i].place, i});
   std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
     return s.place != t.place ? s.place < t.place : s.change < t.change;
   });
@@ -105,41 +118,33 @@ void OverlapTracker::list_movers(const BoxChanges& changes) {
 /// Both places of a mover are looked up at once, after all have moved. That tells what began and
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
 /// what ended between two is found among the places where they were.
-void OverlapTracker::compare_places(const BoxChanges& changes) {
-  boxes_before_.resize(movers_.size());
+void OverlapTracker::compare_places() {
   former_.clear();
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const Mover& later = movers_[std::min(i + kAhead, movers_.size() - 1)];
-    if (later.place != kNobody) set_.prefetch(later.place);
-    boxes_before_[i] = no_box();
-    if (movers_[i].place == kNobody) continue;
-    const std::uint32_t owner = changes.owner[movers_[i].change];
-    boxes_before_[i] = set_.box(owner);
-    former_.add(owner, boxes_before_[i]);
+  for (const Mover& mover : movers_) {
+    if (mover.place != kNobody) former_.add(change_of(mover).owner, change_of(mover).before);
   }
-  apply(changes);
   set_.refit();
-  is_mover_.resize(std::max<std::size_t>(is_mover_.size(), set_.owner_limit()));
+  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.owner_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)
-    look_up_some(changes, first);
+    look_up_some(first);
   end_pairs_of_movers();
 }
 
 /// Of the next 16 movers.
-void OverlapTracker::look_up_some(const BoxChanges& changes, std::size_t first) {
-  OrderedBox after[kLanes];
+void OverlapTracker::look_up_some(std::size_t first) {
+  OrderedBox before[kLanes], after[kLanes];
   const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t change = movers_[first + i].change;
-    after[i] = set_.contains(changes.owner[change]) ? ordered_box(changes.box[change]) : no_box();
+    const Changed& change = change_of(movers_[first + i]);
+    before[i] = change.before;
+    after[i] = set_.contains(change.owner) ? set_.box(change.owner) : no_box();
   }
   hits_.clear();
-  set_.find_overlapping_either(std::span(boxes_before_).subspan(first, count), {after, count},
-                               lookup_, hits_);
+  set_.find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
   for (const MoverHit& hit : hits_) {
-    const std::uint32_t owner = changes.owner[movers_[first + hit.mover].change];
+    const std::uint32_t owner = change_of(movers_[first + hit.mover]).owner;
     const BoxPair pair = ordered_pair(owner, hit.owner);
-    if (!is_mover_[hit.owner]) {
+    if (!is_changed_[hit.owner]) {
       if (hit.is > hit.was) begun_.push_back(pair);
       if (hit.is < hit.was) ended_.push_back(pair);
     } else if (hit.is && owner < hit.owner &&
@@ -171,12 +176,10 @@ void OverlapTracker::edit_list() {
   }
 }
 
-void OverlapTracker::search_movers(const BoxChanges& changes) {
+void OverlapTracker::search_movers() {
   if (!index_.is_built()) index_.build(pairs_);
-  list_movers(changes);
-  compare_places(changes);
-  for (const Mover& mover : movers_)
-    is_mover_[changes.owner[mover.change]] = false;
+  list_movers();
+  compare_places();
   edit_list();
   std::sort(begun_.data(), begun_.data() + begun_.size());
   std::sort(ended_.data(), ended_.data() + ended_.size());
@@ -219,7 +222,8 @@ std::size_t OverlapTracker::bytes_for_pairs() const {
                             rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
   return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
          starts_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
-         boxes_before_.capacity() * sizeof(OrderedBox) + hits_.capacity() * sizeof(MoverHit) +
+         changed_.capacity() * sizeof(Changed) + is_changed_.capacity() / 8 +
+         hits_.capacity() * sizeof(MoverHit) +
          (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
 }
 

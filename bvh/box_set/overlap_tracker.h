@@ -1,11 +1,11 @@
 #pragma once
 
-#include <graze/bvh/box_set/box_changes.h>
 #include <graze/bvh/box_set/box_set.h>
 #include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/pair_index.h>
 #include <graze/bvh/box_set/pair_rows.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,29 +14,55 @@ namespace graze::bvh {
 
 /// A box set, the list of its overlapping pairs, and what the last update changed in that list.
 ///
-/// With few changes the list is edited: a box that changed is looked up where it was and where it
-/// is. The difference is what began and what ended. With many changes all pairs are searched anew,
-/// and what changed is worked out if somebody asks.
+/// Boxes change at once, the list with the next update. With few changes the list is edited: a box
+/// that changed is looked up where it was and where it is. The difference is what began and what
+/// ended. With many changes all pairs are searched anew, and what changed is worked out if somebody
+/// asks.
 class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
+  /// As of the last settle(), update() or end_moves(): a few moves may wait.
   const BoxSet& set() const { return set_; }
 
-  /// Moves boxes now; the pairs follow with the next update. All must be in the set.
-  void move_now(std::span<const std::uint32_t> owners, std::span<const Aabb> boxes);
-  void move_first_now(std::span<const Aabb> boxes);
-  template <typename OwnerOf>
-  void move_ascending_now(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
-    set_.move_ascending(boxes, owner_of);
-    end_moves();
-  }
+  /// As of a box set. An owner that is erased must not come again before the next update.
+  void insert(std::uint32_t owner, const Aabb& box);
+  void move(std::uint32_t owner, const Aabb& box);
+  void erase(std::uint32_t owner);
+
+  /// Makes the moves that wait for their blocks to be fetched.
+  void end_moves();
 
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
 
-  /// Uses the changes up. False if there was nothing to do.
-  bool update(BoxChanges& changes);
+  /// The same, of so many boxes.
+  void move_first(std::span<const Aabb> boxes) {
+    end_moves();
+    note_many();
+    set_.move_first(boxes);
+  }
+  template <typename OwnerOf>
+  void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_moves();
+    note_many();
+    set_.move_ascending(boxes, owner_of);
+  }
+  template <typename OwnerOf>
+  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_moves();
+    note_many();
+    set_.move_many(boxes, owner_of);
+  }
+
+  /// Makes the set ready for queries. No list changes.
+  void settle() {
+    end_moves();
+    set_.settle();
+  }
+
+  /// Makes the lists fit the boxes. False if there was nothing to do.
+  bool update();
 
   std::span<const BoxPair> pairs() const { return pairs_.pairs(); }
   std::span<const BoxPair> sorted_pairs();
@@ -48,20 +74,32 @@ class OverlapTracker {
   std::size_t bytes_for_pairs() const;
 
  private:
+  /// A box that has changed since the last update, as it was then.
+  struct Changed {
+    OrderedBox before;    // no_box() for one that is new
+    std::uint32_t place;  // in the set: neighbours are looked up together
+    std::uint32_t owner;
+  };
+  struct Waiting {
+    Aabb box;
+    std::uint32_t owner;
+  };
   struct Mover {
-    std::uint32_t place;   // where the box lies in the set: neighbours are looked up together
-    std::uint32_t change;  // which entry of the changes
+    std::uint32_t place;   // as there
+    std::uint32_t change;  // which entry of changed_
   };
 
-  void end_moves();
-  void apply(const BoxChanges& changes);
-  void search_all(BoxChanges& changes);
-  void search_movers(const BoxChanges& changes);
-  void compare_places(const BoxChanges& changes);
-  void look_up_some(const BoxChanges& changes, std::size_t first);
+  const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
+  void note(std::uint32_t owner);
+  void note_many();
+  void forget_changes();
+  void search_all();
+  void search_movers();
+  void compare_places();
+  void look_up_some(std::size_t first);
   void end_pairs_of_movers();
   void edit_list();
-  void list_movers(const BoxChanges& changes);
+  void list_movers();
   void work_out_difference();
 
   BoxSet set_;
@@ -75,13 +113,16 @@ class OverlapTracker {
   bool is_before_grouped_ = false;  // rows_before_ holds before_
   RowsToSort rows_to_sort_;
   bool has_difference_ = true;  // begun_ and ended_ are up to date
-  bool all_moved_ = false;
   PairBuffer begun_, ended_;
+  static constexpr std::size_t kMostWaiting = 8;
+  std::array<Waiting, kMostWaiting> waiting_;
+  std::size_t waiting_count_ = 0;
+  std::vector<Changed> changed_;  // while they are few
+  std::vector<bool> is_changed_;  // by owner
+  bool have_many_changed_ = false;
   std::vector<std::uint32_t> starts_;
   std::vector<Mover> movers_;
-  std::vector<bool> is_mover_;            // by owner
-  std::vector<OrderedBox> boxes_before_;  // by mover
-  FormerBoxes former_;                    // the same as a tree
+  FormerBoxes former_;  // where they were
   PairBuffer former_pairs_;
   std::vector<MoverHit> hits_;
   Lookup lookup_;

@@ -1,6 +1,7 @@
 // Putting the boxes of a set into a new order.
 
 #include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/size_class.h>
 #include <graze/bvh/box_set/size_groups.h>
 
 #include <algorithm>
@@ -16,18 +17,7 @@ constexpr double kSortCost = 80;
 constexpr std::size_t kMostLayers = 24;
 constexpr std::size_t kSample = 1024;  // boxes that tell how densely all lie
 
-constexpr int kClasses = 1024, kClassShift = 512;  // classes of sizes, and which of them is 0
-
 constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
-
-/// The class of a box by its longest side, in steps of 4; points and what is nearly one are in the
-/// lowest class.
-int size_class(const OrderedBox& box) {
-  double longest = 0;
-  for (std::size_t c = 0; c < 3; ++c)
-    longest = std::max(longest, 0.5 * value_of_key(box[c + 3]) - 0.5 * value_of_key(box[c]));
-  return longest > 0x1p-1000 ? std::ilogb(longest) >> 1 : -501;
-}
 
 float centre(std::int64_t low, std::int64_t high, double origin) {
   constexpr double kLargest = std::numeric_limits<float>::max();
@@ -68,8 +58,8 @@ std::vector<KdItem> BoxSet::sample_centres(const double* origin) const {
 }
 
 /// Which layer each class of sizes goes to, by the class.
-std::vector<std::size_t> BoxSet::choose_layers(std::span<const std::uint32_t> count_of_class,
-                                               const double* origin) const {
+std::vector<std::uint8_t> BoxSet::choose_layers(std::span<const std::uint32_t> count_of_class,
+                                                const double* origin) const {
   std::vector<SizeClass> classes;
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (count_of_class[k] != 0)
@@ -82,9 +72,10 @@ std::vector<std::size_t> BoxSet::choose_layers(std::span<const std::uint32_t> co
   // Where there are more groups than layers, the lowest ones share one.
   const std::size_t groups = group.empty() ? 0 : group.back() + 1;
   const std::size_t lowest = groups > kMostLayers ? groups - kMostLayers : 0;
-  std::vector<std::size_t> layer_of_class(kClasses);
+  std::vector<std::uint8_t> layer_of_class(kClasses, kNoLayer);
   for (std::size_t k = 0, i = 0; k < kClasses; ++k) {
-    if (count_of_class[k] != 0) layer_of_class[k] = std::max(group[i++], lowest) - lowest;
+    if (count_of_class[k] != 0)
+      layer_of_class[k] = static_cast<std::uint8_t>(std::max(group[i++], lowest) - lowest);
   }
   return layer_of_class;
 }
@@ -99,18 +90,18 @@ void BoxSet::collect_items(SortSpace& space) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of =
         lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    classes[place] = static_cast<std::int16_t>(size_class(of) + kClassShift);
+    classes[place] = static_cast<std::int16_t>(size_class(of));
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
       origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
     is_first = false;
   }
-  const std::vector<std::size_t> layer_of_class = choose_layers(count, origin);
+  layer_of_class_ = choose_layers(count, origin);
   std::vector<std::uint32_t>& start = space.starts;
   start.assign(1, 0);
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (count[k] == 0) continue;
-    start.resize(layer_of_class[k] + 2, start.back());
+    start.resize(layer_of_class_[k] + std::size_t{2}, start.back());
     start.back() += count[k];
   }
   space.items.resize(size_);
@@ -119,7 +110,7 @@ void BoxSet::collect_items(SortSpace& space) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of =
         lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
-    KdItem& item = space.items[next[layer_of_class[static_cast<std::size_t>(classes[place])]]++];
+    KdItem& item = space.items[next[layer_of_class_[static_cast<std::size_t>(classes[place])]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
     item.owner = owner_[place];
@@ -185,9 +176,9 @@ void BoxSet::measure_sorted() {
 /// Puts the boxes that came since the last sort in order among themselves.
 void BoxSet::sort_newcomers() {
   Layer& last = layers_.back();
-  std::vector<KdItem>& items = scratch_.newcomers;
-  std::vector<OrderedBox>& boxes = scratch_.boxes;
-  items.clear();
+  std::vector<KdItem> items;
+  std::vector<OrderedBox> boxes;
+  items.reserve(newcomers_), boxes.reserve(newcomers_);
   const std::uint32_t first = last.first_block * kLanes;
   for (std::uint32_t place = first; place < first + newcomers_; ++place) {
     if (owner_[place] == kNobody) continue;
@@ -197,7 +188,6 @@ void BoxSet::sort_newcomers() {
       items.back().centre[c] = centre(of[c], of[c + 3], 0);
   }
   kd_order(items);
-  boxes.clear();
   for (const KdItem& item : items)
     boxes.push_back(box(item.owner));
   holes_ -= newcomers_ - items.size();
@@ -231,6 +221,7 @@ void BoxSet::sort() {
   newcomers_ = sorted_newcomers_ = holes_ = 0;
   all_touched_ = false;
   touched_.clear();
+  filled_.clear();
   met_sorted_ = 0;
   excess_ = inflation_ = 0;
   place_.shrink_to_fit();

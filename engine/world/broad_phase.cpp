@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <string>
 
 namespace graze {
 namespace {
-
-using bvh::BoxChanges;
 
 constexpr std::size_t kChunk = 4096;  // boxes of a span that are checked at a time
 
@@ -41,9 +40,8 @@ struct BroadPhase::State {
 
   IdTable<std::uint16_t> ids;  // two bytes a box
   bvh::OverlapTracker tracker;
-  BoxChanges changes;                  // asked for since the last update
-  std::vector<bool> is_staged;         // by index: named in the changes
-  std::vector<std::uint32_t> indices;  // of a span of ids that do not ascend
+  std::mutex settling;
+  std::atomic<bool> is_settled{true};  // the trees fit the boxes
   BroadPhaseWork work;
 
   void check(BoxId id, const char* what) const {
@@ -53,22 +51,27 @@ struct BroadPhase::State {
                        std::to_string(id.generation));
   }
 
-  void stage(std::uint32_t index, const Aabb& box, BoxChanges::Kind kind) {
-    changes.add(index, box, kind);
-    is_staged[index] = true;
-  }
+  void unsettle() { is_settled.store(false, std::memory_order_relaxed); }
 
-  /// The last change that names the index. O(changes).
-  std::size_t staged(std::uint32_t index) const {
-    std::size_t i = changes.size();
-    while (changes.owner[--i] != index) {
+  /// The boxes, ready for queries. The first query after a change sees to that, those that run at
+  /// the same time wait for it.
+  const bvh::BoxSet& settled() {
+    if (!is_settled.load(std::memory_order_acquire)) {
+      const std::lock_guard lock(settling);
+      if (!is_settled.load(std::memory_order_relaxed)) {
+        tracker.settle();
+        is_settled.store(true, std::memory_order_release);
+      }
     }
-    return i;
+    return tracker.set();
   }
 
-  Aabb box(std::uint32_t index) const {
-    return is_staged[index] ? changes.box[staged(index)]
-                            : bvh::box_of_keys(tracker.set().box(index));
+  /// Needs no bounds, but while others settle boxes may change places.
+  bvh::OrderedBox box(std::uint32_t index) {
+    if (is_settled.load(std::memory_order_acquire)) return tracker.set().box(index);
+    const std::lock_guard lock(settling);
+    tracker.end_moves();
+    return tracker.set().box(index);
   }
 };
 
@@ -87,15 +90,16 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 BoxId BroadPhase::add(const Aabb& box) {
   check_box(box, "add");
   const std::uint32_t index = state_->ids.take();
-  if (index >= state_->is_staged.size()) state_->is_staged.push_back(false);
-  state_->stage(index, box, BoxChanges::Kind::Insert);
+  state_->unsettle();
+  state_->tracker.insert(index, box);
   return {index, state_->ids.generation(index)};
 }
 
 void BroadPhase::move(BoxId id, const Aabb& box) {
   state_->check(id, "move");
   check_box(box, "move");
-  state_->stage(id.index, box, BoxChanges::Kind::Move);
+  state_->unsettle();
+  state_->tracker.move(id.index, box);
 }
 
 void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
@@ -124,43 +128,39 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
     state.check(ids[i], what.c_str());
     check_box(boxes[i], what.c_str());
   }
-  if (state.changes.size() == 0 && state.tracker.are_many(ids.size())) {
-    if (is_in_order) {
-      state.tracker.move_first_now(boxes);
-    } else if (is_ascending) {
-      state.tracker.move_ascending_now(boxes, [&](std::size_t i) { return ids[i].index; });
-    } else {
-      state.indices.clear();
-      for (const BoxId id : ids)
-        state.indices.push_back(id.index);
-      state.tracker.move_now(state.indices, boxes);
-    }
-    return;
+  if (ids.empty()) return;
+  state.unsettle();
+  const auto owner_of = [&](std::size_t i) { return ids[i].index; };
+  if (!state.tracker.are_many(ids.size())) {
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      state.tracker.move(ids[i].index, boxes[i]);
+  } else if (is_in_order) {
+    state.tracker.move_first(boxes);
+  } else if (is_ascending) {
+    state.tracker.move_ascending(boxes, owner_of);
+  } else {
+    state.tracker.move_many(boxes, owner_of);
   }
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    state.stage(ids[i].index, boxes[i], BoxChanges::Kind::Move);
 }
 
 void BroadPhase::remove(BoxId id) {
   state_->check(id, "remove");
-  state_->stage(id.index, Aabb{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()},
-                BoxChanges::Kind::Erase);
+  state_->unsettle();
+  state_->tracker.erase(id.index);
   state_->ids.free(id.index);
 }
 
 void BroadPhase::update() {
   State& state = *state_;
   ++state.work.updates;
-  for (const std::uint32_t index : state.changes.owner)
-    state.is_staged[index] = false;
-  if (!state.tracker.update(state.changes)) {
-    state.ids.next_round();
-    return;
-  }
+  const bool has_changed = state.tracker.update();
+  state.is_settled = true;
   state.ids.next_round();
+  if (!has_changed) return;
   state.work.searches_for_all = state.tracker.searches_for_all();
   state.work.searches_for_movers = state.tracker.searches_for_movers();
   state.work.sorts = state.tracker.set().sorts();
+  state.work.groups_sorted = state.tracker.set().groups_sorted();
   state.work.blocks_met = state.tracker.set().blocks_met();
 }
 
@@ -174,7 +174,7 @@ bool BroadPhase::contains(BoxId id) const {
 
 Aabb BroadPhase::box(BoxId id) const {
   state_->check(id, "box");
-  return state_->box(id.index);
+  return bvh::box_of_keys(state_->box(id.index));
 }
 
 BoxId BroadPhase::id(std::uint32_t index) const {
@@ -202,47 +202,19 @@ std::span<const BoxPair> BroadPhase::ended() {
 
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
   check_box(box, "find_overlapping");
-  const State& state = *state_;
-  const bvh::OrderedBox keys = bvh::ordered_box(box);
-  const std::size_t first = indices.size();
-  state.tracker.set().find_overlapping(keys, indices);
-  if (state.changes.size() == 0) return;
-  // What was asked for since the last update is not in the trees yet.
-  std::size_t kept = first;
-  for (std::size_t i = first; i < indices.size(); ++i) {
-    if (!state.is_staged[indices[i]]) indices[kept++] = indices[i];
-  }
-  indices.resize(kept);
-  for (std::size_t i = 0; i < state.changes.size(); ++i) {
-    const std::uint32_t index = state.changes.owner[i];
-    if (!state.ids.is_live(index) || !bvh::overlap(keys, bvh::ordered_box(state.changes.box[i])))
-      continue;
-    if (state.staged(index) == i) indices.push_back(index);
-  }
+  state_->settled().find_overlapping(bvh::ordered_box(box), indices);
 }
 
 void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
   check_ray(ray, "visit_along");
-  const State& state = *state_;
   const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
   const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
   const auto limit_for = [&](double distance) {
     return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
   };
   double limit = limit_for(ray.max_distance);
-  const auto look = [&](std::uint32_t index) {
-    return state.is_staged[index] ? limit : limit_for(visit(index));
-  };
-  state.tracker.set().walk_along(slabs, limit, std::cref(look));
-  // What was asked for since the last update is not in the trees yet.
-  for (std::size_t i = 0; i < state.changes.size(); ++i) {
-    const std::uint32_t index = state.changes.owner[i];
-    const Aabb& box = state.changes.box[i];
-    if (!state.ids.is_live(index) ||
-        bvh::padded_entry(slabs, box.min.data(), box.max.data(), limit) == bvh::kNever)
-      continue;
-    if (state.staged(index) == i) limit = std::min(limit, limit_for(visit(index)));
-  }
+  const auto look = [&](std::uint32_t index) { return limit_for(visit(index)); };
+  state_->settled().walk_along(slabs, limit, std::cref(look));
 }
 
 const BroadPhaseWork& BroadPhase::work() const {
@@ -251,8 +223,7 @@ const BroadPhaseWork& BroadPhase::work() const {
 
 std::size_t BroadPhase::bytes_for_boxes() const {
   const State& state = *state_;
-  return state.tracker.set().bytes() + state.ids.bytes() + state.is_staged.capacity() / 8 +
-         state.indices.capacity() * 4 + state.changes.box.capacity() * (sizeof(Aabb) + 5);
+  return state.tracker.set().bytes() + state.ids.bytes();
 }
 
 std::size_t BroadPhase::bytes_for_pairs() const {

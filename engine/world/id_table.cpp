@@ -1,11 +1,19 @@
 #include <graze/engine/world/id_table.h>
 
 namespace graze {
+namespace {
+
+constexpr std::size_t kGrowthShare = 8, kFew = 64;
+
+}  // namespace
 
 template <typename Generation>
 std::uint32_t IdTable<Generation>::take() {
   ++live_count_;
   if (free_.empty()) {
+    // Not twice as much: a table of many would be mostly room.
+    const std::size_t size = generation_.size();
+    if (size == generation_.capacity()) generation_.reserve(size + size / kGrowthShare + kFew);
     generation_.push_back(1);
     return static_cast<std::uint32_t>(generation_.size() - 1);
   }

@@ -1,5 +1,5 @@
 // Boxes only: all overlapping pairs of moving boxes in every frame, beside other libraries; and
-// what a step costs with few movers.
+// what a step costs with few movers, or with boxes that come and go.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -94,6 +94,25 @@ nlohmann::json movers(const Options& options) {
   return rows;
 }
 
+nlohmann::json churn(const Options& options) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::uint32_t size : options.sizes) {
+    for (const std::uint32_t share : {1000u, 100u, 50u, 10u}) {
+      const std::uint32_t count = size / share;
+      const Churn found = measure_churn(size, count, options.frames);
+      std::cout << size << " boxes, " << count << " replaced: " << std::setprecision(3)
+                << found.median << " ms a step, mean " << found.mean << ", slowest "
+                << found.slowest << '\n';
+      rows.push_back({{"boxes", size},
+                      {"replaced", count},
+                      {"median_ms", found.median},
+                      {"mean_ms", found.mean},
+                      {"slowest_ms", found.slowest}});
+    }
+  }
+  return rows;
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("graze_benchmark_broad_phase");
@@ -124,7 +143,8 @@ int run(int argc, char** argv) {
     std::cout << name << " was not found and is left out\n";
   const nlohmann::json report = {{"processor", processor_name()},
                                  {"scenes", contest(options, entries)},
-                                 {"movers", movers(options)}};
+                                 {"movers", movers(options)},
+                                 {"churn", churn(options)}};
   if (!options.json.empty()) std::ofstream(options.json) << report.dump(1) << '\n';
   return 0;
 }

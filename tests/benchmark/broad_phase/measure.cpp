@@ -89,4 +89,30 @@ double measure_movers(std::uint32_t boxes, std::uint32_t count, int frames) {
   return median(times);
 }
 
+Churn measure_churn(std::uint32_t boxes, std::uint32_t count, int frames) {
+  const auto scene = make_scene("S1", boxes, 1), others = make_scene("S1", boxes, 2);
+  BroadPhase broad;
+  std::vector<BoxId> ids;
+  for (const Aabb& box : scene->boxes())
+    ids.push_back(broad.add(box));
+  broad.update();
+  Random random(5);
+  std::vector<double> times;
+  Churn churn;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double begin = milliseconds(CLOCK_THREAD_CPUTIME_ID);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      BoxId& id = ids[random.bits() % boxes];
+      broad.remove(id);
+      id = broad.add(others->boxes()[random.bits() % boxes]);
+    }
+    broad.update();
+    times.push_back(milliseconds(CLOCK_THREAD_CPUTIME_ID) - begin);
+    churn.mean += times.back() / frames;
+    churn.slowest = std::max(churn.slowest, times.back());
+  }
+  churn.median = median(times);
+  return churn;
+}
+
 }  // namespace graze::benchmark
