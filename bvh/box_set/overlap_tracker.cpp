@@ -19,7 +19,11 @@ BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
 }  // namespace
 
 bool OverlapTracker::are_many(std::size_t changes) const {
-  return changes > kAlwaysFew + set_.size() / kFewShare;
+  return changes > most_changes();
+}
+
+std::size_t OverlapTracker::most_changes() const {
+  return kAlwaysFew + set_.size() / kFewShare;
 }
 
 /// Before the owner's box changes.
@@ -32,6 +36,8 @@ void OverlapTracker::note(std::uint32_t owner) {
     return;
   }
   is_changed_[owner] = true;
+  if (changed_.size() == changed_.capacity())
+    changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
   changed_.push_back({set_.contains(owner) ? set_.box(owner) : no_box(), set_.place(owner), owner});
 }
 
@@ -39,7 +45,6 @@ void OverlapTracker::note(std::uint32_t owner) {
 void OverlapTracker::note_many() {
   if (have_many_changed_) return;
   forget_changes();
-  changed_.shrink_to_fit();
   have_many_changed_ = true;
 }
 

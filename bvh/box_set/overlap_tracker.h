@@ -90,6 +90,7 @@ class OverlapTracker {
   };
 
   const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
+  std::size_t most_changes() const;
   void note(std::uint32_t owner);
   void note_many();
   void forget_changes();
