@@ -36,7 +36,8 @@ and of a scene each difference:
   {"step":3,"time":0.06,"a":"gear","b":"pinion","answers":[{"engine":"world","says":true,...},...]}
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
-must be the same bit for bit, and its time within --time-tolerance of what it was. --resume FILE keeps a
+must be the same bit for bit, and the median of its times, each beside what it was, within --time-tolerance.
+--resume FILE keeps a
 record of each pose, step or case as it is done, and goes on where a stopped run ended. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 

@@ -22,8 +22,9 @@ using compare::WrongAnswer;
 
 void check_folder_options(const CompareOptions& options) {
   const bool has_others = !options.pose_a.empty() || !options.pose_b.empty() || options.poses ||
-                          options.random > 0 || options.grazing > 0 || options.query != "any" ||
-                          options.clearance >= 0 || options.steps || options.step > 0;
+                          options.random > 0 || options.grazing > 0 || options.seed ||
+                          options.query != "any" || options.clearance >= 0 || options.steps ||
+                          options.step > 0;
   if (!has_others) return;
   throw UsageError(
       "cases say themselves what is asked: poses, --query, --clearance, --steps and --dt are not "

@@ -71,7 +71,7 @@ struct Regression {
 Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
   if (!findings.difference) return {};
   const compare::BaselineDifference& found = *findings.difference;
-  const double ratio = found.old_time > 0 ? found.new_time / found.old_time : 1;
+  const double ratio = found.time_ratio;
   const bool is_slower = ratio > options.time_tolerance;
   Regression result;
   result.is_one = !found.changed.empty() || !found.missing.empty() || is_slower;
@@ -88,7 +88,8 @@ Regression regression_of(const CompareOptions& options, const CompareFindings& f
                                                   : std::to_string(place));
   }
   result.text = fmt::format(
-      "against {}: {} answers of graze changed{}, {} missing; time {:.2f} of what it was{}\n",
+      "against {}: {} answers of graze changed{}, {} missing; median time {:.2f} of what it "
+      "was{}\n",
       mesh_io::printable(options.against), found.changed.size(),
       where.empty() ? "" : fmt::format(" in {}s{}", findings.place, where), found.missing.size(),
       ratio, is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");

@@ -11,7 +11,7 @@
 namespace graze::cli {
 namespace {
 
-using cases::json_number;
+using cases::json_plain_number;
 using cases::json_string;
 using compare::AnswerRecord;
 using compare::PlaceRecord;
@@ -180,7 +180,8 @@ std::string summary_json(std::span<const EngineSummary> summaries,
         ",\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},\"total_us\":{:.3f}}}",
         i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
         s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4],
-        json_number(s.largest_error), json_number(s.largest_ulps), s.median_time, s.total_time);
+        json_plain_number(s.largest_error), json_plain_number(s.largest_ulps), s.median_time,
+        s.total_time);
   }
   out += "],\"cases\":[";
   for (std::size_t i = 0; i < cases.size(); ++i) {

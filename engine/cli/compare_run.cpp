@@ -40,14 +40,21 @@ void check_combinations(const CompareOptions& options) {
   if (sources > 1) {
     throw UsageError("--pose-b, --poses, --random and --grazing exclude each other: all place B");
   }
-  if ((options.query == "within") != (options.clearance >= 0)) {
+  if (options.query == "within" && options.clearance < 0) {
+    throw UsageError("--query within needs --clearance");
+  }
+  if (options.query != "within" && options.clearance >= 0) {
     throw UsageError("--clearance belongs to --query within");
+  }
+  if (options.seed && options.random == 0 && options.grazing == 0) {
+    throw UsageError("--seed belongs to --random and --grazing");
   }
 }
 
 std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMesh& a, const Mesh& b) {
-  if (options.random > 0) return compare::random_poses(a, b, options.random, options.seed);
-  if (options.grazing > 0) return compare::grazing_poses(a, b, options.grazing, options.seed);
+  const std::uint64_t seed = options.seed.value_or(1);
+  if (options.random > 0) return compare::random_poses(a, b, options.random, seed);
+  if (options.grazing > 0) return compare::grazing_poses(a, b, options.grazing, seed);
   if (!options.pose_b.empty()) return {parse_pose(options.pose_b, "--pose-b")};
   if (!options.poses) return {Pose::Identity()};
   std::vector<Pose> poses;

@@ -21,7 +21,7 @@ struct CompareOptions {
   std::optional<std::string> poses;
   std::size_t random = 0;
   std::size_t grazing = 0;
-  std::uint64_t seed = 1;
+  std::optional<std::uint64_t> seed;
   std::string query = "any";
   double clearance = -1;              ///< metres, of --query within
   std::string engines;                ///< names with commas; empty: all

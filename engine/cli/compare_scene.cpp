@@ -28,7 +28,7 @@ constexpr std::size_t kMostDifferences = 40;
 
 void check_scene_options(const CompareOptions& options) {
   const bool has_poses = !options.pose_a.empty() || !options.pose_b.empty() || options.poses ||
-                         options.random > 0 || options.grazing > 0;
+                         options.random > 0 || options.grazing > 0 || options.seed;
   if (has_poses || options.query != "any" || options.clearance >= 0) {
     throw UsageError(
         "of a scene each pair is asked whether it touches: poses and --query belong to two meshes");
@@ -121,9 +121,9 @@ std::string json_of(const Scene& scene, const Place& place) {
                        json_string(answer.engine), answer.brief == "yes",
                        json_string(name_of(judgement.verdict)), json_string(judgement.truth));
     if (judgement.verdict == Verdict::Wrong) {
-      out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
-                         json_string(name_of(judgement.error_class)),
-                         cases::json_number(judgement.error), cases::json_number(judgement.ulps));
+      out += fmt::format(
+          ",\"class\":{},\"error\":{},\"ulps\":{}", json_string(name_of(judgement.error_class)),
+          cases::json_plain_number(judgement.error), cases::json_plain_number(judgement.ulps));
     }
     out += "}";
     separator = ",";

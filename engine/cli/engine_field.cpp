@@ -19,7 +19,10 @@ std::vector<bool> chosen(std::string_view names, std::span<const EngineEntry> en
     const auto at = std::find_if(engines.begin(), engines.end(),
                                  [&](const EngineEntry& entry) { return entry.name == name; });
     if (at == engines.end()) {
-      throw UsageError("--engines: there is no engine " + mesh_io::quoted(name));
+      std::string known;
+      for (const EngineEntry& entry : engines)
+        known += (known.empty() ? "" : ", ") + entry.name;
+      throw UsageError("--engines: there is no engine " + mesh_io::quoted(name) + ", but " + known);
     }
     if (at->engine == nullptr) {
       throw UsageError(

@@ -1,5 +1,6 @@
 #include <graze/engine/compare/run/baseline.h>
 
+#include <algorithm>
 #include <map>
 
 namespace graze::compare {
@@ -10,6 +11,7 @@ BaselineDifference compare_to_baseline(std::span<const GrazePart> baseline,
   for (const GrazePart& part : baseline)
     old[part.place] = &part;
   BaselineDifference difference;
+  std::vector<double> ratios;
   for (const GrazePart& now : parts) {
     const auto at = old.find(now.place);
     const GrazePart* before = at == old.end() ? nullptr : at->second;
@@ -19,8 +21,12 @@ BaselineDifference compare_to_baseline(std::span<const GrazePart> baseline,
       continue;
     }
     if (now.digest != before->digest) difference.changed.push_back(now.place);
-    difference.old_time += before->time;
-    difference.new_time += now.time;
+    if (before->time > 0) ratios.push_back(now.time / before->time);
+  }
+  if (!ratios.empty()) {
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    difference.time_ratio = *middle;
   }
   for (const auto& [place, ignored] : old)
     difference.missing.push_back(place);

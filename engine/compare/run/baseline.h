@@ -18,8 +18,9 @@ struct GrazePart {
 struct BaselineDifference {
   std::vector<std::size_t> changed;  ///< places where graze's answer has another bit
   std::vector<std::size_t> missing;  ///< one of the two has no answer of graze
-  double old_time = 0;               ///< microseconds, graze's sum over what both have
-  double new_time = 0;
+  /// How many times as long graze took: the median over what both have, so that neither the first
+  /// answer, which builds what others find, nor one slow moment decides.
+  double time_ratio = 1;
 };
 
 BaselineDifference compare_to_baseline(std::span<const GrazePart> baseline,

@@ -8,6 +8,7 @@
 #include <graze/engine/cli/html_report.h>
 #include <graze/engine/cli/replay_run.h>
 #include <graze/engine/cli/usage_error.h>
+#include <graze/engine/compare/run/baseline.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/mesh/distance.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,21 @@ TEST_F(CliCompare, BaselinesSeeAChangedBit) {
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
 }
 
+TEST(Baseline, TimesAreJudgedByTheirMedian) {
+  using compare::GrazePart;
+  const std::vector<GrazePart> old = {{0, "x", 10000}, {1, "x", 10}, {2, "x", 12}, {3, "x", 9}};
+  std::vector<GrazePart> now = old;
+  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 1);
+  now[0].time = 30000;  // the first, which builds the trees, or one slow moment
+  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 1);
+  now = old;
+  for (std::size_t i = 1; i < now.size(); ++i)
+    now[i].time *= 3;
+  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 3);
+  now[1].digest = "y";
+  EXPECT_EQ(compare::compare_to_baseline(old, now).changed, (std::vector<std::size_t>{1}));
+}
+
 TEST_F(CliCompare, ARecordIsOfOneQuestionAndOfItsEngines) {
   options_.query = "within";
   options_.clearance = 0.5;
@@ -166,6 +182,11 @@ TEST_F(CliCompare, BadInputIsRefusedBeforeAnything) {
   options_.query = "within";
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
   options_.query = "any";
+  options_.random = 0;
+  options_.seed = 4;
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "of no random poses";
+  options_.seed.reset();
+  options_.random = 12;
   options_.time_tolerance = std::nan("");
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
   options_.time_tolerance = 1.5;
