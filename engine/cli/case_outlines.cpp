@@ -27,8 +27,9 @@ void add_circle(Points& points, double radius, double z) {
 
 Points unit_ball() {
   Points points = {{0, 0, 1}, {0, 0, -1}};
-  for (int i = 1; i < kTurns / 2; ++i) {
-    const double angle = std::numbers::pi * i / (kTurns / 2);
+  constexpr int kHalf = kTurns / 2;
+  for (int i = 1; i < kHalf; ++i) {
+    const double angle = std::numbers::pi * i / kHalf;
     add_circle(points, std::sin(angle), std::cos(angle));
   }
   return points;

@@ -51,12 +51,14 @@ RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJo
                                  std::span<const compare::EngineEntry> engines) {
   const auto parts_of = [](const std::vector<Record>& records) {
     std::vector<compare::GrazePart> parts;
+    parts.reserve(records.size());
     for (const Record& record : records)
       parts.push_back(graze_part(record));
     return parts;
   };
   const auto lines_of = [&](const std::vector<Record>& records) {
     std::vector<std::string> lines;
+    lines.reserve(records.size());
     for (const Record& record : records)
       lines.push_back(job.write(record));
     return lines;
