@@ -26,6 +26,7 @@ struct OneGuest {
   HWY_INLINE float way(int i) const { return in_node.way[i]; }
   HWY_INLINE float reach(int i) const { return in_node.reach[i]; }
   HWY_INLINE float half(int k) const { return in_node.half[k]; }
+  HWY_INLINE GuestSlab slab() const { return in_node.slab; }
 };
 
 /// One of eight.
@@ -39,6 +40,12 @@ struct GuestAmongOthers {
   HWY_INLINE float way(int i) const { return in_node.way[i][lane]; }
   HWY_INLINE float reach(int i) const { return in_node.reach[i][lane]; }
   HWY_INLINE float half(int k) const { return in_node.half[k][lane]; }
+  HWY_INLINE GuestSlab slab() const {
+    return {{in_node.slope[0][lane], in_node.slope[1][lane]},
+            in_node.slab_middle[lane],
+            in_node.slab_half[lane],
+            in_node.slab_margin};
+  }
 };
 
 /// The bits of the children that the guest is not proved apart from, and how far their middles are
@@ -68,6 +75,9 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const AnyGuest& guest,
                                                            hn::Set(tag, guest.half(k)))));
       apart = hn::Or(apart, hn::Gt(hn::Abs(distance), reach));
     }
+    if (hn::AllTrue(tag, apart)) continue;
+    const SlabGap gap(SlabLanes(host, lane, half), way, guest);
+    apart = hn::Or(apart, hn::Gt(hn::Abs(gap.offset), gap.reach));
     if (hn::AllTrue(tag, apart)) continue;
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 3; ++i) {
