@@ -77,7 +77,7 @@ float fit_node(const CornerRows& rows, const MomentSums& sums,
                WideNode& node) {
   const std::size_t begin = children.front().begin;
   const std::size_t end = children.back().end;
-  node.count = static_cast<std::uint32_t>(children.size());
+  node.count = static_cast<std::uint16_t>(children.size());
   const RangeMoments moments = sums.of(begin, end);
   float origin[3];
   choose_origin(moments, end - begin, origin);

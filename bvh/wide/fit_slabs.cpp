@@ -31,6 +31,9 @@ void choose_slopes(const RangeMoments& moments, const NodeAxes& axes, WideNode& 
     node.slope[k][lane] = is_across ? nearest_slope(along[k] / along[2]) : std::int8_t{0};
 }
 
+/// Slabs that are not so much thinner than boxes cost more than they save.
+constexpr double kWorthAsking = 0.85;
+
 /// All but the slopes.
 void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
               const PrimitiveRange& range, WideNode& node, std::uint32_t lane) {
@@ -83,6 +86,25 @@ void refit_slabs(const CornerRows& rows, const NodeAxes& axes, const float* orig
                  std::span<const PrimitiveRange> children, WideNode& node) {
   for (std::uint32_t j = 0; j < node.count; ++j)
     set_slab(rows, axes, origin, children[j], node, j);
+}
+
+void choose_slabs(std::span<WideNode> nodes) {
+  double boxes = 0;
+  double slabs = 0;
+  for (const WideNode& node : nodes) {
+    for (std::uint32_t j = 0; j < node.count; ++j) {
+      const double a = WideNode::slope_of(node.slope[0][j]);
+      const double b = WideNode::slope_of(node.slope[1][j]);
+      const double reach =
+          std::abs(a) * node.half[0][j] + std::abs(b) * node.half[1][j] + node.half[2][j];
+      boxes += node.half[2][j];
+      slabs +=
+          (node.slab_half[j] + 1) * WideNode::kSlabHalfUnit * reach / std::sqrt(a * a + b * b + 1);
+    }
+  }
+  const bool are_worth_asking = slabs < kWorthAsking * boxes;
+  for (WideNode& node : nodes)
+    node.has_slabs = are_worth_asking;
 }
 
 }  // namespace graze::bvh

@@ -19,6 +19,10 @@ void fit_slabs(const CornerRows& rows, const MomentSums& sums, const NodeAxes& a
 void refit_slabs(const CornerRows& rows, const NodeAxes& axes, const float* origin,
                  std::span<const PrimitiveRange> children, WideNode& node);
 
+/// Says in all nodes of a treelet whether its slabs are so much thinner than its boxes that it pays
+/// to ask them: in all alike, for walks cannot predict what changes from node to node.
+void choose_slabs(std::span<WideNode> nodes);
+
 /// A slab that says no more than the box.
 void clear_slab(WideNode& node, std::uint32_t lane);
 

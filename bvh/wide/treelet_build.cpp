@@ -25,7 +25,7 @@ WideNode node_along_coordinates(std::uint32_t count) {
   WideNode node{};
   for (int k = 0; k < 3; ++k)
     node.axes[k][k] = 1;
-  node.count = count;
+  node.count = static_cast<std::uint16_t>(count);
   return node;
 }
 

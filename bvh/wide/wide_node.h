@@ -22,7 +22,9 @@ struct alignas(32) WideNode {
   float centre[3][kWidth];
   float half[3][kWidth];
   float axes[3][3];     // [component][axis]: unit vectors at right angles, but for rounding
-  std::uint32_t count;  // of children, at least 1
+  std::uint16_t count;  // of children, at least 1
+  std::uint16_t
+      has_slabs;  // whether these are so much thinner than the boxes that it pays to ask them
   double origin[3];
   std::uint32_t child[kWidth];      // as ChildLink packs them
   std::int8_t slope[2][kWidth];     // q stands for q |q| 2^-14: finer where it is small
@@ -39,7 +41,7 @@ struct alignas(32) WideNode {
   static constexpr float kSlabHalfUnit = 0x1p-8f;
 
   /// The bits of the lanes that hold a child.
-  std::uint32_t lanes() const { return (1u << count) - 1; }
+  std::uint32_t lanes() const { return (1u << count) - 1u; }
 };
 static_assert(sizeof(WideNode) == 320, "five cache lines");
 
