@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace graze::bvh {
@@ -33,6 +34,9 @@ class TraversalStack {
     spilled_.pop_back();
     return entry;
   }
+
+  /// What came last and what came first change places.
+  void swap_ends() { std::swap(at(0), at(size_ - 1)); }
 
   /// Takes every other entry out, from the first on, and hands each to `take(entry)`.
   template <typename Take>

@@ -50,6 +50,11 @@
 // 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
 // twice as much.
 //
+// Primitives of a leaf in a node. Beside the error of a corner in the host's treelet, which turned
+// counts 1.74 times, the way to the node's origin, the turn and heights along a normal round by 14
+// u of the sum that kCornerError multiplies, the box's height, reach and ends by 28 u of the host's
+// reach.
+//
 // Shared axes. Boxes of both trees along three axes at right angles, in common units and from a
 // point near what is looked for. Let |o| be the size of the coordinate of a node's origin there,
 // which is computed in double, S the sum of the sizes of a box's centre and half extents. The
@@ -78,6 +83,8 @@ namespace graze::bvh {
 
 inline constexpr float kFitError = 0x1p-19f;
 inline constexpr float kComparisonError = 0x1p-17f;
+/// Of a leaf's error, along the axes of a node and normals.
+inline constexpr float kLeafInNodeError = 8;
 /// Of a comparison's margin, along a slab's normal, which is longer than 1.
 inline constexpr float kSlabMargins = 4;
 inline constexpr float kCornerError = 0x1p-19f;

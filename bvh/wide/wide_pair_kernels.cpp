@@ -7,6 +7,7 @@
 #include <graze/bvh/wide/wide_pair_walk.h>
 #include <hwy/highway.h>
 #include <graze/bvh/wide/guest_node.inc>
+#include <graze/bvh/wide/leaf_in_node.inc>
 #include <graze/bvh/wide/near_primitives.inc>
 #include <graze/bvh/wide/slab_lanes.inc>
 #include <graze/bvh/wide/slots.inc>
@@ -151,12 +152,21 @@ class Walker {
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
   std::size_t run() {
-    while (!state_.open.empty() && size_ + WidePairWalk::kMostAtOnce <= found_.size())
+    while (!state_.open.empty() && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
+      if (state_.steps_left != 0) look_elsewhere_in_time();
       compare(state_.open.pop());
+    }
     return size_;
   }
 
  private:
+  HWY_INLINE void look_elsewhere_in_time() {
+    if (--state_.steps_left > 0) return;
+    state_.patience *= 2;
+    state_.steps_left = state_.patience;
+    state_.open.swap_ends();
+  }
+
   HWY_INLINE void compare(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -231,12 +241,22 @@ class Walker {
     push_all(1 - host_side, guests, lanes, host);
   }
 
-  /// What of a host's children is near a guest: leaves are compared with leaves at once.
+  /// What of a host's children is near a guest: leaves are compared with leaves at once. Several
+  /// children near one leaf are first tried against its primitives one by one: where these are
+  /// large beside the children, much of the leaf's box is empty.
   HWY_INLINE void push_or_compare(int host_side, const WideSlot& below, std::uint32_t near,
                                   const float* squared_ways, const WideSlot& guest,
                                   std::uint32_t guest_link) {
     const bool is_guest_leaf = ChildLink::is_leaf(guest_link);
     bool is_guest_leaf_set = false;
+    if (is_guest_leaf && std::popcount(near) > 1) {
+      set_guest_leaf(guest_leaf_, state_.tree[1 - host_side]->treelet(guest.treelet), guest_link,
+                     state_.tree[host_side]->treelet(below.treelet), state_.into[host_side]);
+      is_guest_leaf_set = true;
+      set_leaf_in_node(leaf_in_node_, guest_leaf_, *below.node,
+                       state_.tree[host_side]->treelet(below.treelet).origin);
+      near &= near_primitives_of(leaf_in_node_, ChildLink::count(guest_link), *below.node);
+    }
     while (near != 0) {
       const std::uint32_t lane = farthest(near, squared_ways);
       near &= ~(1u << lane);
@@ -303,6 +323,7 @@ class Walker {
   GuestsInNode guests_in_node_;
   LeafLanes host_leaf_;
   GuestLeaf guest_leaf_;
+  LeafInNode leaf_in_node_;
   alignas(32) float squared_ways_[WideNode::kWidth];
 };
 

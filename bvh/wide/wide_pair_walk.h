@@ -42,6 +42,12 @@ class WidePairWalk {
   /// The next pairs; none when there are no more.
   std::size_t next(std::span<PlacePair> found);
 
+  /// For a query that is over with the first pair: now and then, each time after twice as many
+  /// steps, what waits longest is looked at next, because a walk into a place where surfaces nearly
+  /// coincide but do not meet may be long while others meet nearby. Which pair comes first then may
+  /// differ between SIMD targets.
+  void look_elsewhere() { state_.steps_left = state_.patience = kPatience; }
+
   /// Two children that wait to be compared: what lies below them is a walk of its own.
   struct Waiting {
     WideSlot a;
@@ -62,7 +68,7 @@ class WidePairWalk {
   /// A walk over the same trees in the same poses in which nothing waits yet.
   WidePairWalk another() const {
     return WidePairWalk(
-        State{{state_.tree[0], state_.tree[1]}, {state_.into[0], state_.into[1]}, {}});
+        State{{state_.tree[0], state_.tree[1]}, {state_.into[0], state_.into[1]}, {}, 0, 0});
   }
 
   const WideWalkCounts& counts() const { return counts_; }
@@ -73,9 +79,13 @@ class WidePairWalk {
     const WideTree* tree[2];
     WideWay into[2];  // of guests from the other tree
     TraversalStack<Waiting, 192> open;
+    std::uint32_t patience = 0;    // steps until the walk looks elsewhere
+    std::uint32_t steps_left = 0;  // of these; 0 if it never does
   };
 
  private:
+  static constexpr std::uint32_t kPatience = 16;
+
   explicit WidePairWalk(const State& state) : state_(state) {}
 
   State state_;

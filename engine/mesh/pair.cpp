@@ -28,6 +28,17 @@ void for_each_wide_pair(const PlacedMesh& a, const PlacedMesh& b, Touch touch, W
   add_counts(walk.counts(), work);
 }
 
+bool has_wide_pair(const PlacedMesh& a, const PlacedMesh& b, Touch touch, Work& work) {
+  narrowphase::check_touch(touch);
+  const WideQuery query(a, b, work);
+  if (query.are_far_apart(work)) return false;
+  bvh::WidePairWalk walk = query.walk();
+  Candidates candidates(touch, work);
+  const bool is_hit = query.has_any(walk, candidates);
+  add_counts(walk.counts(), work);
+  return is_hit;
+}
+
 /// Calls `on_pair(pair)` with the indices of each pair of triangles that meet, until it answers
 /// Stop.
 template <typename OnPair>
@@ -84,10 +95,13 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QueryS
     check_closed(mesh_b.mesh, "mesh B");
   }
   CountedWork counted(work);
-  const bool is_touching = has_any([&](auto&& on_pair) {
-    for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
-                  counted.work(), on_pair);
-  });
+  const bool is_touching =
+      settings.volume == Volume::Wide
+          ? has_wide_pair(mesh_a, mesh_b, settings.touch, counted.work())
+          : has_any([&](auto&& on_pair) {
+              for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
+                            counted.work(), on_pair);
+            });
   return is_touching ||
          (settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work()));
 }

@@ -108,6 +108,19 @@ struct WideQuery {
     return candidates.decide(on_pair);
   }
 
+  /// Whether any pair meets. What one step of the walk has found is decided before the next one: it
+  /// is likely to be the last.
+  bool has_any(bvh::WidePairWalk& walk, Candidates& candidates) const {
+    const auto stop = [](TrianglePair) { return bvh::Walk::Stop; };
+    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    walk.look_elsewhere();
+    while (const std::size_t count = walk.next(places)) {
+      if (decide({places, count}, candidates, stop) == bvh::Walk::Stop) return true;
+      if (candidates.decide(stop) == bvh::Walk::Stop) return true;
+    }
+    return false;
+  }
+
  private:
   void fetch_ahead(std::span<const bvh::PlacePair> places, std::size_t i) const {
     constexpr std::size_t kIndicesAhead = 8;

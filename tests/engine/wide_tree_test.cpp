@@ -248,6 +248,20 @@ TEST(WideTree, SlabsKeepNearlyParallelSheetsApart) {
   EXPECT_TRUE(intersects({hills}, {hills, above}));
 }
 
+// A leaf of large triangles has a box that is mostly empty beside small ones.
+TEST(WideTree, LargeTrianglesMeetFewSmallOnes) {
+  const Mesh hills = make_hills(8);
+  const Mesh ball = tests::make_sphere(0.2, 60, 60);
+  Pose above = Pose::Identity();
+  above.translation() << 0.5, 0.5, 0.23;
+  Work work;
+  EXPECT_FALSE(intersects({hills}, {ball, above}, &work));
+  EXPECT_LT(work.volume_tests, 300u);
+  EXPECT_LT(work.filter_tests, 100u);
+  above.translation().z() = 0.15;
+  EXPECT_TRUE(intersects({hills}, {ball, above}));
+}
+
 /// Two meshes of a few triangles, of which two touch to within rounding.
 struct TouchingPair {
   Mesh a;
