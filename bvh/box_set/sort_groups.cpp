@@ -20,8 +20,7 @@ using GroupBlocks = std::array<std::uint8_t, kLanes * kLanes>;
 
 struct GroupItem {
   std::array<float, 3> centre;  // from any box of the group
-  std::uint32_t owner;
-  std::uint32_t place;  // within the group
+  std::uint32_t place;          // within the group
 };
 
 std::size_t longest_axis(std::span<const GroupItem> items) {
@@ -73,7 +72,7 @@ void select(std::span<GroupItem> items, std::size_t axis, std::size_t count) {
   std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(count), items.end(),
                    [axis](const GroupItem& s, const GroupItem& t) {
                      return s.centre[axis] != t.centre[axis] ? s.centre[axis] < t.centre[axis]
-                                                             : s.owner < t.owner;
+                                                             : s.place < t.place;
                    });
 }
 
@@ -152,7 +151,6 @@ void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
       if (count == 1) origin[c] = value_of_key(box[c]);
       item.centre[c] = centre(box[c], box[c + 3], origin[c]);
     }
-    item.owner = owner_[base + i];
     item.place = i;
   }
   GroupBlocks block_of;

@@ -47,6 +47,22 @@ def print_scenes(scenes):
     print("bytes a box: " + ", ".join(held))
 
 
+def print_churn(churn):
+    sizes = sorted({row["boxes"] for row in churn})
+    print("\n| milliseconds a frame | " + " | ".join(f"{size:,} boxes" for size in sizes) + " |")
+    print("|---" * (len(sizes) + 1) + "|")
+    for one_in in sorted({row["boxes"] // row["replaced"] for row in churn}, reverse=True):
+        cells = []
+        for size in sizes:
+            rows = [row for row in churn if row["boxes"] == size and row["boxes"] // row["replaced"] == one_in]
+            own, peer = row_of(rows, "graze"), best_peer(rows)
+            cell = number(own["median_ms"])
+            if peer:
+                cell += f" ({number(peer['median_ms'] / own['median_ms'])}: {peer['contestant']})"
+            cells.append(cell)
+        print(f"| one in {one_in} replaced | " + " | ".join(cells) + " |")
+
+
 def print_movers(rows):
     counts = sorted({row["movers"] for row in rows})
     print("\n| microseconds a step | " + " | ".join(f"{count} movers" for count in counts) + " |")
@@ -60,6 +76,7 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         result = json.load(file)
     print_scenes(result["scenes"])
+    print_churn(result["churn"])
     print_movers(result["movers"])
 
 

@@ -221,7 +221,7 @@ TEST(BroadPhaseChurn, EqualsBruteForce) {
 }
 
 /// Every box has moved since the update, far: as if the update had been made.
-TEST(BroadPhaseQuery, BeforeAnUpdateByManyThreads) {
+TEST(BroadPhaseQueryThreads, BeforeAnUpdate) {
   Crowd crowd(3000);
   crowd.broad.update();
   for (int frame = 0; frame < 3; ++frame) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "tests/engine/broad_phase/box_histories.h"
@@ -127,7 +128,7 @@ TEST_P(BroadPhaseDeterminism, OrderOfInsertion) {
 
 /// So many that threads share the work; for fewer all is done in one go.
 TEST(BroadPhaseDeterminismOfThousands, Threads) {
-  for (const int threads : {1, 2, 4, 8}) {
+  for (const int threads : {1, 2, 4, 8, std::numeric_limits<int>::max()}) {
     const Hashes result = run({.habitat = Habitat::Uniform, .count = 9000, .threads = threads});
     EXPECT_EQ(result.lists, 2831215926047155900u) << threads << " threads";
     EXPECT_EQ(result.sorted, 7803717494874428077u) << threads << " threads";
