@@ -41,7 +41,8 @@ def print_scenes(scenes):
     mean = math.exp(sum(map(math.log, ratios)) / len(ratios)) if ratios else math.nan
     print(f"\nbest peer over graze: geometric mean {mean:.1f}, least {min(ratios, default=math.nan):.1f}")
     largest = [f"{scene} {size:,}: {gain:.2f}" for (scene, size), gain in threads.items() if size >= 100000]
-    print("one thread over two: " + ", ".join(largest))
+    if largest:
+        print("one thread over two: " + ", ".join(largest))
     held = [f"{row['scene']} {row['boxes']:,}: {row['bytes_per_box']:.1f}" for row in scenes
             if row["contestant"] == "graze" and row["boxes"] >= 100000]
     print("bytes a box: " + ", ".join(held))
