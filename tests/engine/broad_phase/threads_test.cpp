@@ -16,7 +16,7 @@ using test::Chance;
 using test::Habitat;
 
 // Enough for chunks of every kind of work, and for a sort that forks.
-constexpr std::uint32_t kCount = 12000;
+constexpr std::uint32_t kCount = 9000;
 
 /// The same boxes twice: one broad phase with many threads, one with a single one.
 class Both {
