@@ -15,10 +15,17 @@ constexpr std::size_t kHoleShare = 8;
 constexpr std::size_t kUnsettledShare = 4;
 constexpr double kMuchInflated = 4;
 
+// What sorting newcomers costs, each, in blocks that a lookup could have met instead.
+constexpr std::size_t kNewcomerSortCost = 8;
+
 // A block is looked at for strays when its girth has grown by this factor, unless one block in so
 // many has; a box is one if the block without it has at most this share of its girth.
 constexpr double kStretched = 2;
 constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
+
+constexpr double kLeft = 1.5;  // a mover that stretches its block so far has left
+constexpr std::size_t kAskedShare = 64;
+constexpr std::size_t kLeftShare = 4;
 
 constexpr std::size_t kFewStretched = 4;
 constexpr std::size_t kStretchedShare = 32;
@@ -42,8 +49,15 @@ std::size_t BoxSet::layer_of(std::uint32_t block) const {
 }
 
 OrderedBox BoxSet::box(std::uint32_t owner) const {
-  const std::uint32_t place = place_[owner];
-  return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+  return box_at(place_[owner]);
+}
+
+/// kNobody if there is none.
+std::uint32_t BoxSet::empty_place(std::uint32_t block) const {
+  for (std::uint32_t place = block * kLanes; place < (block + 1) * kLanes; ++place) {
+    if (owner_[place] == kNobody) return place;
+  }
+  return kNobody;
 }
 
 void BoxSet::prefetch(std::uint32_t place) const {
@@ -111,33 +125,47 @@ void BoxSet::erase(std::uint32_t owner) {
   owner_[place] = kNobody;
   place_[owner] = kNobody;
   touch(place >> kLaneBits);
+  Layer& layer = layers_[layer_of(place >> kLaneBits)];
+  layer.note_hole((place >> kLaneBits) - layer.first_block);
   ++holes_;
   --size_;
+}
+
+/// A box that leaves its neighbours for good would make their block span the way between.
+bool BoxSet::leaves_neighbours(const Layer& layer, std::uint32_t block,
+                               const OrderedBox& box) const {
+  const std::uint32_t here = block - layer.first_block;
+  const Block& parent = layer.upper[1][here >> kLaneBits];
+  const std::uint32_t lane = here & (kLanes - 1);
+  Block spanned = empty_block();
+  for (std::size_t c = 0; c < 3; ++c) {
+    spanned.row[c][0] = std::min(parent.row[c][lane], high_half(box[c]));
+    spanned.row[c + 3][0] = std::max(parent.row[c + 3][lane], high_half(box[c + 3]));
+    spanned.row[c][1] = high_half(box[c]);
+    spanned.row[c + 3][1] = high_half(box[c + 3]);
+  }
+  // Newcomers have no block of their own yet: any that they leave is a reason to look for one.
+  if (here >= layer.sorted_girth.size()) return girth(spanned, 0) > girth(parent, lane);
+  return girth(spanned, 0) > kLeft * (layer.sorted_girth[here] + girth(spanned, 1));
 }
 
 void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
   const std::uint32_t place = place_[owner];
   const std::uint32_t block = place >> kLaneBits;
-  const std::size_t number = all_touched_ ? layers_.size() - 1 : layer_of(block);
-  if (number + 1 != layers_.size()) {
-    // A box that leaves its neighbours for good would make their block span the way between.
-    const Layer& layer = layers_[number];
-    const std::uint32_t here = block - layer.first_block;
-    Block spanned = empty_block();
-    const Block& parent = layer.upper[1][here >> kLaneBits];
-    const std::uint32_t lane = here & (kLanes - 1);
-    for (std::size_t c = 0; c < 3; ++c) {
-      spanned.row[c][0] = std::min(parent.row[c][lane], high_half(box[c]));
-      spanned.row[c + 3][0] = std::max(parent.row[c + 3][lane], high_half(box[c + 3]));
-      spanned.row[c][1] = high_half(box[c]);
-      spanned.row[c + 3][1] = high_half(box[c + 3]);
-    }
-    const double usual = layer.sorted_girth[here] + girth(spanned, 1);
-    if (girth(spanned, 0) > 2 * usual) {
-      erase(owner);
+  // Of many movers only a sample is asked whether they left, unless much of it did.
+  const bool is_asked = moves_ < kLanes + size_ / kAskedShare || arrivals_ > moves_ / kLeftShare;
+  ++moves_;
+  const std::size_t layer = is_asked ? layer_of(block) : 0;
+  if (is_asked && leaves_neighbours(layers_[layer], block, box)) {
+    erase(owner);
+    if (fill_hole(owner, box)) return;
+    if (layer + 1 != layers_.size()) {
       append(owner, box);
       return;
     }
+    --holes_;
+    take(place, owner, box);
+    return;
   }
   set_lane(high_[block], low_[block], place & (kLanes - 1), box);
   touch(block);
@@ -153,7 +181,7 @@ void BoxSet::refit() {
   refit_touched();
   sort_groups();
   arrivals_before_ = arrivals_;
-  arrivals_ = 0;
+  arrivals_ = moves_ = 0;
 }
 
 void BoxSet::refit_every_layer() {
@@ -290,14 +318,16 @@ void BoxSet::settle() {
   }
 }
 
-void BoxSet::sort_if_crowded() {
+void BoxSet::sort_if_crowded(std::size_t lookups) {
   const double blocks = static_cast<double>(high_.size());
   if (newcomers_ > kFewNewcomers + size_ / kNewcomerShare ||
       holes_ > kFewNewcomers + size_ / kHoleShare || inflation_ > blocks) {
     sort();
-  } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {
-    sort_newcomers();
+    return;
   }
+  // A lookup meets every block of newcomers in the order in which they came.
+  const std::size_t unsorted = newcomers_ - std::min(newcomers_, sorted_newcomers_);
+  if (unsorted / kLanes * lookups > kNewcomerSortCost * newcomers_) sort_newcomers();
 }
 
 std::size_t BoxSet::bytes() const {
@@ -307,7 +337,8 @@ std::size_t BoxSet::bytes() const {
   for (const Layer& layer : layers_) {
     for (const std::vector<Block>& level : layer.upper)
       sum += level.capacity() * sizeof(Block);
-    sum += layer.sorted_girth.capacity() * sizeof(float);
+    sum += layer.sorted_girth.capacity() * sizeof(float) + layer.holed.capacity() * 2 +
+           layer.is_filled.capacity() / 8;
   }
   sum += scratch_.is_named.capacity() / 8 + scratch_.ranked.bytes();
   for (const PairBuffer& found : scratch_.found)

@@ -7,6 +7,7 @@
 #include <graze/bvh/box_set/ray_walk.h>
 #include <graze/bvh/box_set/workers.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -74,8 +75,10 @@ class BoxSet {
   /// Puts all boxes into a new order, if the old one has cost more by now than that does.
   /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.
   void sort_if_worthwhile();
-  void sort_if_crowded();
   void sort();
+
+  /// The same before so many lookups, for boxes that came in a crowd.
+  void sort_if_crowded(std::size_t lookups);
 
   /// All pairs that overlap, each once, in an order that the history of the set decides.
   void find_all_pairs(PairBuffer& out);
@@ -91,6 +94,8 @@ class BoxSet {
   /// Visits the boxes along a ray, as bvh::walk_along() says.
   void walk_along(const RaySlabs& ray, double& limit, const RayVisitor& visit) const;
 
+  /// Boxes that came, or went far, since the last refit.
+  std::size_t arrivals() const { return arrivals_; }
   std::uint64_t sorts() const { return sorts_; }
   std::uint64_t groups_sorted() const { return groups_sorted_; }
   std::uint64_t blocks_met() const { return met_; }
@@ -118,14 +123,20 @@ class BoxSet {
   struct FilledGroup {
     std::uint32_t layer;
     std::uint32_t block;
-    friend auto operator<=>(const FilledGroup&, const FilledGroup&) = default;
   };
 
+  /// Of a group of 16 blocks: where each place within it is to go, a block within it.
+  using GroupBlocks = std::array<std::uint8_t, kLanes * kLanes>;
+
   std::size_t layer_of(std::uint32_t block) const;
+  OrderedBox box_at(std::uint32_t place) const {
+    return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+  }
+  std::uint32_t empty_place(std::uint32_t block) const;
   void take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box);
   void append(std::uint32_t owner, const OrderedBox& box);
+  bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
   bool fill_hole(std::uint32_t owner, const OrderedBox& box);
-  std::uint32_t holes_below(const Layer& layer, std::uint32_t block) const;
   void make_room(std::size_t lanes);
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
@@ -139,6 +150,7 @@ class BoxSet {
   void sort_newcomers();
   void sort_groups();
   void sort_group(Layer& layer, std::uint32_t group);
+  void regroup(std::uint32_t base, const GroupBlocks& block_of);
   double inflation_of_group(const Layer& layer, std::uint32_t first) const;
   std::vector<KdItem> sample_centres(const double* origin) const;
   std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
@@ -164,7 +176,8 @@ class BoxSet {
   std::size_t newcomers_ = 0;         // positions of the last layer that are or were taken
   std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
   std::size_t holes_ = 0;
-  std::size_t arrivals_ = 0;         // since the last refit
+  std::size_t moves_ = 0;            // one by one, since the last refit
+  std::size_t arrivals_ = 0;         // since the last refit: new, or left their neighbours
   std::size_t arrivals_before_ = 0;  // between that and the one before
   bool all_touched_ = false;
   Workers workers_;

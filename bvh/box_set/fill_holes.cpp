@@ -11,7 +11,7 @@ namespace {
 
 // Of more boxes between two refits each is not looked after: a sort costs less.
 constexpr std::size_t kFewArrivals = 256;
-constexpr std::size_t kArrivalShare = 32;
+constexpr std::size_t kArrivalShare = 6;
 
 constexpr double kWidened = 2;  // how much wider a block may become than sorted ones are
 
@@ -64,21 +64,6 @@ constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 
 }  // namespace
 
-/// Which blocks below one have an empty lane. Those at the end of the layer are no holes.
-std::uint32_t BoxSet::holes_below(const Layer& layer, std::uint32_t block) const {
-  std::uint32_t bits = 0;
-  for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-    const std::uint32_t here = block * kLanes + lane;
-    if (here + 1 >= layer.block_count) break;
-    const std::uint32_t* owner = owner_.data() + (layer.first_block + here) * kLanes;
-    std::uint32_t has_hole = 0;
-    for (std::uint32_t i = 0; i < kLanes; ++i)
-      has_hole |= owner[i] == kNobody;
-    bits |= has_hole << lane;
-  }
-  return bits;
-}
-
 /// False if none of the 256 places where the box belongs is empty and near.
 bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   ++arrivals_;
@@ -86,7 +71,7 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   if (holes_ == 0 || layers_.size() < 2) return false;
   const std::uint8_t number = layer_of_class_[static_cast<std::size_t>(size_class(box))];
   if (number == kNoLayer) return false;
-  const Layer& layer = layers_[number];
+  Layer& layer = layers_[number];
   std::uint32_t block = 0;
   for (int level = layer.top; level > 1; --level) {
     const Block& here = layer.upper[level][block];
@@ -95,16 +80,16 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
     if (choice.lane == kNobody) return false;
     block = block * kLanes + choice.lane;
   }
-  const Choice choice = best_lane(layer.upper[1][block], box, holes_below(layer, block));
+  const Choice choice = best_lane(layer.upper[1][block], box, layer.holed[block]);
   if (choice.lane == kNobody) return false;
   const std::uint32_t leaf = block * kLanes + choice.lane;
   const double usual = layer.sorted_girth[leaf] + girth(spanned(empty_block(), 0, box), 0);
   if (choice.girth > kWidened * usual) return false;
-  const std::uint32_t first = (layer.first_block + leaf) * kLanes;
-  const auto hole = std::find(owner_.begin() + first, owner_.begin() + first + kLanes, kNobody);
   --holes_;
-  filled_.push_back({number, block});
-  take(static_cast<std::uint32_t>(hole - owner_.begin()), owner, box);
+  if (!layer.is_filled[block]) filled_.push_back({number, block});
+  layer.is_filled[block] = true;
+  take(empty_place(layer.first_block + leaf), owner, box);
+  if (empty_place(layer.first_block + leaf) == kNobody) layer.note_filled(leaf);
   return true;
 }
 

@@ -1,6 +1,6 @@
 #include <graze/bvh/box_set/block.h>
+#include <graze/bvh/box_set/fork.h>
 #include <graze/bvh/box_set/kd_order.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <bit>
@@ -120,7 +120,7 @@ void order(std::span<KdItem> items) {
     const std::size_t left = left_blocks((items.size() + kLanes - 1) / kLanes) * kLanes;
     select(items, axis, left);
     if (items.size() >= kParallelItems) {
-      tbb::parallel_invoke([=] { order(items.first(left)); }, [=] { order(items.subspan(left)); });
+      fork_both([=] { order(items.first(left)); }, [=] { order(items.subspan(left)); });
       return;
     }
     order(items.first(left));

@@ -1,9 +1,21 @@
 #pragma once
 
+#include <graze/bvh/box_set/ordered_box.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace graze::bvh {
+
+/// The middle between two keys of ordered_box(), from an origin that precision does not ask much
+/// of: rounded, but always finite.
+static inline float centre(std::int64_t low, std::int64_t high, double origin) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  const double value = 0.5 * value_of_key(low) + 0.5 * value_of_key(high) - origin;
+  return static_cast<float>(std::clamp(value, -kLargest, kLargest));
+}
 
 /// A box to be put in order: its centre, rounded, and its owner, which decides between equal ones.
 struct KdItem {

@@ -90,6 +90,11 @@ TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_
   return tree;
 }
 
+void Layer::note_hole(std::uint32_t block) {
+  if (block + 1 < sorted_girth.size())
+    holed[block >> kLaneBits] |= static_cast<std::uint16_t>(1u << (block & (kLanes - 1)));
+}
+
 double Layer::girth_of(std::uint32_t block) const {
   return girth(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }

@@ -15,6 +15,8 @@ struct Layer {
   int top = 0;
   std::vector<Block> upper[kMaxLevels];  // [0] stays empty
   std::vector<float> sorted_girth;       // of each block when it was sorted, see girth()
+  std::vector<std::uint16_t> holed;      // by blocks of upper[1]: which blocks below have holes
+  std::vector<bool> is_filled;           // likewise: a box came to a hole since the last refit
 
   bool needs_refit_of_all = false;
 
@@ -23,6 +25,13 @@ struct Layer {
 
   /// The tree over the blocks, with what belongs to them; all three begin with the first block.
   TreeView view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const;
+
+  /// A box has gone from a block that was sorted, or a hole of it was filled. The empty lanes at
+  /// the end of the layer are no holes.
+  void note_hole(std::uint32_t block);
+  void note_filled(std::uint32_t block) {
+    holed[block >> kLaneBits] &= static_cast<std::uint16_t>(~(1u << (block & (kLanes - 1))));
+  }
 
   /// girth() of all boxes of a block, as of the last refit.
   double girth_of(std::uint32_t block) const;

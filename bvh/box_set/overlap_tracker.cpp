@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kFewShare = 16;
 constexpr std::size_t kAlwaysFew = 2;
 
-constexpr std::size_t kAhead = 4;  // movers whose blocks are fetched before they are needed
+constexpr std::size_t kAhead = 8;  // pairs whose entries are fetched before they are needed
 
 BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
   return {std::min(s, t), std::max(s, t)};
@@ -56,39 +56,55 @@ void OverlapTracker::forget_changes() {
 }
 
 void OverlapTracker::insert(std::uint32_t owner, const Aabb& box) {
-  end_moves();
-  note(owner);
-  set_.insert(owner, ordered_box(box));
+  wait({Verb::Insert, owner, box});
 }
 
 void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
-  if (waiting_count_ == kMostWaiting) end_moves();
-  waiting_[waiting_count_++] = {box, owner};
-  set_.prefetch(set_.place(owner));
+  wait({Verb::Move, owner, box});
 }
 
-void OverlapTracker::end_moves() {
+void OverlapTracker::erase(std::uint32_t owner) {
+  wait({Verb::Erase, owner, {}});
+}
+
+/// Changes are made in the order in which they came.
+void OverlapTracker::wait(const Waiting& change) {
+  if (waiting_count_ == kMostWaiting) end_waiting();
+  waiting_[waiting_count_++] = change;
+  const std::uint32_t place = set_.place(change.owner);
+  if (place != kNobody) set_.prefetch(place);
+}
+
+void OverlapTracker::end_waiting() {
   for (std::size_t i = 0; i < waiting_count_; ++i) {
-    note(waiting_[i].owner);
-    set_.move(waiting_[i].owner, ordered_box(waiting_[i].box));
+    const auto& [verb, owner, box] = waiting_[i];
+    note(owner);
+    switch (verb) {
+      case Verb::Insert:
+        set_.insert(owner, ordered_box(box));
+        break;
+      case Verb::Move:
+        set_.move(owner, ordered_box(box));
+        break;
+      case Verb::Erase:
+        set_.erase(owner);
+        break;
+    }
   }
   waiting_count_ = 0;
 }
 
-void OverlapTracker::erase(std::uint32_t owner) {
-  end_moves();
-  note(owner);
-  set_.erase(owner);
-}
-
 bool OverlapTracker::update() {
-  end_moves();
+  end_waiting();
   begun_.clear();
   ended_.clear();
+  is_difference_sorted_ = true;
   if (!have_many_changed_ && changed_.empty()) {
     has_difference_ = true;
     return false;
   }
+  // What came from afar has its neighbours elsewhere than what was looked up before it.
+  if (are_many(changed_.size() + set_.arrivals())) note_many();
   if (have_many_changed_) {
     search_all();
   } else {
@@ -111,24 +127,38 @@ void OverlapTracker::search_all() {
   ++searches_for_all_;
 }
 
-void OverlapTracker::list_movers() {
-  movers_.clear();
-  for (std::uint32_t i = 0; i < changed_.size(); ++i)
-    movers_.push_back({changed_[i].place, i});
+void OverlapTracker::sort_movers() {
   std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
     return s.place != t.place ? s.place < t.place : s.change < t.change;
   });
+}
+
+/// Neighbours share blocks of the small tree.
+void OverlapTracker::list_former_boxes() {
+  movers_.clear();
+  for (std::uint32_t i = 0; i < changed_.size(); ++i) {
+    if (changed_[i].place != kNobody) movers_.push_back({changed_[i].place, i});
+  }
+  sort_movers();
+  former_.clear();
+  for (const Mover& mover : movers_)
+    former_.add(change_of(mover).owner, change_of(mover).before);
+}
+
+/// Neighbours are looked up together.
+void OverlapTracker::list_movers() {
+  movers_.clear();
+  for (std::uint32_t i = 0; i < changed_.size(); ++i) {
+    const std::uint32_t place = set_.place(changed_[i].owner);
+    movers_.push_back({place != kNobody ? place : changed_[i].place, i});
+  }
+  sort_movers();
 }
 
 /// Both places of a mover are looked up at once, after all have moved. That tells what began and
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
 /// what ended between two is found among the places where they were.
 void OverlapTracker::compare_places() {
-  former_.clear();
-  for (const Mover& mover : movers_) {
-    if (mover.place != kNobody) former_.add(change_of(mover).owner, change_of(mover).before);
-  }
-  set_.refit();
   is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.owner_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)
     look_up_some(first);
@@ -172,7 +202,7 @@ void OverlapTracker::end_pairs_of_movers() {
 void OverlapTracker::edit_list() {
   const auto ended = ended_.pairs(), begun = begun_.pairs();
   for (std::size_t i = 0; i < ended.size(); ++i) {
-    index_.prefetch(ended[std::min(i + kAhead, ended.size() - 1)]);
+    index_.prefetch_removal(pairs_, ended, i);
     index_.remove(pairs_, ended[i]);
   }
   for (std::size_t i = 0; i < begun.size(); ++i) {
@@ -183,15 +213,16 @@ void OverlapTracker::edit_list() {
 
 void OverlapTracker::search_movers() {
   if (!index_.is_built()) index_.build(pairs_);
+  set_.refit();
+  set_.sort_if_crowded(changed_.size());  // before movers are looked up in it
+  list_former_boxes();
   list_movers();
   compare_places();
   edit_list();
-  std::sort(begun_.data(), begun_.data() + begun_.size());
-  std::sort(ended_.data(), ended_.data() + ended_.size());
   if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
   has_difference_ = true;
+  is_difference_sorted_ = false;
   ++searches_for_movers_;
-  set_.sort_if_crowded();
 }
 
 std::span<const BoxPair> OverlapTracker::sorted_pairs() {
@@ -203,6 +234,11 @@ std::span<const BoxPair> OverlapTracker::sorted_pairs() {
 }
 
 void OverlapTracker::work_out_difference() {
+  if (!is_difference_sorted_) {
+    std::sort(begun_.data(), begun_.data() + begun_.size());
+    std::sort(ended_.data(), ended_.data() + ended_.size());
+    is_difference_sorted_ = true;
+  }
   if (has_difference_) return;
   if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.owner_limit());
   if (!is_grouped_) rows_.group(pairs_.pairs(), set_.owner_limit());

@@ -22,7 +22,7 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
-  /// As of the last settle(), update() or end_moves(): a few moves may wait.
+  /// As of the last settle(), update() or end_waiting(): a few changes may wait.
   const BoxSet& set() const { return set_; }
 
   /// As of a box set. An owner that is erased must not come again before the next update.
@@ -30,34 +30,34 @@ class OverlapTracker {
   void move(std::uint32_t owner, const Aabb& box);
   void erase(std::uint32_t owner);
 
-  /// Makes the moves that wait for their blocks to be fetched.
-  void end_moves();
+  /// Makes the changes that wait for their blocks to be fetched.
+  void end_waiting();
 
   /// True if so many changes are handled by a search for all pairs.
   bool are_many(std::size_t changes) const;
 
   /// The same, of so many boxes.
   void move_first(std::span<const Aabb> boxes) {
-    end_moves();
+    end_waiting();
     note_many();
     set_.move_first(boxes);
   }
   template <typename OwnerOf>
   void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
-    end_moves();
+    end_waiting();
     note_many();
     set_.move_ascending(boxes, owner_of);
   }
   template <typename OwnerOf>
   void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
-    end_moves();
+    end_waiting();
     note_many();
     set_.move_many(boxes, owner_of);
   }
 
   /// Makes the set ready for queries. No list changes.
   void settle() {
-    end_moves();
+    end_waiting();
     set_.settle();
   }
 
@@ -77,20 +77,23 @@ class OverlapTracker {
   /// A box that has changed since the last update, as it was then.
   struct Changed {
     OrderedBox before;    // no_box() for one that is new
-    std::uint32_t place;  // in the set: neighbours are looked up together
+    std::uint32_t place;  // in the set; kNobody for one that is new
     std::uint32_t owner;
   };
+  enum class Verb { Insert, Move, Erase };
   struct Waiting {
-    Aabb box;
+    Verb verb;
     std::uint32_t owner;
+    Aabb box;
   };
   struct Mover {
-    std::uint32_t place;   // as there
+    std::uint32_t place;   // now, or where it was if it is gone
     std::uint32_t change;  // which entry of changed_
   };
 
   const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
   std::size_t most_changes() const;
+  void wait(const Waiting& change);
   void note(std::uint32_t owner);
   void note_many();
   void forget_changes();
@@ -100,7 +103,9 @@ class OverlapTracker {
   void look_up_some(std::size_t first);
   void end_pairs_of_movers();
   void edit_list();
+  void list_former_boxes();
   void list_movers();
+  void sort_movers();
   void work_out_difference();
 
   BoxSet set_;
@@ -114,6 +119,7 @@ class OverlapTracker {
   bool is_before_grouped_ = false;  // rows_before_ holds before_
   RowsToSort rows_to_sort_;
   bool has_difference_ = true;  // begun_ and ended_ are up to date
+  bool is_difference_sorted_ = true;
   PairBuffer begun_, ended_;
   static constexpr std::size_t kMostWaiting = 8;
   std::array<Waiting, kMostWaiting> waiting_;

@@ -36,6 +36,17 @@ void PairIndex::add(PairBuffer& list, BoxPair pair) {
   entries_[find(list, pair)] = static_cast<std::uint32_t>(list.size() - 1);
 }
 
+void PairIndex::prefetch_removal(const PairBuffer& list, std::span<const BoxPair> ended,
+                                 std::size_t i) const {
+  constexpr std::size_t kSoon = 8, kNext = 4;
+  if (i + kSoon < ended.size()) prefetch(ended[i + kSoon]);
+  if (i + kNext < ended.size()) {
+    const std::uint32_t entry = entries_[home(ended[i + kNext])];
+    if (entry != kFree) __builtin_prefetch(list.data() + entry);
+  }
+  if (list.size() > kNext) prefetch(list.data()[list.size() - 1 - kNext]);
+}
+
 void PairIndex::remove(PairBuffer& list, BoxPair pair) {
   const std::size_t mask = entries_.size() - 1;
   std::size_t free = find(list, pair);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace graze::bvh {
@@ -27,6 +28,12 @@ class PairIndex {
 
   /// Fetches what the next call that names the pair will look at first.
   void prefetch(BoxPair pair) const { __builtin_prefetch(entries_.data() + home(pair)); }
+
+  /// Fetches what the removals of ended[i + 1] and those after it will look at: the entry first,
+  /// what it names a little later, and the entry of the last of the list, which will take that
+  /// place.
+  void prefetch_removal(const PairBuffer& list, std::span<const BoxPair> ended,
+                        std::size_t i) const;
 
   /// Where in the list the pair is, kNowhere if it is not.
   std::uint32_t position(const PairBuffer& list, BoxPair pair) const {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace graze::bvh {
 namespace {
@@ -18,12 +17,6 @@ constexpr std::size_t kMostLayers = 24;
 constexpr std::size_t kSample = 1024;  // boxes that tell how densely all lie
 
 constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newcomers
-
-float centre(std::int64_t low, std::int64_t high, double origin) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  const double value = 0.5 * value_of_key(low) + 0.5 * value_of_key(high) - origin;
-  return static_cast<float>(std::clamp(value, -kLargest, kLargest));
-}
 
 }  // namespace
 
@@ -88,8 +81,7 @@ void BoxSet::collect_items(SortSpace& space) {
   bool is_first = true;
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
-    const OrderedBox of =
-        lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    const OrderedBox of = box_at(place);
     classes[place] = static_cast<std::int16_t>(size_class(of));
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
@@ -108,8 +100,7 @@ void BoxSet::collect_items(SortSpace& space) {
   std::vector<std::uint32_t> next(start.begin(), start.end());
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
-    const OrderedBox of =
-        lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
+    const OrderedBox of = box_at(place);
     KdItem& item = space.items[next[layer_of_class_[static_cast<std::size_t>(classes[place])]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
@@ -165,11 +156,15 @@ void BoxSet::place_items(const SortSpace& space) {
 void BoxSet::measure_sorted() {
   for (Layer& layer : layers_) {
     layer.sorted_girth.clear();
+    layer.holed.clear();
+    layer.is_filled.clear();
     layer.reshape(layer.first_block, layer.block_count);
     if (layer.block_count == 0) continue;
     layer.refit_all(high_.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
       layer.sorted_girth.push_back(static_cast<float>(layer.girth_of(b)));
+    layer.holed.assign(layer.upper[1].size(), 0);
+    layer.is_filled.assign(layer.upper[1].size(), false);
   }
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <tbb/parallel_for.h>
+#include <graze/bvh/box_set/fork.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -12,7 +13,7 @@ namespace graze::bvh {
 class Workers {
  public:
   explicit Workers(int threads) {
-    if (threads > 1) arena_ = std::make_unique<tbb::task_arena>(threads);
+    if (threads > 1) arena_ = std::make_unique<tbb::task_arena>(std::min(threads, kMostThreads));
   }
 
   /// False if the work had better be done in one go: one thread, or too little for more.
@@ -24,11 +25,11 @@ class Workers {
       for (std::size_t chunk = 0; chunk < chunks; ++chunk)
         work(chunk);
     } else {
-      arena_->execute([&] { tbb::parallel_for(std::size_t{0}, chunks, work); });
+      arena_->execute([&] { fork_each(chunks, work); });
     }
   }
 
-  /// Runs work that starts tasks of its own.
+  /// Runs work that forks.
   template <typename Work>
   void run(const Work& work) const {
     if (arena_ == nullptr) {
@@ -40,6 +41,8 @@ class Workers {
 
  private:
   static constexpr std::size_t kFewBoxes = 4096;
+  static constexpr int kMostThreads =
+      256;  // oneTBB crashes where it has no memory for as many as asked
 
   std::unique_ptr<tbb::task_arena> arena_;
 };

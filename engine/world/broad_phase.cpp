@@ -70,7 +70,7 @@ struct BroadPhase::State {
   bvh::OrderedBox box(std::uint32_t index) {
     if (is_settled.load(std::memory_order_acquire)) return tracker.set().box(index);
     const std::lock_guard lock(settling);
-    tracker.end_moves();
+    tracker.end_waiting();
     return tracker.set().box(index);
   }
 };

@@ -34,7 +34,7 @@ struct BroadPhaseWork {
 };
 
 struct BroadPhaseSettings {
-  int threads = 1;  // at least 1; no result depends on it
+  int threads = 1;  // at least 1, more than 256 are as good as 256; no result depends on it
 };
 
 /// Is told of a box that a ray may meet, by index; returns the distance along the ray, metres,

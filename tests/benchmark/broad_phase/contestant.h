@@ -26,6 +26,16 @@ class Contestant {
   virtual std::span<const BoxPair> step(std::span<const Aabb> boxes,
                                         std::span<const std::uint32_t> moved) = 0;
 
+  /// The boxes named in `replaced` are gone, and new ones have come to the places given in `boxes`.
+  /// For who begins anew in each frame that is a step like any other.
+  virtual std::span<const BoxPair> replace(std::span<const Aabb> boxes,
+                                           std::span<const std::uint32_t> replaced) {
+    return step(boxes, replaced);
+  }
+
+  /// Which box the pairs call by this name.
+  virtual std::uint32_t number(std::uint32_t name) const { return name; }
+
   /// Memory for the boxes beside the pairs; 0 where nobody counts it.
   virtual std::size_t bytes() const { return 0; }
 };

@@ -22,9 +22,10 @@ double median(std::vector<double> values) {
 }
 
 /// A sum over the pairs: pairs that are missing, wrong or there twice change it.
-std::uint64_t number_of(std::span<const BoxPair> pairs) {
+std::uint64_t number_of(const Contestant& contestant, std::span<const BoxPair> pairs) {
   std::uint64_t sum = pairs.size();
-  for (const BoxPair& pair : pairs) {
+  for (const BoxPair& named : pairs) {
+    const BoxPair pair = ordered_pair(contestant.number(named.a), contestant.number(named.b));
     std::uint64_t z = (static_cast<std::uint64_t>(pair.a) << 32 | pair.b) * 0x9e3779b97f4a7c15u;
     z = (z ^ z >> 32) * 0xbf58476d1ce4e5b9u;
     sum += z ^ z >> 29;
@@ -47,10 +48,12 @@ Score measure(const Entry& entry, const Course& course, Truth& truth) {
   for (int frame = 0; frame < course.frames; ++frame) {
     scene->next_frame();
     const double begin = milliseconds(clock);
-    const std::span<const BoxPair> pairs = contestant->step(scene->boxes(), scene->moved());
+    const std::span<const BoxPair> pairs = scene->change() == Scene::Change::IsReplaced
+                                               ? contestant->replace(scene->boxes(), scene->moved())
+                                               : contestant->step(scene->boxes(), scene->moved());
     times.push_back(milliseconds(clock) - begin);
     score.pairs = pairs.size();
-    const std::uint64_t number = number_of(pairs);
+    const std::uint64_t number = number_of(*contestant, pairs);
     if (truth.size() == static_cast<std::size_t>(frame)) truth.push_back(number);
     score.wrong_frames += truth[static_cast<std::size_t>(frame)] != number;
     score.mean += times.back();
@@ -87,32 +90,6 @@ double measure_movers(std::uint32_t boxes, std::uint32_t count, int frames) {
     if (frame >= 3) times.push_back(1e3 * (milliseconds(CLOCK_THREAD_CPUTIME_ID) - begin));
   }
   return median(times);
-}
-
-Churn measure_churn(std::uint32_t boxes, std::uint32_t count, int frames) {
-  const auto scene = make_scene("S1", boxes, 1), others = make_scene("S1", boxes, 2);
-  BroadPhase broad;
-  std::vector<BoxId> ids;
-  for (const Aabb& box : scene->boxes())
-    ids.push_back(broad.add(box));
-  broad.update();
-  Random random(5);
-  std::vector<double> times;
-  Churn churn;
-  for (int frame = 0; frame < frames; ++frame) {
-    const double begin = milliseconds(CLOCK_THREAD_CPUTIME_ID);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      BoxId& id = ids[random.bits() % boxes];
-      broad.remove(id);
-      id = broad.add(others->boxes()[random.bits() % boxes]);
-    }
-    broad.update();
-    times.push_back(milliseconds(CLOCK_THREAD_CPUTIME_ID) - begin);
-    churn.mean += times.back() / frames;
-    churn.slowest = std::max(churn.slowest, times.back());
-  }
-  churn.median = median(times);
-  return churn;
 }
 
 }  // namespace graze::benchmark

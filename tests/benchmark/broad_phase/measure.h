@@ -38,11 +38,4 @@ Score measure(const Entry& entry, const Course& course, Truth& truth);
 /// Microseconds of an update of graze with `count` movers among `boxes`, median.
 double measure_movers(std::uint32_t boxes, std::uint32_t count, int frames);
 
-/// Milliseconds of a step of graze in which `count` among `boxes` are removed and as many added
-/// elsewhere: calls and update.
-struct Churn {
-  double mean = 0, median = 0, slowest = 0;
-};
-Churn measure_churn(std::uint32_t boxes, std::uint32_t count, int frames);
-
 }  // namespace graze::benchmark

@@ -29,6 +29,7 @@ SCENES = {
     "S4": "S4: sizes over three decades, all move",
     "S5": "S5: dense clusters cross each other fast",
 }
+REPLACED = {100: "one in 100 is replaced", 10: "one in 10 is replaced"}
 MOVERS = {0: "*", 10: "o", 1000: "s"}
 
 
@@ -49,17 +50,17 @@ def prepare(axes, title, label):
     axes.set_ylabel(label, fontsize=8)
 
 
-def draw_scene(axes, rows, scene):
+def draw_contest(axes, rows, title):
     for contestant in STYLE:
         points = [(row["boxes"], 1e6 * row["median_ms"] / row["boxes"], row["wrong_frames"])
-                  for row in rows if row["scene"] == scene and row["contestant"] == contestant]
+                  for row in rows if row["contestant"] == contestant]
         if not points:
             continue
         axes.plot([x for x, _, _ in points], [y for _, y, _ in points], **style_of(contestant))
         for x, y, wrong in points:
             if wrong:
                 axes.annotate("wrong", (x, y), xytext=(0, 5), textcoords="offset points", ha="center", fontsize=6)
-    prepare(axes, SCENES[scene], "nanoseconds a box and frame")
+    prepare(axes, title, "nanoseconds a box and frame")
 
 
 def draw_movers(axes, rows):
@@ -75,9 +76,13 @@ def main():
     source, target = sys.argv[1:3]
     with open(source, encoding="utf-8") as file:
         result = json.load(file)
-    figure, panels = plt.subplots(2, 3, figsize=(14, 8.5))
-    for axes, scene in zip(panels.flat, SCENES):
-        draw_scene(axes, result["scenes"], scene)
+    figure, panels = plt.subplots(2, 4, figsize=(18, 8.5))
+    contests = [([row for row in result["scenes"] if row["scene"] == scene], title)
+                for scene, title in SCENES.items()]
+    contests += [([row for row in result["churn"] if row["boxes"] // row["replaced"] == one_in], title)
+                 for one_in, title in REPLACED.items()]
+    for axes, (rows, title) in zip(panels.flat, contests):
+        draw_contest(axes, rows, title)
     draw_movers(panels.flat[-1], result["movers"])
     present = [name for name in STYLE if any(row["contestant"] == name for row in result["scenes"])]
     handles = [plt.Line2D([], [], label=name, **style_of(name)) for name in present]

@@ -198,6 +198,39 @@ class Clusters : public Scene {
   std::vector<Vector3d> centre_, velocity_, offset_, half_;
 };
 
+class Replaced : public Scene {
+ public:
+  Replaced(std::uint32_t count, std::uint64_t seed, std::uint32_t one_in)
+      : random_(seed), half_world_(0.5 * std::cbrt(2.0 * count)), one_in_(one_in) {
+    boxes_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+      place_anywhere(i);
+  }
+  void next_frame() override {
+    const auto count = static_cast<std::uint32_t>(boxes_.size());
+    moved_.clear();
+    for (std::uint32_t k = 0; k < count / one_in_; ++k)
+      moved_.push_back(static_cast<std::uint32_t>(random_.bits() % count));
+    std::sort(moved_.begin(), moved_.end());
+    moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+    for (const std::uint32_t i : moved_)
+      place_anywhere(i);
+  }
+  Change change() const override { return Change::IsReplaced; }
+
+ private:
+  void place_anywhere(std::uint32_t i) {
+    const Vector3d centre = random_.point(half_world_);
+    Vector3d half;
+    for (int c = 0; c < 3; ++c)
+      half[c] = random_.between(0.25, 0.75);
+    place(i, centre, half);
+  }
+  Random random_;
+  double half_world_;
+  std::uint32_t one_in_;
+};
+
 }  // namespace
 
 std::unique_ptr<Scene> make_scene(const std::string& name, std::uint32_t count,
@@ -207,6 +240,9 @@ std::unique_ptr<Scene> make_scene(const std::string& name, std::uint32_t count,
   if (name == "S3") return std::make_unique<Brownian>(count, seed, 100);
   if (name == "S4") return std::make_unique<Decades>(count, seed);
   if (name == "S5") return std::make_unique<Clusters>(count, seed);
+  if (name[0] == 'R')
+    return std::make_unique<Replaced>(count, seed,
+                                      static_cast<std::uint32_t>(std::stoul(name.substr(1))));
   throw std::invalid_argument("unknown scene " + name);
 }
 

@@ -33,6 +33,10 @@ class Scene {
   std::span<const std::uint32_t> moved() const { return moved_; }  // in the last frame, ascending
   virtual void next_frame() = 0;
 
+  /// What happens to those listed in moved().
+  enum class Change { Moves, IsReplaced };
+  virtual Change change() const { return Change::Moves; }
+
  protected:
   void place(std::uint32_t i, const Eigen::Vector3d& centre, const Eigen::Vector3d& half);
   void all_move();
@@ -47,6 +51,8 @@ class Scene {
 /// S3 as S1, one in a hundred moves, others in each frame.
 /// S4 sizes over three decades, all moving by up to a tenth of their size.
 /// S5 clusters of 500 overlapping boxes that cross the world at two box sizes a frame, and jitter.
+/// R and a number, such as R100: boxes as in S1, of which one in so many goes in each frame, and
+/// another comes elsewhere.
 std::unique_ptr<Scene> make_scene(const std::string& name, std::uint32_t count, std::uint64_t seed);
 
 }  // namespace graze::benchmark

@@ -41,10 +41,27 @@ def print_scenes(scenes):
     mean = math.exp(sum(map(math.log, ratios)) / len(ratios)) if ratios else math.nan
     print(f"\nbest peer over graze: geometric mean {mean:.1f}, least {min(ratios, default=math.nan):.1f}")
     largest = [f"{scene} {size:,}: {gain:.2f}" for (scene, size), gain in threads.items() if size >= 100000]
-    print("one thread over two: " + ", ".join(largest))
+    if largest:
+        print("one thread over two: " + ", ".join(largest))
     held = [f"{row['scene']} {row['boxes']:,}: {row['bytes_per_box']:.1f}" for row in scenes
             if row["contestant"] == "graze" and row["boxes"] >= 100000]
     print("bytes a box: " + ", ".join(held))
+
+
+def print_churn(churn):
+    sizes = sorted({row["boxes"] for row in churn})
+    print("\n| milliseconds a frame | " + " | ".join(f"{size:,} boxes" for size in sizes) + " |")
+    print("|---" * (len(sizes) + 1) + "|")
+    for one_in in sorted({row["boxes"] // row["replaced"] for row in churn}, reverse=True):
+        cells = []
+        for size in sizes:
+            rows = [row for row in churn if row["boxes"] == size and row["boxes"] // row["replaced"] == one_in]
+            own, peer = row_of(rows, "graze"), best_peer(rows)
+            cell = number(own["median_ms"])
+            if peer:
+                cell += f" ({number(peer['median_ms'] / own['median_ms'])}: {peer['contestant']})"
+            cells.append(cell)
+        print(f"| one in {one_in} replaced | " + " | ".join(cells) + " |")
 
 
 def print_movers(rows):
@@ -60,6 +77,7 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         result = json.load(file)
     print_scenes(result["scenes"])
+    print_churn(result["churn"])
     print_movers(result["movers"])
 
 

@@ -52,6 +52,13 @@ struct Crowd {
       ids[i] = broad.add(boxes[i]);
     }
   }
+  void teleport(std::uint32_t count) {
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t i = chance.below(static_cast<std::uint32_t>(ids.size()));
+      boxes[i] = random_box();
+      broad.move(ids[i], boxes[i]);
+    }
+  }
   std::vector<std::uint32_t> overlapping(const Aabb& box) const {
     std::vector<std::uint32_t> all;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -120,6 +127,44 @@ TEST(BroadPhaseMemory, OfAShuffledSpan) {
   });
 }
 
+/// Boxes that go far are looked after like new ones: no block is left to span the way between.
+TEST(BroadPhaseChurn, GoingFarSortsNeighboursAndNotAll) {
+  Crowd crowd(kMany);
+  crowd.broad.update();
+  const std::uint64_t sorts = crowd.broad.work().sorts;
+  for (int frame = 0; frame < 20; ++frame) {
+    crowd.teleport(kMany / 80);
+    crowd.broad.update();
+  }
+  EXPECT_EQ(crowd.broad.work().searches_for_movers, 20u);
+  EXPECT_EQ(crowd.broad.work().sorts, sorts);
+  EXPECT_GT(crowd.broad.work().groups_sorted, 20u);
+  crowd.broad.move(crowd.ids, crowd.boxes);
+  crowd.broad.update();
+  EXPECT_EQ(crowd.broad.work().searches_for_all, 2u);
+  BroadPhase fresh;
+  for (const Aabb& box : crowd.boxes)
+    fresh.add(box);
+  fresh.update();
+  EXPECT_LE(crowd.broad.work().blocks_met, 3 * fresh.work().blocks_met);
+  const auto kept = crowd.broad.sorted_pairs(), again = fresh.sorted_pairs();
+  EXPECT_TRUE(std::equal(kept.begin(), kept.end(), again.begin(), again.end()));
+}
+
+/// Where one box in ten is replaced or goes far, all pairs are searched, but seldom all is sorted.
+TEST(BroadPhaseChurn, ManyAreSearchedAndSeldomSorted) {
+  for (const bool goes_far : {false, true}) {
+    Crowd crowd(kMany);
+    crowd.broad.update();
+    for (int frame = 0; frame < 20; ++frame) {
+      goes_far ? crowd.teleport(kMany / 10) : crowd.replace(kMany / 10);
+      crowd.broad.update();
+    }
+    EXPECT_EQ(crowd.broad.work().searches_for_all, 21u);
+    EXPECT_LE(crowd.broad.work().sorts, 8u);
+  }
+}
+
 /// A step in which one box in 40 is replaced sorts groups, not all.
 TEST(BroadPhaseChurn, SortsNeighboursAndNotAll) {
   Crowd crowd(kMany);
@@ -176,7 +221,7 @@ TEST(BroadPhaseChurn, EqualsBruteForce) {
 }
 
 /// Every box has moved since the update, far: as if the update had been made.
-TEST(BroadPhaseQuery, BeforeAnUpdateByManyThreads) {
+TEST(BroadPhaseQueryThreads, BeforeAnUpdate) {
   Crowd crowd(3000);
   crowd.broad.update();
   for (int frame = 0; frame < 3; ++frame) {

@@ -29,10 +29,8 @@ class Bullet : public Contestant {
     } else {
       broad_ = std::make_unique<btDbvtBroadphase>();
     }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      proxies_.push_back(broad_->createProxy(vector(boxes[i].min), vector(boxes[i].max), 0,
-                                             reinterpret_cast<void*>(i), 1, 1, nullptr));
-    }
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      proxies_.push_back(proxy(i, boxes[i]));
     broad_->calculateOverlappingPairs(nullptr);
   }
 
@@ -40,6 +38,20 @@ class Bullet : public Contestant {
                                 std::span<const std::uint32_t> moved) override {
     for (const std::uint32_t i : moved)
       broad_->setAabb(proxies_[i], vector(boxes[i].min), vector(boxes[i].max), nullptr);
+    return find(boxes);
+  }
+
+  std::span<const BoxPair> replace(std::span<const Aabb> boxes,
+                                   std::span<const std::uint32_t> replaced) override {
+    for (const std::uint32_t i : replaced) {
+      broad_->destroyProxy(proxies_[i], nullptr);
+      proxies_[i] = proxy(i, boxes[i]);
+    }
+    return find(boxes);
+  }
+
+ private:
+  std::span<const BoxPair> find(std::span<const Aabb> boxes) {
     broad_->calculateOverlappingPairs(nullptr);
     pairs_.clear();
     const btBroadphasePairArray& found =
@@ -50,8 +62,10 @@ class Bullet : public Contestant {
     }
     return pairs_;
   }
-
- private:
+  btBroadphaseProxy* proxy(std::size_t i, const Aabb& box) {
+    return broad_->createProxy(vector(box.min), vector(box.max), 0, reinterpret_cast<void*>(i), 1,
+                               1, nullptr);
+  }
   static btVector3 vector(const Eigen::Vector3d& p) { return {p[0], p[1], p[2]}; }
   static std::uint32_t index(const btBroadphaseProxy* proxy) {
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy->m_clientObject));

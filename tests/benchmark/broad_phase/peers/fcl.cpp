@@ -38,6 +38,23 @@ class Fcl : public Contestant {
     } else {
       manager_.update(movers_);
     }
+    return find();
+  }
+
+  /// To the manager it is all one which object comes where one has gone.
+  std::span<const BoxPair> replace(std::span<const Aabb> boxes,
+                                   std::span<const std::uint32_t> replaced) override {
+    for (const std::uint32_t i : replaced) {
+      manager_.unregisterObject(pointers_[i]);
+      place(i, boxes[i]);
+      manager_.registerObject(pointers_[i]);
+    }
+    manager_.setup();
+    return find();
+  }
+
+ private:
+  std::span<const BoxPair> find() {
     pairs_.clear();
     manager_.collide(
         &pairs_, [](fcl::CollisionObject<S>* s, fcl::CollisionObject<S>* t, void* pairs) {
@@ -46,8 +63,6 @@ class Fcl : public Contestant {
         });
     return pairs_;
   }
-
- private:
   static std::uint32_t index(const fcl::CollisionObject<S>* object) {
     return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object->getUserData()));
   }
