@@ -73,6 +73,7 @@ namespace graze::bvh {
 inline constexpr float kFitError = 0x1p-19f;
 inline constexpr float kComparisonError = 0x1p-17f;
 inline constexpr float kCornerError = 0x1p-19f;
+inline constexpr float kLocalError = 0x1p-21f;
 inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;

@@ -16,7 +16,7 @@ constexpr int kLongestPause = 32;             // queries
 constexpr int kEnoughPasses = 4;
 
 /// A front grows with what opens and never closes.
-constexpr int kMostPasses = 64;
+constexpr int kMostPasses = 1000;
 constexpr double kMostGrowth = 1.5;
 constexpr std::size_t kFewMore = 64;
 
