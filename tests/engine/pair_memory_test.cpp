@@ -344,7 +344,8 @@ TEST(Law9, AMemoryFollowsWhatMeets) {
         const PlacedMesh b{mesh, Pose(far * pose)};
         const TrianglePairs expected = find_triangle_pairs(a, b, {}, &cold);
         EXPECT_GT(expected.size(), 100u);
-        EXPECT_EQ(find_triangle_pairs(a, b, memory, {}, &remembering).pairs, expected.pairs);
+        const TrianglePairs found = find_triangle_pairs(a, b, memory, {}, &remembering);
+        EXPECT_TRUE(found.pairs == expected.pairs) << i;  // too many to be printed
         pose = moved(pose, i == 20 ? 0.2 : 0.002, 1, source);
       }
       EXPECT_LT(remembering.volume_tests, cold.volume_tests);
