@@ -72,7 +72,11 @@ class Passer {
       if (i + kAhead < state_.visits.size()) fetch_visit(i + kAhead);
       visit(i);
     }
-    is_distance_ ? compare_due_leaves() : decide_leaves();
+    if (is_distance_) {
+      compare_due_leaves();
+    } else {
+      decide_leaves();
+    }
   }
 
  private:
