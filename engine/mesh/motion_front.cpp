@@ -72,7 +72,6 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   }
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;
-  ++generation_;
   motion_ = {};
   passes_ = 0;
   return front_.pass(b_in_a, a_in_b, bounds_, motion_);
