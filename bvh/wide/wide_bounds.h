@@ -88,6 +88,7 @@ inline constexpr float kLeafInNodeError = 8;
 /// Of a comparison's margin, along a slab's normal, which is longer than 1.
 inline constexpr float kSlabMargins = 4;
 inline constexpr float kCornerError = 0x1p-19f;
+inline constexpr float kLocalError = 0x1p-21f;
 inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;
 inline constexpr float kPlaneRounding = 0x1p-18f;

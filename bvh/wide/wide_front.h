@@ -19,7 +19,7 @@ namespace graze::bvh {
 /// has a deadline: how far B may have moved, as measured from begin() on, until what keeps it out
 /// could be gone, and planes that kept it out. A pass looks only at what is due and no longer kept
 /// out, and opens what has come near. What was opened stays so until begin(), so that the front
-/// grows.
+/// grows. Leaves in which primitives meet are busy: each pass decides all their pairs anew.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.
@@ -56,13 +56,6 @@ class WideFront {
     Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds);
   };
 
-  /// Two primitives that are, or were, as near as was asked for.
-  struct Candidate {
-    PlacePair places;
-    std::uint32_t leaves;  // of which pair of leaves
-    std::uint32_t bit;     // which of its pairs
-  };
-
   /// Forgets everything and begins with the roots, which must outlive it, in these poses: how tree
   /// B lies in tree A and how A lies in B, each with its slack (law 5), in the same common units.
   void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
@@ -75,15 +68,21 @@ class WideFront {
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
 
-  /// Looks at all boxes and leaves that are due. Afterwards no two primitives that are not among
-  /// candidates() are `limit` apart or nearer; a limit of 0 is about those that meet.
+  /// Looks at all boxes and leaves that are due. Afterwards no two primitives are `limit` apart or
+  /// nearer but, by Bounds::Distance, those that are candidates, and by Bounds::Meeting, whose
+  /// limit is 0, those that surely cross, crossing(), and some of those that may meet, unsure().
   void advance(const Pass& pass, double limit);
+
+  std::size_t crossing_count() const { return state_.crossing.size; }
+  PlacePair crossing(std::size_t index) const { return places_of(state_.crossing.lanes[index]); }
+  std::size_t unsure_count() const { return state_.unsure.size; }
+  PlacePair unsure(std::size_t index) const { return places_of(state_.unsure.lanes[index]); }
 
   /// How many of the boxes and leaves that it held the last pass had to look at.
   std::size_t looked_at() const { return state_.looked_at; }
 
   std::size_t candidate_count() const { return state_.candidates.size(); }
-  const Candidate& candidate(std::size_t index) const { return state_.candidates[index]; }
+  PlacePair candidate(std::size_t index) const { return places_of(state_.candidates[index]); }
 
   /// Whether a candidate may be `limit` apart or nearer, after what was said of it.
   bool is_due(std::size_t index, const Pass& pass, double limit) const;
@@ -91,14 +90,8 @@ class WideFront {
   /// Candidate `index` is at least so far apart in this pass.
   void set_gap(std::size_t index, const Pass& pass, double gap);
 
-  /// Candidate `index` is none now. Its leaves are looked at again in the next pass; the last
-  /// candidate takes its index.
-  void drop(std::size_t index);
-
-  /// Candidate i becomes what order[i] was: all of them, each once.
-  void arrange(std::span<const std::uint32_t> order);
-
-  /// How far apart all is at least, if no candidate was near: valid after advance().
+  /// How far apart all is at least, if no candidate was near and nothing met: valid after
+  /// advance().
   double proven_gap(const Pass& pass) const;
 
   /// What it holds: pairs that were looked at.
@@ -117,17 +110,42 @@ class WideFront {
 
   /// A box beside the children of a node: of which of these something further down is in the front.
   struct Visit {
-    WidePairWalk::Waiting pair;
+    WideSlot host;  // the first child
+    WideSlot guest;
+    int host_side;
+    float host_size;  // of the box around the children
     std::uint32_t open;
   };
 
-  /// Two leaves: which of their pairs of primitives are candidates.
+  /// A leaf, by its treelet.
+  struct Leaf {
+    std::uint32_t treelet;
+    std::uint32_t link;
+    std::uint32_t first;  // place of a primitive
+    bool operator==(const Leaf&) const = default;
+  };
+
+  /// Two leaves.
   struct Leaves {
-    WidePairWalk::Waiting pair;
-    std::uint32_t listed;  // its rows are of the host's primitives
+    Leaf host;
+    Leaf guest;
+    int host_side;
+    std::uint32_t listed;  // which pairs are candidates: rows are of the host's primitives
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+
+  /// Pairs of primitives, as 16 times a pair of leaves and a lane of these.
+  struct LeafPairs {
+    std::vector<std::uint32_t> lanes;  // with room for one vector more
+    std::size_t size = 0;
+
+    void make_room(std::size_t leaves) {
+      const std::size_t needed = size + kLeafPairs * (leaves + 1);
+      if (lanes.size() < needed) lanes.resize(2 * needed);
+    }
+    bool empty() const { return size == 0; }
+  };
 
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
@@ -137,7 +155,10 @@ class WideFront {
     std::vector<Leaves> leaves;
     std::vector<FrontPlanes<kLeafPairs>> leaf_planes;
     std::vector<float> leaves_deadlines;
-    std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> busy;  // of these leaves
+    LeafPairs crossing;
+    LeafPairs unsure;
+    std::vector<std::uint32_t> candidates;  // as those of LeafPairs
     std::vector<float> candidate_deadlines;
     std::vector<std::uint32_t> due;  // what a pass looks at
     std::size_t looked_at = 0;       // in the last pass, of what there was
@@ -146,6 +167,8 @@ class WideFront {
   };
 
  private:
+  PlacePair places_of(std::uint32_t lane_of_leaves) const;
+
   State state_;
   RelativeFrame first_[2] = {};  // at begin()
   std::uint64_t skipped_ = 0;

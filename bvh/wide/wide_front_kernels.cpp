@@ -9,9 +9,12 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/wide_front_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/wide/wide_front.h>
+#include <graze/bvh/wide/front_pass.h>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 #include <graze/bvh/wide/front_gaps.inc>
+#include <graze/bvh/wide/leaf_crossings.inc>
+#include <graze/bvh/wide/local_leaves.inc>
 #include <graze/bvh/wide/slots.inc>
 
 #include <algorithm>
@@ -33,6 +36,10 @@ constexpr float kRoundDown = 1 - 0x1p-22f;
 /// roundings each, and those of turns.
 constexpr float kRoundPlanes = 1 - 0x1p-20f;
 
+/// Leaves are fetched so many before they are looked at.
+constexpr std::size_t kAhead = 6;
+constexpr std::size_t kPlanesAhead = 16;
+
 using VisitPlanes = FrontPlanes<WideNode::kWidth>;
 using LeafPlanes = FrontPlanes<kLeafPairs>;
 
@@ -49,23 +56,85 @@ class Passer {
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
+    if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
     const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
-    for (std::size_t i = 0; i < open; ++i)
+    for (std::size_t i = 0; i < open; ++i) {
+      if (i + 2 * kAhead < open) {
+        fetch(state_.visits[state_.due[i + 2 * kAhead]]);
+        fetch(state_.visit_planes[state_.due[i + 2 * kAhead]]);
+      }
+      if (i + kAhead < open) fetch_visit(state_.due[i + kAhead]);
       visit(state_.due[i]);
+    }
     state_.looked_at = open;
-    for (std::size_t i = visits; i < state_.visits.size(); ++i)
+    for (std::size_t i = visits; i < state_.visits.size(); ++i) {
+      if (i + kAhead < state_.visits.size()) fetch_visit(i + kAhead);
       visit(i);
-    const std::size_t leaves = state_.leaves.size();
-    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
-    for (std::size_t i = 0; i < near; ++i)
-      compare_leaves(state_.due[i]);
-    state_.looked_at += near;
-    for (std::size_t i = leaves; i < state_.leaves.size(); ++i)
-      compare_leaves(i);
+    }
+    if (is_distance_) {
+      compare_due_leaves();
+    } else {
+      decide_leaves();
+    }
   }
 
  private:
+  /// Leaves that are due: which of their primitives may be within the limit.
+  HWY_INLINE void compare_due_leaves() {
+    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    state_.looked_at += near;
+    for (std::size_t i = 0; i < near; ++i)
+      compare_leaves(state_.due[i]);
+  }
+
+  /// Leaves that are busy or due: which of their primitives meet.
+  HWY_INLINE void decide_leaves() {
+    state_.crossing.size = 0;
+    state_.unsure.size = 0;
+    state_.crossing.make_room(state_.busy.size());
+    state_.unsure.make_room(state_.busy.size());
+    std::size_t busy = 0;
+    for (std::size_t i = 0; i < state_.busy.size(); ++i) {
+      if (i + 2 * kAhead < state_.busy.size()) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
+      if (i + kAhead < state_.busy.size()) fetch_leaves(state_.busy[i + kAhead]);
+      const std::uint32_t index = state_.busy[i];
+      state_.busy[busy] = index;
+      busy += is_busy(index);
+    }
+    state_.busy.resize(busy);
+    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    state_.looked_at += near;
+    state_.crossing.make_room(near);
+    state_.unsure.make_room(near);
+    for (std::size_t i = 0; i < near; ++i) {
+      if (i + 2 * kAhead < near) {
+        fetch(state_.leaves[state_.due[i + 2 * kAhead]]);
+        fetch(state_.leaf_planes[state_.due[i + 2 * kAhead]]);
+      }
+      if (i + kAhead < near) fetch_leaves(state_.due[i + kAhead]);
+      const std::uint32_t index = state_.due[i];
+      const std::uint32_t asked = set_leaves(state_.leaves[index]);
+      // Where nothing has met so far nothing will.
+      if (state_.crossing.empty() && is_kept_out(index)) continue;
+      if (!decide(index, asked) && is_kept_out(index)) continue;
+      state_.leaves_deadlines[index] = kNever;
+      state_.busy.push_back(index);
+    }
+    // Only where nothing meets is there a gap to be told.
+    if (state_.crossing.empty() && state_.unsure.empty()) calm_down();
+  }
+
+  /// Finds planes for whatever is busy, as far as there are any.
+  HWY_INLINE void calm_down() {
+    std::size_t busy = 0;
+    for (const std::uint32_t index : state_.busy) {
+      set_leaves(state_.leaves[index]);
+      if (!is_kept_out(index)) state_.busy[busy++] = index;
+    }
+    state_.busy.resize(busy);
+  }
+
   /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
   /// its deadline, but for what its planes still keep out: that is due later. No branches but the
   /// loops: nothing of it can be foretold.
@@ -76,6 +145,7 @@ class Passer {
     std::uint32_t* const due = state_.due.data();
     std::size_t open = 0;
     for (std::size_t i = 0; i < size; ++i) {
+      fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
       const std::uint32_t index = due[i];
       const float gap = least_gap(planes[index], pass_.since[planes[index].host_side]);
       const float later = deadline_after(gap);
@@ -86,6 +156,13 @@ class Passer {
       open += !is_kept;
     }
     return open;
+  }
+
+  template <typename Object>
+  HWY_INLINE static void fetch(const Object& object) {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t i = 0; i < sizeof(Object); i += kLine)
+      hwy::Prefetch(reinterpret_cast<const char*>(&object) + i);
   }
 
   /// The indices of all deadlines that are up.
@@ -173,70 +250,83 @@ class Passer {
     return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
   }
 
-  HWY_INLINE void visit(std::size_t index) {
-    const WidePairWalk::Waiting pair = state_.visits[index].pair;
-    const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
-    const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
-      open_host(index, 0, pair.a, link_a, pair.b, link_b);
-    } else {
-      open_host(index, 1, pair.b, link_b, pair.a, link_a);
-    }
+  HWY_INLINE void fetch_visit(std::size_t index) const {
+    const WideFront::Visit& visit = state_.visits[index];
+    fetch(*visit.host.node);
+    fetch(*visit.guest.node);
   }
 
-  HWY_INLINE void open_host(std::size_t index, int host_side, const WideSlot& host,
-                            std::uint32_t host_link, const WideSlot& guest,
-                            std::uint32_t guest_link) {
+  HWY_INLINE void visit(std::size_t index) {
+    const WideFront::Visit found = state_.visits[index];
+    const int host_side = found.host_side;
+    const WideSlot guest = found.guest;
+    const std::uint32_t guest_link = guest.node->child[guest.lane];
+    const WideSlot below = found.host;
     const WideWay& way = pass_.into[host_side];
     if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
       set_guest(guest_, *guest.node, guest.lane, way);
       guest_slot_ = guest;
       guest_side_ = 1 - host_side;
     }
-    const WideSlot below =
-        first_below(*state_.tree[host_side], host, host_link, state_.counts.treelets);
     const WideNode& node = *below.node;
-    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
+    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * found.host_size);
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = state_.visit_planes[index];
     if (state_.visit_deadlines[index] == kAtOnce) {
       planes.host_side = host_side;
       planes.guest = FrontBall(guest, pass_.units[1 - host_side]);
+      state_.lanes += node.count;
     }
-    if (state_.visit_deadlines[index] == kAtOnce) state_.lanes += node.count;
     const std::uint32_t closed = node.lanes() & ~visit.open;
     set_gaps(planes, node, host_side, closed);
-    const Nearness found = keep(planes, closed, pass_.since[host_side]);
-    std::uint32_t near = found.near;
+    const Nearness kept = keep(planes, closed, pass_.since[host_side]);
+    std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
     state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
     visit.open |= near;
-    state_.visit_deadlines[index] = deadline_after(found.least);
+    state_.visit_deadlines[index] = deadline_after(kept.least);
+    const FrontBall ball = planes.guest;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideSlot child = {&node, lane, below.treelet};
       const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
                                                         : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        add_leaves(pair, host_side);
+        add_leaves(pair, host_side, ball);
       } else {
         add_visit(pair);
       }
     }
   }
 
+  /// The larger is opened: it is the host.
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
-    state_.visits.push_back({pair, 0});
+    const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
+    const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
+    const int host_side = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_) ? 0 : 1;
+    const WideSlot& host = host_side == 0 ? pair.a : pair.b;
+    const WideSlot below = first_below(*state_.tree[host_side], host,
+                                       host_side == 0 ? link_a : link_b, state_.counts.treelets);
+    state_.visits.push_back({below, host_side == 0 ? pair.b : pair.a, host_side, size_of(host), 0});
     state_.visit_planes.emplace_back();
     state_.visit_deadlines.push_back(kAtOnce);
   }
 
-  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side) {
+  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideSlot& slot) const {
+    const std::uint32_t link = slot.node->child[slot.lane];
+    return {slot.treelet, link,
+            state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link)};
+  }
+
+  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side,
+                             const FrontBall& ball) {
+    const WideSlot& host = host_side == 0 ? pair.a : pair.b;
     const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
-    state_.leaves.push_back({pair, 0});
+    state_.leaves.push_back(
+        {leaf_at(host_side, host), leaf_at(1 - host_side, guest), host_side, 0});
     state_.leaf_planes.emplace_back().host_side = host_side;
-    state_.leaf_planes.back().guest = FrontBall(guest, pass_.units[1 - host_side]);
+    state_.leaf_planes.back().guest = ball;
     state_.leaves_deadlines.push_back(kAtOnce);
   }
 
@@ -269,41 +359,91 @@ class Passer {
     }
   }
 
+  /// Leaves of large meshes are not in the cache.
+  HWY_INLINE void fetch_leaves(std::size_t index) const {
+    const WideFront::Leaves& leaves = state_.leaves[index];
+    fetch_leaf(leaves.host_side, leaves.host);
+    fetch_leaf(1 - leaves.host_side, leaves.guest);
+  }
+
+  HWY_INLINE void fetch_leaf(int side, const WideFront::Leaf& leaf) const {
+    constexpr std::size_t kLine = 64 / sizeof(float);
+    const float* rows = rows_of(state_.tree[side]->treelet(leaf.treelet), leaf.link);
+    for (std::size_t i = 0; i < CornerRows::kRows * ChildLink::kMaxLeafSize; i += kLine)
+      hwy::Prefetch(rows + i);
+  }
+
+  /// Two leaves become host_leaf_ and guest_leaf_. Returns which pairs they have.
+  HWY_INLINE std::uint32_t set_leaves(const WideFront::Leaves& leaves) {
+    const WideTree::Treelet& host = state_.tree[leaves.host_side]->treelet(leaves.host.treelet);
+    const WideTree::Treelet& guest =
+        state_.tree[1 - leaves.host_side]->treelet(leaves.guest.treelet);
+    const WideWay& way = pass_.into[leaves.host_side];
+    if (between_.host != &host || between_.guest != &guest || between_.way != &way)
+      set_treelet_way(between_, host, guest, way);
+    set_local_leaves(host_leaf_, guest_leaf_, {host, leaves.host.link}, {guest, leaves.guest.link},
+                     between_);
+    return pairs_of(ChildLink::count(leaves.host.link), ChildLink::count(leaves.guest.link));
+  }
+
+  HWY_INLINE static void add_lanes(WideFront::LeafPairs& pairs, std::uint32_t leaves,
+                                   std::uint32_t lanes) {
+    const hn::CappedTag<std::uint32_t, kLeafPairs> tag;
+    std::uint32_t* const end = pairs.lanes.data();
+    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> first),
+                                    static_cast<std::uint8_t>(lanes >> first >> 8)};
+      const auto code = static_cast<std::uint32_t>(kLeafPairs * leaves + first);
+      pairs.size += hn::CompressStore(hn::Iota(tag, code), hn::LoadMaskBits(tag, bits), tag,
+                                      end + pairs.size);
+    }
+  }
+
+  /// Decides all pairs of two leaves. Whether some meet, or did so a short time ago, or cannot be
+  /// kept out by planes. Which pairs meet cannot be foretold: there are no branches on that.
+  HWY_INLINE bool is_busy(std::uint32_t index) {
+    const std::uint32_t asked = set_leaves(state_.leaves[index]);
+    return decide(index, asked) || !is_kept_out(index);
+  }
+
+  /// Of these pairs of host_leaf_ and guest_leaf_: lists those that cross or may. Whether there are
+  /// any.
+  HWY_INLINE bool decide(std::uint32_t index, std::uint32_t asked) {
+    state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
+    const LeafCrossings found = leaf_crossings(host_leaf_, guest_leaf_);
+    const std::uint32_t open = asked & ~found.apart;
+    add_lanes(state_.crossing, index, open & found.crossing);
+    if ((open & ~found.crossing) != 0) add_lanes(state_.unsure, index, open & ~found.crossing);
+    return open != 0;
+  }
+
+  /// Looks for planes between the primitives of host_leaf_ and guest_leaf_, until they are due
+  /// again.
+  HWY_INLINE bool is_kept_out(std::size_t index) {
+    const WideFront::Leaves& leaves = state_.leaves[index];
+    LeafPlanes& planes = state_.leaf_planes[index];
+    const std::uint32_t asked =
+        pairs_of(ChildLink::count(leaves.host.link), ChildLink::count(leaves.guest.link));
+    set_leaf_gaps(planes, leaves.host_side, asked);
+    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side]);
+    state_.leaves_deadlines[index] = found.near == 0 ? deadline_after(found.least) : kNever;
+    return found.near == 0;
+  }
+
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
     LeafPlanes& planes = state_.leaf_planes[index];
-    const int host_side = planes.host_side;
-    const WideSlot& host_slot = host_side == 0 ? leaves.pair.a : leaves.pair.b;
-    const WideSlot& guest_slot = host_side == 0 ? leaves.pair.b : leaves.pair.a;
-    const WideTree::Treelet& host = state_.tree[host_side]->treelet(host_slot.treelet);
-    const WideTree::Treelet& guest = state_.tree[1 - host_side]->treelet(guest_slot.treelet);
-    const std::uint32_t host_link = host_slot.node->child[host_slot.lane];
-    const std::uint32_t guest_link = guest_slot.node->child[guest_slot.lane];
-    if (leaf_slot_ != guest_slot || leaf_host_ != &host) {
-      set_guest_leaf(guest_leaf_, guest, guest_link, host, pass_.into[host_side]);
-      leaf_slot_ = guest_slot;
-      leaf_host_ = &host;
-    }
-    set_host_leaf(host_leaf_, host, host_link);
-    const std::uint32_t asked =
-        pairs_of(ChildLink::count(host_link), ChildLink::count(guest_link)) & ~leaves.listed;
+    const std::uint32_t asked = set_leaves(leaves) & ~leaves.listed;
     state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-    set_leaf_gaps(planes, host_side, asked);
-    const Nearness found = keep(planes, asked, pass_.since[host_side]);
-    std::uint32_t near = found.near;
+    set_leaf_gaps(planes, leaves.host_side, asked);
+    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side]);
     state_.leaves_deadlines[index] = deadline_after(found.least);
-    leaves.listed |= near;
-    const std::uint32_t first = host.first + ChildLink::first(host_link);
-    const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
-    for (; near != 0; near &= near - 1) {
-      const auto place = static_cast<std::uint32_t>(std::countr_zero(near));
-      const std::uint32_t of_host = first + place / ChildLink::kMaxLeafSize;
-      const std::uint32_t of_guest = first_guest + place % ChildLink::kMaxLeafSize;
-      state_.candidates.push_back(
-          {host_side == 0 ? PlacePair{of_host, of_guest} : PlacePair{of_guest, of_host},
-           static_cast<std::uint32_t>(index), 1u << place});
-      state_.candidate_deadlines.push_back(kAtOnce);
+    leaves.listed |= found.near;
+    for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
+      state_.candidates.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
     }
+    state_.candidate_deadlines.resize(state_.candidates.size(), kAtOnce);
   }
 
   WideFront::State& state_;
@@ -317,10 +457,9 @@ class Passer {
   WideSlot guest_slot_{};  // of guest_, in the tree of
   int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
+  TreeletWay between_;
   LeafLanes host_leaf_;
   GuestLeaf guest_leaf_;
-  WideSlot leaf_slot_{};  // of guest_leaf_, in
-  const WideTree::Treelet* leaf_host_ = nullptr;
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
@@ -336,132 +475,8 @@ namespace graze::bvh {
 
 HWY_EXPORT(advance);
 
-namespace {
-
-constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
-
-/// Of vectors that grow.
-constexpr std::size_t kFirstSize = 64;
-
-/// What has a deadline up to it is due.
-float due_at(const WideFront::Pass& pass, double limit) {
-  return rounded_up((pass.moved + limit) + 2 * pass.slack);
-}
-
-std::size_t count_due(const std::vector<float>& deadlines, float due) {
-  return static_cast<std::size_t>(std::count_if(deadlines.begin(), deadlines.end(),
-                                                [due](float deadline) { return deadline <= due; }));
-}
-
-}  // namespace
-
-WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
-    : bounds(what),
-      slack(std::max(b_in_a.slack, a_in_b.slack)),
-      into{WideWay(b_in_a), WideWay(a_in_b)},
-      units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
-
-void WideFront::Pass::aim_along(const double (&along)[3]) {
-  const WideWay& of_a_in_b = into[1];
-  for (int i = 0; i < 3; ++i) {
-    direction[0][i] = static_cast<float>(along[i]);
-    direction[1][i] = static_cast<float>(-(of_a_in_b.rotation[i][0] * along[0] +
-                                           of_a_in_b.rotation[i][1] * along[1] +
-                                           of_a_in_b.rotation[i][2] * along[2]));
-  }
-}
-
-WideFront::Pass WideFront::pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
-                                Bounds bounds, const Motion& motion) const {
-  Pass pass(b_in_a, a_in_b, bounds);
-  pass.moved = motion.way;
-  pass.since[0] = FrontWay(first_[0], b_in_a, *state_.tree[1], motion.turn);
-  pass.since[1] = FrontWay(first_[1], a_in_b, *state_.tree[0], motion.turn);
-  return pass;
-}
-
-void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
-                      const RelativeFrame& a_in_b) {
-  first_[0] = b_in_a;
-  first_[1] = a_in_b;
-  state_.tree[0] = &tree_a;
-  state_.tree[1] = &tree_b;
-  state_.visits.reserve(kFirstSize);
-  state_.visit_planes.reserve(kFirstSize);
-  state_.leaves.reserve(kFirstSize);
-  state_.leaf_planes.reserve(kFirstSize);
-  state_.visits.assign(1, {{tree_a.root(), tree_b.root()}, 0});
-  state_.visit_planes.assign(1, {});
-  state_.visit_deadlines.assign(1, kAtOnce);
-  state_.leaves.clear();
-  state_.leaf_planes.clear();
-  state_.leaves_deadlines.clear();
-  state_.candidates.clear();
-  state_.candidate_deadlines.clear();
-  state_.lanes = 0;
-}
-
-void WideFront::arrange(std::span<const std::uint32_t> order) {
-  const std::vector<Candidate> candidates = state_.candidates;
-  const std::vector<float> deadlines = state_.candidate_deadlines;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    state_.candidates[i] = candidates[order[i]];
-    state_.candidate_deadlines[i] = deadlines[order[i]];
-  }
-}
-
-double WideFront::share_due(const Pass& pass, double limit) const {
-  const float due = due_at(pass, limit);
-  const std::size_t all = state_.visits.size() + state_.leaves.size();
-  return static_cast<double>(count_due(state_.visit_deadlines, due) +
-                             count_due(state_.leaves_deadlines, due)) /
-         static_cast<double>(all);
-}
-
-void WideFront::advance(const Pass& pass, double limit) {
-  const std::uint64_t before = state_.counts.box_tests;
-  const std::uint64_t known = state_.lanes;
-  const float float_limit = limit > 0 ? rounded_up(limit) : 0;
-  HWY_DYNAMIC_DISPATCH(advance)(state_, pass, float_limit, due_at(pass, limit));
-  const std::uint64_t tested = state_.counts.box_tests - before;
-  skipped_ += known > tested ? known - tested : 0;
-}
-
-bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) const {
-  return state_.candidate_deadlines[index] <= due_at(pass, limit);
-}
-
-void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
-  state_.candidate_deadlines[index] = rounded_down(pass.moved + gap);
-}
-
-void WideFront::drop(std::size_t index) {
-  const Candidate candidate = state_.candidates[index];
-  Leaves& leaves = state_.leaves[candidate.leaves];
-  leaves.listed &= ~candidate.bit;
-  state_.leaf_planes[candidate.leaves].gap[std::countr_zero(candidate.bit)] = kAtOnce;
-  state_.leaves_deadlines[candidate.leaves] = kAtOnce;
-  state_.candidates[index] = state_.candidates.back();
-  state_.candidate_deadlines[index] = state_.candidate_deadlines.back();
-  state_.candidates.pop_back();
-  state_.candidate_deadlines.pop_back();
-}
-
-double WideFront::proven_gap(const Pass& pass) const {
-  float least = std::numeric_limits<float>::infinity();
-  for (const std::vector<float>* deadlines :
-       {&state_.visit_deadlines, &state_.leaves_deadlines, &state_.candidate_deadlines}) {
-    for (const float deadline : *deadlines)
-      least = std::min(least, deadline);
-  }
-  return (static_cast<double>(least) - pass.moved) - 2 * pass.slack;
-}
-
-WideFront::Counts WideFront::take_counts() {
-  const Counts counts{state_.counts, skipped_};
-  state_.counts = {};
-  skipped_ = 0;
-  return counts;
+void pass_over(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
+  HWY_DYNAMIC_DISPATCH(advance)(state, pass, limit, due);
 }
 
 }  // namespace graze::bvh

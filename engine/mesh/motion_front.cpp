@@ -16,7 +16,7 @@ constexpr int kLongestPause = 32;             // queries
 constexpr int kEnoughPasses = 4;
 
 /// A front grows with what opens and never closes.
-constexpr int kMostPasses = 64;
+constexpr int kMostPasses = 1000;
 constexpr double kMostGrowth = 1.5;
 constexpr std::size_t kFewMore = 64;
 
@@ -72,7 +72,6 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   }
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;
-  ++generation_;
   motion_ = {};
   passes_ = 0;
   return front_.pass(b_in_a, a_in_b, bounds_, motion_);

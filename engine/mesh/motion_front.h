@@ -6,7 +6,6 @@
 #include <graze/engine/work.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 namespace graze {
@@ -17,9 +16,6 @@ class MotionFront {
   explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
 
   bvh::WideFront& front() { return front_; }
-
-  /// Another number each time that it begins anew.
-  std::uint64_t generation() const { return generation_; }
 
   /// B has come so much further, in one step (common units).
   void move(const bvh::WideFront::Motion& step);
@@ -45,7 +41,6 @@ class MotionFront {
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
-  std::uint64_t generation_ = 0;
   bvh::WideFront::Motion motion_;  // since it was begun
   int passes_ = 0;                 // since it was begun
   std::size_t first_size_ = 0;     // after the first of these

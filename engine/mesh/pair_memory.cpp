@@ -10,7 +10,6 @@
 #include <graze/engine/mesh/wide_query.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace graze {
 
@@ -106,9 +105,25 @@ class MeetingQuery {
         remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
     if (!pass) return false;
     remembered_.meeting.advance(*pass, 0, work_);
-    if (decide_candidates(on_pair) == bvh::Walk::Continue && !has_hit_) {
+    const bvh::WideFront& front = remembered_.meeting.front();
+    for (std::size_t i = 0; i < front.crossing_count(); ++i) {
+      if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
+    }
+    bool is_any_met = front.crossing_count() > 0;
+    Candidates candidates(touch_, work_);
+    const auto on_met = [&](TrianglePair pair) {
+      is_any_met = true;
+      return on_pair(pair);
+    };
+    for (std::size_t i = 0; i < front.unsure_count(); ++i) {
+      const TrianglePair pair = query_.pair_at(front.unsure(i));
+      candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
+      if (candidates.is_full() && candidates.decide(on_met) == bvh::Walk::Stop) return true;
+    }
+    if (candidates.decide(on_met) == bvh::Walk::Stop) return true;
+    if (!is_any_met) {
       const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
-      remembered_.learn_gap(remembered_.meeting.front().proven_gap(*pass) * unit * (1 - 1e-5));
+      remembered_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
     }
     return true;
   }
@@ -123,80 +138,10 @@ class MeetingQuery {
   }
 
  private:
-  /// The corners of all candidates: most are known from the last pass, with A as it is placed if
-  /// that has not moved.
-  void gather_triangles() {
-    bvh::WideFront& front = remembered_.meeting.front();
-    CandidateTriangles& all = remembered_.triangles;
-    const Pose& pose_a = query_.a.pose;
-    if (remembered_.triangles_generation != remembered_.meeting.generation()) {
-      all.clear();
-      arrange(front);
-    }
-    remembered_.triangles_generation = remembered_.meeting.generation();
-    if (!are_equal(remembered_.triangles_pose_a, pose_a)) all.place_a(pose_a);
-    remembered_.triangles_pose_a = pose_a;
-    for (std::size_t i = all.size(); i < front.candidate_count(); ++i) {
-      const TrianglePair pair = query_.pair_at(front.candidate(i).places);
-      all.add(pair, query_.a.mesh.triangle(pair.a), query_.b.mesh.triangle(pair.b));
-    }
-  }
-
-  /// Candidates as they are when a front begins, in the order of results: so that these stay nearly
-  /// sorted.
-  void arrange(bvh::WideFront& front) const {
-    std::vector<std::uint32_t> order(front.candidate_count());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return query_.pair_at(front.candidate(i).places) < query_.pair_at(front.candidate(j).places);
-    });
-    front.arrange(order);
-  }
-
-  /// Decides all candidates of the front, from the last on, so that what takes the place of one
-  /// that is dropped has been decided.
-  template <typename OnPair>
-  bvh::Walk decide_candidates(OnPair&& on_pair) {
-    gather_triangles();
-    CandidateTriangles& all = remembered_.triangles;
-    for (std::size_t end = all.size(); end > 0;) {
-      const std::size_t begin = (end - 1) / CandidateTriangles::kBlock * CandidateTriangles::kBlock;
-      const CandidateTriangles::Placed placed(all, begin / CandidateTriangles::kBlock,
-                                              query_.b.pose);
-      const narrowphase::Verdicts verdicts = placed.verdicts();
-      work_.triangle_tests += end - begin;
-      std::uint32_t meeting = 0;
-      for (std::size_t lane = 0; lane < end - begin; ++lane)
-        meeting |= std::uint32_t{does_meet(placed, lane, verdicts)} << lane;
-      for (; end > begin; --end) {
-        if ((meeting >> (end - 1 - begin) & 1) == 0) {
-          remembered_.meeting.front().drop(end - 1);
-          all.drop(end - 1);
-          continue;
-        }
-        has_hit_ = true;
-        if (on_pair(all.pair(end - 1)) == bvh::Walk::Stop) return bvh::Walk::Stop;
-      }
-    }
-    return bvh::Walk::Continue;
-  }
-
-  bool does_meet(const CandidateTriangles::Placed& placed, std::size_t lane,
-                 const narrowphase::Verdicts& verdicts) {
-    if ((verdicts.apart >> lane & 1) != 0) return false;
-    // Lanes of two that surely cross count as touching, too.
-    if ((verdicts.touching >> lane & 1) != 0) return true;
-    const narrowphase::Decision decision =
-        narrowphase::decide(placed.a(lane), placed.b(lane), touch_);
-    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
-    return decision.is_hit;
-  }
-
   WideQuery query_;
   Remembered& remembered_;
   Touch touch_;
   Work& work_;
-  bool has_hit_ = false;
 };
 
 bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
@@ -251,8 +196,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (is_done && found.pairs.size() <= settings.limit) {
-    std::reverse(found.pairs.begin(), found.pairs.end());
-    sort_nearly_sorted(found.pairs);
+    sort_pairs(found.pairs);
   } else {
     // Which pairs come first is for the walk to say.
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());

@@ -15,8 +15,8 @@ class Remembered;
 /// over the trees ended, with how far each box was from the other there. It saves time and changes
 /// no answer, however the meshes jump between two queries. It keeps handles of the two meshes;
 /// asked about two others, or the same in the other order, it begins anew. One thread at a time may
-/// use it. It grows with what a query walks: some 210 bytes for each eight pairs of boxes, 370 for
-/// two leaves, up to 16 pairs of triangles, and 250 for two triangles that meet.
+/// use it. It grows with what a query walks: some 230 bytes for each eight pairs of boxes, and 360
+/// to 500 for two leaves, up to 16 pairs of triangles.
 class PairMemory {
  public:
   PairMemory();

@@ -50,7 +50,7 @@ class NearQuery {
     bvh::WideFront& front = near.front();
     for (std::size_t i = 0; i < front.candidate_count(); ++i) {
       if (!front.is_due(i, *pass, reach_.units())) continue;
-      const TrianglePair pair = query_.pair_at(front.candidate(i).places);
+      const TrianglePair pair = query_.pair_at(front.candidate(i));
       const Triangle triangle_a = query_.triangle_a(pair);
       const Triangle triangle_b = query_.triangle_b(pair);
       const double end = gap_.end_of(triangle_a);

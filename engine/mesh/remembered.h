@@ -2,7 +2,6 @@
 
 // Private to engine/mesh.
 
-#include <graze/engine/mesh/candidate_triangles.h>
 #include <graze/engine/mesh/motion_front.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/wide_query.h>
@@ -87,9 +86,6 @@ class Remembered {
   bool was_within = false;
   bool was_touching = false;  // when a distance was last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
-  CandidateTriangles triangles;            // candidate by candidate of `meeting`
-  std::uint64_t triangles_generation = 0;  // of which it is
-  Pose triangles_pose_a = Pose::Identity();
   MotionFront near{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;
   std::uint64_t still_touching = 0;

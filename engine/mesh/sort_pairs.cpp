@@ -23,17 +23,4 @@ void sort_pairs(std::vector<TrianglePair>& pairs) {
   });
 }
 
-void sort_nearly_sorted(std::vector<TrianglePair>& pairs) {
-  std::size_t left = 8 * pairs.size();  // of moves that are worth it
-  for (std::size_t i = 1; i < pairs.size(); ++i) {
-    const TrianglePair pair = pairs[i];
-    std::size_t place = i;
-    for (; place > 0 && pair < pairs[place - 1]; --place)
-      pairs[place] = pairs[place - 1];
-    pairs[place] = pair;
-    if (i - place > left) return sort_pairs(pairs);
-    left -= i - place;
-  }
-}
-
 }  // namespace graze

@@ -11,7 +11,4 @@ namespace graze {
 /// Ascending. Many of them take a fourth of the time of std::sort.
 void sort_pairs(std::vector<TrianglePair>& pairs);
 
-/// The same, for less where few are out of order.
-void sort_nearly_sorted(std::vector<TrianglePair>& pairs);
-
 }  // namespace graze

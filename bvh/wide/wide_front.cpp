@@ -1,0 +1,123 @@
+#include <graze/bvh/wide/front_pass.h>
+#include <graze/bvh/wide/wide_front.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace graze::bvh {
+namespace {
+
+/// Of vectors that grow.
+constexpr std::size_t kFirstSize = 64;
+
+/// What has a deadline up to it is due.
+float due_at(const WideFront::Pass& pass, double limit) {
+  return rounded_up((pass.moved + limit) + 2 * pass.slack);
+}
+
+std::size_t count_due(const std::vector<float>& deadlines, float due) {
+  return static_cast<std::size_t>(std::count_if(deadlines.begin(), deadlines.end(),
+                                                [due](float deadline) { return deadline <= due; }));
+}
+
+}  // namespace
+
+WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
+    : bounds(what),
+      slack(std::max(b_in_a.slack, a_in_b.slack)),
+      into{WideWay(b_in_a), WideWay(a_in_b)},
+      units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
+
+void WideFront::Pass::aim_along(const double (&along)[3]) {
+  const WideWay& of_a_in_b = into[1];
+  for (int i = 0; i < 3; ++i) {
+    direction[0][i] = static_cast<float>(along[i]);
+    direction[1][i] = static_cast<float>(-(of_a_in_b.rotation[i][0] * along[0] +
+                                           of_a_in_b.rotation[i][1] * along[1] +
+                                           of_a_in_b.rotation[i][2] * along[2]));
+  }
+}
+
+WideFront::Pass WideFront::pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                                Bounds bounds, const Motion& motion) const {
+  Pass pass(b_in_a, a_in_b, bounds);
+  pass.moved = motion.way;
+  pass.since[0] = FrontWay(first_[0], b_in_a, *state_.tree[1], motion.turn);
+  pass.since[1] = FrontWay(first_[1], a_in_b, *state_.tree[0], motion.turn);
+  return pass;
+}
+
+void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+                      const RelativeFrame& a_in_b) {
+  first_[0] = b_in_a;
+  first_[1] = a_in_b;
+  state_.tree[0] = &tree_a;
+  state_.tree[1] = &tree_b;
+  state_.visits.reserve(kFirstSize);
+  state_.visit_planes.reserve(kFirstSize);
+  state_.leaves.reserve(kFirstSize);
+  state_.leaf_planes.reserve(kFirstSize);
+  state_.visits.clear();
+  state_.visit_planes.clear();
+  state_.visit_deadlines.clear();
+  state_.leaves.clear();
+  state_.leaf_planes.clear();
+  state_.leaves_deadlines.clear();
+  state_.busy.clear();
+  state_.candidates.clear();
+  state_.candidate_deadlines.clear();
+  state_.lanes = 0;
+}
+
+PlacePair WideFront::places_of(std::uint32_t lane_of_leaves) const {
+  const Leaves& leaves = state_.leaves[lane_of_leaves / kLeafPairs];
+  const std::uint32_t lane = lane_of_leaves % kLeafPairs;
+  const PlacePair places = {leaves.host.first + lane / ChildLink::kMaxLeafSize,
+                            leaves.guest.first + lane % ChildLink::kMaxLeafSize};
+  return leaves.host_side == 0 ? places : PlacePair{places.b, places.a};
+}
+
+double WideFront::share_due(const Pass& pass, double limit) const {
+  const float due = due_at(pass, limit);
+  const std::size_t all = state_.visits.size() + state_.leaves.size();
+  return static_cast<double>(count_due(state_.visit_deadlines, due) +
+                             count_due(state_.leaves_deadlines, due)) /
+         static_cast<double>(all);
+}
+
+void WideFront::advance(const Pass& pass, double limit) {
+  const std::uint64_t before = state_.counts.box_tests;
+  const std::uint64_t known = state_.lanes;
+  const float float_limit = limit > 0 ? rounded_up(limit) : 0;
+  pass_over(state_, pass, float_limit, due_at(pass, limit));
+  const std::uint64_t tested = state_.counts.box_tests - before;
+  skipped_ += known > tested ? known - tested : 0;
+}
+
+bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) const {
+  return state_.candidate_deadlines[index] <= due_at(pass, limit);
+}
+
+void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
+  state_.candidate_deadlines[index] = rounded_down(pass.moved + gap);
+}
+
+double WideFront::proven_gap(const Pass& pass) const {
+  if (!state_.busy.empty()) return 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (const std::vector<float>* deadlines :
+       {&state_.visit_deadlines, &state_.leaves_deadlines, &state_.candidate_deadlines}) {
+    for (const float deadline : *deadlines)
+      least = std::min(least, deadline);
+  }
+  return (static_cast<double>(least) - pass.moved) - 2 * pass.slack;
+}
+
+WideFront::Counts WideFront::take_counts() {
+  const Counts counts{state_.counts, skipped_};
+  state_.counts = {};
+  skipped_ = 0;
+  return counts;
+}
+
+}  // namespace graze::bvh
