@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/io/source.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace graze::cases {
 
@@ -72,6 +73,22 @@ bool JsonCursor::boolean() const {
 const std::string& JsonCursor::text() const {
   require(JsonKind::String);
   return value_.text;
+}
+
+bool JsonCursor::is_text(std::string_view text) const {
+  return value_.kind == JsonKind::String && value_.text == text;
+}
+
+std::uint64_t JsonCursor::bits() const {
+  const std::string& all = text();
+  std::uint64_t value = 0;
+  const char* end = all.data() + all.size();
+  const bool has_prefix = all.starts_with("0x") && all.size() > 2 && all.size() <= 18 &&
+                          all.find_first_not_of("0123456789abcdef", 2) == std::string::npos;
+  if (!has_prefix || std::from_chars(all.data() + 2, end, value, 16).ptr != end) {
+    fail(mesh_io::quoted(all) + " is not 0x and up to 16 digits 0-9 a-f");
+  }
+  return value;
 }
 
 std::uint32_t JsonCursor::index(std::uint32_t max) const {

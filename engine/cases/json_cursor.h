@@ -35,6 +35,9 @@ class JsonCursor {
 
   bool boolean() const;
   const std::string& text() const;
+  bool is_text(std::string_view text) const;  ///< this very string, and no other kind of value
+  /// 64 bits as a string, `0x` and up to 16 digits 0-9 a-f: a JSON number holds 53.
+  std::uint64_t bits() const;
   /// A whole number from 0 to `max`.
   std::uint32_t index(std::uint32_t max) const;
   /// A whole number from `min` to `max`.

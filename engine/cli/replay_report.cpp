@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/io/source.h>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <filesystem>
 
 namespace graze::cli {
@@ -26,6 +27,19 @@ std::string reason_of(const Testimony& testimony) {
   if (testimony.is_wrong()) reason = name_of(testimony.judgement.error_class);
   if (testimony.differs_from_record) reason += reason.empty() ? "changed" : ", changed";
   return reason;
+}
+
+/// The engines that gave no answer: they have no such query, or refuse such shapes.
+std::vector<std::string> silent_ones(std::span<const std::string> engines,
+                                     const std::vector<Testimony>& testimonies) {
+  std::vector<std::string> silent;
+  for (const std::string& engine : engines) {
+    const bool has_spoken = std::any_of(
+        testimonies.begin(), testimonies.end(),
+        [&](const Testimony& t) { return !t.is_recorded && t.witness.engine == engine; });
+    if (!has_spoken) silent.push_back(engine);
+  }
+  return silent;
 }
 
 /// Distances with all digits: two that differ in the last one are two answers.
@@ -68,6 +82,8 @@ ReplayReport::ReplayReport(Output& output, bool is_json)
               {"time (us)", 10}}) {}
 
 void ReplayReport::begin(std::span<const compare::EngineEntry> engines) {
+  for (const compare::EngineEntry& entry : engines)
+    if (entry.engine != nullptr) engines_.push_back(entry.name);
   if (is_json_) return;
   for (const compare::EngineEntry& entry : engines) {
     if (entry.engine == nullptr)
@@ -95,6 +111,13 @@ void ReplayReport::add(const std::string& file, const Case& query,
       line += to_json(testimony);
       separator = ",";
     }
+    line += "],\"silent\":[";
+    separator = "";
+    for (const std::string& engine : silent_ones(engines_, testimonies)) {
+      line += separator;
+      line += json_string(engine);
+      separator = ",";
+    }
     output_.write(line + "]}\n");
     return;
   }
@@ -108,6 +131,11 @@ void ReplayReport::add(const std::string& file, const Case& query,
                         is_wrong ? fmt::format("{:.3g}", t.judgement.error) : "",
                         is_wrong ? fmt::format("{:.3g}", t.judgement.ulps) : "",
                         t.is_recorded ? "" : fmt::format("{:.1f}", t.time.count())});
+    name.clear();
+    question.clear();
+  }
+  for (const std::string& engine : silent_ones(engines_, testimonies)) {
+    rows += table_.row({name, question, engine, "knows no such query", "", "", "", "", "", ""});
     name.clear();
     question.clear();
   }

@@ -84,8 +84,7 @@ class OdePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (question.settings.touch == Touch::Exclude) return std::nullopt;
-    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
     CaseAnswer answer;
     if (question.ask == Ask::Any) {
       answer.says = !collide(pose_a, pose_b, 1 | static_cast<int>(CONTACTS_UNIMPORTANT)).empty();

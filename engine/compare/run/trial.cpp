@@ -95,6 +95,10 @@ std::string brief(const CaseAnswer& answer) {
   if (answer.pairs) return counted(answer.pairs->size(), "pair");
   if (answer.triangles) return counted(answer.triangles->size(), "triangle");
   if (answer.contacts) return counted(answer.contacts->size(), "contact");
+  if (answer.manifold) return counted(answer.manifold->size(), "contact");
+  if (answer.hits) return counted(answer.hits->size(), "hit");
+  if (answer.corners) return counted(answer.corners->size(), "corner");
+  if (answer.intersection) return counted(answer.intersection->points.size(), "point");
   if (!answer.distance) return "nothing";
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.6g m", *answer.distance);
