@@ -31,9 +31,6 @@ inline constexpr std::array<std::pair<const char*, Feature>, 3> kFeatures = {{
     {"face", Feature::Face},
 }};
 
-/// A distance beyond the largest double, in place of a number.
-inline constexpr const char* kInfinite = "infinite";
-
 /// Whether a question is about A alone.
 inline bool is_about_one(Ask ask) {
   return ask == Ask::SelfAny || ask == Ask::SelfPairs;

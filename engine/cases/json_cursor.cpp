@@ -1,10 +1,12 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/cases/hex_float.h>
 #include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/json_text.h>
 #include <graze/engine/mesh/io/source.h>
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace graze::cases {
 
@@ -75,10 +77,6 @@ const std::string& JsonCursor::text() const {
   return value_.text;
 }
 
-bool JsonCursor::is_text(std::string_view text) const {
-  return value_.kind == JsonKind::String && value_.text == text;
-}
-
 std::uint64_t JsonCursor::bits() const {
   const std::string& all = text();
   std::uint64_t value = 0;
@@ -116,6 +114,11 @@ double JsonCursor::number() const {
          " is not a finite double as a hex float, such as \"0x1.8p+1\"");
   }
   return *value;
+}
+
+double JsonCursor::number_or_infinite() const {
+  const bool is_infinite = value_.kind == JsonKind::String && value_.text == kInfinite;
+  return is_infinite ? std::numeric_limits<double>::infinity() : number();
 }
 
 Eigen::Vector3d JsonCursor::point() const {

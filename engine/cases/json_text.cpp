@@ -82,6 +82,10 @@ std::string json_plain_number(double value) {
   return {text.data(), end.ptr};
 }
 
+std::string json_plain_or_infinite(double value) {
+  return std::isfinite(value) ? json_plain_number(value) : json_string(kInfinite);
+}
+
 std::string json_point(const Eigen::Vector3d& point) {
   std::string out = "[";
   for (int axis = 0; axis < 3; ++axis) {

@@ -23,6 +23,12 @@ std::string json_bits(std::uint64_t bits);
 /// is not finite. For people and their tools: what is read again is written as hex floats.
 std::string json_plain_number(double value);
 
+/// Stands in place of a number beyond the largest double.
+inline constexpr const char* kInfinite = "infinite";
+
+/// The same, and that word for what is not finite: JsonCursor::number_or_infinite() reads it back.
+std::string json_plain_or_infinite(double value);
+
 /// `["0x1p+0","0x0p+0",...]`.
 std::string json_point(const Eigen::Vector3d& point);
 

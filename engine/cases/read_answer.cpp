@@ -1,4 +1,3 @@
-#include <graze/engine/cases/case_words.h>
 #include <graze/engine/cases/read_parts.h>
 
 #include <limits>
@@ -27,13 +26,8 @@ double read_length(const JsonCursor& at) {
   return length;
 }
 
-/// A number, or the word for one beyond the largest.
-double read_any_distance(const JsonCursor& at) {
-  return at.is_text(kInfinite) ? std::numeric_limits<double>::infinity() : at.number();
-}
-
 double read_way(const JsonCursor& at) {
-  const double way = read_any_distance(at);
+  const double way = at.number_or_infinite();
   if (way < 0) at.fail("is negative");
   return way;
 }
@@ -41,7 +35,7 @@ double read_way(const JsonCursor& at) {
 CaseContact read_contact(const JsonCursor& at) {
   at.require_keys({"point", "point_a", "point_b", "normal", "depth"});
   return {at.member("point").point(), at.member("point_a").point(), at.member("point_b").point(),
-          at.member("normal").point(), read_length(at.member("depth"))};
+          at.member("normal").point(), at.member("depth").number()};  // below 0: merely near
 }
 
 ShapeContact read_shape_contact(const JsonCursor& at) {
@@ -75,7 +69,8 @@ CaseAnswer read_contacts(const JsonCursor& at) {
 }
 
 void read_points(const JsonCursor& at, CaseAnswer& answer) {
-  answer.distance = read_any_distance(at.member("distance"));  // below 0: an engine claims a touch
+  answer.distance =
+      at.member("distance").number_or_infinite();  // below 0: an engine claims a touch
   if (at.has("point_a")) answer.point_a = at.member("point_a").point();
   if (at.has("point_b")) answer.point_b = at.member("point_b").point();
 }

@@ -57,9 +57,10 @@ std::string to_json(const Testimony& t) {
                   to_plain_json(t.answer), json_string(name_of(judgement.verdict)));
   if (!judgement.truth.empty()) out += fmt::format(",\"truth\":{}", json_string(judgement.truth));
   if (judgement.verdict == Verdict::Wrong) {
-    out += fmt::format(
-        ",\"class\":{},\"error\":{},\"ulps\":{}", json_string(name_of(judgement.error_class)),
-        cases::json_plain_number(judgement.error), cases::json_plain_number(judgement.ulps));
+    out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
+                       json_string(name_of(judgement.error_class)),
+                       cases::json_plain_or_infinite(judgement.error),
+                       cases::json_plain_or_infinite(judgement.ulps));
     if (judgement.wrong_pairs > 0) out += fmt::format(",\"wrong_pairs\":{}", judgement.wrong_pairs);
   }
   if (t.differs_from_record) out += ",\"changed\":true";

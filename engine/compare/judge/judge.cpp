@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/mesh_referee.h>
@@ -272,11 +273,7 @@ Judgement Judge::Truth::judge_contacts(const CaseAnswer& answer, const JudgeSett
 }
 
 Judgement Judge::Truth::judge_distance(const CaseAnswer& answer, bool is_graze) {
-  const auto in_range = [&](const TrianglePair& pair) {
-    return pair.a < meshes->a.mesh.triangles().size() && pair.b < meshes->b.mesh.triangles().size();
-  };
-  const bool has_hint = answer.pair && in_range(*answer.pair);
-  const MeshReferee::Gap& nearest = gap(has_hint ? answer.pair : std::nullopt);
+  const MeshReferee::Gap& nearest = gap(answer.pair);
   const double claimed = *answer.distance;
   const bool claims_touch = claimed < 0 && !is_graze;
   Judgement judgement = claims_touch ? judge_touch_claim(nearest) : Judgement();
@@ -335,6 +332,9 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
                        const JudgeSettings& settings) const {
   const bool is_graze = witness.engine == "graze";
   const Case& query = truth_->query;
+  if (const std::optional<std::string> fault = fault_of_answer(query, answer)) {
+    return engine_error(*fault);
+  }
   if (!may_be_judged(query) || !query.b) return {};
   if (truth_->bodies) {
     if (query.ask != Ask::Any || !answer.says) return {};
@@ -370,7 +370,8 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* name_of(ErrorClass error_class) {
-  constexpr std::array kNames = {"touching", "pose rounding", "degenerate", "containment", "real"};
+  constexpr std::array kNames = {"touching",    "pose rounding", "degenerate",
+                                 "containment", "real",          "engine error"};
   return kNames[static_cast<std::size_t>(error_class)];
 }
 

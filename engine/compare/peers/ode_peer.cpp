@@ -5,6 +5,7 @@
 #include <graze/narrowphase/convex/hull.h>
 
 #include <ode/ode.h>
+#include <ode/version.h>
 #include <algorithm>
 #include <array>
 #include <cstdarg>
@@ -279,7 +280,7 @@ class OdeShapes : public LoadedShapes {
 
 class OdeEngine : public Engine {
  public:
-  CaseWitness name() const override { return {"ode", ""}; }
+  CaseWitness name() const override { return {"ode", dODE_VERSION}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     start_ode();
     return std::make_unique<OdePair>(mesh_a, mesh_b);
