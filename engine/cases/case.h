@@ -9,11 +9,16 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/obb.h>
+#include <graze/bvh/ray.h>
 #include <graze/bvh/sphere.h>
+#include <graze/engine/cases/case_intersection.h>
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/self.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
@@ -51,26 +56,35 @@ struct CaseBody {
 
 /// One of the two things that a case asks about. Only meshes and bodies have poses: a triangle is
 /// placed.
-using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh, CaseBody>;
+using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh, CaseBody, Ray>;
 
-/// Which query a case is. The names in brackets are those of the file.
+/// Which query a case is. The names in brackets are those of the file. README.md has the table of
+/// all queries.
 enum class Ask {
-  Any,         ///< "any": intersects(A, B), of two bodies too, or overlaps(A, B) of two volumes
-  Pairs,       ///< "pairs": find_triangle_pairs(A, B), find_triangles(A, B) for a volume B
-  Distance,    ///< "distance": distance(A, B) of meshes or triangles
-  Within,      ///< "within": within(A, B, clearance)
-  Contacts,    ///< "contacts": find_contacts(A, B)
-  Separation,  ///< "separation": separating_translation(A, B)
-  Contains,    ///< "contains": contains(A, B), a mesh and a point
-  SelfAny,     ///< "self_any": self_intersects(A)
-  SelfPairs,   ///< "self_pairs": find_self_pairs(A)
+  Any,           ///< "any": intersects(A, B), or overlaps(A, B) of two volumes
+  Pairs,         ///< "pairs": find_triangle_pairs(A, B), find_triangles(A, B) for a volume B
+  Distance,      ///< "distance": distance(A, B) of meshes, triangles or bodies
+  Within,        ///< "within": within(A, B, clearance)
+  Contacts,      ///< "contacts": find_contacts(A, B) of meshes or bodies
+  Intersection,  ///< "intersection": find_intersection(A, B), intersection(A, B) of triangles
+  Separation,    ///< "separation": separating_translation(A, B), along a direction or the best
+  Ray,           ///< "ray": cast_ray(A, B) of a mesh, a triangle or a body, and a ray
+  RayAll,        ///< "ray_all": cast_ray_all(A, B), a mesh and a ray
+  Contains,      ///< "contains": contains(A, B), a mesh or a volume, and a point
+  SelfAny,       ///< "self_any": self_intersects(A)
+  SelfPairs,     ///< "self_pairs": find_self_pairs(A)
 };
 
 /// The settings that can change an answer, and no others.
 struct CaseSettings {
-  Touch touch = Touch::Include;
-  Interior interior = Interior::Surface;
-  double clearance = 0;  ///< metres, of Ask::Within
+  Touch touch = Touch::Include;           ///< of two meshes' or triangles' Any, and meshes' Pairs
+  Interior interior = Interior::Surface;  ///< of Any about a mesh and another or a volume
+  double clearance = 0;                   ///< metres, of Ask::Within
+  /// Of Ask::Separation, of any length; none: the best that is found.
+  std::optional<Eigen::Vector3d> direction = {};
+  SelfPairKind self_kind = SelfPairKind::Crossing;  ///< of Ask::SelfPairs
+  /// Of Pairs and SelfPairs: stop after so many. Which ones these are is for the engine to say.
+  std::optional<std::uint32_t> limit = {};
 };
 
 struct CaseContact {
@@ -81,7 +95,8 @@ struct CaseContact {
   double depth;            ///< metres
 };
 
-/// What an engine answered: the parts that its question asks for.
+/// What an engine answered: the parts that its question asks for. Distances alone may be infinite,
+/// where the true one is beyond the largest double.
 struct CaseAnswer {
   std::optional<bool> says;  ///< Any, Within, Contains, SelfAny
   std::optional<std::vector<TrianglePair>> pairs;
@@ -89,11 +104,18 @@ struct CaseAnswer {
   /// Distance, Separation; metres. Of a distance a negative one claims a touch: some engines return
   /// -1 or how deep it is.
   std::optional<double> distance;
+  std::optional<double> lower_bound;       ///< Distance of bodies, metres
+  std::optional<bool> is_converged;        ///< likewise
+  std::optional<Eigen::Vector3d> normal;   ///< likewise, from A to B
   std::optional<Eigen::Vector3d> point_a;  ///< Distance, if the engine names points
   std::optional<Eigen::Vector3d> point_b;
   std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
   std::optional<Eigen::Vector3d> translation;  ///< Separation, metres
   std::optional<std::vector<CaseContact>> contacts;
+  std::optional<std::vector<ShapeContact>> manifold;    ///< Contacts, of bodies
+  std::optional<CaseIntersection> intersection;         ///< Intersection, of meshes
+  std::optional<std::vector<Eigen::Vector3d>> corners;  ///< Intersection, of triangles
+  std::optional<std::vector<RayHit>> hits;              ///< Ray: one at most; RayAll
 };
 
 /// Whether two answers agree in every bit, but for the sign of zeros in numbers that are equal.

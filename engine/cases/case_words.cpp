@@ -16,18 +16,40 @@ bool is_same(const CaseContact& a, const CaseContact& b) {
          a.normal == b.normal && a.depth == b.depth;
 }
 
+bool is_same(const ShapeContact& a, const ShapeContact& b) {
+  return a.point == b.point && a.normal == b.normal && a.depth == b.depth && a.feature == b.feature;
+}
+
+bool is_same(const RayHit& a, const RayHit& b) {
+  return a.distance == b.distance && a.point == b.point && a.normal == b.normal &&
+         a.triangle == b.triangle;
+}
+
+bool is_same(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a == b;
+}
+
+template <typename Item>
+bool is_same(const std::optional<std::vector<Item>>& a, const std::optional<std::vector<Item>>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return std::equal(a->begin(), a->end(), b->begin(), b->end(),
+                    [](const Item& s, const Item& t) { return is_same(s, t); });
+}
+
+bool is_same(const std::optional<CaseIntersection>& a, const std::optional<CaseIntersection>& b) {
+  return a.has_value() == b.has_value() && (!a || is_same(*a, *b));
+}
+
 }  // namespace
 
 bool is_same(const CaseAnswer& a, const CaseAnswer& b) {
-  if (a.contacts.has_value() != b.contacts.has_value()) return false;
-  if (a.contacts &&
-      !std::equal(a.contacts->begin(), a.contacts->end(), b.contacts->begin(), b.contacts->end(),
-                  [](const CaseContact& s, const CaseContact& t) { return is_same(s, t); })) {
-    return false;
-  }
   return a.says == b.says && a.pairs == b.pairs && a.triangles == b.triangles &&
-         a.distance == b.distance && is_same(a.point_a, b.point_a) &&
-         is_same(a.point_b, b.point_b) && a.pair == b.pair && is_same(a.translation, b.translation);
+         a.distance == b.distance && a.lower_bound == b.lower_bound &&
+         a.is_converged == b.is_converged && is_same(a.normal, b.normal) &&
+         is_same(a.point_a, b.point_a) && is_same(a.point_b, b.point_b) && a.pair == b.pair &&
+         is_same(a.translation, b.translation) && is_same(a.contacts, b.contacts) &&
+         is_same(a.manifold, b.manifold) && is_same(a.intersection, b.intersection) &&
+         is_same(a.corners, b.corners) && is_same(a.hits, b.hits);
 }
 
 const char* name_of(Ask ask) {
@@ -38,7 +60,8 @@ const char* name_of(Ask ask) {
 }
 
 const char* name_of(const CaseShape& shape) {
-  constexpr std::array kNames = {"triangle", "box", "obb", "sphere", "point", "mesh", "body"};
+  constexpr std::array kNames = {"triangle", "box",  "obb",  "sphere",
+                                 "point",    "mesh", "body", "ray"};
   static_assert(kNames.size() == std::variant_size_v<CaseShape>);
   return kNames[shape.index()];
 }

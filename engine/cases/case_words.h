@@ -10,16 +10,25 @@ namespace graze::cases {
 /// The version of the format that is written, and the only one that is read.
 inline constexpr std::uint32_t kCaseVersion = 1;
 
-inline constexpr std::array<std::pair<const char*, Ask>, 9> kAsks = {{
+inline constexpr std::array<std::pair<const char*, Ask>, 12> kAsks = {{
     {"any", Ask::Any},
     {"pairs", Ask::Pairs},
     {"distance", Ask::Distance},
     {"within", Ask::Within},
     {"contacts", Ask::Contacts},
+    {"intersection", Ask::Intersection},
     {"separation", Ask::Separation},
+    {"ray", Ask::Ray},
+    {"ray_all", Ask::RayAll},
     {"contains", Ask::Contains},
     {"self_any", Ask::SelfAny},
     {"self_pairs", Ask::SelfPairs},
+}};
+
+inline constexpr std::array<std::pair<const char*, Feature>, 3> kFeatures = {{
+    {"vertex", Feature::Vertex},
+    {"edge", Feature::Edge},
+    {"face", Feature::Face},
 }};
 
 /// Whether a question is about A alone.

@@ -1,9 +1,12 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/cases/hex_float.h>
 #include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/json_text.h>
 #include <graze/engine/mesh/io/source.h>
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
 
 namespace graze::cases {
 
@@ -74,6 +77,18 @@ const std::string& JsonCursor::text() const {
   return value_.text;
 }
 
+std::uint64_t JsonCursor::bits() const {
+  const std::string& all = text();
+  std::uint64_t value = 0;
+  const char* end = all.data() + all.size();
+  const bool has_prefix = all.starts_with("0x") && all.size() > 2 && all.size() <= 18 &&
+                          all.find_first_not_of("0123456789abcdef", 2) == std::string::npos;
+  if (!has_prefix || std::from_chars(all.data() + 2, end, value, 16).ptr != end) {
+    fail(mesh_io::quoted(all) + " is not 0x and up to 16 digits 0-9 a-f");
+  }
+  return value;
+}
+
 std::uint32_t JsonCursor::index(std::uint32_t max) const {
   return static_cast<std::uint32_t>(whole(0, max));
 }
@@ -99,6 +114,11 @@ double JsonCursor::number() const {
          " is not a finite double as a hex float, such as \"0x1.8p+1\"");
   }
   return *value;
+}
+
+double JsonCursor::number_or_infinite() const {
+  const bool is_infinite = value_.kind == JsonKind::String && value_.text == kInfinite;
+  return is_infinite ? std::numeric_limits<double>::infinity() : number();
 }
 
 Eigen::Vector3d JsonCursor::point() const {

@@ -35,12 +35,16 @@ class JsonCursor {
 
   bool boolean() const;
   const std::string& text() const;
+  /// 64 bits as a string, `0x` and up to 16 digits 0-9 a-f: a JSON number holds 53.
+  std::uint64_t bits() const;
   /// A whole number from 0 to `max`.
   std::uint32_t index(std::uint32_t max) const;
   /// A whole number from `min` to `max`.
   std::int64_t whole(std::int64_t min, std::int64_t max) const;
   /// A hex float as a string, or a JSON number, which is rounded once.
   double number() const;
+  /// The same, or the word "infinite" for what is beyond the largest.
+  double number_or_infinite() const;
   Eigen::Vector3d point() const;
 
  private:

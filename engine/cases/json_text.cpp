@@ -69,11 +69,21 @@ std::string json_number(double value) {
   return out + '"';
 }
 
+std::string json_bits(std::uint64_t bits) {
+  std::array<char, 16> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), bits, 16).ptr;
+  return std::string("\"0x") + std::string(digits.data(), end) + "\"";
+}
+
 std::string json_plain_number(double value) {
   if (!std::isfinite(value)) return "null";
   std::array<char, 32> text;
   const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
+}
+
+std::string json_plain_or_infinite(double value) {
+  return std::isfinite(value) ? json_plain_number(value) : json_string(kInfinite);
 }
 
 std::string json_point(const Eigen::Vector3d& point) {

@@ -77,7 +77,7 @@ class Builder {
   bool number_integer(std::int64_t value) { return add_whole(static_cast<double>(value)); }
   bool number_unsigned(std::uint64_t value) { return add_whole(static_cast<double>(value)); }
   bool number_float(double value, const std::string& text) {
-    if (!std::isfinite(value)) fail(mesh_io::quoted(text) + " is not finite");
+    if (!std::isfinite(value)) fail_here(mesh_io::quoted(text) + " is not finite");
     add(JsonKind::Number).number = value;
     return true;
   }
@@ -111,10 +111,32 @@ class Builder {
       const std::size_t end = why.find(mark);
       if (end != why.npos) why.erase(0, end + 2);
     }
-    fail("not JSON: " + why);
+    fail_here("not JSON: " + why);
   }
 
  private:
+  /// The JSON pointer of the value that is being read; empty where none is.
+  std::string place() const {
+    std::string place;
+    for (const JsonValue* each : open_) {
+      const bool is_innermost = each == open_.back();
+      const std::size_t read = each->items.size();
+      if (each->kind == JsonKind::Array) {
+        place += '/';
+        place += std::to_string(is_innermost ? read : read - 1);
+      } else if (!is_innermost || each->keys.size() > read) {
+        place += '/';
+        place += each->keys.back();
+      }
+    }
+    return place;
+  }
+
+  [[noreturn]] void fail_here(const std::string& why) {
+    const std::string where = place();
+    fail(where.empty() ? why : mesh_io::printable(where) + ": " + why);
+  }
+
   [[noreturn]] void fail(const std::string& why) {
     throw CaseError(name_ + ":" + std::to_string(reading_.line_now()) + ": " + why);
   }

@@ -20,38 +20,6 @@ Ask read_question(const JsonCursor& at) {
   at.fail("there is no question " + mesh_io::quoted(at.text()) + "; there are " + list);
 }
 
-/// One of two words.
-bool is_second(const JsonCursor& at, const char* first, const char* second) {
-  if (at.text() != first && at.text() != second) {
-    at.fail(mesh_io::quoted(at.text()) + " is neither " + first + " nor " + second);
-  }
-  return at.text() == second;
-}
-
-CaseSettings read_settings(const JsonCursor& root, Ask ask) {
-  CaseSettings settings;
-  if (root.has("settings")) {
-    const JsonCursor at = root.member("settings");
-    at.require_keys({"touch", "interior", "clearance"});
-    if (at.has("touch")) {
-      const bool excludes = is_second(at.member("touch"), "include", "exclude");
-      settings.touch = excludes ? Touch::Exclude : Touch::Include;
-    }
-    if (at.has("interior")) {
-      const bool is_solid = is_second(at.member("interior"), "surface", "solid");
-      settings.interior = is_solid ? Interior::Solid : Interior::Surface;
-    }
-    if (at.has("clearance")) {
-      if (ask != Ask::Within) at.member("clearance").fail("only \"within\" has a clearance");
-      settings.clearance = at.member("clearance").number();
-      if (settings.clearance < 0) at.member("clearance").fail("is negative");
-      return settings;
-    }
-  }
-  if (ask == Ask::Within) root.fail("\"within\" needs settings with a clearance");
-  return settings;
-}
-
 bool is_mesh(const CaseShape& shape) {
   return std::holds_alternative<CaseMesh>(shape);
 }
@@ -69,12 +37,17 @@ bool is_volume(const CaseShape& shape) {
          std::holds_alternative<Sphere>(shape);
 }
 
+bool is_mesh_pair(const Case& query) {
+  return is_mesh(query.a) && query.b && is_mesh(*query.b);
+}
+
 /// Whether the library has such a query.
 bool is_answerable(const Case& query) {
   const CaseShape& a = query.a;
   if (!query.b) return is_mesh(a);
   const CaseShape& b = *query.b;
   const bool is_point_b = std::holds_alternative<CasePoint>(b);
+  const bool is_ray_b = std::holds_alternative<Ray>(b);
   const bool is_volume_b = is_volume(b);
   switch (query.ask) {
     case Ask::Any:
@@ -84,13 +57,21 @@ bool is_answerable(const Case& query) {
     case Ask::Pairs:
       return is_mesh(a) && (is_mesh(b) || is_volume_b);
     case Ask::Distance:
-      return (is_mesh(a) && is_mesh(b)) || (is_triangle(a) && is_triangle(b));
-    case Ask::Within:
+      return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b)) ||
+             (is_body(a) && is_body(b));
     case Ask::Contacts:
+      return is_mesh_pair(query) || (is_body(a) && is_body(b));
+    case Ask::Intersection:
+      return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b));
+    case Ask::Within:
     case Ask::Separation:
-      return is_mesh(a) && is_mesh(b);
+      return is_mesh_pair(query);
+    case Ask::Ray:
+      return (is_mesh(a) || is_triangle(a) || is_body(a)) && is_ray_b;
+    case Ask::RayAll:
+      return is_mesh(a) && is_ray_b;
     case Ask::Contains:
-      return is_mesh(a) && is_point_b;
+      return (is_mesh(a) || is_volume(a)) && is_point_b;
     default:
       return false;
   }
@@ -124,7 +105,9 @@ CaseWitness read_witness(const JsonCursor& at) {
 void check_pairs(const JsonCursor& root, const Case& query) {
   if (!query.answer) return;
   const auto count = [](const CaseShape& shape) -> std::size_t {
-    return is_mesh(shape) ? std::get<CaseMesh>(shape).mesh.triangles().size() : 1;
+    if (is_mesh(shape)) return std::get<CaseMesh>(shape).mesh.triangles().size();
+    const Mesh* body = is_body(shape) ? std::get<CaseBody>(shape).shape.as<Mesh>() : nullptr;
+    return body != nullptr ? body->triangles().size() : 1;
   };
   const std::size_t count_a = count(query.a);
   const std::size_t count_b = query.b ? count(*query.b) : count_a;
@@ -133,13 +116,19 @@ void check_pairs(const JsonCursor& root, const Case& query) {
     root.member("answer").fail("there is no pair of triangles " + std::to_string(pair.a) + " and " +
                                std::to_string(pair.b));
   };
-  if (query.answer->pair) check(*query.answer->pair);
-  if (query.answer->pairs) {
-    for (const TrianglePair& pair : *query.answer->pairs)
+  const CaseAnswer& answer = *query.answer;
+  const auto check_all = [&](const std::vector<TrianglePair>& pairs) {
+    for (const TrianglePair& pair : pairs)
       check(pair);
-  }
-  if (query.answer->triangles && !query.answer->triangles->empty()) {
-    check({query.answer->triangles->back(), 0});
+  };
+  if (answer.pair) check(*answer.pair);
+  if (answer.pairs) check_all(*answer.pairs);
+  if (answer.triangles && !answer.triangles->empty()) check({answer.triangles->back(), 0});
+  if (answer.intersection) cases::for_each_pairs(*answer.intersection, check_all);
+  if (!answer.hits) return;
+  for (const RayHit& hit : *answer.hits) {
+    if (hit.triangle == kNoTriangle || hit.triangle < count_a) continue;
+    root.member("answer").fail("there is no triangle " + std::to_string(hit.triangle));
   }
 }
 
@@ -168,7 +157,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
   cases::CaseShapes shapes = read_shapes(root, has_b, settings.mesh_folder);
   Case query{.note = root.has("note") ? root.member("note").text() : "",
              .ask = ask,
-             .settings = read_settings(root, ask),
+             .settings = cases::read_settings(root, ask),
              .a = std::move(shapes.a),
              .b = std::move(shapes.b),
              .answer = std::nullopt,
@@ -178,12 +167,12 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
         .fail(std::string("no query answers \"") + name_of(query.ask) + "\" for a " +
               name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
   }
+  cases::check_settings(root, query);
   if (root.has("answer") != root.has("answered_by")) {
     root.fail("\"answer\" and \"answered_by\" come together");
   }
   if (root.has("answer")) {
-    const bool has_volume_b = query.b && !is_mesh(*query.b);
-    query.answer = cases::read_answer(root.member("answer"), ask, has_volume_b);
+    query.answer = cases::read_answer(root.member("answer"), query);
     query.answered_by = read_witness(root.member("answered_by"));
     check_pairs(root, query);
   }

@@ -37,6 +37,14 @@ Sphere read_sphere(const JsonCursor& at) {
   return sphere;
 }
 
+Ray read_ray(const JsonCursor& at) {
+  at.require_keys({"origin", "direction", "max_distance"});
+  Ray ray{.origin = at.member("origin").point(), .direction = at.member("direction").point()};
+  if (at.has("max_distance")) ray.max_distance = at.member("max_distance").number();
+  at_place(at, [&] { check_ray(ray, "the ray"); });
+  return ray;
+}
+
 Pose pose_of(const JsonCursor& at) {
   return at.has("pose") ? read_pose(at.member("pose")) : Pose(Pose::Identity());
 }
@@ -69,12 +77,12 @@ class ShapeReader {
 
   CaseShape read(std::string_view side) const {
     const JsonCursor at = root_.member(side);
-    at.require_keys({"triangle", "box", "obb", "sphere", "point", "mesh", "body", "pose"});
+    at.require_keys({"triangle", "box", "obb", "sphere", "point", "mesh", "body", "ray", "pose"});
     const int kinds = at.has("triangle") + at.has("box") + at.has("obb") + at.has("sphere") +
-                      at.has("point") + at.has("mesh") + at.has("body");
+                      at.has("point") + at.has("mesh") + at.has("body") + at.has("ray");
     if (kinds != 1) {
       at.fail("has " + std::to_string(kinds) +
-              " shapes, not one of triangle, box, obb, sphere, point, mesh and body");
+              " shapes, not one of triangle, box, obb, sphere, point, mesh, body and ray");
     }
     if (at.has("pose") && !at.has("mesh") && !at.has("body")) {
       at.member("pose").fail("only a mesh and a body have a pose");
@@ -84,6 +92,7 @@ class ShapeReader {
     if (at.has("obb")) return read_obb(at.member("obb"));
     if (at.has("sphere")) return read_sphere(at.member("sphere"));
     if (at.has("point")) return CasePoint{at.member("point").point()};
+    if (at.has("ray")) return read_ray(at.member("ray"));
     if (at.has("body")) return read_body(at);
     return read_placed_mesh(at, side);
   }

@@ -7,9 +7,16 @@
 namespace graze {
 namespace {
 
-void check_complete(Completeness completeness) {
-  if (completeness == Completeness::Complete) return;
-  throw InputError("to_case: a list that a limit has cut is no answer that can be asked for again");
+/// The limit that the case must name too; none of a complete list.
+template <typename List, typename Settings>
+std::optional<std::uint32_t> limit_of(const List& list, const Settings& settings) {
+  if (list.completeness == Completeness::Complete) return std::nullopt;
+  if (settings.limit != list.size() || settings.volume != Settings{}.volume) {
+    throw InputError(
+        "to_case: a list that a limit has cut is asked for again with that limit and the volume "
+        "that is the default; the settings say otherwise");
+  }
+  return static_cast<std::uint32_t>(list.size());
 }
 
 Case make_case(Ask ask, CaseShape a, std::optional<CaseShape> b, CaseAnswer answer,
@@ -35,45 +42,6 @@ CaseAnswer says_so(bool is_so) {
 
 }  // namespace
 
-CaseAnswer answer_of(const TrianglePairs& pairs) {
-  check_complete(pairs.completeness);
-  CaseAnswer answer;
-  answer.pairs = pairs.pairs;
-  return answer;
-}
-
-CaseAnswer answer_of(const TriangleList& triangles) {
-  check_complete(triangles.completeness);
-  CaseAnswer answer;
-  answer.triangles = triangles.triangles;
-  return answer;
-}
-
-CaseAnswer answer_of(const MeshDistance& gap) {
-  CaseAnswer answer;
-  answer.distance = gap.distance;
-  answer.point_a = gap.point_a;
-  answer.point_b = gap.point_b;
-  answer.pair = gap.pair;
-  return answer;
-}
-
-CaseAnswer answer_of(const MeshContacts& contacts) {
-  check_complete(contacts.completeness);
-  CaseAnswer answer;
-  answer.contacts.emplace();
-  for (const MeshContact& c : contacts)
-    answer.contacts->push_back({c.point, c.point_a, c.point_b, c.normal, c.depth});
-  return answer;
-}
-
-CaseAnswer answer_of(const Separation& separation) {
-  CaseAnswer answer;
-  answer.distance = separation.distance;
-  answer.translation = separation.translation;
-  return answer;
-}
-
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, bool says, const QuerySettings& settings) {
   return make_case(Ask::Any, CaseMesh(a), CaseMesh(b), says_so(says), settings_of(settings));
 }
@@ -85,11 +53,13 @@ Case to_case(const CaseShape& a, const CaseShape& b, bool says, const QuerySetti
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const TrianglePairs& pairs,
              const PairSettings& settings) {
   return make_case(Ask::Pairs, CaseMesh(a), CaseMesh(b), answer_of(pairs),
-                   {.touch = settings.touch});
+                   {.touch = settings.touch, .limit = limit_of(pairs, settings)});
 }
 
-Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles) {
-  return make_case(Ask::Pairs, CaseMesh(a), volume, answer_of(triangles));
+Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles,
+             const TriangleSettings& settings) {
+  return make_case(Ask::Pairs, CaseMesh(a), volume, answer_of(triangles),
+                   {.limit = limit_of(triangles, settings)});
 }
 
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshDistance& gap) {
@@ -101,11 +71,48 @@ Case to_case_within(const PlacedMesh& a, const PlacedMesh& b, double clearance, 
 }
 
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshContacts& contacts) {
+  if (contacts.completeness != Completeness::Complete) {
+    throw InputError("to_case: contacts that a limit has cut are no answer to ask for again");
+  }
   return make_case(Ask::Contacts, CaseMesh(a), CaseMesh(b), answer_of(contacts));
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation) {
-  return make_case(Ask::Separation, CaseMesh(a), CaseMesh(b), answer_of(separation));
+Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshIntersection& intersection) {
+  return make_case(Ask::Intersection, CaseMesh(a), CaseMesh(b), answer_of(intersection));
+}
+
+Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation,
+             const std::optional<Eigen::Vector3d>& direction) {
+  return make_case(Ask::Separation, CaseMesh(a), CaseMesh(b), answer_of(separation),
+                   {.direction = direction});
+}
+
+Case to_case(const Triangle& a, const Triangle& b, const TriangleDistance& gap) {
+  return make_case(Ask::Distance, a, b, answer_of(gap));
+}
+
+Case to_case(const Triangle& a, const Triangle& b, const TriangleIntersection& intersection) {
+  return make_case(Ask::Intersection, a, b, answer_of(intersection));
+}
+
+Case to_case(const CaseBody& a, const CaseBody& b, const ShapeDistance& gap) {
+  return make_case(Ask::Distance, a, b, answer_of(gap));
+}
+
+Case to_case(const CaseBody& a, const CaseBody& b, const Manifold& manifold) {
+  return make_case(Ask::Contacts, a, b, answer_of(manifold));
+}
+
+Case to_case(const CaseShape& shape, const Ray& ray, const std::optional<RayHit>& first) {
+  return make_case(Ask::Ray, shape, ray, answer_of(first));
+}
+
+Case to_case(const Triangle& triangle, const Ray& ray, const std::optional<TriangleRayHit>& hit) {
+  return make_case(Ask::Ray, triangle, ray, answer_of(hit));
+}
+
+Case to_case(const PlacedMesh& mesh, const Ray& ray, const std::vector<RayHit>& all) {
+  return make_case(Ask::RayAll, CaseMesh(mesh), ray, answer_of(all));
 }
 
 Case to_case_contains(const Mesh& mesh, const Eigen::Vector3d& point, bool is_inside) {
@@ -113,14 +120,19 @@ Case to_case_contains(const Mesh& mesh, const Eigen::Vector3d& point, bool is_in
                    says_so(is_inside));
 }
 
+Case to_case_contains(const CaseShape& volume, const Eigen::Vector3d& point, bool is_inside) {
+  return make_case(Ask::Contains, volume, CasePoint{point}, says_so(is_inside));
+}
+
 Case to_case_self(const Mesh& mesh, bool crosses_itself, const QuerySettings& settings) {
   return make_case(Ask::SelfAny, CaseMesh(mesh, Pose::Identity()), std::nullopt,
                    says_so(crosses_itself), settings_of(settings));
 }
 
-Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs) {
+Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs, const SelfSettings& settings) {
   return make_case(Ask::SelfPairs, CaseMesh(mesh, Pose::Identity()), std::nullopt,
-                   answer_of(self_pairs));
+                   answer_of(self_pairs),
+                   {.self_kind = settings.kind, .limit = limit_of(self_pairs, settings)});
 }
 
 }  // namespace graze

@@ -13,36 +13,71 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/ray/triangle_ray.h>
 
 namespace graze {
 
-/// intersects(): two meshes; a mesh and a volume; triangles; overlaps() of two volumes.
+/// intersects(): two meshes; a mesh and a volume; triangles, whose touch alone may be a setting;
+/// two bodies; overlaps() of two volumes.
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, bool says,
              const QuerySettings& settings = {});
 Case to_case(const CaseShape& a, const CaseShape& b, bool says, const QuerySettings& settings = {});
 
-/// find_triangle_pairs() and find_triangles(), complete: throws InputError for a list that a limit
-/// has cut, for which pairs it holds is nothing that another engine could be asked.
+/// find_triangle_pairs() and find_triangles() with these settings. Throws InputError for a list
+/// that a limit has cut if the settings name another limit, or another volume than is theirs by
+/// default: which pairs are found may then be others when the case is asked again.
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const TrianglePairs& pairs,
              const PairSettings& settings = {});
-Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles);
+Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles,
+             const TriangleSettings& settings = {});
 
-/// distance(), within(), find_contacts(), separating_translation() without a direction.
+/// distance(), within(), find_contacts() without a limit, find_intersection().
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshDistance& gap);
 Case to_case_within(const PlacedMesh& a, const PlacedMesh& b, double clearance, bool says);
 Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshContacts& contacts);
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation);
+Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshIntersection& intersection);
 
-/// contains(), self_intersects(), find_self_pairs() with SelfPairKind::Crossing.
+/// separating_translation(), without a direction or along one.
+Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation,
+             const std::optional<Eigen::Vector3d>& direction = std::nullopt);
+
+/// distance() and intersection() of triangles.
+Case to_case(const Triangle& a, const Triangle& b, const TriangleDistance& gap);
+Case to_case(const Triangle& a, const Triangle& b, const TriangleIntersection& intersection);
+
+/// distance() and find_contacts() of placed shapes.
+Case to_case(const CaseBody& a, const CaseBody& b, const ShapeDistance& gap);
+Case to_case(const CaseBody& a, const CaseBody& b, const Manifold& manifold);
+
+/// cast_ray() of a mesh or a body, of a triangle, and cast_ray_all().
+Case to_case(const CaseShape& shape, const Ray& ray, const std::optional<RayHit>& first);
+Case to_case(const Triangle& triangle, const Ray& ray, const std::optional<TriangleRayHit>& hit);
+Case to_case(const PlacedMesh& mesh, const Ray& ray, const std::vector<RayHit>& all);
+
+/// contains() of a mesh or a volume, self_intersects(), find_self_pairs().
 Case to_case_contains(const Mesh& mesh, const Eigen::Vector3d& point, bool is_inside);
+Case to_case_contains(const CaseShape& volume, const Eigen::Vector3d& point, bool is_inside);
 Case to_case_self(const Mesh& mesh, bool crosses_itself, const QuerySettings& settings = {});
-Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs);
+Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs,
+                  const SelfSettings& settings = {});
 
-/// Results as the answers of cases.
+/// Results as the answers of cases. Throw InputError for a point that is not finite: a ray's hit
+/// may be beyond the largest double.
 CaseAnswer answer_of(const TrianglePairs& pairs);
 CaseAnswer answer_of(const TriangleList& triangles);
 CaseAnswer answer_of(const MeshDistance& gap);
 CaseAnswer answer_of(const MeshContacts& contacts);
+CaseAnswer answer_of(const MeshIntersection& intersection);
 CaseAnswer answer_of(const Separation& separation);
+CaseAnswer answer_of(const TriangleDistance& gap);
+CaseAnswer answer_of(const TriangleIntersection& intersection);
+CaseAnswer answer_of(const ShapeDistance& gap);
+CaseAnswer answer_of(const Manifold& manifold);
+CaseAnswer answer_of(const std::optional<RayHit>& first);
+CaseAnswer answer_of(const std::optional<TriangleRayHit>& hit);
+CaseAnswer answer_of(const std::vector<RayHit>& all);
 
 }  // namespace graze

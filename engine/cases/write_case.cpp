@@ -5,61 +5,32 @@
 #include <graze/engine/mesh/io/output_file.h>
 #include <graze/engine/mesh/mesh_error.h>
 
-#include <string_view>
+#include <cmath>
 #include <vector>
 
 namespace graze {
 namespace {
 
+using cases::json_list;
 using cases::json_number;
 using cases::json_point;
 using cases::json_pose;
 using cases::json_string;
-
-/// `[item,item,...]`.
-template <typename List, typename Write>
-std::string list_of(const List& list, std::string_view separator, Write&& write) {
-  std::string out = "[";
-  bool is_first = true;
-  for (const auto& item : list) {
-    if (!is_first) out += separator;
-    is_first = false;
-    out += write(item);
-  }
-  return out + "]";
-}
-
-std::string text_of(const TrianglePair& pair) {
-  return std::string("[") + std::to_string(pair.a) + "," + std::to_string(pair.b) + "]";
-}
 
 std::string text_of(const TriangleIndices& t) {
   return std::string("[") + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," +
          std::to_string(t[2]) + "]";
 }
 
-/// How the numbers of an answer are written.
-struct NumberText {
-  std::string (*number)(double);
-
-  std::string point(const Eigen::Vector3d& p) const {
-    return std::string("[") + number(p.x()) + "," + number(p.y()) + "," + number(p.z()) + "]";
-  }
-  std::string contact(const CaseContact& contact) const {
-    return std::string("{\"point\":") + point(contact.point) +
-           ",\"point_a\":" + point(contact.point_a) + ",\"point_b\":" + point(contact.point_b) +
-           ",\"normal\":" + point(contact.normal) + ",\"depth\":" + number(contact.depth) + "}";
-  }
-};
-
 std::string mesh_text(const CaseMesh& mesh) {
   if (mesh.file) {
     return std::string("{\"file\": ") + json_string(mesh.file->path) +
            ", \"sha256\": " + json_string(mesh.file->sha256) + "}";
   }
-  return std::string("{\"vertices\": ") + list_of(mesh.mesh.vertices(), ",\n      ", json_point) +
+  return std::string("{\"vertices\": ") + json_list(mesh.mesh.vertices(), ",\n      ", json_point) +
          ",\n    \"triangles\": " +
-         list_of(mesh.mesh.triangles(), ",", [](const TriangleIndices& t) { return text_of(t); }) +
+         json_list(mesh.mesh.triangles(), ",",
+                   [](const TriangleIndices& t) { return text_of(t); }) +
          "}";
 }
 
@@ -95,7 +66,7 @@ struct BodyText {
     for (std::size_t i = 0; i < hull.vertex_count(); ++i)
       points.push_back(hull.vertex(i));
     return std::string("\"convex_hull\": {\"points\": ") +
-           list_of(points, ",\n      ", json_point) + "}";
+           json_list(points, ",\n      ", json_point) + "}";
   }
   std::string operator()(const HalfSpace& half_space) const {
     return std::string("\"half_space\": {\"normal\": ") + json_point(half_space.normal) +
@@ -128,6 +99,14 @@ struct ShapeText {
   std::string operator()(const CasePoint& point) const {
     return std::string("{\"point\": ") + json_point(point.position) + "}";
   }
+  std::string operator()(const Ray& ray) const {
+    std::string out = std::string("{\"ray\": {\"origin\": ") + json_point(ray.origin) +
+                      ", \"direction\": " + json_point(ray.direction);
+    if (std::isfinite(ray.max_distance)) {
+      out += std::string(", \"max_distance\": ") + json_number(ray.max_distance);
+    }
+    return out + "}}";
+  }
   std::string operator()(const CaseMesh& mesh) const {
     return std::string("{\"mesh\": ") + (is_same_as_a ? "{\"same_as\": \"a\"}" : mesh_text(mesh)) +
            ",\n    \"pose\": " + json_pose(mesh.pose) + "}";
@@ -144,6 +123,9 @@ std::string settings_text(const CaseSettings& settings, Ask ask) {
   if (settings.touch == Touch::Exclude) add("\"touch\": \"exclude\"");
   if (settings.interior == Interior::Solid) add("\"interior\": \"solid\"");
   if (ask == Ask::Within) add(std::string("\"clearance\": ") + json_number(settings.clearance));
+  if (settings.direction) add(std::string("\"direction\": ") + json_point(*settings.direction));
+  if (settings.self_kind == SelfPairKind::Neighbour) add("\"kind\": \"neighbour\"");
+  if (settings.limit) add(std::string("\"limit\": ") + std::to_string(*settings.limit));
   return out.empty() ? "" : ",\n  \"settings\": {" + out + "}";
 }
 
@@ -153,39 +135,7 @@ bool is_one_mesh(const Case& query) {
   return a != nullptr && b != nullptr && a->mesh == b->mesh;
 }
 
-std::string answer_text(const CaseAnswer& answer, const NumberText& numbers) {
-  std::string out;
-  const auto add = [&](const char* key, const std::string& value) {
-    out += (out.empty() ? "\"" : ",\"") + std::string(key) + "\":" + value;
-  };
-  const auto pair_text = [](const TrianglePair& pair) { return text_of(pair); };
-  if (answer.says) add("says", *answer.says ? "true" : "false");
-  if (answer.pairs) add("pairs", list_of(*answer.pairs, ",", pair_text));
-  if (answer.triangles) {
-    add("triangles",
-        list_of(*answer.triangles, ",", [](std::uint32_t t) { return std::to_string(t); }));
-  }
-  if (answer.distance) add("distance", numbers.number(*answer.distance));
-  if (answer.point_a) add("point_a", numbers.point(*answer.point_a));
-  if (answer.point_b) add("point_b", numbers.point(*answer.point_b));
-  if (answer.pair) add("pair", text_of(*answer.pair));
-  if (answer.translation) add("translation", numbers.point(*answer.translation));
-  if (answer.contacts) {
-    add("contacts", list_of(*answer.contacts, ",",
-                            [&](const CaseContact& contact) { return numbers.contact(contact); }));
-  }
-  return "{" + out + "}";
-}
-
 }  // namespace
-
-std::string to_json(const CaseAnswer& answer) {
-  return answer_text(answer, {json_number});
-}
-
-std::string to_plain_json(const CaseAnswer& answer) {
-  return answer_text(answer, {cases::json_plain_number});
-}
 
 std::string to_json(const Case& query) {
   std::string out = "{\n  \"graze_case\": " + std::to_string(cases::kCaseVersion);

@@ -108,6 +108,9 @@ struct ShapeOutlines {
   std::vector<Outline> operator()(const CasePoint& point) const {
     return {{.points = {point.position}}};
   }
+  std::vector<Outline> operator()(const Ray& ray) const {
+    return {{.points = {ray.origin}}};  // its line: see add_line()
+  }
   std::vector<Outline> operator()(const CaseMesh& mesh) const {
     std::vector<Outline> outlines;
     add_triangles(outlines, mesh.mesh, mesh.pose);
@@ -154,6 +157,17 @@ Outline plane_near(const CaseBody& body, const std::vector<Outline>& other) {
                      centre - right + up}};
 }
 
+/// The ray from its origin to where it leaves what it is cast at behind.
+void add_line(std::vector<Outline>& outlines, const Ray& ray, const std::vector<Outline>& other) {
+  const Eigen::Vector3d unit = ray.direction.stableNormalized();
+  double length = 0;
+  for (const Outline& outline : other) {
+    for (const Eigen::Vector3d& point : outline.points)
+      length = std::max(length, (point - ray.origin).norm());
+  }
+  outlines.front().points.push_back(ray.origin + std::min(length, ray.max_distance) * unit);
+}
+
 void add_plane(std::vector<Outline>& outlines, const CaseShape& shape,
                const std::vector<Outline>& other) {
   const auto* body = std::get_if<CaseBody>(&shape);
@@ -169,6 +183,7 @@ std::vector<Outline> case_outlines(const Case& query) {
   if (query.b) {
     b = std::visit(ShapeOutlines{}, *query.b);
     add_plane(b, *query.b, a);
+    if (const auto* ray = std::get_if<Ray>(&*query.b)) add_line(b, *ray, a);
   }
   add_plane(a, query.a, b);
   for (Outline& outline : a)

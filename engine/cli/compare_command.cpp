@@ -1,6 +1,7 @@
 #include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/compare_run.h>
 #include <graze/engine/cli/count_argument.h>
+#include <graze/engine/cli/shell_word.h>
 #include <graze/engine/scenes/read_scene.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +15,8 @@ constexpr const char* kCompareFooter = R"(
 Each pose of B is put to graze and to every other engine that this command was built with. Where they
 differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
-triangles, and written as cases to --cases.
+triangles, and written as cases to --cases. What an engine
+returns that is no answer (triangles that are not there, no number, a throw) is an engine error.
 
 Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
@@ -38,7 +40,8 @@ and of a scene each difference:
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and the median of its times, each beside what it was, within --time-tolerance.
 --resume FILE keeps a
-record of each pose, step or case as it is done, and goes on where a stopped run ended. Times of runs with many
+record of each pose, step or case as it is done, and goes on where a stopped run ended. Interrupted by ^C, a run
+with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
 Examples:
@@ -52,7 +55,8 @@ Examples:
 Exit codes:
   0  graze is right everywhere
   1  exact arithmetic found an answer of graze to be wrong, or --against found a regression
-  2  bad input, with one line on stderr)";
+  2  bad input, with one line on stderr
+  130  interrupted, with --resume: what is done is recorded)";
 
 void add_pose_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
@@ -111,8 +115,10 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& program, Action& action) {
+void add_compare_command(CLI::App& program, Action& action,
+                         const std::vector<std::string>& arguments) {
   auto options = std::make_shared<CompareOptions>();
+  options->command = shell_line(arguments);
   CLI::App* command =
       program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
   command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")

@@ -78,7 +78,8 @@ ExitCode run_compare_folder(const CompareOptions& options,
                            .place = "case",
                            .summaries = summarise(run.records),
                            .wrong = wrong_answers(run.records),
-                           .difference = run.difference};
+                           .difference = run.difference,
+                           .asked = recorded.head.parts};
   for (const compare::NamedCase& each : job.cases)
     findings.names.push_back(each.name);
   for (WrongAnswer& wrong : findings.wrong) {

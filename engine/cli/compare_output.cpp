@@ -1,6 +1,7 @@
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare_output.h>
 #include <graze/engine/cli/html_report.h>
+#include <graze/engine/cli/simd_target.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/io/source.h>
@@ -35,29 +36,34 @@ void check_places(const CompareOptions& options) {
   }
 }
 
-void check_resumed(const CompareOptions& options, bool is_same_job,
-                   std::span<const std::string> engines_then,
+void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
                    std::span<const compare::EngineEntry> engines_now) {
   const std::string file = mesh_io::printable(options.resume);
-  if (!is_same_job) {
-    throw UsageError("--resume: " + file + " is a record of something else");
+  if (!start.is_same_job) {
+    throw UsageError("--resume: " + file + " is a record of something else: " + start.difference);
   }
   const bool are_same =
-      std::equal(engines_then.begin(), engines_then.end(), engines_now.begin(), engines_now.end(),
+      std::equal(start.engines.begin(), start.engines.end(), engines_now.begin(), engines_now.end(),
                  [](const std::string& name, const compare::EngineEntry& entry) {
                    return name == entry.name;
                  });
   if (are_same) return;
   std::string names;
-  for (const std::string& name : engines_then)
+  for (const std::string& name : start.engines)
     names += (names.empty() ? "" : ",") + mesh_io::printable(name);
   throw UsageError("--resume: " + file + " is of other engines: " + names);
 }
 
-void check_baseline(const CompareOptions& options, bool is_same_job) {
-  if (is_same_job) return;
+void check_baseline(const CompareOptions& options, const compare::JournalStart& start) {
+  if (start.is_same_job) return;
   throw UsageError("--against: " + mesh_io::printable(options.against) +
-                   " is a record of something else");
+                   " is a record of something else: " + start.difference);
+}
+
+std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
+                              std::size_t done) {
+  return fmt::format("interrupted: {} of {} {} done, go on with --resume {}", done, head.places,
+                     head.unit, mesh_io::printable(options.resume));
 }
 
 namespace {
@@ -110,7 +116,8 @@ std::string text_of(const CompareFindings& findings, std::span<const WrittenCase
   }
   text += findings.rows;
   for (const WrittenCase& each : cases)
-    text += "shrunk: graze replay " + mesh_io::printable(each.file) + "\n";
+    text += "shrunk: graze replay " + mesh_io::printable(each.file) +
+            (each.least.empty() ? "" : " (" + each.least + ")") + "\n";
   return text + findings.count + "\n" + summary_text(findings.summaries);
 }
 
@@ -122,8 +129,13 @@ std::vector<WrittenCase> write_cases(const CompareOptions& options,
   if (options.cases.empty()) return written;
   for (compare::ShrunkCase& each : compare::shrink_worst(findings.wrong, field, options.keep)) {
     const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    const std::string says = each.query.answer ? compare::brief(*each.query.answer) : "nothing";
+    const auto add = [&](compare::ShrunkCase& shrunk, const std::string& file) {
+      const std::string least = compare::least_size(shrunk);
+      written.push_back({std::move(shrunk), from.place, from.where, file, says, least});
+    };
     if (!each.is_smaller && !from.origin.empty()) {
-      written.push_back({std::move(each), from.place, from.where, from.origin});
+      add(each, from.origin);
       continue;
     }
     std::error_code error;
@@ -131,16 +143,40 @@ std::vector<WrittenCase> write_cases(const CompareOptions& options,
     if (error) {
       throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": " + error.message());
     }
-    each.query.note = fmt::format(
-        "{}, {} {}: {} says {}, the truth is: {} ({})", findings.title, findings.place, from.where,
-        each.engine, each.query.answer ? compare::brief(*each.query.answer) : "nothing",
-        each.judgement.truth, name_of(each.judgement.error_class));
+    each.query.note = fmt::format("{}, {} {}: {} says {}, the truth is: {} ({})", findings.title,
+                                  findings.place, from.where, each.engine, says,
+                                  each.judgement.truth, name_of(each.judgement.error_class));
     const fs::path file =
         fs::path(options.cases) / fmt::format("{}-{}.json", each.engine, from.name);
-    write_case(file, each.query);
-    written.push_back({std::move(each), from.place, from.where, file.string()});
+    // What is no answer is in no file: whoever replays the case sees it again.
+    Case query = each.query;
+    if (each.judgement.error_class == compare::ErrorClass::EngineError) query.answer.reset();
+    write_case(file, query);
+    add(each, file.string());
   }
   return written;
+}
+
+std::vector<ReportFact> facts_of(const CompareOptions& options, const CompareFindings& findings,
+                                 std::span<const compare::EngineEntry> field) {
+  std::vector<ReportFact> facts;
+  if (!options.command.empty()) facts.push_back({"command", options.command});
+  std::string engines;
+  for (const compare::EngineEntry& entry : field) {
+    if (entry.engine == nullptr) continue;
+    const std::string version = entry.engine->name().version;
+    engines += (engines.empty() ? "" : ", ") + entry.name + (version.empty() ? "" : " " + version);
+  }
+  facts.push_back({"engines", engines});
+  facts.push_back({"SIMD target of graze", simd_target()});
+  if (options.random > 0 || options.grazing > 0) {
+    facts.push_back({"seed", std::to_string(options.seed.value_or(1))});
+  }
+  for (const compare::JournalPart& part : findings.asked) {
+    const bool is_hash = part.value.size() == 64;
+    facts.push_back({part.name, (is_hash ? "SHA-256 " : "") + part.value});
+  }
+  return facts;
 }
 
 }  // namespace
@@ -155,6 +191,7 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .query = findings.question,
                                   .places = findings.count,
                                   .place = findings.place,
+                                  .facts = facts_of(options, findings, field),
                                   .summaries = findings.summaries,
                                   .wrong = findings.wrong,
                                   .cases = cases});

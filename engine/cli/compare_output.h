@@ -8,6 +8,7 @@
 #include <graze/engine/cli/compare_report.h>
 #include <graze/engine/cli/compare_run.h>
 #include <graze/engine/compare/run/baseline.h>
+#include <graze/engine/compare/run/journal.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 
 namespace graze::cli {
@@ -16,12 +17,15 @@ namespace graze::cli {
 void check_places(const CompareOptions& options);
 
 /// Throws UsageError if a record that is to be gone on with is of another job, or of other engines.
-void check_resumed(const CompareOptions& options, bool is_same_job,
-                   std::span<const std::string> engines_then,
+void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
                    std::span<const compare::EngineEntry> engines_now);
 
 /// Throws UsageError if the baseline is of another job.
-void check_baseline(const CompareOptions& options, bool is_same_job);
+void check_baseline(const CompareOptions& options, const compare::JournalStart& start);
+
+/// How far a run came that was interrupted, and how to go on.
+std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
+                              std::size_t done);
 
 /// What a comparison has found, of whatever kind it is.
 struct CompareFindings {
@@ -35,6 +39,7 @@ struct CompareFindings {
   std::vector<EngineSummary> summaries;
   std::vector<compare::WrongAnswer> wrong;
   std::optional<compare::BaselineDifference> difference;  ///< from --against
+  std::vector<compare::JournalPart> asked = {};           ///< what the job is about
 };
 
 /// Shrinks the worst answers of the engines that took part to cases, writes these and the report,

@@ -11,7 +11,7 @@
 namespace graze::cli {
 namespace {
 
-using cases::json_plain_number;
+using cases::json_plain_or_infinite;
 using cases::json_string;
 using compare::AnswerRecord;
 using compare::PlaceRecord;
@@ -154,6 +154,7 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                      {"degenerate", 10},
                      {"containment", 11},
                      {"real", 6},
+                     {"engine error", 12},
                      {"largest (m)", 11},
                      {"median (us)", 11}});
   std::string out = table.header();
@@ -176,19 +177,21 @@ std::string summary_json(std::span<const EngineSummary> summaries,
     const EngineSummary& s = summaries[i];
     out += fmt::format(
         "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{}"
-        ",\"touching\":{},\"pose_rounding\":{},\"degenerate\":{},\"containment\":{},\"real\":{}"
+        ",\"touching\":{},\"pose_rounding\":{},\"degenerate\":{},\"containment\":{},\"real\":{},"
+        "\"engine_error\":{}"
         ",\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},\"total_us\":{:.3f}}}",
         i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
-        s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4],
-        json_plain_number(s.largest_error), json_plain_number(s.largest_ulps), s.median_time,
-        s.total_time);
+        s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4], s.classes[5],
+        json_plain_or_infinite(s.largest_error), json_plain_or_infinite(s.largest_ulps),
+        s.median_time, s.total_time);
   }
   out += "],\"cases\":[";
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const WrittenCase& each = cases[i];
-    out += fmt::format("{}{{\"file\":{},\"engine\":{},{}:{},\"class\":{}}}", i == 0 ? "" : ",",
-                       json_string(each.file), json_string(each.shrunk.engine), json_string(place),
-                       each.place, json_string(name_of(each.shrunk.judgement.error_class)));
+    out += fmt::format(
+        "{}{{\"file\":{},\"engine\":{},{}:{},\"class\":{},\"least\":{}}}", i == 0 ? "" : ",",
+        json_string(each.file), json_string(each.shrunk.engine), json_string(place), each.place,
+        json_string(name_of(each.shrunk.judgement.error_class)), !each.least.empty());
   }
   return out + "]}\n";
 }

@@ -20,7 +20,7 @@ struct EngineSummary {
   std::size_t right = 0;   ///< the referee confirmed
   std::size_t not_judged = 0;
   std::size_t wrong = 0;
-  std::array<std::size_t, 5> classes{};  ///< of the wrong ones, by ErrorClass
+  std::array<std::size_t, 6> classes{};  ///< of the wrong ones, by ErrorClass
   double largest_error = 0;              ///< metres
   double largest_ulps = 0;
   double median_time = 0;  ///< microseconds
@@ -42,6 +42,8 @@ struct WrittenCase {
   std::size_t place = 0;
   std::string where;  ///< the place for people
   std::string file;
+  std::string says = {};   ///< the engine's answer to the shrunk case, in a few characters
+  std::string least = {};  ///< that it cannot be smaller, where it is more than two triangles
 };
 
 /// A table of wrong answers one by one; `place` is "pose", "case".

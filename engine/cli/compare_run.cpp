@@ -121,7 +121,8 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
                            .place = "pose",
                            .summaries = summarise(run.records),
                            .wrong = wrong_answers(run.records),
-                           .difference = run.difference};
+                           .difference = run.difference,
+                           .asked = recorded.head.parts};
   for (WrongAnswer& wrong : findings.wrong) {
     wrong.name = options.query + "-" + wrong.where;
     wrong.query = [&job, pose = wrong.place] { return case_of(job, pose); };

@@ -39,6 +39,7 @@ struct CompareOptions {
   std::string mesh_folder = {};  ///< empty: that of the scene
   bool is_json = false;
   bool has_progress = false;
+  std::string command = {};  ///< the line that was typed, for the report
 };
 
 /// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.

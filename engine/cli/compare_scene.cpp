@@ -121,9 +121,10 @@ std::string json_of(const Scene& scene, const Place& place) {
                        json_string(answer.engine), answer.brief == "yes",
                        json_string(name_of(judgement.verdict)), json_string(judgement.truth));
     if (judgement.verdict == Verdict::Wrong) {
-      out += fmt::format(
-          ",\"class\":{},\"error\":{},\"ulps\":{}", json_string(name_of(judgement.error_class)),
-          cases::json_plain_number(judgement.error), cases::json_plain_number(judgement.ulps));
+      out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
+                         json_string(name_of(judgement.error_class)),
+                         cases::json_plain_or_infinite(judgement.error),
+                         cases::json_plain_or_infinite(judgement.ulps));
     }
     out += "}";
     separator = ",";
@@ -167,7 +168,8 @@ ExitCode run_compare_scene(const CompareOptions& options,
       .rows = rows_of(scene, run.records),
       .summaries = summarise(run.records),
       .wrong = wrong_answers(scene, run.records),
-      .difference = run.difference};
+      .difference = run.difference,
+      .asked = job.head.parts};
   for (const Place& place : places_of(run.records))
     findings.json += json_of(scene, place);
   return conclude(options, engines, field.engines(), findings, output);

@@ -1,6 +1,6 @@
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cli/html_report.h>
-#include <graze/engine/compare/run/trial.h>
+#include <graze/engine/cli/shell_word.h>
 #include <graze/engine/mesh/io/output_file.h>
 
 #include <fmt/format.h>
@@ -20,6 +20,10 @@ table { border-collapse: collapse; margin: 1em 0; }
 th, td { padding: 0.2em 0.8em; text-align: right; border-bottom: 1px solid #ddd; }
 th:first-child, td:first-child { text-align: left; }
 .case { display: flex; gap: 1.5em; flex-wrap: wrap; border-top: 1px solid #ddd; padding: 1em 0; }
+.facts th { text-align: left; font-weight: normal; color: #666; }
+.facts td { text-align: left; overflow-wrap: anywhere; }
+svg text { font: 11px sans-serif; fill: #444; }
+.bar { fill: none; stroke: #444; }
 .view { fill: #fafafa; stroke: #ccc; }
 .a { color: #1f6fb4; } .b { color: #d95f02; } .bad { color: #b00; font-weight: bold; }
 code { background: #f2f2f2; padding: 0.1em 0.4em; overflow-wrap: anywhere; }
@@ -60,29 +64,12 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// A word for the shell.
-std::string quoted_for_shell(const std::string& text) {
-  if (text.find_first_not_of(
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
-      std::string::npos) {
-    return text;
-  }
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      out += "'\\''";
-    } else {
-      out += c;
-    }
-  }
-  return out + "'";
-}
-
 std::string summary_table(std::span<const EngineSummary> summaries) {
   std::string out =
       "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</th>"
       "<th>touching</th><th>pose rounding</th><th>degenerate</th><th>containment</th><th>real</th>"
-      "<th>largest error, m</th><th>in ulp</th><th>median, us</th><th>total, ms</th></tr>\n";
+      "<th>engine error</th><th>largest error, m</th><th>in ulp</th><th>median, us</th><th>total, "
+      "ms</th></tr>\n";
   for (const EngineSummary& s : summaries) {
     out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td>",
                        escaped(s.engine), s.answers, s.agreed, s.right,
@@ -118,19 +105,45 @@ std::string wrong_table(const HtmlReportInput& input) {
   return out;
 }
 
-std::string case_section(const WrittenCase& each, const std::string& place) {
-  const compare::Judgement& judgement = each.shrunk.judgement;
-  const std::string picture = svg_picture(each.shrunk.query);
-  return fmt::format(
-      "<div class=\"case\"><div>{}</div><div><h3>{} in {} {}</h3><p>{} says <b>{}</b>, the truth "
-      "is "
-      "<b>{}</b>.<br>{}: off by {:.3g} m, {:.3g} ulp.</p><p><code>graze replay "
-      "{}</code></p></div></div>\n",
-      picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture,
-      escaped(each.shrunk.engine), place, escaped(each.where), escaped(each.shrunk.engine),
-      each.shrunk.query.answer ? escaped(compare::brief(*each.shrunk.query.answer)) : "nothing",
-      escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps,
-      escaped(quoted_for_shell(each.file)));
+/// The size of an error as the tables have it.
+std::string size_of(const compare::Judgement& judgement) {
+  return fmt::format("{}, off by {:.3g} m, {:.3g} ulp", name_of(judgement.error_class),
+                     judgement.error, judgement.ulps);
+}
+
+/// The error in the pose that was asked about, which is that of the table, and that of what is left
+/// of it: a smaller case may be wrong by less.
+std::string case_section(const HtmlReportInput& input, const WrittenCase& each) {
+  const compare::ShrunkCase& shrunk = each.shrunk;
+  const std::string picture = svg_picture(shrunk.query);
+  const std::string engine = escaped(shrunk.engine);
+  std::string out = fmt::format(
+      "<div class=\"case\"><div>{}</div><div><h3>{} in {} {}</h3>",
+      picture.empty() ? "no picture: its numbers are beyond what can be drawn" : picture, engine,
+      input.place, escaped(each.where));
+  if (shrunk.wrong < input.wrong.size()) {
+    const compare::AnswerRecord& answer = *input.wrong[shrunk.wrong].answer;
+    out += fmt::format("<p>As it was asked: {} says <b>{}</b>, the truth is <b>{}</b>: {}.</p>",
+                       engine, escaped(answer.brief), escaped(answer.judgement.truth),
+                       size_of(answer.judgement));
+  }
+  out += fmt::format("<p>{}: {} says <b>{}</b>, the truth is <b>{}</b>: {}.{}</p>",
+                     shrunk.is_smaller ? "Shrunk, as in the picture" : "In the picture", engine,
+                     each.says.empty() ? "nothing" : escaped(each.says),
+                     escaped(shrunk.judgement.truth), size_of(shrunk.judgement),
+                     each.least.empty() ? "" : std::string(" It ") + escaped(each.least) + ".");
+  return out + fmt::format("<p><code>graze replay {}</code></p></div></div>\n",
+                           escaped(shell_word(each.file)));
+}
+
+std::string facts_table(std::span<const ReportFact> facts) {
+  if (facts.empty()) return "";
+  std::string out = "<table class=\"facts\">";
+  for (const ReportFact& fact : facts) {
+    out +=
+        fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(fact.name), escaped(fact.value));
+  }
+  return out + "</table>\n";
 }
 
 }  // namespace
@@ -147,12 +160,13 @@ std::string html_report(const HtmlReportInput& input) {
       ", {}. Where engines differ, a referee in exact arithmetic decides; "
       "<i>agreed</i> are answers that nobody contradicted.</p>\n",
       input.places);
+  out += facts_table(input.facts);
   out += summary_table(input.summaries);
   out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";
   if (input.cases.empty()) out += "<p>None.</p>\n";
   for (const WrittenCase& each : input.cases)
-    out += case_section(each, input.place);
+    out += case_section(input, each);
   return out + "</body>\n</html>\n";
 }
 

@@ -2,6 +2,7 @@
 #include <graze/engine/cli/contacts_command.h>
 #include <graze/engine/cli/explain_command.h>
 #include <graze/engine/cli/info_command.h>
+#include <graze/engine/cli/interruption.h>
 #include <graze/engine/cli/output.h>
 #include <graze/engine/cli/pair_command.h>
 #include <graze/engine/cli/pose_arguments.h>
@@ -40,7 +41,8 @@ Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengt
 Exit codes:
   0  an answer was given, whatever it is
   1  with --check, compare or replay: exact arithmetic found an answer of graze to be wrong
-  2  bad input, with one line on stderr)";
+  2  bad input, with one line on stderr
+  130  compare --resume was interrupted; stderr says how to go on)";
 
 ExitCode refuse(const std::string& message) {
   std::fprintf(stderr, "graze: %s\n", mesh_io::printable(message).c_str());
@@ -93,13 +95,16 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_voxels_command(program, action);
   add_simulate_command(program, action);
   add_replay_command(program, action);
-  add_compare_command(program, action);
+  add_compare_command(program, action, arguments);
   add_explain_command(program, action);
   Output output(stdout);
   try {
     return parse_and_run(program, join_pose_arguments(arguments), action, output);
   } catch (const OutputClosed&) {
     return ExitCode::Answered;  // the reader has all that it wanted
+  } catch (const Interrupted& stopped) {
+    refuse(stopped.what());
+    return ExitCode::Interrupted;
   } catch (const std::bad_alloc&) {
     return refuse("out of memory");
   } catch (const std::exception& error) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <graze/engine/cli/compare_output.h>
+#include <graze/engine/cli/interruption.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/compare/run/journal.h>
 
@@ -33,6 +34,9 @@ struct RecordedRun {
   std::optional<compare::BaselineDifference> difference;  ///< from --against
 };
 
+/// Thrown through a job to end it.
+class Stop {};
+
 /// The records of an earlier run of the same job, if there was one.
 template <typename Record>
 std::vector<Record> resumed(const CompareOptions& options, const RecordedJob<Record>& job,
@@ -40,12 +44,13 @@ std::vector<Record> resumed(const CompareOptions& options, const RecordedJob<Rec
   std::error_code ignored;
   if (options.resume.empty() || !std::filesystem::exists(options.resume, ignored)) return {};
   compare::Journal<Record> journal = compare::read_journal(options.resume, job.head, job.read);
-  check_resumed(options, journal.start.is_same_job, journal.start.engines, engines);
+  check_resumed(options, journal.start, engines);
   return std::move(journal.records);
 }
 
 /// Goes on where --resume ended, keeps its record, and writes --save. Bad input, of --against too,
-/// is refused before the run. Throws UsageError, CaseError and what the job throws.
+/// is refused before the run. Throws UsageError, CaseError, Interrupted once what was begun is
+/// recorded, and what the job throws.
 template <typename Record>
 RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJob<Record>& job,
                                  std::span<const compare::EngineEntry> engines) {
@@ -66,7 +71,7 @@ RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJo
   std::vector<compare::GrazePart> baseline;
   if (!options.against.empty()) {
     const compare::Journal<Record> old = compare::read_journal(options.against, job.head, job.read);
-    check_baseline(options, old.start.is_same_job);
+    check_baseline(options, old.start);
     baseline = parts_of(old.records);
   }
   RecordedRun<Record> result;
@@ -79,13 +84,24 @@ RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJo
   if (!options.resume.empty()) {
     journal = compare::start_journal(options.resume, job.head, engines, lines_of(records));
   }
-  Progress progress(job.head.unit + ":", job.head.places, {.is_forced = options.has_progress});
-  job.run([&](std::size_t place) { return is_done[place]; },
-          [&](Record record) {
-            if (journal) journal->add(job.write(record));
-            records.push_back(std::move(record));
-            progress.update(records.size());
-          });
+  {
+    Progress progress(job.head.unit + ":", job.head.places, {.is_forced = options.has_progress});
+    std::optional<Interruption> interruption;
+    if (journal) interruption.emplace();  // without a record there is nothing to go on with
+    try {
+      job.run([&](std::size_t place) { return is_done[place]; },
+              [&](Record record) {
+                if (journal) journal->add(job.write(record));
+                records.push_back(std::move(record));
+                progress.update(records.size());
+                if (interruption && Interruption::is_requested()) throw Stop();
+              });
+    } catch (const Stop&) {  // all threads have finished what they had begun
+    }
+  }
+  if (records.size() < job.head.places) {
+    throw Interrupted(interruption_text(options, job.head, records.size()));
+  }
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.place < b.place; });
   if (!options.save.empty()) {

@@ -10,16 +10,18 @@ namespace {
 constexpr const char* kReplayFooter = R"(
 A case is a query in a file, bit for bit (data/README.md, data/case.schema.json). Each is put to graze
 and to every other engine that this command was built with, and the referee, exact arithmetic that shares
-no formula with graze, says who is right: about any, pairs, distance, within, and of contacts whether
-there are any. The answer that stands in the file is judged too, by itself. "changed" is an answer of graze
-other than the one that graze or the referee once gave: that is right where a bug was fixed since.
+no formula with graze, says who is right: about any, pairs, distance, within, of contacts and intersections
+whether there are any, and of a separation whether it separates. The answer that stands in the file is judged
+too, by itself. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
+right where a bug was fixed since. Most other engines have no query for rays, intersections and separations.
 
 Wrong answers have a class: touching (by no more than 64 ulp), pose rounding (as little, and right
 without poses), degenerate (a triangle without area), containment (one mesh inside the other), real.
 
 With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
-   "answer":{"says":true},"verdict":"right","truth":"hit","us":1.234},...]}
+   "answer":{"says":true},"verdict":"right","truth":"hit","us":1.234},...],"silent":["ode"]}
+and "silent" names the engines that know no such query, or refuse such shapes.
 
 Examples:
   graze replay odd.json

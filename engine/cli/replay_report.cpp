@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/io/source.h>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <filesystem>
 
 namespace graze::cli {
@@ -28,6 +29,19 @@ std::string reason_of(const Testimony& testimony) {
   return reason;
 }
 
+/// The engines that gave no answer: they have no such query, or refuse such shapes.
+std::vector<std::string> silent_ones(std::span<const std::string> engines,
+                                     const std::vector<Testimony>& testimonies) {
+  std::vector<std::string> silent;
+  for (const std::string& engine : engines) {
+    const bool has_spoken = std::any_of(
+        testimonies.begin(), testimonies.end(),
+        [&](const Testimony& t) { return !t.is_recorded && t.witness.engine == engine; });
+    if (!has_spoken) silent.push_back(engine);
+  }
+  return silent;
+}
+
 /// Distances with all digits: two that differ in the last one are two answers.
 std::string in_full(const CaseAnswer& answer) {
   return answer.distance ? cases::json_plain_number(*answer.distance) + " m" : brief(answer);
@@ -43,9 +57,10 @@ std::string to_json(const Testimony& t) {
                   to_plain_json(t.answer), json_string(name_of(judgement.verdict)));
   if (!judgement.truth.empty()) out += fmt::format(",\"truth\":{}", json_string(judgement.truth));
   if (judgement.verdict == Verdict::Wrong) {
-    out += fmt::format(
-        ",\"class\":{},\"error\":{},\"ulps\":{}", json_string(name_of(judgement.error_class)),
-        cases::json_plain_number(judgement.error), cases::json_plain_number(judgement.ulps));
+    out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
+                       json_string(name_of(judgement.error_class)),
+                       cases::json_plain_or_infinite(judgement.error),
+                       cases::json_plain_or_infinite(judgement.ulps));
     if (judgement.wrong_pairs > 0) out += fmt::format(",\"wrong_pairs\":{}", judgement.wrong_pairs);
   }
   if (t.differs_from_record) out += ",\"changed\":true";
@@ -68,6 +83,8 @@ ReplayReport::ReplayReport(Output& output, bool is_json)
               {"time (us)", 10}}) {}
 
 void ReplayReport::begin(std::span<const compare::EngineEntry> engines) {
+  for (const compare::EngineEntry& entry : engines)
+    if (entry.engine != nullptr) engines_.push_back(entry.name);
   if (is_json_) return;
   for (const compare::EngineEntry& entry : engines) {
     if (entry.engine == nullptr)
@@ -95,6 +112,13 @@ void ReplayReport::add(const std::string& file, const Case& query,
       line += to_json(testimony);
       separator = ",";
     }
+    line += "],\"silent\":[";
+    separator = "";
+    for (const std::string& engine : silent_ones(engines_, testimonies)) {
+      line += separator;
+      line += json_string(engine);
+      separator = ",";
+    }
     output_.write(line + "]}\n");
     return;
   }
@@ -108,6 +132,11 @@ void ReplayReport::add(const std::string& file, const Case& query,
                         is_wrong ? fmt::format("{:.3g}", t.judgement.error) : "",
                         is_wrong ? fmt::format("{:.3g}", t.judgement.ulps) : "",
                         t.is_recorded ? "" : fmt::format("{:.1f}", t.time.count())});
+    name.clear();
+    question.clear();
+  }
+  for (const std::string& engine : silent_ones(engines_, testimonies)) {
+    rows += table_.row({name, question, engine, "knows no such query", "", "", "", "", "", ""});
     name.clear();
     question.clear();
   }

@@ -30,6 +30,7 @@ class ReplayReport {
  private:
   Output& output_;
   bool is_json_;
+  std::vector<std::string> engines_;  ///< that are here
   Table table_;
   std::size_t cases_ = 0;
   std::size_t graze_wrong_ = 0;

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cli/case_outlines.h>
 #include <graze/engine/cli/html_report.h>
+#include <graze/engine/cli/scale_bar.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/world/shape_pairs.h>
 
@@ -15,7 +16,8 @@ namespace graze::cli {
 namespace {
 
 constexpr double kSide = 240;  // of each of the two views, in pixels
-constexpr double kMargin = 16;
+constexpr double kMargin = 22;
+constexpr double kLongestBar = 90;
 
 /// A direction to look along, and what is right and up then.
 struct View {
@@ -92,8 +94,9 @@ Seen silhouette(Seen points) {
   return hull.empty() ? points : hull;
 }
 
-/// Puts all that is seen into a view's square, `left` pixels from the picture's edge.
-void fit(std::vector<Seen>& all, double left) {
+/// Puts all that is seen into a view's square, `left` pixels from the picture's edge. Returns how
+/// many pixels a metre has there.
+double fit(std::vector<Seen>& all, double left) {
   Eigen::Vector2d min = all.front().front();
   Eigen::Vector2d max = min;
   for (const Seen& points : all) {
@@ -109,6 +112,19 @@ void fit(std::vector<Seen>& all, double left) {
       point = {left + kMargin + at.x(), kSide - kMargin - at.y()};
     }
   }
+  return scale;
+}
+
+/// A line of round length with its length under it, in the view's lower left corner.
+std::string bar_of(double pixels_per_metre, double left) {
+  const ScaleBar bar = scale_bar(kLongestBar / pixels_per_metre);
+  if (bar.length == 0) return "";
+  const double from = left + 6;
+  const double to = from + bar.length * pixels_per_metre;
+  return fmt::format(
+      "<path d=\"M{0:.2f} {2} V{3} H{1:.2f} V{2}\" class=\"bar\"/>"
+      "<text x=\"{4:.2f}\" y=\"{5}\">{6}</text>",
+      from, to, kSide - 10, kSide - 6, to + 4, kSide - 5, bar.label);
 }
 
 std::string svg_of(const Seen& points, const std::string& colour) {
@@ -139,7 +155,7 @@ std::string svg_picture(const Case& query) {
         points.push_back(seen(view, point, origin));
       all.push_back(outline.is_silhouette ? silhouette(std::move(points)) : std::move(points));
     }
-    fit(all, left);
+    const double scale = fit(all, left);
     svg += fmt::format("<rect x=\"{}\" y=\"0.5\" width=\"{}\" height=\"{}\" class=\"view\"/>",
                        left + 0.5, kSide - 1, kSide - 1);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -147,6 +163,7 @@ std::string svg_picture(const Case& query) {
         if (!at.allFinite()) return "";  // beyond what can be drawn
       svg += svg_of(all[i], outlines[i].colour);
     }
+    svg += bar_of(scale, left);
     left += kSide;
   }
   return svg + "</svg>";

@@ -242,6 +242,10 @@ const Pose& World::pose(BodyId id) const {
   return state_->body(id, "pose").pose;
 }
 
+const BodyShape& World::shape(BodyId id) const {
+  return *state_->body(id, "shape").shape;
+}
+
 Motion World::motion(BodyId id) const {
   return state_->body(id, "motion").motion;
 }

@@ -157,6 +157,7 @@ class World {
   bool contains(BodyId id) const;
   std::size_t size() const;
   const Pose& pose(BodyId id) const;
+  const BodyShape& shape(BodyId id) const;  // until the body is gone or takes another
   Motion motion(BodyId id) const;
   Role role(BodyId id) const;
   const Filter& filter(BodyId id) const;

@@ -3,6 +3,10 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
 namespace graze::compare {
 namespace {
 
@@ -102,7 +106,90 @@ class InwardEngine : public Engine {
   double margin_;
 };
 
+class SenselessPair : public LoadedPair {
+ public:
+  SenselessPair(std::unique_ptr<LoadedPair> inner, NoAnswer kind)
+      : inner_(std::move(inner)), kind_(kind) {}
+
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    if (kind_ == NoAnswer::Throw) throw std::runtime_error("out of its depth");
+    CaseAnswer answer = *inner_->answer(question, pose_a, pose_b);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Vector3d point(nan, 0, 0);
+    const CaseContact nowhere = {point, point, point, point, 0};
+    if (kind_ == NoAnswer::AnotherPart) {
+      answer = {};
+      answer.translation = Eigen::Vector3d(0, 0, 0);
+    } else if (kind_ == NoAnswer::NotANumber) {
+      if (answer.distance) answer.distance = nan;
+      if (answer.contacts) answer.contacts->assign(1, nowhere);
+    } else if (kind_ == NoAnswer::StrangeTriangle) {
+      if (answer.pairs) answer.pairs->push_back({0, 4294967295U});
+      if (answer.pair) answer.pair->b = 4294967295U;
+    } else if (answer.pairs) {
+      answer.pairs->insert(answer.pairs->end(), 2, TrianglePair{0, 0});
+    }
+    return answer;
+  }
+
+ private:
+  std::unique_ptr<LoadedPair> inner_;
+  NoAnswer kind_;
+};
+
+class SenselessEngine : public Engine {
+ public:
+  SenselessEngine(std::string name, NoAnswer kind) : name_(std::move(name)), kind_(kind) {}
+  CaseWitness name() const override { return {name_, "planted"}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    return std::make_unique<SenselessPair>(make_graze_engine()->load(mesh_a, mesh_b), kind_);
+  }
+
+ private:
+  std::string name_;
+  NoAnswer kind_;
+};
+
+class WatchedPair : public LoadedPair {
+ public:
+  WatchedPair(std::unique_ptr<LoadedPair> inner, const std::function<void()>& on_question)
+      : inner_(std::move(inner)), on_question_(on_question) {}
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    on_question_();
+    return inner_->answer(question, pose_a, pose_b);
+  }
+
+ private:
+  std::unique_ptr<LoadedPair> inner_;
+  const std::function<void()>& on_question_;
+};
+
+class WatchedEngine : public Engine {
+ public:
+  WatchedEngine(std::string name, std::function<void()> on_question)
+      : name_(std::move(name)), on_question_(std::move(on_question)) {}
+  CaseWitness name() const override { return {name_, "watched"}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    return std::make_unique<WatchedPair>(make_graze_engine()->load(mesh_a, mesh_b), on_question_);
+  }
+
+ private:
+  std::string name_;
+  std::function<void()> on_question_;
+};
+
 }  // namespace
+
+std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer kind) {
+  return std::make_unique<SenselessEngine>(name, kind);
+}
+
+std::unique_ptr<Engine> make_watched_engine(const std::string& name,
+                                            std::function<void()> on_question) {
+  return std::make_unique<WatchedEngine>(name, std::move(on_question));
+}
 
 std::unique_ptr<Engine> make_wrong_sign_engine(const std::string& name) {
   return std::make_unique<WrongSignEngine>(name);

@@ -2,7 +2,9 @@
 
 #include <graze/engine/compare/peers/engine.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace graze::compare {
 
@@ -13,5 +15,21 @@ std::unique_ptr<Engine> make_wrong_sign_engine(const std::string& name);
 /// graze with a planted bug: it tests only pairs of triangles whose bounds overlap by more than a
 /// margin, as if volumes had been rounded inwards.
 std::unique_ptr<Engine> make_inward_rounding_engine(const std::string& name, double margin);
+
+/// What an engine may return that is no answer.
+enum class NoAnswer {
+  StrangeTriangle,  ///< a pair with a triangle that is not there
+  Disorder,         ///< a pair twice
+  NotANumber,       ///< of a distance, a point, a contact
+  AnotherPart,      ///< the answer to another question
+  Throw,            ///< an exception that is none of the library's
+};
+
+/// graze, but for such answers about any, pairs, distance and contacts.
+std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer kind);
+
+/// graze, who calls `on_question` before each answer.
+std::unique_ptr<Engine> make_watched_engine(const std::string& name,
+                                            std::function<void()> on_question);
 
 }  // namespace graze::compare

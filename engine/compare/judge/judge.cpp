@@ -1,3 +1,5 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/mesh_referee.h>
@@ -61,6 +63,8 @@ struct Judge::Truth {
   bool is_one_inside() const;
   bool has_area(const TrianglePair& pair) const;
   Judgement judge_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
+  Judgement judge_cut_list(const std::vector<TrianglePair>& pairs, const JudgeSettings& settings);
+  Judgement judge_separation(const Eigen::Vector3d& translation);
   Judgement judge_distance(const CaseAnswer& answer, bool is_graze);
   Judgement judge_contacts(const CaseAnswer& answer, const JudgeSettings& settings);
   void add_fault(Judgement& judgement, const std::optional<WitnessFault>& fault) const;
@@ -153,6 +157,55 @@ Judgement Judge::Truth::judge_any(bool says, const JudgeSettings& settings) {
   return judgement;
 }
 
+/// Any pairs do, if they are true and as many as the limit lets pass.
+Judgement Judge::Truth::judge_cut_list(const std::vector<TrianglePair>& pairs,
+                                       const JudgeSettings& settings) {
+  const std::size_t count = std::min<std::size_t>(*query.settings.limit, hits().size());
+  std::vector<TrianglePair> wrong;
+  std::set_difference(pairs.begin(), pairs.end(), hits().begin(), hits().end(),
+                      std::back_inserter(wrong));
+  if (wrong.empty() && pairs.size() != count) {
+    std::set_difference(hits().begin(), hits().end(), pairs.begin(), pairs.end(),
+                        std::back_inserter(wrong));
+  }
+  Judgement judgement;
+  judgement.truth = std::to_string(count) + " of " + std::to_string(hits().size()) +
+                    (hits().size() == 1 ? " pair" : " pairs");
+  const bool is_right = wrong.empty() && pairs.size() == count;
+  judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
+  judgement.wrong_pairs = wrong.size();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i) {
+    const bool is_true = std::binary_search(hits().begin(), hits().end(), wrong[i]);
+    add_error(judgement, wrong[i], is_true, settings);
+  }
+  return judgement;
+}
+
+/// It must separate: by how much less would do is not judged.
+Judgement Judge::Truth::judge_separation(const Eigen::Vector3d& translation) {
+  Pose moved = meshes->b.pose;
+  moved.translation() += translation;
+  try {
+    check_placement(moved, meshes->b.mesh.bounds(), "the pose of B");
+  } catch (const Error&) {
+    Judgement judgement;
+    judgement.truth = "it takes B out of the range of double";
+    return judgement;
+  }
+  const Case after = {.note = "",
+                      .ask = Ask::Any,
+                      .settings = {},
+                      .a = meshes->a,
+                      .b = CaseMesh(meshes->b.mesh, moved),
+                      .answer = std::nullopt,
+                      .answered_by = {}};
+  Truth then(after);
+  Judgement judgement = then.judge_any(false, {});
+  judgement.truth = judgement.verdict == Verdict::Right ? "apart after it, length not judged"
+                                                        : "still a hit after it";
+  return judgement;
+}
+
 Judgement Judge::Truth::judge_list(const std::vector<TrianglePair>& pairs,
                                    const JudgeSettings& settings) {
   std::vector<TrianglePair> wrong;
@@ -220,11 +273,7 @@ Judgement Judge::Truth::judge_contacts(const CaseAnswer& answer, const JudgeSett
 }
 
 Judgement Judge::Truth::judge_distance(const CaseAnswer& answer, bool is_graze) {
-  const auto in_range = [&](const TrianglePair& pair) {
-    return pair.a < meshes->a.mesh.triangles().size() && pair.b < meshes->b.mesh.triangles().size();
-  };
-  const bool has_hint = answer.pair && in_range(*answer.pair);
-  const MeshReferee::Gap& nearest = gap(has_hint ? answer.pair : std::nullopt);
+  const MeshReferee::Gap& nearest = gap(answer.pair);
   const double claimed = *answer.distance;
   const bool claims_touch = claimed < 0 && !is_graze;
   Judgement judgement = claims_touch ? judge_touch_claim(nearest) : Judgement();
@@ -283,6 +332,9 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
                        const JudgeSettings& settings) const {
   const bool is_graze = witness.engine == "graze";
   const Case& query = truth_->query;
+  if (const std::optional<std::string> fault = fault_of_answer(query, answer)) {
+    return engine_error(*fault);
+  }
   if (!may_be_judged(query) || !query.b) return {};
   if (truth_->bodies) {
     if (query.ask != Ask::Any || !answer.says) return {};
@@ -290,7 +342,20 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
   }
   if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
   if (query.ask == Ask::Any && answer.says) return truth_->judge_any(*answer.says, settings);
-  if (query.ask == Ask::Pairs && answer.pairs) return truth_->judge_list(*answer.pairs, settings);
+  if (query.ask == Ask::Pairs && answer.pairs) {
+    return query.settings.limit ? truth_->judge_cut_list(*answer.pairs, settings)
+                                : truth_->judge_list(*answer.pairs, settings);
+  }
+  if (query.ask == Ask::Intersection && (answer.intersection || answer.corners)) {
+    const bool is_hit =
+        answer.intersection ? !answer.intersection->points.empty() : !answer.corners->empty();
+    Judgement judgement = truth_->judge_any(is_hit, settings);
+    if (judgement.verdict == Verdict::Right && is_hit) judgement.truth += ", its parts not judged";
+    return judgement;
+  }
+  if (query.ask == Ask::Separation && answer.translation) {
+    return truth_->judge_separation(*answer.translation);
+  }
   if (query.ask == Ask::Distance && answer.distance)
     return truth_->judge_distance(answer, is_graze);
   if (query.ask == Ask::Within && answer.says) return truth_->judge_within(*answer.says, is_graze);
@@ -305,7 +370,8 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* name_of(ErrorClass error_class) {
-  constexpr std::array kNames = {"touching", "pose rounding", "degenerate", "containment", "real"};
+  constexpr std::array kNames = {"touching",    "pose rounding", "degenerate",
+                                 "containment", "real",          "engine error"};
   return kNames[static_cast<std::size_t>(error_class)];
 }
 

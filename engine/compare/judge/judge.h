@@ -15,7 +15,8 @@ struct JudgeSettings {
 
 /// The referee for one query, who can judge many answers to it: linear programs in integers, and
 /// rational numbers, which share no formula with the library. It judges the questions any, pairs,
-/// distance and within, and of contacts whether there are any, for surfaces; others are NotJudged.
+/// distance and within, of contacts and intersections whether there are any, of separations whether
+/// they separate, for surfaces; others are NotJudged.
 /// Two bodies are ShapeJudge's.
 /// A distance is right within law 7's four ulp if graze says so, and for other engines, which
 /// promise nothing, within kTouchUlps of the largest coordinate; a negative one of theirs claims a

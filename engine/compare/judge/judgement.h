@@ -17,6 +17,7 @@ enum class ErrorClass {
   Degenerate,    ///< a triangle of exactly zero area takes part
   Containment,   ///< surfaces only were asked for: one mesh lies inside the other
   Real,          ///< none of these: a plain error
+  EngineError,   ///< no answer to what was asked: triangles that are not there, no numbers, a throw
 };
 
 /// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some

@@ -240,7 +240,10 @@ double rounded_root(const mpq_class& square) {
 }
 
 double root_error(double value, const mpq_class& square) {
-  if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // What is beyond the largest double rounds to infinity, without an error.
+  if (value == kInfinity && rounded_root(square) == kInfinity) return 0;
+  if (!std::isfinite(value)) return kInfinity;
   return root_error(mpq_class(value), square);
 }
 

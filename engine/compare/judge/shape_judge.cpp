@@ -2,6 +2,7 @@
 #include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/shape_bodies.h>
 #include <graze/engine/compare/judge/shape_judge.h>
+#include <graze/engine/compare/judge/volume_error.h>
 #include <graze/engine/compare/judge/volume_referee.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/manifold.h>
@@ -53,6 +54,14 @@ std::optional<bool> ball_meets_box(const PlacedBody& body_a, const PlacedBody& b
       narrowphase::point_into_frame(place(ball_body.pose, ball->centre), box_body.pose);
   return referee_overlaps(Sphere{centre, ball->radius},
                           Aabb{-box->half_extents, box->half_extents});
+}
+
+/// Two boxes, in rational numbers, where both readings of their poses agree.
+std::optional<VolumeError> error_of_boxes(const PlacedBody& body_a, const PlacedBody& body_b) {
+  const auto* box_a = body_a.shape.as<Box>();
+  const auto* box_b = body_b.shape.as<Box>();
+  if (box_a == nullptr || box_b == nullptr) return std::nullopt;
+  return volume_error(Obb{body_a.pose, box_a->half_extents}, Obb{body_b.pose, box_b->half_extents});
 }
 
 /// The largest side of the box around both, half-spaces left out.
@@ -132,7 +141,10 @@ struct ShapeJudge::Truth {
     } else {
       is_hit = ball_meets_box(a, b);
     }
+    const std::optional<VolumeError> boxes = error_of_boxes(a, b);
+    if (boxes) is_hit = boxes->is_hit;
     measure();
+    if (boxes) size = boxes->error;
   }
 
   bool is_of_meshes() const {
@@ -148,7 +160,9 @@ struct ShapeJudge::Truth {
     const double outside = std::max(outside_by(a.shape, a.pose, found.point_a),
                                     outside_by(b.shape, b.pose, found.point_b));
     has_ended = found.status == PairStatus::Converged;
-    const bool is_proved_hit = found.distance == 0 && outside <= kTouchTolerance * scale + slack;
+    // A plane that parts them by less than it is sure of leaves both possible.
+    const bool is_proved_hit =
+        found.distance == 0 && outside <= kTouchTolerance * scale + slack && gap <= 0;
     if (!is_hit && is_proved_apart) is_hit = false;
     if (!is_hit && is_proved_hit) is_hit = true;
     if (!is_hit) return;

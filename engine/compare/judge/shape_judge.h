@@ -22,7 +22,8 @@ struct PlacedBody {
 
 /// Whether two placed shapes intersect, as far as it can be proved.
 ///
-/// Two meshes, a mesh and a ball or box, two balls, a ball and a box: the referee decides, exactly.
+/// Two meshes, a mesh and a ball or box, two balls, a ball and a box, two boxes unless the readings
+/// of their poses differ: the referee decides, exactly.
 /// All others by proof: "apart" by a plane that has both on different sides, "hit" by a point that
 /// is in both. The library proposes plane and point; whether they prove anything is computed from
 /// what the shapes are. Where neither is proved, as between a cone and the hollow of a mesh,

@@ -189,7 +189,9 @@ Judgement judge_list(const SurfaceAndVolume& shapes, const std::vector<std::uint
 
 Judgement judge_surface(const Case& query, const CaseAnswer& answer) {
   const SurfaceAndVolume shapes(query);
-  if (query.ask == Ask::Pairs && answer.triangles) return judge_list(shapes, *answer.triangles);
+  if (query.ask == Ask::Pairs && answer.triangles && !query.settings.limit) {
+    return judge_list(shapes, *answer.triangles);
+  }
   Judgement judgement;
   if (query.ask != Ask::Any || !answer.says) return judgement;
   const bool is_hit = !shapes.hits().empty();

@@ -112,8 +112,7 @@ class BulletPair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (question.settings.touch == Touch::Exclude) return std::nullopt;
-    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
     if (question.ask != Ask::Any && question.ask != Ask::Contacts) return std::nullopt;
     const std::lock_guard lock(mutex_);
     std::vector<CaseContact> contacts =

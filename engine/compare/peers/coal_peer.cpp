@@ -103,8 +103,7 @@ class CoalPair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (question.settings.touch == Touch::Exclude) return std::nullopt;
-    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
     return unless_it_throws([&] { return known_answer(question, pose_a, pose_b); })
         .value_or(std::nullopt);
   }

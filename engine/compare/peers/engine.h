@@ -16,6 +16,12 @@ namespace graze::compare {
 struct Question {
   Ask ask = Ask::Any;
   CaseSettings settings = {};
+
+  /// Surfaces, touching counts, lists are complete: what engines other than graze can be asked.
+  bool is_plain() const {
+    return settings.touch == Touch::Include && settings.interior == Interior::Surface &&
+           !settings.limit;
+  }
 };
 
 /// Two meshes as an engine holds them. Safe to ask from many threads at once.

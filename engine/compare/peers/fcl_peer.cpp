@@ -13,8 +13,7 @@ class FclPair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (question.settings.touch == Touch::Exclude) return std::nullopt;
-    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
     CaseAnswer answer;
     switch (question.ask) {
       case Ask::Any:

@@ -5,6 +5,7 @@
 #include <graze/narrowphase/convex/hull.h>
 
 #include <ode/ode.h>
+#include <ode/version.h>
 #include <algorithm>
 #include <array>
 #include <cstdarg>
@@ -84,8 +85,7 @@ class OdePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (question.settings.touch == Touch::Exclude) return std::nullopt;
-    if (question.settings.interior == Interior::Solid) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
     CaseAnswer answer;
     if (question.ask == Ask::Any) {
       answer.says = !collide(pose_a, pose_b, 1 | static_cast<int>(CONTACTS_UNIMPORTANT)).empty();
@@ -280,7 +280,7 @@ class OdeShapes : public LoadedShapes {
 
 class OdeEngine : public Engine {
  public:
-  CaseWitness name() const override { return {"ode", ""}; }
+  CaseWitness name() const override { return {"ode", dODE_VERSION}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     start_ode();
     return std::make_unique<OdePair>(mesh_a, mesh_b);

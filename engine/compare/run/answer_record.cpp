@@ -10,14 +10,15 @@
 namespace graze::compare {
 namespace {
 
-using cases::json_number;
+using cases::json_plain_or_infinite;
 using cases::json_string;
 using cases::JsonCursor;
 
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged};
-constexpr std::array kClasses = {ErrorClass::Touching, ErrorClass::PoseRounding,
-                                 ErrorClass::Degenerate, ErrorClass::Containment, ErrorClass::Real};
+constexpr std::array kClasses = {ErrorClass::Touching,   ErrorClass::PoseRounding,
+                                 ErrorClass::Degenerate, ErrorClass::Containment,
+                                 ErrorClass::Real,       ErrorClass::EngineError};
 
 template <typename List>
 auto named(const JsonCursor& at, const List& list) {
@@ -32,14 +33,16 @@ auto named(const JsonCursor& at, const List& list) {
 std::string to_json(const AnswerRecord& answer) {
   std::string out = "{\"engine\":";
   out += json_string(answer.engine) + ",\"answer\":" + json_string(answer.brief) +
-         ",\"digest\":" + json_string(answer.digest) + ",\"us\":" + json_number(answer.time);
+         ",\"digest\":" + json_string(answer.digest) +
+         ",\"us\":" + json_plain_or_infinite(answer.time);
   if (answer.is_agreed) return out + ",\"agreed\":true}";
   const Judgement& judgement = answer.judgement;
   out += ",\"agreed\":false,\"verdict\":";
   out += json_string(name_of(judgement.verdict)) + ",\"truth\":" + json_string(judgement.truth);
   if (!answer.is_wrong()) return out + "}";
   out += ",\"class\":" + json_string(name_of(judgement.error_class)) +
-         ",\"error\":" + json_number(judgement.error) + ",\"ulps\":" + json_number(judgement.ulps) +
+         ",\"error\":" + json_plain_or_infinite(judgement.error) +
+         ",\"ulps\":" + json_plain_or_infinite(judgement.ulps) +
          ",\"wrong_pairs\":" + std::to_string(judgement.wrong_pairs);
   if (judgement.culprit) {
     out += ",\"culprit\":[" + std::to_string(judgement.culprit->a) + "," +
@@ -54,7 +57,7 @@ AnswerRecord read_answer(const JsonCursor& at) {
   AnswerRecord answer{.engine = at.member("engine").text(),
                       .digest = at.member("digest").text(),
                       .brief = at.member("answer").text(),
-                      .time = at.member("us").number(),
+                      .time = at.member("us").number_or_infinite(),
                       .is_agreed = at.member("agreed").boolean(),
                       .judgement = {}};
   if (answer.is_agreed) return answer;
@@ -63,8 +66,8 @@ AnswerRecord read_answer(const JsonCursor& at) {
   judgement.truth = at.member("truth").text();
   if (!answer.is_wrong()) return answer;
   judgement.error_class = named(at.member("class"), kClasses);
-  judgement.error = at.member("error").number();
-  judgement.ulps = at.member("ulps").number();
+  judgement.error = at.member("error").number_or_infinite();
+  judgement.ulps = at.member("ulps").number_or_infinite();
   judgement.wrong_pairs = at.member("wrong_pairs").index(kMaxIndex);
   if (at.has("culprit")) {
     const JsonCursor pair = at.member("culprit");

@@ -30,7 +30,8 @@ struct PlaceRecord {
   std::vector<AnswerRecord> answers;
 };
 
-/// One answer and its judgement as a JSON object, or a list of them.
+/// One answer and its judgement as a JSON object, or a list of them; numbers are plain ones of as
+/// many digits as read back as the same double.
 std::string to_json(const AnswerRecord& answer);
 std::string to_json(std::span<const AnswerRecord> answers);
 

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/sha256.h>
 #include <graze/engine/cases/write_case.h>
+#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/trial.h>
@@ -48,33 +49,38 @@ class PoseTrial {
     std::vector<const LoadedEngine*> owners;
     for (const LoadedEngine& engine : engines_) {
       const auto start = std::chrono::steady_clock::now();
-      std::optional<CaseAnswer> answer =
-          engine.pair->answer(job_.question, job_.a.pose, job_.poses_b[pose]);
+      Utterance said =
+          hear([&] { return engine.pair->answer(job_.question, job_.a.pose, job_.poses_b[pose]); },
+               engine.entry->name);
       const std::chrono::duration<double, std::micro> time =
           std::chrono::steady_clock::now() - start;
-      if (!answer) continue;
-      record.answers.push_back({.engine = engine.entry->name,
-                                .digest = cases::sha256_of(to_json(*answer)),
-                                .brief = brief(*answer),
-                                .time = time.count(),
-                                .is_agreed = true,
-                                .judgement = {}});
-      answers.push_back(*std::move(answer));
-      owners.push_back(&engine);
+      if (!said.answer && said.thrown.empty()) continue;
+      record.answers.push_back(
+          {.engine = engine.entry->name,
+           .digest = said.answer ? cases::sha256_of(to_json(*said.answer)) : "",
+           .brief = said.answer ? brief(*said.answer) : "nothing",
+           .time = time.count(),
+           .is_agreed = said.answer.has_value(),
+           .judgement = {}});
+      if (!said.answer) record.answers.back().judgement = engine_error("throws " + said.thrown);
+      owners.push_back(said.answer ? &engine : nullptr);
+      answers.push_back(std::move(said.answer).value_or(CaseAnswer()));
     }
-    const bool is_disputed =
-        std::any_of(answers.begin(), answers.end(),
-                    [&](const CaseAnswer& answer) { return contradicts(answer, answers.front()); });
+    bool is_disputed = false;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      is_disputed |= owners[i] != nullptr && contradicts(answers[i], answers.front());
     if (is_disputed) settle(record, answers, owners);
     return record;
   }
 
  private:
+  /// Of an engine that threw there is no owner: it is wrong already.
   void settle(PlaceRecord& record, const std::vector<CaseAnswer>& answers,
               const std::vector<const LoadedEngine*>& owners) const {
     const Case query = case_of(job_, record.place);
     const Judge judge(query);
     for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (owners[i] == nullptr) continue;
       const Engine& engine = *owners[i]->entry->engine;
       record.answers[i].is_agreed = false;
       record.answers[i].judgement =

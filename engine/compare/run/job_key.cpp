@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 namespace graze::compare {
 namespace {
@@ -27,19 +28,38 @@ std::string digest_of(const Mesh& mesh, const std::string& before) {
   return sha256_of(text);
 }
 
+std::string digest_of(const std::vector<Pose>& poses) {
+  std::string text;
+  for (const Pose& pose : poses)
+    text += cases::json_pose(pose);
+  return sha256_of(text);
+}
+
 }  // namespace
 
 JournalHead head_of(const ComparisonJob& job) {
   const CaseSettings& settings = job.question.settings;
-  std::string text = name_of(job.question.ask);
-  text += settings.touch == Touch::Exclude ? " exclude" : "";
-  text += settings.interior == Interior::Solid ? " solid" : "";
-  if (job.question.ask == Ask::Within) text += json_number(settings.clearance);
+  std::string question = name_of(job.question.ask);
+  question += settings.touch == Touch::Exclude ? " exclude" : "";
+  question += settings.interior == Interior::Solid ? " solid" : "";
+  std::string text = question;
+  if (job.question.ask == Ask::Within) {
+    text += json_number(settings.clearance);
+    question += " " + cases::json_plain_number(settings.clearance) + " m";
+  }
   text = digest_of(job.b.mesh, digest_of(job.a.mesh, text));
   text += cases::json_pose(job.a.pose);
   for (const Pose& pose : job.poses_b)
     text += cases::json_pose(pose);
-  return {"graze_comparison", "poses", sha256_of(text), job.poses_b.size()};
+  return {.kind = "graze_comparison",
+          .unit = "poses",
+          .key = sha256_of(text),
+          .parts = {{"question", question},
+                    {"mesh A", digest_of(job.a.mesh, "")},
+                    {"mesh B", digest_of(job.b.mesh, "")},
+                    {"pose of A", sha256_of(cases::json_pose(job.a.pose))},
+                    {"poses of B", digest_of(job.poses_b)}},
+          .places = job.poses_b.size()};
 }
 
 JournalHead head_of(const std::filesystem::path& path, const Scene& scene,
@@ -47,18 +67,38 @@ JournalHead head_of(const std::filesystem::path& path, const Scene& scene,
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw SceneError(mesh_io::printable(path.string()) + ": cannot be read");
-  text = sha256_of(text);
-  for (const SceneShape& shape : scene.shapes)
-    if (const Mesh* mesh = shape.shape.as<Mesh>()) text = digest_of(*mesh, text);
-  text += json_number(settings.step > 0 ? settings.step : scene.step);
-  return {"graze_scene_comparison", "steps", sha256_of(text), settings.steps + 1};
+  const std::string file_sum = sha256_of(text);
+  std::string meshes;
+  text = file_sum;
+  for (const SceneShape& shape : scene.shapes) {
+    const Mesh* mesh = shape.shape.as<Mesh>();
+    if (mesh == nullptr) continue;
+    text = digest_of(*mesh, text);
+    meshes = digest_of(*mesh, meshes);
+  }
+  const double step = settings.step > 0 ? settings.step : scene.step;
+  text += json_number(step);
+  return {.kind = "graze_scene_comparison",
+          .unit = "steps",
+          .key = sha256_of(text),
+          .parts = {{"scene", file_sum},
+                    {"set of meshes", sha256_of(meshes)},
+                    {"step of", cases::json_plain_number(step) + " s"}},
+          .places = settings.steps + 1};
 }
 
 JournalHead head_of(const CaseJob& job) {
   std::string text;
-  for (const NamedCase& each : job.cases)
+  std::string names;
+  for (const NamedCase& each : job.cases) {
+    names += cases::json_string(each.name);
     text += cases::json_string(each.name) + sha256_of(to_json(each.query));
-  return {"graze_case_comparison", "cases", sha256_of(text), job.cases.size()};
+  }
+  return {.kind = "graze_case_comparison",
+          .unit = "cases",
+          .key = sha256_of(text),
+          .parts = {{"set of file names", sha256_of(names)}, {"content of files", sha256_of(text)}},
+          .places = job.cases.size()};
 }
 
 }  // namespace graze::compare

@@ -14,17 +14,25 @@
 
 namespace graze::compare {
 
+/// One of the things that a comparison is about.
+struct JournalPart {
+  std::string name;   ///< "question", "mesh A"
+  std::string value;  ///< for people, or a SHA-256
+};
+
 /// What tells one comparison from another: the first line of its file.
 struct JournalHead {
-  std::string kind;        ///< the first key of the file: "graze_comparison"
-  std::string unit;        ///< of what the other lines are, one each: "poses"
-  std::string key;         ///< SHA-256 of all that is asked
-  std::size_t places = 0;  ///< how many lines a complete one has
+  std::string kind;                ///< the first key of the file: "graze_comparison"
+  std::string unit;                ///< of what the other lines are, one each: "poses"
+  std::string key;                 ///< SHA-256 of all that is asked
+  std::vector<JournalPart> parts;  ///< the same one by one, to say what differs
+  std::size_t places = 0;          ///< how many lines a complete one has
 };
 
 /// The first line, as far as it says more than the job does.
 struct JournalStart {
   bool is_same_job = false;
+  std::string difference;            ///< of another job, for people: what is other than it is here
   std::vector<std::string> engines;  ///< that were asked
 };
 
@@ -37,12 +45,12 @@ struct Journal {
 };
 
 /// Calls `on_record` with each line behind the first, if that is of this job. Throws CaseError,
-/// naming file and line, and for a file that is no record of this kind. A last line that a stopped
-/// run left unfinished is dropped: its place is asked again.
+/// naming file and line, and for a file that is no record of a comparison. A last line that a
+/// stopped run left unfinished is dropped: its place is asked again.
 JournalStart read_journal_lines(const std::filesystem::path& path, const JournalHead& head,
                                 const std::function<void(const cases::JsonCursor&)>& on_record);
 
-/// Reads the records of a job.
+/// Reads the records of a job. Throws CaseError for a place that stands twice.
 template <typename Record>
 Journal<Record> read_journal(const std::filesystem::path& path, const JournalHead& head,
                              const std::function<Record(const cases::JsonCursor&)>& read) {
@@ -50,7 +58,10 @@ Journal<Record> read_journal(const std::filesystem::path& path, const JournalHea
   std::set<std::size_t> seen;
   journal.start = read_journal_lines(path, head, [&](const cases::JsonCursor& line) {
     Record record = read(line);
-    if (seen.insert(record.place).second) journal.records.push_back(std::move(record));
+    if (!seen.insert(record.place).second) {
+      line.fail("number " + std::to_string(record.place) + " stands twice");
+    }
+    journal.records.push_back(std::move(record));
   });
   return journal;
 }

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/write_case.h>
+#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/judge/shrink.h>
 #include <graze/engine/compare/run/shrink_worst.h>
@@ -46,28 +47,41 @@ bool is_same_query(const Case& a, const Case& b) {
 ShrunkCase shrink_one(const WrongAnswer& wrong, const Engine& engine) {
   const AnswerRecord& answer = *wrong.answer;
   const CaseWitness witness = {answer.engine, engine.name().version};
+  const auto judged = [&](const Case& query) {
+    const Utterance said = hear([&] { return ask(engine, query); }, "");
+    if (!said.thrown.empty()) return engine_error("throws " + said.thrown);
+    return said.answer ? Judge(query).judge(*said.answer, witness, asking(engine)) : Judgement();
+  };
   const StillWrong is_still_wrong = [&](const Case& smaller) {
     try {
-      const std::optional<CaseAnswer> says = ask(engine, smaller);
-      if (!says) return false;
-      const Judgement judgement = Judge(smaller).judge(*says, witness, asking(engine));
+      const Judgement judgement = judged(smaller);
       return judgement.verdict == Verdict::Wrong &&
              is_same_kind(judgement.error_class, answer.judgement.error_class);
-    } catch (const Error&) {
+    } catch (const Error&) {  // of graze's meshes: no such query
       return false;
     }
   };
   const Case query = wrong.query();
   Case small = shrink(query, culprit_of(query, answer), is_still_wrong);
   const bool is_smaller = !is_same_query(small, query);
-  small.answer = ask(engine, small);
+  small.answer = hear([&] { return ask(engine, small); }, "").answer;
   small.answered_by = witness;
-  const Judgement judgement =
-      small.answer ? Judge(small).judge(*small.answer, witness, asking(engine)) : Judgement();
+  const Judgement judgement = judged(small);
   return {answer.engine, 0, std::move(small), judgement, is_smaller};
 }
 
 }  // namespace
+
+std::string least_size(const ShrunkCase& shrunk) {
+  const std::optional<MeshCase> meshes = as_meshes(shrunk.query);
+  if (!meshes) return "";
+  const std::size_t count_a = meshes->a.mesh.triangles().size();
+  const std::size_t count_b = meshes->b.mesh.triangles().size();
+  if (count_a + count_b <= 2) return "";
+  return std::string("cannot be shrunk further: ") + std::to_string(count_a) + " and " +
+         std::to_string(count_b) + " triangles, and without any one of them " + shrunk.engine +
+         " is not wrong like this";
+}
 
 std::vector<ShrunkCase> shrink_worst(std::span<const WrongAnswer> wrong,
                                      std::span<const EngineEntry> engines, std::size_t limit) {

@@ -30,6 +30,10 @@ struct ShrunkCase {
   bool is_smaller = true;  ///< than the query, or shorter; if not, it is the query
 };
 
+/// Of two meshes that are more than a triangle each: that each triangle is needed, in words. Some
+/// engines are wrong only about surfaces of several.
+std::string least_size(const ShrunkCase& shrunk);
+
 /// Shrinks the `limit` worst: those of graze first, then by their class, then in the order of
 /// places. Of engines that are not in the list ("world", recorded answers) nothing can be asked.
 /// What cannot be shown again is left as it is.

@@ -6,7 +6,7 @@
 namespace graze::compare {
 namespace {
 
-using cases::json_number;
+using cases::json_plain_number;
 using cases::json_string;
 using cases::JsonCursor;
 
@@ -25,14 +25,15 @@ SceneDifference read_difference(const JsonCursor& at, std::size_t bodies) {
 
 std::string to_json(const StepRecord& record) {
   std::string line = "{\"step\":" + std::to_string(record.place);
-  line += ",\"time\":" + json_number(record.time);
+  line += ",\"time\":" + json_plain_number(record.time);
   line += ",\"questions\":" + std::to_string(record.questions) + ",\"engines\":[";
   const char* separator = "";
   for (const StepAnswers& each : record.engines) {
     line += separator;
     line += "{\"engine\":" + json_string(each.engine);
     line += ",\"answers\":" + std::to_string(each.answers);
-    line += ",\"digest\":" + json_string(each.digest) + ",\"us\":" + json_number(each.time) + "}";
+    line +=
+        ",\"digest\":" + json_string(each.digest) + ",\"us\":" + json_plain_number(each.time) + "}";
     separator = ",";
   }
   line += "],\"differences\":[";

@@ -1,10 +1,13 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/answer_case.h>
+#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/trial.h>
 
 #include <array>
 #include <cstdio>
+#include <exception>
+#include <utility>
 
 namespace graze::compare {
 namespace {
@@ -12,14 +15,22 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Asks twice: the first query builds what it needs.
-std::optional<Testimony> testify(const Engine& engine, const Case& query) {
-  const LoadedQuestion question = load_question(engine, query);
-  if (!question()) return std::nullopt;
+std::optional<Testimony> testify(const EngineEntry& entry, const Case& query) {
+  LoadedQuestion question;
+  const Utterance first = hear(
+      [&] {
+        question = load_question(*entry.engine, query);
+        return question();
+      },
+      entry.name);
   Testimony testimony;
-  testimony.witness = engine.name();
+  testimony.witness = entry.engine->name();
+  if (!first.thrown.empty()) testimony.judgement = engine_error("throws " + first.thrown);
+  if (!first.answer) return first.thrown.empty() ? std::nullopt : std::optional(testimony);
   const auto start = Clock::now();
-  testimony.answer = *question();
+  Utterance second = hear(question, entry.name);
   testimony.time = Clock::now() - start;
+  testimony.answer = second.answer ? *std::move(second.answer) : *first.answer;
   return testimony;
 }
 
@@ -40,6 +51,18 @@ std::string counted(std::size_t count, const char* what) {
 
 }  // namespace
 
+Utterance hear(const LoadedQuestion& question, const std::string& engine) {
+  if (engine == "graze") return {.answer = question()};
+  try {
+    return {.answer = question()};
+  } catch (const Error&) {
+    return {};
+  } catch (const std::exception& error) {
+    const std::string what = error.what();
+    return {.thrown = what.empty() ? "without a word" : what};
+  }
+}
+
 JudgeSettings asking(const Engine& engine) {
   return {.ask_again = [&engine](const Triangle& a, const Triangle& b) -> std::optional<bool> {
     const Case query{.note = "",
@@ -52,7 +75,7 @@ JudgeSettings asking(const Engine& engine) {
     try {
       const std::optional<CaseAnswer> answer = ask(engine, query);
       return answer ? answer->says : std::nullopt;
-    } catch (const Error&) {
+    } catch (const std::exception&) {
       return std::nullopt;
     }
   }};
@@ -73,15 +96,12 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
   }
   for (const EngineEntry& entry : engines) {
     if (entry.engine == nullptr) continue;
-    std::optional<Testimony> testimony;
-    try {
-      testimony = testify(*entry.engine, query);
-    } catch (const Error&) {
-      if (entry.name == "graze") throw;
-    }
+    std::optional<Testimony> testimony = testify(entry, query);
     if (!testimony) continue;
-    testimony->judgement =
-        judge.judge(testimony->answer, testimony->witness, asking(*entry.engine));
+    if (!testimony->is_wrong()) {
+      testimony->judgement =
+          judge.judge(testimony->answer, testimony->witness, asking(*entry.engine));
+    }
     if (testimony->is_graze() && query.answer && is_of_record(query.answered_by)) {
       testimony->differs_from_record = differs(testimony->answer, query);
     }
@@ -95,6 +115,10 @@ std::string brief(const CaseAnswer& answer) {
   if (answer.pairs) return counted(answer.pairs->size(), "pair");
   if (answer.triangles) return counted(answer.triangles->size(), "triangle");
   if (answer.contacts) return counted(answer.contacts->size(), "contact");
+  if (answer.manifold) return counted(answer.manifold->size(), "contact");
+  if (answer.hits) return counted(answer.hits->size(), "hit");
+  if (answer.corners) return counted(answer.corners->size(), "corner");
+  if (answer.intersection) return counted(answer.intersection->points.size(), "point");
   if (!answer.distance) return "nothing";
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.6g m", *answer.distance);

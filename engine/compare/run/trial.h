@@ -27,8 +27,18 @@ struct Testimony {
 
 /// Puts a case to every engine that is here and knows such questions, and judges their answers and
 /// the recorded one, which comes first. Throws what graze throws; other engines that refuse a mesh
-/// are left out.
+/// are left out, and one that throws anything else is wrong.
 std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines);
+
+/// What an engine answers, or that it throws what is no refusal.
+struct Utterance {
+  std::optional<CaseAnswer> answer = {};
+  std::string thrown = {};
+};
+
+/// Asks. A refusal, an Error of the adaptor's, is no answer; whatever else an engine other than
+/// graze throws is told. What graze throws is thrown on.
+Utterance hear(const LoadedQuestion& question, const std::string& engine);
 
 /// The engine, asked about two triangles by the judge who wants to know why it was wrong. It must
 /// outlive the result.

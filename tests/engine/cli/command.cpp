@@ -4,10 +4,13 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace graze::tests {
 namespace {
@@ -20,7 +23,8 @@ std::string read_all(const std::filesystem::path& path) {
 }
 
 CommandResult run(const std::filesystem::path& folder, const std::string& program,
-                  const std::vector<std::string>& arguments) {
+                  const std::vector<std::string>& arguments,
+                  const std::function<void(pid_t)>& meanwhile = {}) {
   std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));
@@ -35,11 +39,22 @@ CommandResult run(const std::filesystem::path& folder, const std::string& progra
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), kWrite, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kWrite, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // SIGINT ends it as it would from a terminal, also where whoever runs the tests ignores it.
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setsigdefault(&attributes, &interrupt);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
-  const int error = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
+  const int error =
+      posix_spawn(&child, program.c_str(), &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error("cannot start " + program);
 
+  if (meanwhile) meanwhile(child);
   int status = 0;
   waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(out), read_all(err)};
@@ -50,6 +65,21 @@ CommandResult run(const std::filesystem::path& folder, const std::string& progra
 CommandResult run_graze(const std::filesystem::path& folder,
                         const std::vector<std::string>& arguments) {
   return run(folder, GRAZE_COMMAND, arguments);
+}
+
+CommandResult interrupt_graze(const std::filesystem::path& folder,
+                              const std::vector<std::string>& arguments,
+                              const std::function<bool()>& is_time) {
+  return run(folder, GRAZE_COMMAND, arguments, [&](pid_t child) {
+    siginfo_t ended = {};
+    while (!is_time()) {
+      // An end is looked at without being taken, so that the id stays the command's own.
+      waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+      if (ended.si_pid == child) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(child, SIGINT);
+  });
 }
 
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line) {

@@ -3,6 +3,7 @@
 // Runs the graze command as its users do.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct CommandResult {
 /// Runs the command in `folder`, so that messages name files as they are given here.
 CommandResult run_graze(const std::filesystem::path& folder,
                         const std::vector<std::string>& arguments);
+
+/// Starts the command, and sends it SIGINT as soon as `is_time` says so, of which it is asked again
+/// and again while the command runs.
+CommandResult interrupt_graze(const std::filesystem::path& folder,
+                              const std::vector<std::string>& arguments,
+                              const std::function<bool()>& is_time);
 
 /// Runs a line of shell in `folder`, in which $GRAZE is the command.
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line);

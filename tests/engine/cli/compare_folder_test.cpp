@@ -165,7 +165,7 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
     }
   }
   directory_.write("base", "{\"graze_comparison\":1,\"key\":\"\",\"engines\":[],\"poses\":1}\n");
-  EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << "a record of poses";
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of poses";
 }
 
 TEST_F(CliCompareFolder, JsonIsALineForEachCaseAndASummary) {

@@ -109,6 +109,22 @@ TEST_F(CliReplay, TheTruthStandsBesideAnswersWithAllTheirDigits) {
   EXPECT_NE(out_.find(" 1.0000000000009095 m "), out_.npos) << out_;
 }
 
+/// An engine that gives no answer is named, so that nobody takes its silence for agreement.
+TEST_F(CliReplay, EnginesThatKnowNoSuchQueryAreNamed) {
+  const Ray ray{{-3, 0, 0.25}, {1, 0, 0}};
+  const CaseMesh cube = cube_at(0);
+  directory_.write("ray.json",
+                   to_json(to_case(CaseShape(cube), ray, cast_ray({cube.mesh, cube.pose}, ray))));
+  std::vector<EngineEntry> engines = only_graze();
+  engines.push_back({"fcl", compare::make_inward_rounding_engine("fcl", 0)});
+  EXPECT_EQ(replay({}, engines), ExitCode::Answered);
+  EXPECT_NE(out_.find(" fcl    knows no such query"), out_.npos) << out_;
+  EXPECT_EQ(replay({.is_json = true}, engines), ExitCode::Answered);
+  const nlohmann::json line = nlohmann::json::parse(out_);
+  EXPECT_EQ(line.at("silent"), nlohmann::json({"fcl"}));
+  EXPECT_EQ(line.at("testimonies").at(1).at("answer").at("hits").at(0).at("distance"), 2);
+}
+
 TEST_F(CliReplay, OneIsNoPlural) {
   const Triangle a{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const Triangle b{{1, 1, -1}, {1, 1, 1}, {1, 2, 1}};

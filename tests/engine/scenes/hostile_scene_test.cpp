@@ -50,7 +50,7 @@ TEST_F(HostileScene, TheHarmlessOneIsRead) {
 TEST_F(HostileScene, WhatIsNoJson) {
   EXPECT_EQ(error_of("").substr(0, 19), "s.json:1: not JSON:");
   EXPECT_EQ(error_of("{\"graze_scene\": 1,\n\n]").substr(0, 19), "s.json:3: not JSON:");
-  EXPECT_EQ(error_of("[NaN]").substr(0, 19), "s.json:1: not JSON:");
+  EXPECT_EQ(error_of("[NaN]").substr(0, 23), "s.json:1: /0: not JSON:");
   EXPECT_EQ(error_of(std::string(1000000, '[')), "s.json:1: nested deeper than 32 levels");
 }
 

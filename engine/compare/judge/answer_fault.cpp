@@ -1,0 +1,117 @@
+#include <graze/engine/compare/judge/answer_fault.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace graze::compare {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+/// How many triangles a shape has; one of all but meshes.
+std::size_t triangle_count(const CaseShape& shape) {
+  if (const auto* mesh = std::get_if<CaseMesh>(&shape)) return mesh->mesh.triangles().size();
+  const auto* body = std::get_if<CaseBody>(&shape);
+  const Mesh* mesh = body != nullptr ? body->shape.as<Mesh>() : nullptr;
+  return mesh != nullptr ? mesh->triangles().size() : 1;
+}
+
+Fault fault_of_triangle(std::uint32_t triangle, std::size_t count) {
+  if (triangle < count) return std::nullopt;
+  return std::string("names triangle ") + std::to_string(triangle) + " of " + std::to_string(count);
+}
+
+/// The sizes of the two meshes that an answer names triangles of.
+class TriangleFaults {
+ public:
+  explicit TriangleFaults(const Case& query)
+      : count_a_(triangle_count(query.a)),
+        count_b_(query.b ? triangle_count(*query.b) : count_a_) {}
+
+  Fault of(const TrianglePair& pair) const {
+    const Fault fault = fault_of_triangle(pair.a, count_a_);
+    return fault ? fault : fault_of_triangle(pair.b, count_b_);
+  }
+
+  Fault of(const std::vector<TrianglePair>& pairs) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (const Fault fault = of(pairs[i])) return fault;
+      if (i > 0 && !(pairs[i - 1] < pairs[i])) return "a list that does not ascend";
+    }
+    return std::nullopt;
+  }
+
+  Fault of(const std::vector<std::uint32_t>& triangles) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (const Fault fault = fault_of_triangle(triangles[i], count_a_)) return fault;
+      if (i > 0 && triangles[i - 1] >= triangles[i]) return "a list that does not ascend";
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::size_t count_a_;
+  std::size_t count_b_;
+};
+
+bool has_asked_part(const Case& query, const CaseAnswer& answer) {
+  switch (query.ask) {
+    case Ask::Pairs:
+    case Ask::SelfPairs:
+      return answer.pairs || answer.triangles;
+    case Ask::Distance:
+      return answer.distance.has_value();
+    case Ask::Contacts:
+      return answer.contacts || answer.manifold;
+    case Ask::Intersection:
+      return answer.intersection || answer.corners;
+    case Ask::Separation:
+      return answer.distance && answer.translation;
+    case Ask::Ray:
+    case Ask::RayAll:
+      return answer.hits.has_value();
+    default:
+      return answer.says.has_value();
+  }
+}
+
+Fault fault_of_numbers(const CaseAnswer& answer) {
+  if (answer.distance && std::isnan(*answer.distance)) return "a distance that is no number";
+  for (const auto* point : {&answer.point_a, &answer.point_b, &answer.translation}) {
+    if (*point && !(*point)->allFinite()) return "a point that is not finite";
+  }
+  if (!answer.contacts) return std::nullopt;
+  for (const CaseContact& c : *answer.contacts) {
+    const bool is_finite = c.point.allFinite() && c.point_a.allFinite() && c.point_b.allFinite() &&
+                           c.normal.allFinite() && std::isfinite(c.depth);
+    if (!is_finite) return "a contact that is not finite";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_answer(const Case& query, const CaseAnswer& answer) {
+  if (!has_asked_part(query, answer)) return "answers another question";
+  const TriangleFaults triangles(query);
+  if (answer.pairs) {
+    if (const Fault fault = triangles.of(*answer.pairs)) return fault;
+  }
+  if (answer.triangles) {
+    if (const Fault fault = triangles.of(*answer.triangles)) return fault;
+  }
+  if (answer.pair) {
+    if (const Fault fault = triangles.of(*answer.pair)) return fault;
+  }
+  return fault_of_numbers(answer);
+}
+
+Judgement engine_error(const std::string& why) {
+  Judgement judgement;
+  judgement.verdict = Verdict::Wrong;
+  judgement.error_class = ErrorClass::EngineError;
+  judgement.truth = "engine error: " + why;
+  return judgement;
+}
+
+}  // namespace graze::compare
