@@ -74,7 +74,16 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
     prepare(*mesh);
     mesh->tree();
   }
+  const bool is_unbuilt = unbuilt.add(*shape);
+  drop_shape(index);
   all.bodies[index].shape = std::move(shape);
+  all.ways[index].has_unbuilt_tree = is_unbuilt;
+}
+
+void World::State::drop_shape(std::uint32_t index) {
+  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].shape);
+  all.ways[index].has_unbuilt_tree = false;
+  all.bodies[index].shape.reset();
 }
 
 World::World(const WorldSettings& settings) {
@@ -126,7 +135,7 @@ void World::remove(BodyId id) {
     excluded.erase(pair_key(other, id.index));
     --body.exclusions, --state.all.bodies[other].exclusions;
   }
-  body.shape.reset();
+  state.drop_shape(id.index);
   state.all.ids.free(id.index);
   ++state.removed;
 }

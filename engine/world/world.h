@@ -54,6 +54,11 @@ struct WorldWork {
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
   std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
 
+  /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
+  /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
+  /// world, by prepare() - is counted until an update looks at a body that has it.
+  std::uint64_t trees_unbuilt = 0;
+
   /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other
   /// meshes being left until something walks them; and searches among convex shapes that proved
   /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.

@@ -4,6 +4,7 @@
 #include <graze/engine/world/body_motion.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
+#include <graze/engine/world/unbuilt_trees.h>
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
@@ -32,6 +33,7 @@ struct Bodies {
     bool has_changed = false;       // came, moved, woke, changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
+    bool has_unbuilt_tree = false;  // as far as is known: UnbuiltTrees
   };
 
   IdTable<std::uint32_t> ids;
@@ -133,6 +135,7 @@ struct World::State {
   BroadPhase broad;
   std::vector<std::uint32_t> body_of_box;
   Candidates candidates;
+  UnbuiltTrees unbuilt;
   std::vector<std::uint32_t> changed;  // bodies
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
@@ -157,6 +160,8 @@ struct World::State {
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
+  void drop_shape(std::uint32_t index);
+  void look_for_tree(std::uint32_t index);
 
   void end_pairs();
   void begin_pairs();

@@ -153,6 +153,7 @@ void World::State::test_candidate(std::uint32_t at) {
   } else {
     learn_gap(at);
   }
+  look_for_tree(pair.a), look_for_tree(pair.b);
 }
 
 /// Bodies of one pair lie anywhere in memory.
@@ -218,7 +219,14 @@ void World::State::test_pairs_at_rest() {
     if (is_due(pair) || (!all.is_up(pair.a) && !all.is_up(pair.b))) continue;
     ++work.shape_tests;
     note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
+    look_for_tree(pair.a), look_for_tree(pair.b);
   }
+}
+
+/// After what may have built the tree of a body's mesh.
+void World::State::look_for_tree(std::uint32_t index) {
+  bool& is_marked = all.ways[index].has_unbuilt_tree;
+  if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].shape);
 }
 
 void World::State::note_answer(std::uint32_t at, bool touches) {
@@ -271,6 +279,7 @@ WorldUpdate World::update() {
   for (const std::uint32_t index : state.changed) {
     Bodies::Way& way = state.all.ways[index];
     way.has_changed = way.has_other_filter = way.has_other_shape = false;
+    state.look_for_tree(index);
   }
   state.changed.clear();
   state.removed = 0;
@@ -281,6 +290,7 @@ WorldUpdate World::update() {
   state.all.ids.next_round();
   state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests -
                              state.work.pairs_apart - state.work.pairs_asleep;
+  state.work.trees_unbuilt = state.unbuilt.count();
   return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
 }
 
@@ -297,7 +307,9 @@ void World::restore(const WorldSnapshot& snapshot) {
   auto fresh = std::make_unique<State>(state_->settings);
   fresh->all = snapshot.state_->all;
   for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
-    if (fresh->all.ids.is_live(index)) fresh->insert_box(index);
+    if (!fresh->all.ids.is_live(index)) continue;
+    fresh->insert_box(index);
+    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(*fresh->all.bodies[index].shape);
   }
   fresh->broad.update();
   fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);
