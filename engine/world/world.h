@@ -155,8 +155,8 @@ class World {
   void exclude(BodyId a, BodyId b);
   void include(BodyId a, BodyId b);
 
-  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass; it
-  /// must not change the world.
+  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass. It
+  /// cannot change the world: what tries to, within an update, throws InputError.
   void set_pair_filter(std::function<bool(BodyId, BodyId)> filter);
 
   bool contains(BodyId id) const;
@@ -168,7 +168,9 @@ class World {
   std::uint64_t user_data(BodyId id) const;
   bool is_awake(BodyId id) const;
 
-  /// Brings all pairs up to date.
+  /// Brings all pairs up to date. Where a filter or a shape of a user's own throws, so does this;
+  /// the next update then looks at every body as if it had changed, and lists what has begun and
+  /// ended since the last one that came to its end.
   WorldUpdate update();
 
   /// All pairs that touched at the last update, in ascending order, without bodies that were

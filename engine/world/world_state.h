@@ -150,19 +150,28 @@ struct World::State {
   std::vector<Aabb> places;
   WorldWork work;
 
+  bool is_updating = false;
+  bool is_cut_short = false;  // the last update: something that it asked threw
+
   const Bodies::Body& body(BodyId id, const char* what) const;
   Bodies::Body& body(BodyId id, const char* what) {
+    check_is_free(what);
     return const_cast<Bodies::Body&>(static_cast<const State&>(*this).body(id, what));
   }
+  /// Throws if a filter or a shape that an update asks tries to change the world.
+  void check_is_free(const char* what) const;
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
-  void insert_box(std::uint32_t index);
+  void note_everything();
+  void insert_box(std::uint32_t index, const Aabb& box);
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
   void drop_shape(std::uint32_t index);
   void look_for_tree(std::uint32_t index);
 
+  void find_changes();
+  void list_changes();
   void end_pairs();
   void begin_pairs();
   void filter_again(std::uint32_t index);
