@@ -65,6 +65,12 @@ class Candidates {
   void add(BoxPair pair);
   void remove(std::uint32_t at);
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
+  /// What position() reads first, and what is known of the pair there.
+  void fetch(BoxPair pair) const { index_.prefetch(pair); }
+  void fetch(std::uint32_t at) const {
+    __builtin_prefetch(&touches_[at]);
+    __builtin_prefetch(&separations_[at]);
+  }
   static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
 
   std::span<const BoxPair> list() const { return list_.pairs(); }
@@ -139,6 +145,7 @@ struct World::State {
   std::vector<std::uint32_t> changed;  // bodies
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
+  std::vector<BoxPair> asked;  // bodies that changed, and their partners: boxes, and then bodies
   std::vector<BodyPair> begun, ended, moved;
   ContactList found;                      // in the order in which pairs were tested
   std::vector<std::uint32_t> due;         // pairs to be tested, in the order of the list
@@ -178,7 +185,7 @@ struct World::State {
   void test_changed();
   void list_changed_pairs();
   void fetch(BoxPair pair) const;
-  void test_pairs(std::uint32_t index);
+  void test_partners();
   bool is_due(BoxPair pair) const;
   void test_candidate(std::uint32_t at);
   void test_pairs_at_rest();

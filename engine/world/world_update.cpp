@@ -163,14 +163,40 @@ void World::State::filter_again(std::uint32_t index) {
   }
 }
 
-/// Of two bodies that changed the smaller one sees to the pair.
-void World::State::test_pairs(std::uint32_t index) {
-  list_partners(index);
-  for (const std::uint32_t partner : partners) {
-    if (all.ways[partner].has_changed && partner < index) continue;
-    const std::uint32_t at = candidates.position(ordered_pair(index, partner));
-    if (at != Candidates::kNowhere && !is_apart_for_sure(at)) test_candidate(at);
+/// Where few changed, each with its partners; of two that changed the smaller one sees to the pair.
+/// What is known of a pair lies anywhere in memory: so each step of the way there is taken for all
+/// before the next one, for which it fetches.
+void World::State::test_partners() {
+  asked.clear(), due.clear(), order.clear();
+  for (const std::uint32_t index : changed) {
+    const std::uint32_t box = all.bodies[index].box;
+    partners.clear();
+    broad.find_overlapping(broad.box(broad.id(box)), partners);
+    for (const std::uint32_t partner : partners) {
+      if (partner == box) continue;
+      asked.push_back({index, partner});
+      hwy::Prefetch(&body_of_box[partner]);
+    }
   }
+  for (BoxPair& each : asked) {
+    each.b = body_of_box[each.b];
+    hwy::Prefetch(&all.ways[each.b]);
+    candidates.fetch(ordered_pair(each.a, each.b));
+  }
+  for (const BoxPair& each : asked) {
+    if (all.ways[each.b].has_changed && each.b < each.a) continue;
+    const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
+    if (at == Candidates::kNowhere) continue;
+    due.push_back(at);
+    candidates.fetch(at);
+  }
+  for (const std::uint32_t at : due) {
+    if (is_apart_for_sure(at)) continue;
+    order.push_back(at);
+    fetch(candidates.list()[at]);
+  }
+  for (const std::uint32_t at : order)
+    test_candidate(at);
 }
 
 void World::State::test_candidate(std::uint32_t at) {
@@ -205,8 +231,7 @@ void World::State::fetch(BoxPair pair) const {
 void World::State::test_changed() {
   constexpr std::size_t kMany = 8;
   if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
-    for (const std::uint32_t index : changed)
-      test_pairs(index);
+    test_partners();
     return;
   }
   list_changed_pairs();
