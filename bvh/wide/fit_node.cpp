@@ -1,99 +1,31 @@
-#include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
+#include <graze/bvh/wide/corner_extents.h>
 #include <graze/bvh/wide/fit_node.h>
+#include <graze/bvh/wide/fit_slabs.h>
 #include <graze/bvh/wide/node_axes.h>
 #include <graze/bvh/wide/wide_bounds.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace graze::bvh {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-struct Interval {
-  float low = kInfinity;
-  float high = -kInfinity;
-};
-
-/// Where something lies along three axes, from an origin.
-using Extent = std::array<Interval, 3>;
-
 /// The children of one node.
 struct ChildExtents {
-  Extent of[WideNode::kWidth];
+  Extent<3> of[WideNode::kWidth];
 };
-
-Lanes load(const float* values) {
-  Lanes lanes;
-  std::memcpy(&lanes, values, sizeof(lanes));
-  return lanes;
-}
-
-float least(Lanes v) {
-  return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
-}
-float greatest(Lanes v) {
-  return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
-}
-
-/// Three axes and an origin in all lanes.
-struct Projection {
-  Projection(const NodeAxes& axes, const float* from) {
-    for (int k = 0; k < 3; ++k) {
-      origin[k] = all_lanes(from[k]);
-      for (int axis = 0; axis < 3; ++axis)
-        rows[axis][k] = all_lanes(axes.rows[axis][k]);
-    }
-  }
-
-  Lanes origin[3];
-  Lanes rows[3][3];
-};
-
-/// The extent of consecutive primitives, four at a time.
-Extent extent_of(const CornerRows& rows, const Projection& onto, const PrimitiveRange& range) {
-  Lanes low[3], high[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = all_lanes(kInfinity);
-    high[axis] = all_lanes(-kInfinity);
-  }
-  for (std::size_t i = range.begin; i < range.end; i += 4) {
-    // Lanes behind the last primitive change nothing.
-    const auto left = static_cast<std::int32_t>(range.end - i);
-    const IntLanes is_there = IntLanes{0, 1, 2, 3} < IntLanes{left, left, left, left};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Lanes x = load(rows.row(c, 0) + i) - onto.origin[0];
-      const Lanes y = load(rows.row(c, 1) + i) - onto.origin[1];
-      const Lanes z = load(rows.row(c, 2) + i) - onto.origin[2];
-      for (int axis = 0; axis < 3; ++axis) {
-        const Lanes* row = onto.rows[axis];
-        const Lanes along = (row[0] * x + row[1] * y) + row[2] * z;
-        low[axis] = smaller(low[axis], chosen(is_there, along, low[axis]));
-        high[axis] = larger(high[axis], chosen(is_there, along, high[axis]));
-      }
-    }
-  }
-  Extent extent;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    extent[axis] = {least(low[axis]), greatest(high[axis])};
-  return extent;
-}
 
 ChildExtents extents_along(const CornerRows& rows, const NodeAxes& axes, const float* origin,
                            std::span<const PrimitiveRange> children) {
-  const Projection onto(axes, origin);
+  const Projection<3> onto(axes.rows, origin);
   ChildExtents extents;
   for (std::size_t j = 0; j < children.size(); ++j)
     extents.of[j] = extent_of(rows, onto, children[j]);
   return extents;
 }
 
-float surface_of(const Extent& extent) {
+float surface_of(const Extent<3>& extent) {
   const float x = extent[0].high - extent[0].low;
   const float y = extent[1].high - extent[1].low;
   const float z = extent[2].high - extent[2].low;
@@ -130,8 +62,9 @@ void set_boxes(const ChildExtents& extents, const float* origin, WideNode& node)
 }
 
 void clear_empty_lanes(WideNode& node) {
-  for (std::size_t j = node.count; j < WideNode::kWidth; ++j) {
+  for (std::uint32_t j = node.count; j < WideNode::kWidth; ++j) {
     node.child[j] = 0;
+    clear_slab(node, j);
     for (std::size_t k = 0; k < 3; ++k)
       node.centre[k][j] = node.half[k][j] = 0;
   }
@@ -144,7 +77,7 @@ float fit_node(const CornerRows& rows, const MomentSums& sums,
                WideNode& node) {
   const std::size_t begin = children.front().begin;
   const std::size_t end = children.back().end;
-  node.count = static_cast<std::uint32_t>(children.size());
+  node.count = static_cast<std::uint16_t>(children.size());
   const RangeMoments moments = sums.of(begin, end);
   float origin[3];
   choose_origin(moments, end - begin, origin);
@@ -163,9 +96,9 @@ float fit_node(const CornerRows& rows, const MomentSums& sums,
   for (int k = 0; k < 3; ++k) {
     for (int axis = 0; axis < 3; ++axis)
       node.axes[k][axis] = axes.rows[axis][k];
-    node.axes[k][3] = 0;
   }
   set_boxes(extents, origin, node);
+  fit_slabs(rows, sums, axes, origin, children, node);
   clear_empty_lanes(node);
   return surfaces;
 }
@@ -184,6 +117,7 @@ float refit_node(const CornerRows& rows, std::span<const PrimitiveRange> childre
   }
   const ChildExtents extents = extents_along(rows, axes, origin, children);
   set_boxes(extents, origin, node);
+  refit_slabs(rows, axes, origin, children, node);
   return sum_of_surfaces(extents, node.count);
 }
 

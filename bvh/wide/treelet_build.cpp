@@ -1,6 +1,7 @@
 #include <graze/bvh/part.h>
 #include <graze/bvh/subtree.h>
 #include <graze/bvh/wide/collapse.h>
+#include <graze/bvh/wide/fit_slabs.h>
 #include <graze/bvh/wide/treelet_build.h>
 #include <graze/bvh/wide/treelet_fit.h>
 #include <graze/bvh/wide/wide_bounds.h>
@@ -16,6 +17,7 @@ void set_lane(WideNode& node, std::uint32_t lane, const FloatBox& box, std::uint
     // Room for the rounding of the centre, and as wide_bounds.h says: local boxes are below 2.
     node.half[k][lane] = rounded_up(0.5 * box.max[k] - 0.5 * box.min[k] + 16 * kFitError);
   }
+  clear_slab(node, lane);
   node.child[lane] = link;
 }
 
@@ -23,7 +25,7 @@ WideNode node_along_coordinates(std::uint32_t count) {
   WideNode node{};
   for (int k = 0; k < 3; ++k)
     node.axes[k][k] = 1;
-  node.count = count;
+  node.count = static_cast<std::uint16_t>(count);
   return node;
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/wide/fit_slabs.h>
 #include <graze/bvh/wide/treelet_fit.h>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ float fit_nodes(Treelet& treelet, const TreeletCorners& corners,
     surfaces +=
         fit_node(corners.rows, sums, ranges_of(topology[i]), corners.origin, treelet.nodes[i]);
   }
+  choose_slabs(treelet.nodes);
   return cost_of(surfaces, corners);
 }
 

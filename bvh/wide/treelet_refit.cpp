@@ -1,3 +1,4 @@
+#include <graze/bvh/wide/fit_slabs.h>
 #include <graze/bvh/wide/treelet_fit.h>
 #include <graze/bvh/wide/treelet_refit.h>
 
@@ -39,6 +40,7 @@ float refit_nodes(Treelet& treelet, const TreeletCorners& corners,
   for (std::size_t i = 0; i < topology.size(); ++i) {
     surfaces += refit_node(corners.rows, ranges_of(topology[i]), corners.origin, treelet.nodes[i]);
   }
+  choose_slabs(treelet.nodes);
   return cost_of(surfaces, corners);
 }
 

@@ -39,6 +39,12 @@
 // is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers it. The last sum is 8
 // u D more for the host, too: 109 u in all.
 //
+// Slabs. Along n = (a, b, 1), whose components add up to 2.969 at most, a component of the way, off
+// by the comparison's margin at most, counts for up to 2.969 margins. The guest's axes along n are
+// off by 36 u, the rest of them beside its own slab by 3.5 u more, two slabs read from bytes by 10
+// u D and 25 u times the sum of the guest's half extents, and the sums round by 26 u D and 37 u of
+// those: less than one margin. kSlabMargins covers both.
+//
 // Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
 // and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +
 // 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
@@ -72,6 +78,8 @@ namespace graze::bvh {
 
 inline constexpr float kFitError = 0x1p-19f;
 inline constexpr float kComparisonError = 0x1p-17f;
+/// Of a comparison's margin, along a slab's normal, which is longer than 1.
+inline constexpr float kSlabMargins = 4;
 inline constexpr float kCornerError = 0x1p-19f;
 inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;

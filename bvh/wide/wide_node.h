@@ -10,18 +10,38 @@ namespace graze::bvh {
 /// A point p, in the tree's LocalFrame, of what child j holds, has |axis k . (p - origin)
 /// - centre[k][j]| <= half[k][j] for each k, and is the sum of the origin and of s_k axis k with
 /// |s_k - centre[k][j]| <= half[k][j] (law 5: wide_bounds.h).
+///
+/// It also lies in a slab across the third axis, tilted to fit: with n = a axis 0 + b axis 1 + axis
+/// 2, a and b the slopes, and h = |a| half[0][j] + |b| half[1][j] + half[2][j], which is how far
+/// the box reaches along n, |n . (p - origin) - n . centre - slab_middle h| <= slab_half h;
+/// likewise with the s_k in place of axis k . (p - origin). A slab costs four bytes, and where
+/// surfaces bend it is several times thinner than a box along axes that eight children share.
 struct alignas(32) WideNode {
   static constexpr std::uint32_t kWidth = 8;
 
   float centre[3][kWidth];
   float half[3][kWidth];
-  float axes[3][4];  // [component][axis]: unit vectors at right angles, but for rounding; then 0
+  float axes[3][3];     // [component][axis]: unit vectors at right angles, but for rounding
+  std::uint16_t count;  // of children, at least 1
+  std::uint16_t
+      has_slabs;  // whether these are so much thinner than the boxes that it pays to ask them
   double origin[3];
-  std::uint32_t child[kWidth];  // as ChildLink packs them
-  std::uint32_t count;          // of children, at least 1
+  std::uint32_t child[kWidth];      // as ChildLink packs them
+  std::int8_t slope[2][kWidth];     // q stands for q |q| 2^-14: finer where it is small
+  std::int8_t slab_middle[kWidth];  // in 2^-7 h
+  std::uint8_t slab_half[kWidth];   // in 2^-8 h, less one
+
+  /// What slopes are in the end: less than 1 in size, and exact.
+  static float slope_of(std::int8_t q) {
+    return static_cast<float>(q) * static_cast<float>(q < 0 ? -q : q) * kSlopeUnit;
+  }
+
+  static constexpr float kSlopeUnit = 0x1p-14f;
+  static constexpr float kSlabMiddleUnit = 0x1p-7f;
+  static constexpr float kSlabHalfUnit = 0x1p-8f;
 
   /// The bits of the lanes that hold a child.
-  std::uint32_t lanes() const { return (1u << count) - 1; }
+  std::uint32_t lanes() const { return (1u << count) - 1u; }
 };
 static_assert(sizeof(WideNode) == 320, "five cache lines");
 

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 #include <graze/bvh/wide/guest_node.inc>
 #include <graze/bvh/wide/near_primitives.inc>
+#include <graze/bvh/wide/slab_lanes.inc>
 #include <graze/bvh/wide/slots.inc>
 
 #include <bit>
@@ -91,6 +92,28 @@ HWY_INLINE std::uint32_t near_lanes(const WideNode& host, const AnyGuest& guest,
   return near & host.lanes();
 }
 
+/// Those of the children whose slabs do not prove that they are apart from the guest. Not inlined:
+/// where nobody asks slabs the walk is faster without all this in its loop.
+template <typename AnyGuest>
+HWY_NOINLINE std::uint32_t near_slabs(const WideNode& host, const AnyGuest& guest,
+                                      const GuestSlab& slab) {
+  const Tag tag;
+  std::uint32_t near = 0;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    Lanes half[3], way[3];
+    for (int i = 0; i < 3; ++i) {
+      half[i] = hn::Load(tag, host.half[i] + lane);
+      way[i] = hn::Sub(hn::Set(tag, guest.way(i)), hn::Load(tag, host.centre[i] + lane));
+    }
+    const SlabGap gap(SlabLanes(host, lane, half), way, guest, slab);
+    const auto apart = hn::Gt(hn::Abs(gap.offset), gap.reach);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, hn::Not(apart), bits);
+    near |= std::uint32_t{bits[0]} << lane;
+  }
+  return near;
+}
+
 /// The bits of the children that are leaves.
 HWY_INLINE std::uint32_t leaf_lanes(const WideNode& node) {
   std::uint32_t lanes = 0;
@@ -153,7 +176,12 @@ class Walker {
     const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
-    const std::uint32_t near = near_lanes(node, OneGuest{in_node_}, squared_ways_);
+    std::uint32_t near = near_lanes(node, OneGuest{in_node_}, squared_ways_);
+    if (near != 0 && node.has_slabs && guest.node->has_slabs) {
+      near &= near_slabs(
+          node, OneGuest{in_node_},
+          slab_of(*guest.node, guest.lane, static_cast<float>(way.scale), in_node_.padding));
+    }
     count(node, near);
     if (near == 0) return;
     if (ChildLink::is_leaf(guest_link)) {
@@ -177,16 +205,21 @@ class Walker {
     const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
     const WideNode& node = *below.node;
     const float sizes = size_of(host) + 2 * size_of(above) * static_cast<float>(way.scale);
-    set_guests_in_node(guests_in_node_, *guests.node, node, way,
-                       way.slack + kComparisonError * sizes);
+    const float padding = way.slack + kComparisonError * sizes;
+    set_guests_in_node(guests_in_node_, *guests.node, node, way, padding);
+    const bool are_slabs_asked = node.has_slabs && guests.node->has_slabs;
     const bool are_many = std::popcount(lanes) > kMostAtATime;
     alignas(32) float squared_ways[WideNode::kWidth];
     while (lanes != 0 && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
       const std::uint32_t lane =
           are_many ? nearest(lanes, squared_ways_) : farthest(lanes, squared_ways_);
       lanes &= ~(1u << lane);
-      const std::uint32_t near =
-          near_lanes(node, GuestAmongOthers{guests_in_node_, lane}, squared_ways);
+      const GuestAmongOthers other{guests_in_node_, lane};
+      std::uint32_t near = near_lanes(node, other, squared_ways);
+      if (near != 0 && are_slabs_asked) {
+        near &= near_slabs(node, other,
+                           slab_of(*guests.node, lane, static_cast<float>(way.scale), padding));
+      }
       count(node, near);
       if (are_many && near != 0) {
         push_all(1 - host_side, guests, lanes, host);

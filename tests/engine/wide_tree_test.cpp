@@ -29,14 +29,23 @@ Eigen::Vector3d local(const Eigen::Vector3d& p, const WideTree& tree) {
   return (p - Eigen::Vector3d(c[0], c[1], c[2])) * std::ldexp(1.0, -tree.frame().exponent);
 }
 
+/// Both the box and the slab.
 bool holds(const WideNode& node, std::uint32_t lane, const Eigen::Vector3d& p) {
+  const double slope[3] = {WideNode::slope_of(node.slope[0][lane]),
+                           WideNode::slope_of(node.slope[1][lane]), 1};
+  double from_middle = 0;
+  double reach = 0;
   for (int axis = 0; axis < 3; ++axis) {
     double along = 0;
     for (int k = 0; k < 3; ++k)
       along += double{node.axes[k][axis]} * (p[k] - node.origin[k]);
-    if (std::abs(along - node.centre[axis][lane]) > node.half[axis][lane]) return false;
+    along -= node.centre[axis][lane];
+    if (std::abs(along) > node.half[axis][lane]) return false;
+    from_middle += slope[axis] * along;
+    reach += std::abs(slope[axis]) * node.half[axis][lane];
   }
-  return true;
+  from_middle -= node.slab_middle[lane] * reach / 128;
+  return std::abs(from_middle) <= (node.slab_half[lane] + 1) * reach / 256;
 }
 
 /// The places of all primitives below a lane; checks that its box holds their corners.
@@ -204,6 +213,39 @@ TEST(WideTree, LeavesLetLittleThroughThatDoesNotMeet) {
   EXPECT_GT(pairs, 100u);
   EXPECT_LT(work.triangle_tests, 3 * pairs);
   EXPECT_GT(work.filter_tests, 3 * work.triangle_tests);
+}
+
+/// Hills and valleys over a square, with a grid of so many squares a side.
+Mesh make_hills(int side) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (int i = 0; i <= side; ++i) {
+    for (int j = 0; j <= side; ++j) {
+      const double x = static_cast<double>(i) / side;
+      const double y = static_cast<double>(j) / side;
+      vertices.emplace_back(x, y, 0.05 * std::sin(6 * x) * std::cos(7 * y));
+      if (i == side || j == side) continue;
+      const auto at = static_cast<std::uint32_t>(i * (side + 1) + j);
+      const auto next = at + static_cast<std::uint32_t>(side + 1);
+      triangles.push_back({at, at + 1, next});
+      triangles.push_back({at + 1, next + 1, next});
+    }
+  }
+  return Mesh(vertices, triangles);
+}
+
+// A thousandth of their size apart: boxes along axes that eight children share are too thick for
+// that down to the leaves; slabs are not.
+TEST(WideTree, SlabsKeepNearlyParallelSheetsApart) {
+  const Mesh hills = make_hills(100);
+  Pose above = Pose::Identity();
+  above.translation().z() = 0.0015;
+  Work work;
+  EXPECT_FALSE(intersects({hills}, {hills, above}, &work));
+  EXPECT_EQ(work.filter_tests, 0u);
+  EXPECT_LT(work.volume_tests, 10 * hills.triangles().size());
+  above.translation().z() = 0;
+  EXPECT_TRUE(intersects({hills}, {hills, above}));
 }
 
 /// Two meshes of a few triangles, of which two touch to within rounding.
