@@ -16,7 +16,8 @@ constexpr const char* kSimulateFooter = R"(
 A scene is a JSON file (data/README.md, data/scene.schema.json): shapes, bodies in poses, filters, and how
 bodies move, by poses at times or at a constant velocity and rate. Step 0 is time 0, step n is n times
 the step later. Each step gives a row: how many pairs of bodies began and ceased to touch and touch
-now, and what the world did for that. The pairs follow by name.
+now, what the world did for that, and of how many meshes nobody has needed a tree. The pairs follow
+by name.
 
 --contacts adds where the pairs touch in which something moved: depth and point in metres, and the
 normal, a unit vector from the first body to the second.

@@ -46,10 +46,12 @@ std::string json_of(const WorldWork& work) {
   return fmt::format(
       "{{\"shape_tests\":{},\"pairs_filtered\":{},\"pairs_at_rest\":{},\"pairs_asleep\":{},"
       "\"pairs_apart\":{},\"gaps_measured\":{},\"contacts_found\":{},\"contacts_skipped\":{},"
-      "\"trees_built\":{},\"convex_failures\":{},\"penetration_failures\":{}}}",
+      "\"trees_built\":{},\"trees_unbuilt\":{},\"convex_failures\":{},\"penetration_failures\":{}}"
+      "}",
       work.shape_tests, work.pairs_filtered, work.pairs_at_rest, work.pairs_asleep,
       work.pairs_apart, work.gaps_measured, work.contacts_found, work.contacts_skipped,
-      work.shapes.trees_built, work.shapes.convex_failures, work.shapes.penetration_failures);
+      work.shapes.trees_built, work.trees_unbuilt, work.shapes.convex_failures,
+      work.shapes.penetration_failures);
 }
 
 }  // namespace
@@ -68,7 +70,8 @@ SimulateReport::SimulateReport(Output& output, const Scene& scene,
               {"at rest", 7},
               {"too far", 7},
               {"filtered", 8},
-              {"contacts", 8}}) {}
+              {"contacts", 8},
+              {"no tree", 7}}) {}
 
 void SimulateReport::begin() {
   if (!settings_.is_json) output_.write(table_.header());
@@ -84,12 +87,12 @@ std::string SimulateReport::text_of(std::size_t step, double time,
                                     const WorldUpdate& update) const {
   const Names names{scene_};
   const WorldWork& work = update.work;
-  std::string out =
-      table_.row({std::to_string(step), fmt::format("{:.6g}", time),
-                  std::to_string(update.begun.size()), std::to_string(update.ended.size()),
-                  std::to_string(touching_), std::to_string(work.shape_tests),
-                  std::to_string(work.pairs_at_rest), std::to_string(work.pairs_apart),
-                  std::to_string(work.pairs_filtered), std::to_string(work.contacts_found)});
+  std::string out = table_.row(
+      {std::to_string(step), fmt::format("{:.6g}", time), std::to_string(update.begun.size()),
+       std::to_string(update.ended.size()), std::to_string(touching_),
+       std::to_string(work.shape_tests), std::to_string(work.pairs_at_rest),
+       std::to_string(work.pairs_apart), std::to_string(work.pairs_filtered),
+       std::to_string(work.contacts_found), std::to_string(work.trees_unbuilt)});
   for (const BodyPair& pair : update.begun)
     out += "  begun: " + names.text(pair) + "\n";
   for (const BodyPair& pair : update.ended)

@@ -84,6 +84,9 @@ class Mesh {
   /// The same hierarchy in wide nodes, whose parts are built when a query first walks them.
   const bvh::WideTree& wide_tree(Work* work = nullptr) const;
 
+  /// Whether anything of either has been built, by whoever asked. Builds nothing; O(1).
+  bool has_tree() const;
+
   /// The skins of the tree: one volume for each of its nodes, in the tree's frame. Fitted when
   /// first asked for, O(n log n), which the call that does it counts in `work`.
   std::span<const bvh::FloatSphere> sphere_skin(Work* work = nullptr) const;

@@ -76,4 +76,9 @@ const bvh::Tree& Mesh::tree(Work* work) const {
   return data_->tree->tree;
 }
 
+bool Mesh::has_tree() const {
+  return data_->is_wide_made.load(std::memory_order_acquire) ||
+         data_->is_tree_made.load(std::memory_order_acquire);
+}
+
 }  // namespace graze

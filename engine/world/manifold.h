@@ -50,9 +50,14 @@ struct Manifold {
 /// shape's middle is outside its plane and the common area is not empty, else along the least way
 /// out. Triangles that the middle is behind count only if there are no others. Two meshes offer the
 /// corners of the patches in which they meet, points of the curves of their find_intersection():
-/// each with its patch's normal, that of the area which the curves enclose, and a depth that is
-/// mostly find_contacts()'s, and a guide: it is not proved to part them. Meshes that only touch, in
-/// a plane, along a line or in a point, offer their find_contacts().
+/// each with its patch's normal, that of the area which its curves enclose, and the depth of the
+/// closed curve that it lies on. A patch that lies in several curves, as where the teeth of a comb
+/// enter, offers a point of the deepest one, too: so the first contact is as deep as any. A depth
+/// is mostly find_contacts()'s, and a guide: it is not proved to part them. Curves that do not
+/// close, of open meshes or where rounding tears them, count together as far as triangles connect
+/// them; and of a part inside with thousands of vertices those are looked at to which the way in
+/// leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a plane, along a line
+/// or in a point, offer their find_contacts().
 ///
 /// Of all that is offered four remain: the deepest, and those that are far from all that remain. So
 /// that features persist, edges of two faces that are within a 256th of the smaller shape's size of

@@ -114,12 +114,12 @@ class Finder {
     if (from > to || largest(normal_a) == 0 || largest(normal_b) == 0) return false;
     EdgeCrossing first = is_from_a ? of_a.edge[0] : of_b.edge[0];
     EdgeCrossing last = is_to_a ? of_a.edge[1] : of_b.edge[1];
-    first.piece = last.piece = static_cast<std::uint32_t>(found_.crossings.size());
+    first.loop = last.loop = static_cast<std::uint32_t>(found_.crossings.size());
     (is_from_a ? found_.edges_a : found_.edges_b).push_back(first);
     (is_to_a ? found_.edges_a : found_.edges_b).push_back(last);
     found_.crossings.push_back({pair, is_from_a ? of_a.point[0] : of_b.point[0],
                                 is_to_a ? of_a.point[1] : of_b.point[1], normal_a, normal_b,
-                                a.corner[0], b.corner[0], 0});
+                                a.corner[0], b.corner[0], 0, 0});
     return true;
   }
 
@@ -160,22 +160,67 @@ void find_pieces(MeshCrossings& found) {
   }
 }
 
-/// Each edge once, although it is one of two triangles.
-void settle_edges(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
+bool is_one_end(const EdgeCrossing& s, const EdgeCrossing& t) {
+  return s.low == t.low && s.high == t.high && s.share == t.share;
+}
+
+/// By edge, then along it, then by crossing or loop.
+void sort_edges(std::vector<EdgeCrossing>& edges) {
   const auto ends = [](const EdgeCrossing& edge) {
     return std::uint64_t{edge.low} << 32 | edge.high;
   };
-  for (EdgeCrossing& edge : edges)
-    edge.piece = crossings[edge.piece].piece;
   std::sort(edges.begin(), edges.end(), [&](const EdgeCrossing& s, const EdgeCrossing& t) {
     if (ends(s) != ends(t)) return ends(s) < ends(t);
-    return s.share != t.share ? s.share < t.share : s.piece < t.piece;
+    return s.share != t.share ? s.share < t.share : s.loop < t.loop;
   });
-  const auto end =
-      std::unique(edges.begin(), edges.end(), [&](const EdgeCrossing& s, const EdgeCrossing& t) {
-        return ends(s) == ends(t) && s.share == t.share;
-      });
-  edges.erase(end, edges.end());
+}
+
+/// Numbers the loops by their first crossings. Two crossings go on in each other where the same
+/// edge goes through the same triangle. What has an end without another - an open mesh, an edge
+/// that meets an edge, which rounding tells one way here and another there - stays with its piece.
+/// Until then edges name their crossings as loops.
+void find_loops(MeshCrossings& found) {
+  std::vector<MeshCrossing>& all = found.crossings;
+  std::vector<std::uint32_t>& parent = found.parent;
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto join = [&](std::uint32_t i, std::uint32_t j) {
+    i = lowest(parent, i), j = lowest(parent, j);
+    parent[std::max(i, j)] = std::min(i, j);
+  };
+  found.met_ends.assign(all.size(), 0);
+  for (std::vector<EdgeCrossing>* edges : {&found.edges_a, &found.edges_b}) {
+    sort_edges(*edges);
+    for (std::size_t i = 1; i < edges->size(); ++i) {
+      const EdgeCrossing &s = (*edges)[i - 1], &t = (*edges)[i];
+      if (!is_one_end(s, t)) continue;
+      join(s.loop, t.loop);
+      ++found.met_ends[s.loop], ++found.met_ends[t.loop];
+    }
+  }
+  // Where a chain is open its first crossing says so for all of it.
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (found.met_ends[i] != 2) found.met_ends[lowest(parent, i)] = 0;
+  }
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  found.order.assign(found.pieces, kNone);  // an open crossing of each piece
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    if (found.met_ends[lowest(parent, i)] == 2) continue;
+    std::uint32_t& open = found.order[all[i].piece];
+    if (open == kNone) open = i;
+    join(open, i);
+  }
+  found.loops = 0;
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    const std::uint32_t first = lowest(parent, i);
+    all[i].loop = first == i ? found.loops++ : all[first].loop;
+  }
+}
+
+/// Each edge once, although it is one of two triangles.
+void settle_edges(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
+  edges.erase(std::unique(edges.begin(), edges.end(), is_one_end), edges.end());
+  for (EdgeCrossing& edge : edges)
+    edge.loop = crossings[edge.loop].loop;
 }
 
 }  // namespace
@@ -186,6 +231,7 @@ bool find_crossings(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const Ve
   const std::size_t left_out = Finder(mesh_a, mesh_b, origin, found).run();
   if (left_out > found.crossings.size()) return false;
   find_pieces(found);
+  find_loops(found);
   settle_edges(found.crossings, found.edges_a);
   settle_edges(found.crossings, found.edges_b);
   return true;

@@ -23,6 +23,7 @@ struct MeshCrossing {
   narrowphase::Vec3 on_a;  ///< a corner
   narrowphase::Vec3 on_b;
   std::uint32_t piece;  ///< crossings that share triangles, or do through others, are of one piece
+  std::uint32_t loop;   ///< closed curves have numbers of their own; open ones of a piece share one
 };
 
 /// Where an edge goes through a triangle of the other mesh.
@@ -30,7 +31,7 @@ struct EdgeCrossing {
   std::uint32_t low;  ///< welded vertices
   std::uint32_t high;
   double share;  ///< of the way from low to high
-  std::uint32_t piece;
+  std::uint32_t loop;
   bool is_entry;  ///< on that way it goes behind the triangle
 };
 
@@ -41,8 +42,10 @@ struct MeshCrossings {
   std::vector<EdgeCrossing> edges_a;  ///< ascending by edge and then along it
   std::vector<EdgeCrossing> edges_b;
   std::uint32_t pieces = 0;
+  std::uint32_t loops = 0;
   std::vector<std::uint32_t> parent;
   std::vector<std::uint32_t> order;
+  std::vector<std::uint8_t> met_ends;
 };
 
 /// Points are relative to the origin. The crossings leave out pairs that touch in one plane or in a

@@ -23,25 +23,44 @@ constexpr double kOneWay = 0.9;
 // A face that the way out leads along, to about 80 degrees, does not end it.
 constexpr double kFacingOut = 0.17;
 
-// So many vertices of one mesh inside the other are looked at: a depth needs no more.
+// So many vertices of one mesh inside the other are looked at, the ones that are furthest in first,
+// of each loop its share, but no fewer than the least: a depth needs no more.
 constexpr std::size_t kMostInner = 96;
+constexpr std::size_t kLeastInner = 8;
 
 struct Piece {
   Vec3 first;  // any of its points
   Vec3 area;   // of its loops
   Vec3 faces;  // normals of A less those of B
   double length = 0;
-  Vec3 normal;                      // unit, from A to B; then that of its patch
+  Vec3 normal;  // unit, from A to B; then that of its patch
+  std::uint32_t patch = 0;
+};
+
+/// Where one closed curve of a piece leads in, along the normal of the piece.
+struct Loop {
+  const Piece* piece = nullptr;
+  Vec3 first;                       // any of its points
   double depth_a = 0, depth_b = 0;  // of points of each in the other
   double high_a = 0, low_b = 0;     // along the normal, from `first`
   double depth = 0;
-  std::uint32_t patch = 0;
 };
 
 /// A point of one mesh inside the other.
 struct InnerPoint {
   Vec3 point;
-  std::uint32_t piece;
+  std::uint32_t loop;
+};
+
+/// A vertex that may be one, and how far in it is.
+struct OpenVertex {
+  double reach;
+  std::uint32_t vertex;
+  std::uint32_t loop;
+  Vec3 point;
+  bool operator<(const OpenVertex& other) const {
+    return reach != other.reach ? reach < other.reach : vertex > other.vertex;
+  }
 };
 
 /// Which vertices have been met in this question, without ever clearing all of them.
@@ -72,10 +91,12 @@ class VertexMarks {
 struct Scratch {
   MeshCrossings found;
   std::vector<Piece> pieces;
+  std::vector<Loop> loops;
   std::vector<std::uint32_t> by_area;
   std::vector<std::uint32_t> patches;  // the pieces that lead them
   std::vector<InnerPoint> inner_a, inner_b;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // vertices and pieces
+  std::vector<OpenVertex> open;       // a heap
+  std::vector<std::uint32_t> looked;  // at how many vertices of a loop
   VertexMarks marks;
 };
 
@@ -136,60 +157,108 @@ void find_patches(Scratch& s) {
   }
 }
 
-/// The vertices of a mesh that are reached from its inner ends of crossed edges without going
-/// outside, and the middles of edges between crossings.
-void find_inner(const PlacedMesh& mesh, const Vec3& origin, const std::vector<EdgeCrossing>& edges,
-                Scratch& s, std::vector<InnerPoint>& inner) {
-  using Mark = VertexMarks::Mark;
-  const auto placed = [&](std::uint32_t vertex) {
-    return to_vec3(place(mesh.pose, mesh.mesh.vertices()[vertex])) - origin;
-  };
-  const auto on_edge = [&](const EdgeCrossing& edge, double share) {
-    const Vec3 low = placed(edge.low);
-    return low + (placed(edge.high) - low) * share;
-  };
-  inner.clear(), s.open.clear();
-  s.marks.start(mesh.mesh.vertices().size());
-  const auto note = [&](std::uint32_t vertex, bool is_inside, std::uint32_t piece) {
-    if (s.marks[vertex] == Mark::Outside) return;
-    if (!is_inside) return s.marks.set(vertex, Mark::Outside);
-    if (s.marks[vertex] == Mark::Inside) return;
-    s.marks.set(vertex, Mark::Inside);
-    s.open.emplace_back(vertex, piece);
-  };
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const EdgeCrossing& edge = edges[i];
-    const auto is_same = [&](std::size_t j) {
-      return edges[j].low == edge.low && edges[j].high == edge.high;
-    };
-    if (i == 0 || !is_same(i - 1)) note(edge.low, !edge.is_entry, edge.piece);
-    const bool is_last = i + 1 == edges.size() || !is_same(i + 1);
-    if (is_last) note(edge.high, edge.is_entry, edge.piece);
-    if (!is_last && edge.is_entry)
-      inner.push_back({on_edge(edge, 0.5 * (edge.share + edges[i + 1].share)), edge.piece});
-  }
-  const VertexFans& fans = mesh.mesh.vertex_fans();
-  const std::span<const std::uint32_t> welded = mesh.mesh.welded();
-  for (std::size_t next = 0; next < s.open.size() && next < kMostInner; ++next) {
-    const auto [vertex, piece] = s.open[next];
-    if (s.marks[vertex] == Mark::Outside) continue;  // of a sheet that ends inside
-    inner.push_back({placed(vertex), piece});
-    for (const std::uint32_t triangle : fans.around(vertex)) {
-      for (const std::uint32_t index : mesh.mesh.triangles()[triangle]) {
-        const std::uint32_t neighbour = welded[index];
-        if (s.marks[neighbour] == Mark::None) note(neighbour, true, piece);
-      }
-    }
+/// Loops as they are before anything is known of what lies in them.
+void start_loops(Scratch& s) {
+  s.loops.assign(s.found.loops, {});
+  for (const MeshCrossing& crossing : s.found.crossings) {
+    Loop& loop = s.loops[crossing.loop];
+    if (loop.piece == nullptr) loop = {&s.pieces[crossing.piece], crossing.from};
   }
 }
 
-/// How far a point is, along the way out, behind the nearest of the faces that its piece crosses;
+/// Of A's surface what is inside is reached along the normals, of B's against them.
+enum class InnerSide { OfA, OfB };
+
+/// Finds the vertices of a mesh that are reached from its inner ends of crossed edges without going
+/// outside, those furthest in first, and the middles of edges between crossings.
+class InnerFinder {
+ public:
+  InnerFinder(const PlacedMesh& mesh, InnerSide side, const Vec3& origin, Scratch& s,
+              std::vector<InnerPoint>& inner)
+      : mesh_(mesh),
+        sign_(side == InnerSide::OfA ? 1 : -1),
+        origin_(origin),
+        s_(s),
+        inner_(inner),
+        welded_(mesh.mesh.welded()) {}
+
+  void run(const std::vector<EdgeCrossing>& edges) {
+    inner_.clear(), s_.open.clear();
+    s_.marks.start(mesh_.mesh.vertices().size());
+    start(edges);
+    const std::size_t share = std::max(kLeastInner, kMostInner / s_.loops.size());
+    s_.looked.assign(s_.loops.size(), 0);
+    while (!s_.open.empty()) {
+      std::pop_heap(s_.open.begin(), s_.open.end());
+      const OpenVertex next = s_.open.back();
+      s_.open.pop_back();
+      // Outside is what belongs to a sheet that ends inside.
+      if (s_.marks[next.vertex] == Mark::Outside || s_.looked[next.loop] == share) continue;
+      ++s_.looked[next.loop];
+      inner_.push_back({next.point, next.loop});
+      open_neighbours(next);
+    }
+  }
+
+ private:
+  using Mark = VertexMarks::Mark;
+
+  void start(const std::vector<EdgeCrossing>& edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const EdgeCrossing& edge = edges[i];
+      const auto is_same = [&](std::size_t j) {
+        return edges[j].low == edge.low && edges[j].high == edge.high;
+      };
+      if (i == 0 || !is_same(i - 1)) note(edge.low, !edge.is_entry, edge.loop);
+      const bool is_last = i + 1 == edges.size() || !is_same(i + 1);
+      if (is_last) note(edge.high, edge.is_entry, edge.loop);
+      if (!is_last && edge.is_entry) {
+        const double middle = 0.5 * (edge.share + edges[i + 1].share);
+        const Vec3 low = placed(edge.low);
+        inner_.push_back({low + (placed(edge.high) - low) * middle, edge.loop});
+      }
+    }
+  }
+
+  void open_neighbours(const OpenVertex& of) {
+    for (const std::uint32_t triangle : mesh_.mesh.vertex_fans().around(of.vertex)) {
+      for (const std::uint32_t index : mesh_.mesh.triangles()[triangle]) {
+        const std::uint32_t neighbour = welded_[index];
+        if (s_.marks[neighbour] == Mark::None) note(neighbour, true, of.loop);
+      }
+    }
+  }
+
+  void note(std::uint32_t vertex, bool is_inside, std::uint32_t loop) {
+    if (s_.marks[vertex] == Mark::Outside) return;
+    if (!is_inside) return s_.marks.set(vertex, Mark::Outside);
+    if (s_.marks[vertex] == Mark::Inside) return;
+    s_.marks.set(vertex, Mark::Inside);
+    const Vec3 point = placed(vertex);
+    const Loop& of = s_.loops[loop];
+    s_.open.push_back({sign_ * dot(of.piece->normal, point - of.first), vertex, loop, point});
+    std::push_heap(s_.open.begin(), s_.open.end());
+  }
+
+  Vec3 placed(std::uint32_t vertex) const {
+    return to_vec3(place(mesh_.pose, mesh_.mesh.vertices()[vertex])) - origin_;
+  }
+
+  const PlacedMesh& mesh_;
+  double sign_;
+  const Vec3& origin_;
+  Scratch& s_;
+  std::vector<InnerPoint>& inner_;
+  std::span<const std::uint32_t> welded_;
+};
+
+/// How far a point is, along the way out, behind the nearest of the faces that its loop crosses;
 /// no more than `enough` counts.
 double depth_of(const InnerPoint& inner, const Vec3& out, const Scratch& s, bool is_in_a,
                 double enough) {
   double least = std::numeric_limits<double>::infinity();
   for (const MeshCrossing& crossing : s.found.crossings) {
-    if (crossing.piece != inner.piece) continue;
+    if (crossing.loop != inner.loop) continue;
     const Vec3& normal = is_in_a ? crossing.normal_a : crossing.normal_b;
     const double facing = dot(normal, out);
     if (facing < kFacingOut) continue;
@@ -206,24 +275,25 @@ double depth_of(const InnerPoint& inner, const Vec3& out, const Scratch& s, bool
 /// of either are behind faces of the other: in a corner the patch is as wide as it is long.
 void find_depths(Scratch& s) {
   for (const MeshCrossing& crossing : s.found.crossings) {
-    Piece& piece = s.pieces[crossing.piece];
-    const double along = dot(piece.normal, crossing.from - piece.first);
-    piece.high_a = std::max(piece.high_a, along);
-    piece.low_b = std::min(piece.low_b, along);
+    Loop& loop = s.loops[crossing.loop];
+    const double along = dot(loop.piece->normal, crossing.from - loop.first);
+    loop.high_a = std::max(loop.high_a, along);
+    loop.low_b = std::min(loop.low_b, along);
   }
   for (const InnerPoint& inner : s.inner_a) {
-    Piece& piece = s.pieces[inner.piece];
-    piece.high_a = std::max(piece.high_a, dot(piece.normal, inner.point - piece.first));
-    piece.depth_a =
-        std::max(piece.depth_a, depth_of(inner, -piece.normal, s, false, piece.depth_a));
+    Loop& loop = s.loops[inner.loop];
+    const Vec3& normal = loop.piece->normal;
+    loop.high_a = std::max(loop.high_a, dot(normal, inner.point - loop.first));
+    loop.depth_a = std::max(loop.depth_a, depth_of(inner, -normal, s, false, loop.depth_a));
   }
   for (const InnerPoint& inner : s.inner_b) {
-    Piece& piece = s.pieces[inner.piece];
-    piece.low_b = std::min(piece.low_b, dot(piece.normal, inner.point - piece.first));
-    piece.depth_b = std::max(piece.depth_b, depth_of(inner, piece.normal, s, true, piece.depth_b));
+    Loop& loop = s.loops[inner.loop];
+    const Vec3& normal = loop.piece->normal;
+    loop.low_b = std::min(loop.low_b, dot(normal, inner.point - loop.first));
+    loop.depth_b = std::max(loop.depth_b, depth_of(inner, normal, s, true, loop.depth_b));
   }
-  for (Piece& piece : s.pieces)
-    piece.depth = std::min(piece.high_a - piece.low_b, piece.depth_a + piece.depth_b);
+  for (Loop& loop : s.loops)
+    loop.depth = std::min(loop.high_a - loop.low_b, loop.depth_a + loop.depth_b);
 }
 
 /// The axis of a frame that a direction is nearest to, 0 to 5.
@@ -256,22 +326,32 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
     const Vec3 u = axis((k + 1) % 3), v = axis((k + 2) % 3);
     constexpr double kCosine = 0.95, kSine = 0.31;
     const Vec3 ways[] = {u * kCosine + v * kSine, v * kCosine - u * kSine};
-    const Vec3* corner[4] = {};
-    const Piece* of[4] = {};
-    double most[4];
+    // A fifth is of the deepest loop, which may lie between the corners.
+    const Loop* deepest = nullptr;
+    for (const Loop& loop : s.loops) {
+      if (loop.piece->patch == patch && (deepest == nullptr || loop.depth > deepest->depth))
+        deepest = &loop;
+    }
+    const Vec3* corner[5] = {};
+    const Loop* of[5] = {};
+    double most[5];
     for (const MeshCrossing& crossing : s.found.crossings) {
-      const Piece& piece = s.pieces[crossing.piece];
-      if (piece.patch != patch) continue;
-      for (int i = 0; i < 4; ++i) {
-        const double along = i < 2 ? dot(ways[i], crossing.from) : -dot(ways[i - 2], crossing.from);
+      const Loop& loop = s.loops[crossing.loop];
+      if (loop.piece->patch != patch) continue;
+      for (int i = 0; i < 5; ++i) {
+        if (i == 4 && &loop != deepest) continue;
+        const double along =
+            i < 2 || i == 4 ? dot(ways[i % 2], crossing.from) : -dot(ways[i - 2], crossing.from);
         if (corner[i] == nullptr || along > most[i])
-          most[i] = along, corner[i] = &crossing.from, of[i] = &piece;
+          most[i] = along, corner[i] = &crossing.from, of[i] = &loop;
       }
     }
-    for (std::uint32_t i = 0; i < 4; ++i) {
+    for (std::uint32_t i = 0; i < 5; ++i) {
       if (std::find(corner, corner + i, corner[i]) != corner + i) continue;
-      const std::uint64_t feature_a = (std::uint64_t{rank} << 8 | side_a) << 2 | i;
-      touches.push_back({*corner[i], normal, of[i]->depth, feature_a, feature_b});
+      if (i == 4 && std::find(of, of + 4, deepest) != of + 4) continue;
+      const std::uint64_t feature_a = (std::uint64_t{rank} << 8 | side_a) << 2 | (i % 4);
+      const std::uint64_t fifth = i == 4 ? std::uint64_t{1} << 63 : 0;
+      touches.push_back({*corner[i], normal, of[i]->depth, fifth | feature_a, feature_b});
     }
   }
 }
@@ -289,8 +369,9 @@ bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& t
   if (s.found.pairs.empty()) return true;
   if (!is_all || !sum_up_pieces(s.found, s.pieces)) return false;
   find_patches(s);
-  find_inner(mesh_a, origin, s.found.edges_a, s, s.inner_a);
-  find_inner(mesh_b, origin, s.found.edges_b, s, s.inner_b);
+  start_loops(s);
+  InnerFinder(mesh_a, InnerSide::OfA, origin, s, s.inner_a).run(s.found.edges_a);
+  InnerFinder(mesh_b, InnerSide::OfB, origin, s, s.inner_b).run(s.found.edges_b);
   find_depths(s);
   add_corners(mesh_a, mesh_b, s, touches.list);
   return true;

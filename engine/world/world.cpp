@@ -29,6 +29,10 @@ const Bodies::Body& World::State::body(BodyId id, const char* what) const {
   return all.bodies[id.index];
 }
 
+void World::State::check_is_free(const char* what) const {
+  if (is_updating) throw InputError(std::string(what) + ": the world is within an update");
+}
+
 void World::State::note_change(std::uint32_t index) {
   if (all.ways[index].has_changed) return;
   all.ways[index].has_changed = true;
@@ -40,15 +44,22 @@ void World::State::note_other_filter(std::uint32_t index) {
   note_change(index);
 }
 
-void World::State::insert_box(std::uint32_t index) {
+void World::State::note_everything() {
+  for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
+    if (all.ids.is_live(index)) note_other_filter(index);
+  }
+}
+
+void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   Bodies::Body& body = all.bodies[index];
-  body.box = broad.add(body.shape->bounds(body.pose)).index;
+  body.box = broad.add(box).index;
   if (body.box >= body_of_box.size()) body_of_box.resize(body.box + std::size_t{1});
   body_of_box[body.box] = index;
 }
 
 /// Throws, or has the body's box in the list of those that move.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
+  check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   check_rigid(pose, what);
   places.push_back(bounds_of(*mover.shape, pose, what));
@@ -74,7 +85,16 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
     prepare(*mesh);
     mesh->tree();
   }
+  const bool is_unbuilt = unbuilt.add(*shape);
+  drop_shape(index);
   all.bodies[index].shape = std::move(shape);
+  all.ways[index].has_unbuilt_tree = is_unbuilt;
+}
+
+void World::State::drop_shape(std::uint32_t index) {
+  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].shape);
+  all.ways[index].has_unbuilt_tree = false;
+  all.bodies[index].shape.reset();
 }
 
 World::World(const WorldSettings& settings) {
@@ -90,10 +110,11 @@ World& World::operator=(World&&) noexcept = default;
 
 BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
                   const BodySettings& settings) {
+  State& state = *state_;
+  state.check_is_free("add");
   if (shape == nullptr) throw InputError("add: no shape");
   check_rigid(pose, "add");
-  bounds_of(*shape, pose, "add");
-  State& state = *state_;
+  const Aabb box = bounds_of(*shape, pose, "add");
   const std::uint32_t index = state.all.ids.take();
   if (index >= state.all.bodies.size())
     state.all.bodies.emplace_back(), state.all.ways.emplace_back();
@@ -106,7 +127,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   body.role = settings.role;
   body.filter = settings.filter;
   body.user_data = settings.user_data;
-  state.insert_box(index);
+  state.insert_box(index, box);
   state.note_change(index);
   return state.all.id(index);
 }
@@ -126,7 +147,7 @@ void World::remove(BodyId id) {
     excluded.erase(pair_key(other, id.index));
     --body.exclusions, --state.all.bodies[other].exclusions;
   }
-  body.shape.reset();
+  state.drop_shape(id.index);
   state.all.ids.free(id.index);
   ++state.removed;
 }
@@ -224,10 +245,9 @@ void World::include(BodyId a, BodyId b) {
 }
 
 void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
+  state_->check_is_free("set_pair_filter");
   state_->all.pair_filter = std::move(filter);
-  for (std::uint32_t index = 0; index < state_->all.bodies.size(); ++index) {
-    if (state_->all.ids.is_live(index)) state_->note_other_filter(index);
-  }
+  state_->note_everything();
 }
 
 bool World::contains(BodyId id) const {

@@ -54,6 +54,11 @@ struct WorldWork {
   std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
   std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
 
+  /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
+  /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
+  /// world, by prepare() - is counted until an update looks at a body that has it.
+  std::uint64_t trees_unbuilt = 0;
+
   /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other
   /// meshes being left until something walks them; and searches among convex shapes that proved
   /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.
@@ -150,8 +155,8 @@ class World {
   void exclude(BodyId a, BodyId b);
   void include(BodyId a, BodyId b);
 
-  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass; it
-  /// must not change the world.
+  /// Asked last, once for each pair whose boxes begin to overlap and that all filters let pass. It
+  /// cannot change the world: what tries to, within an update, throws InputError.
   void set_pair_filter(std::function<bool(BodyId, BodyId)> filter);
 
   bool contains(BodyId id) const;
@@ -164,7 +169,9 @@ class World {
   std::uint64_t user_data(BodyId id) const;
   bool is_awake(BodyId id) const;
 
-  /// Brings all pairs up to date.
+  /// Brings all pairs up to date. Where a filter or a shape of a user's own throws, so does this;
+  /// the next update then looks at every body as if it had changed, and lists what has begun and
+  /// ended since the last one that came to its end.
   WorldUpdate update();
 
   /// All pairs that touched at the last update, in ascending order, without bodies that were

@@ -9,7 +9,7 @@
 namespace graze {
 
 void World::State::check_is_settled(const char* what) const {
-  if (changed.empty() && removed == 0) return;
+  if (changed.empty() && removed == 0 && !is_cut_short) return;
   throw InputError(std::string(what) + ": changes wait for an update");
 }
 

@@ -4,6 +4,7 @@
 #include <graze/engine/world/body_motion.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
+#include <graze/engine/world/unbuilt_trees.h>
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
@@ -32,6 +33,7 @@ struct Bodies {
     bool has_changed = false;       // came, moved, woke, changed its filter since the last update
     bool has_other_filter = false;  // its filter, motion or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
+    bool has_unbuilt_tree = false;  // as far as is known: UnbuiltTrees
   };
 
   IdTable<std::uint32_t> ids;
@@ -63,6 +65,12 @@ class Candidates {
   void add(BoxPair pair);
   void remove(std::uint32_t at);
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
+  /// What position() reads first, and what is known of the pair there.
+  void fetch(BoxPair pair) const { index_.prefetch(pair); }
+  void fetch(std::uint32_t at) const {
+    __builtin_prefetch(&touches_[at]);
+    __builtin_prefetch(&separations_[at]);
+  }
   static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
 
   std::span<const BoxPair> list() const { return list_.pairs(); }
@@ -133,9 +141,11 @@ struct World::State {
   BroadPhase broad;
   std::vector<std::uint32_t> body_of_box;
   Candidates candidates;
+  UnbuiltTrees unbuilt;
   std::vector<std::uint32_t> changed;  // bodies
   std::size_t removed = 0;             // since the last update
   std::vector<std::uint32_t> partners;
+  std::vector<BoxPair> asked;  // bodies that changed, and their partners: boxes, and then bodies
   std::vector<BodyPair> begun, ended, moved;
   ContactList found;                      // in the order in which pairs were tested
   std::vector<std::uint32_t> due;         // pairs to be tested, in the order of the list
@@ -147,24 +157,35 @@ struct World::State {
   std::vector<Aabb> places;
   WorldWork work;
 
+  bool is_updating = false;
+  bool is_cut_short = false;  // the last update: something that it asked threw
+
   const Bodies::Body& body(BodyId id, const char* what) const;
   Bodies::Body& body(BodyId id, const char* what) {
+    check_is_free(what);
     return const_cast<Bodies::Body&>(static_cast<const State&>(*this).body(id, what));
   }
+  /// Throws if a filter or a shape that an update asks tries to change the world.
+  void check_is_free(const char* what) const;
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
-  void insert_box(std::uint32_t index);
+  void note_everything();
+  void insert_box(std::uint32_t index, const Aabb& box);
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
+  void drop_shape(std::uint32_t index);
+  void look_for_tree(std::uint32_t index);
 
+  void find_changes();
+  void list_changes();
   void end_pairs();
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_changed();
   void list_changed_pairs();
   void fetch(BoxPair pair) const;
-  void test_pairs(std::uint32_t index);
+  void test_partners();
   bool is_due(BoxPair pair) const;
   void test_candidate(std::uint32_t at);
   void test_pairs_at_rest();

@@ -7,6 +7,8 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 #include <numeric>
 
 namespace graze {
@@ -31,6 +33,39 @@ bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   if (s.role == Role::Sensor) return t.motion != Motion::Static;
   if (t.role == Role::Sensor) return s.motion != Motion::Static;
   return s.motion == Motion::Dynamic || t.motion == Motion::Dynamic;
+}
+
+/// What it finds begun and ended stays listed if it ends by an exception.
+class UpdatingScope {
+ public:
+  UpdatingScope(bool& is_updating, bool& is_cut_short)
+      : is_updating_(is_updating),
+        is_cut_short_(is_cut_short),
+        exceptions_(std::uncaught_exceptions()) {
+    is_updating_ = true;
+  }
+  UpdatingScope(const UpdatingScope&) = delete;
+  UpdatingScope& operator=(const UpdatingScope&) = delete;
+  ~UpdatingScope() {
+    is_updating_ = false;
+    if (std::uncaught_exceptions() > exceptions_) is_cut_short_ = true;
+  }
+
+ private:
+  bool& is_updating_;
+  bool& is_cut_short_;
+  int exceptions_;
+};
+
+/// Of two ascending lists what is in one alone remains.
+void erase_common(std::vector<BodyPair>& s, std::vector<BodyPair>& t) {
+  std::vector<BodyPair> both;
+  std::set_intersection(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(both));
+  for (std::vector<BodyPair>* list : {&s, &t}) {
+    std::erase_if(*list, [&](const BodyPair& pair) {
+      return std::binary_search(both.begin(), both.end(), pair);
+    });
+  }
 }
 
 GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
@@ -128,14 +163,40 @@ void World::State::filter_again(std::uint32_t index) {
   }
 }
 
-/// Of two bodies that changed the smaller one sees to the pair.
-void World::State::test_pairs(std::uint32_t index) {
-  list_partners(index);
-  for (const std::uint32_t partner : partners) {
-    if (all.ways[partner].has_changed && partner < index) continue;
-    const std::uint32_t at = candidates.position(ordered_pair(index, partner));
-    if (at != Candidates::kNowhere && !is_apart_for_sure(at)) test_candidate(at);
+/// Where few changed, each with its partners; of two that changed the smaller one sees to the pair.
+/// What is known of a pair lies anywhere in memory: so each step of the way there is taken for all
+/// before the next one, for which it fetches.
+void World::State::test_partners() {
+  asked.clear(), due.clear(), order.clear();
+  for (const std::uint32_t index : changed) {
+    const std::uint32_t box = all.bodies[index].box;
+    partners.clear();
+    broad.find_overlapping(broad.box(broad.id(box)), partners);
+    for (const std::uint32_t partner : partners) {
+      if (partner == box) continue;
+      asked.push_back({index, partner});
+      hwy::Prefetch(&body_of_box[partner]);
+    }
   }
+  for (BoxPair& each : asked) {
+    each.b = body_of_box[each.b];
+    hwy::Prefetch(&all.ways[each.b]);
+    candidates.fetch(ordered_pair(each.a, each.b));
+  }
+  for (const BoxPair& each : asked) {
+    if (all.ways[each.b].has_changed && each.b < each.a) continue;
+    const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
+    if (at == Candidates::kNowhere) continue;
+    due.push_back(at);
+    candidates.fetch(at);
+  }
+  for (const std::uint32_t at : due) {
+    if (is_apart_for_sure(at)) continue;
+    order.push_back(at);
+    fetch(candidates.list()[at]);
+  }
+  for (const std::uint32_t at : order)
+    test_candidate(at);
 }
 
 void World::State::test_candidate(std::uint32_t at) {
@@ -153,6 +214,7 @@ void World::State::test_candidate(std::uint32_t at) {
   } else {
     learn_gap(at);
   }
+  look_for_tree(pair.a), look_for_tree(pair.b);
 }
 
 /// Bodies of one pair lie anywhere in memory.
@@ -169,8 +231,7 @@ void World::State::fetch(BoxPair pair) const {
 void World::State::test_changed() {
   constexpr std::size_t kMany = 8;
   if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
-    for (const std::uint32_t index : changed)
-      test_pairs(index);
+    test_partners();
     return;
   }
   list_changed_pairs();
@@ -218,7 +279,14 @@ void World::State::test_pairs_at_rest() {
     if (is_due(pair) || (!all.is_up(pair.a) && !all.is_up(pair.b))) continue;
     ++work.shape_tests;
     note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
+    look_for_tree(pair.a), look_for_tree(pair.b);
   }
+}
+
+/// After what may have built the tree of a body's mesh.
+void World::State::look_for_tree(std::uint32_t index) {
+  bool& is_marked = all.ways[index].has_unbuilt_tree;
+  if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].shape);
 }
 
 void World::State::note_answer(std::uint32_t at, bool touches) {
@@ -250,37 +318,60 @@ void World::State::learn_gap(std::uint32_t at) {
   ++work.gaps_measured;
 }
 
-WorldUpdate World::update() {
-  State& state = *state_;
-  state.begun.clear(), state.ended.clear(), state.moved.clear(), state.found.clear();
-  state.work = {};
-  const ShapeWorkScope scope(state.work.shapes);
-  state.broad.update();
-  state.end_pairs();
-  state.begin_pairs();
-  std::erase_if(state.changed, [&](std::uint32_t index) {
-    const bool is_gone = !state.all.ids.is_live(index);
-    if (is_gone) state.all.ways[index].has_changed = false;
+void World::State::find_changes() {
+  broad.update();
+  end_pairs();
+  begin_pairs();
+  std::erase_if(changed, [&](std::uint32_t index) {
+    const bool is_gone = !all.ids.is_live(index);
+    if (is_gone) all.ways[index].has_changed = false;
     return is_gone;
   });
-  for (const std::uint32_t index : state.changed) {
-    if (state.all.ways[index].has_other_filter) state.filter_again(index);
+  for (const std::uint32_t index : changed) {
+    if (all.ways[index].has_other_filter) filter_again(index);
   }
-  state.test_changed();
-  if (!state.settings.skip_at_rest) state.test_pairs_at_rest();
-  for (const std::uint32_t index : state.changed) {
-    Bodies::Way& way = state.all.ways[index];
+  test_changed();
+  if (!settings.skip_at_rest) test_pairs_at_rest();
+  for (const std::uint32_t index : changed) {
+    Bodies::Way& way = all.ways[index];
     way.has_changed = way.has_other_filter = way.has_other_shape = false;
+    look_for_tree(index);
   }
-  state.changed.clear();
-  state.removed = 0;
-  for (std::vector<BodyPair>* list : {&state.begun, &state.ended, &state.moved}) {
+  changed.clear();
+  removed = 0;
+}
+
+void World::State::list_changes() {
+  for (std::vector<BodyPair>* list : {&begun, &ended, &moved}) {
     if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
   }
-  state.sort_contacts();
+  if (is_cut_short) erase_common(begun, ended);
+  sort_contacts();
+  work.pairs_at_rest =
+      candidates.list().size() - work.shape_tests - work.pairs_apart - work.pairs_asleep;
+  work.trees_unbuilt = unbuilt.count();
+}
+
+// Filters and shapes of a user's own may throw. What had begun and ended until then is told by the
+// next update, which looks at everything anew.
+WorldUpdate World::update() {
+  State& state = *state_;
+  state.check_is_free("update");
+  if (state.is_cut_short) {
+    state.note_everything();
+  } else {
+    state.begun.clear(), state.ended.clear();
+  }
+  state.moved.clear(), state.found.clear();
+  state.work = {};
+  {
+    const ShapeWorkScope counting(state.work.shapes);
+    const UpdatingScope updating(state.is_updating, state.is_cut_short);
+    state.find_changes();
+  }
+  state.list_changes();
+  state.is_cut_short = false;
   state.all.ids.next_round();
-  state.work.pairs_at_rest = state.candidates.list().size() - state.work.shape_tests -
-                             state.work.pairs_apart - state.work.pairs_asleep;
   return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
 }
 
@@ -294,10 +385,14 @@ WorldSnapshot World::snapshot() const {
 }
 
 void World::restore(const WorldSnapshot& snapshot) {
+  state_->check_is_free("restore");
   auto fresh = std::make_unique<State>(state_->settings);
   fresh->all = snapshot.state_->all;
   for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
-    if (fresh->all.ids.is_live(index)) fresh->insert_box(index);
+    if (!fresh->all.ids.is_live(index)) continue;
+    const Bodies::Body& body = fresh->all.bodies[index];
+    fresh->insert_box(index, body.shape->bounds(body.pose));
+    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(*fresh->all.bodies[index].shape);
   }
   fresh->broad.update();
   fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);

@@ -8,8 +8,24 @@ namespace {
 
 struct Face {
   int corner[3];  // counter-clockwise from outside
-  Vec3 normal;    // unit
-  double height;  // of its plane above the origin along the normal
+};
+
+constexpr int kMostFaces = 2 * kMostPolytopeCorners;
+
+/// The planes of faces, each coordinate in a row of its own: all are asked about each new corner.
+struct Planes {
+  double x[kMostFaces];  // of a unit normal
+  double y[kMostFaces];
+  double z[kMostFaces];
+  double height[kMostFaces];  // above the origin along the normal
+
+  Vec3 normal(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3& normal, double its_height) {
+    x[i] = normal.x, y[i] = normal.y, z[i] = normal.z, height[i] = its_height;
+  }
+  void copy(int from, int to) {
+    x[to] = x[from], y[to] = y[from], z[to] = z[from], height[to] = height[from];
+  }
 };
 
 struct Edge {
@@ -25,11 +41,12 @@ class Polytope {
   Expansion run() {
     if (!start()) return result(false);
     for (;;) {
-      const Face nearest = faces_[nearest_face()];
-      lower_ = nearest.height;
-      const Vec3 corner = look_along(nearest.normal);
+      const int nearest = nearest_face();
+      lower_ = planes_.height[nearest];
+      const Vec3 normal = planes_.normal(nearest);
+      const Vec3 corner = look_along(normal);
       if (upper_ - lower_ <= tolerance_) return result(true);
-      if (!(dot(nearest.normal, corner) - nearest.height > noise_)) return result(false);
+      if (!(dot(normal, corner) - lower_ > noise_)) return result(false);
       if (!grow(corner)) return result(false);
     }
   }
@@ -80,19 +97,20 @@ class Polytope {
     const Vec3 v = corners_[k] - p;
     const Vec3 product = cross(u, v);
     const double longest = largest(u) + largest(v);
-    Face& face = faces_[face_count_++];
-    face = {{i, j, k}, {}, std::numeric_limits<double>::infinity()};
+    const int face = face_count_++;
+    faces_[face] = {{i, j, k}};
+    planes_.set(face, {}, std::numeric_limits<double>::infinity());
     if (!(largest(product) > kNarrowest * noise_ * longest)) return true;
-    face.normal = unit_or(product, {});
+    const Vec3 normal = unit_or(product, {});
     // The mean of three heights is nearer to the truth than one.
-    face.height = dot(face.normal, (p + corners_[j] + corners_[k]) * (1.0 / 3));
+    planes_.set(face, normal, dot(normal, (p + corners_[j] + corners_[k]) * (1.0 / 3)));
     return true;
   }
 
   int nearest_face() const {
     int nearest = 0;
     for (int i = 1; i < face_count_; ++i) {
-      if (faces_[i].height < faces_[nearest].height) nearest = i;
+      if (planes_.height[i] < planes_.height[nearest]) nearest = i;
     }
     return nearest;
   }
@@ -103,10 +121,14 @@ class Polytope {
     Edge horizon[kMostFaces];
     int edges = 0;
     int kept = 0;
+    double above[kMostFaces];
+    for (int i = 0; i < face_count_; ++i)
+      above[i] = dot(planes_.normal(i), corner) - planes_.height[i];
     for (int i = 0; i < face_count_; ++i) {
       const Face face = faces_[i];
-      if (!(dot(face.normal, corner) - face.height > noise_)) {
-        faces_[kept++] = face;
+      if (!(above[i] > noise_)) {
+        if (kept != i) faces_[kept] = face, planes_.copy(i, kept);
+        ++kept;
         continue;
       }
       for (int k = 0; k < 3; ++k) {
@@ -122,7 +144,7 @@ class Polytope {
   }
 
   /// An edge whose other side was seen, too, is none of the horizon.
-  static bool toggle(Edge (&horizon)[kMostPolytopeCorners * 2], int& edges, const Edge& edge) {
+  static bool toggle(Edge (&horizon)[kMostFaces], int& edges, const Edge& edge) {
     for (int i = 0; i < edges; ++i) {
       if (horizon[i].from != edge.to || horizon[i].to != edge.from) continue;
       horizon[i] = horizon[--edges];
@@ -136,7 +158,6 @@ class Polytope {
   Expansion result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
 
   static constexpr double kNarrowest = 4;
-  static constexpr int kMostFaces = 2 * kMostPolytopeCorners;
 
   const Core& a_;
   const Core& b_;
@@ -144,6 +165,7 @@ class Polytope {
   double noise_;
   Vec3 corners_[kMostPolytopeCorners];
   Face faces_[kMostFaces];
+  Planes planes_;
   int corner_count_ = 0;
   int face_count_ = 0;
   double upper_ = std::numeric_limits<double>::infinity();

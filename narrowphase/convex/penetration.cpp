@@ -1,3 +1,4 @@
+#include <graze/narrowphase/convex/aligned_parting.h>
 #include <graze/narrowphase/convex/ccd.h>
 #include <graze/narrowphase/convex/expanding_polytope.h>
 #include <graze/narrowphase/convex/penetration.h>
@@ -63,6 +64,7 @@ Penetration penetration(const Core& a, const Core& b) {
     result.is_open = !(result.depth - (a.radius + b.radius) <= tolerance);
     return result;
   }
+  if (const std::optional<Penetration> known = part_aligned(a, b, tolerance)) return *known;
   const Expansion found = expand(a, b, tolerance);
   // A polytope of sets of which one is lost in the rounding of the other may close without a
   // normal.

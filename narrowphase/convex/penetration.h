@@ -7,6 +7,7 @@ namespace graze::narrowphase {
 /// Who found the direction of a penetration.
 enum class PenetrationSource {
   Fixed,      ///< the best of a few fixed directions
+  Formula,    ///< the two lie along the same axes, and one of these is known to be it
   Expansion,  ///< the expanding polytope
   Ccd,        ///< libccd's MPR, asked because the polytope ended open
 };
@@ -25,7 +26,8 @@ struct Penetration {
 };
 
 /// The least way out of two cores whose radii are added: to kDepthTolerance of the smaller one's
-/// size, proved from below by an expanding polytope. Where that ends open, libccd's MPR is asked,
+/// size, by formula where they are aligned, else proved from below by an expanding polytope. Where
+/// that ends open, libccd's MPR is asked,
 /// too, and a few fixed directions, and the least of all is taken.
 /// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
 Penetration penetration(const Core& a, const Core& b);

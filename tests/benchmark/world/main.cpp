@@ -22,8 +22,9 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::string data = "data";
   std::string output, keep;
-  std::vector<std::string> scenes = {"pile", "pour"};
+  std::vector<std::string> scenes = {"pile", "pour", "crowd"};
   std::size_t pile = 10000, pour = 1000;
+  std::vector<std::size_t> crowd = {1000, 10000, 100000, 1000000};
   std::size_t frames = 20;
   bool alone = false;
 };
@@ -90,15 +91,31 @@ Json movers(const Scene& scene, const std::vector<Frame>& path) {
   return rows;
 }
 
+Json crowds(const Options& options) {
+  Json rows = Json::array();
+  for (const std::size_t bodies : options.crowd) {
+    for (const CrowdTime& time : measure_crowd(bodies, {0, 10, 1000}, 10 * options.frames)) {
+      std::printf("crowd  %8zu bodies %6zu movers %10.2f us a step, %.0f pairs tested\n", bodies,
+                  time.movers, time.microseconds, time.tested);
+      rows.push_back({{"bodies", bodies},
+                      {"movers", time.movers},
+                      {"median_us", rounded(time.microseconds)},
+                      {"tested", rounded(time.tested)}});
+    }
+  }
+  return rows;
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("graze_benchmark_world");
   app.add_option("--data", options.data, "Folder of the bundled data");
   app.add_option("--output", options.output, "Where to write the results");
   app.add_option("--keep", options.keep, "Folder in which paths are kept from run to run");
-  app.add_option("--scenes", options.scenes, "pile, pour");
+  app.add_option("--scenes", options.scenes, "pile, pour, crowd");
   app.add_option("--pile", options.pile, "Boxes and spheres");
   app.add_option("--pour", options.pour, "Bolts and nuts");
+  app.add_option("--crowd", options.crowd, "Boxes and balls at rest, of which few move");
   app.add_option("--frames", options.frames, "Frames of each scene")->check(CLI::Range(2, 10000));
   app.add_flag("--alone", options.alone, "No peers");
   CLI11_PARSE(app, argc, argv);
@@ -112,6 +129,10 @@ int run(int argc, char** argv) {
   }
   Json report = {{"machine", processor_name()}, {"frames", options.frames}};
   for (const std::string& name : options.scenes) {
+    if (name == "crowd") {
+      report[name] = crowds(options);
+      continue;
+    }
     const Scene scene = name == "pile" ? make_pile(options.pile, options.data)
                                        : make_pour(options.pour, options.data);
     std::string file;

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,90 @@ TEST(WorldDoors, ErrorsNameWhatWasCalled) {
                             world.find_in_box({{1, 0, 0}, {0, 0, 0}});
                           }),
                           "find_in_box: "));
+}
+
+TEST(WorldDoors, WithinAnUpdateAWorldCannotBeChanged) {
+  World world;
+  const BodyId a = world.add(Sphere{{0, 0, 0}, 1}, at(0));
+  const BodyId b = world.add(Sphere{{0, 0, 0}, 1}, at(1));
+  const WorldSnapshot empty = World().snapshot();
+  const std::vector<std::function<void()>> changes = {
+      [&] {
+        world.add(Sphere{{0, 0, 0}, 1}, at(2));
+      },
+      [&] { world.remove(a); },
+      [&] { world.move(a, at(5)); },
+      [&] {
+        world.move(std::array{a, b}, std::array{at(5), at(6)});
+      },
+      [&] {
+        world.set_shape(a, Sphere{{0, 0, 0}, 2});
+      },
+      [&] { world.set_filter(a, {}); },
+      [&] { world.set_motion(a, Motion::Static); },
+      [&] { world.set_role(a, Role::Sensor); },
+      [&] { world.set_user_data(a, 7); },
+      [&] { world.sleep(a); },
+      [&] { world.wake(a); },
+      [&] { world.exclude(a, b); },
+      [&] { world.include(a, b); },
+      [&] { world.set_pair_filter({}); },
+      [&] { world.update(); },
+      [&] { world.restore(empty); }};
+  std::size_t refused = 0;
+  world.set_pair_filter([&](BodyId, BodyId) {
+    for (const std::function<void()>& change : changes) {
+      const std::string what = what_of<InputError>(change);
+      EXPECT_NE(what.find(": the world is within an update"), std::string::npos) << what;
+      ++refused;
+    }
+    EXPECT_EQ(world.find_touching(Sphere{{0, 0, 0}, 1}, at(0.5)).size(), 2u);
+    return true;
+  });
+  EXPECT_EQ(world.update().begun.size(), 1u);
+  EXPECT_EQ(refused, changes.size());
+  EXPECT_EQ(world.size(), 2u);
+  world.remove(a);
+  EXPECT_EQ(world.update().ended.size(), 1u);
+}
+
+/// A filter that throws at the n-th question loses nothing of what began and ended.
+TEST(WorldDoors, AnUpdateThatIsCutShortIsMadeUpFor) {
+  for (int lasts = 0; lasts < 12; ++lasts) {
+    World world;
+    std::vector<BodyId> ids;
+    for (int i = 0; i < 8; ++i)
+      ids.push_back(world.add(Sphere{{0, 0, 0}, 1}, at(1.5 * i)));
+    ASSERT_EQ(world.update().begun.size(), 7u);
+    int left = lasts;
+    world.set_pair_filter([&](BodyId s, BodyId t) {
+      if (left-- == 0) throw std::runtime_error("no more");
+      return s != ids[2] || t != ids[3];
+    });
+    world.remove(ids[6]);
+    world.move(ids[0], at(7));
+    const bool is_cut_short = what_of<std::runtime_error>([&] { world.update(); }) == "no more";
+    if (is_cut_short) {
+      EXPECT_THROW(world.contacts(), InputError);
+      EXPECT_THROW(world.snapshot(), InputError);
+      world.set_pair_filter([&](BodyId s, BodyId t) { return s != ids[2] || t != ids[3]; });
+    }
+    if (!is_cut_short) continue;
+    const WorldUpdate update = world.update();
+    using Pairs = std::vector<BodyPair>;
+    const Pairs ended(update.ended.begin(), update.ended.end());
+    EXPECT_EQ(ended,
+              (Pairs{{ids[0], ids[1]}, {ids[2], ids[3]}, {ids[5], ids[6]}, {ids[6], ids[7]}}));
+    const Pairs begun(update.begun.begin(), update.begun.end());
+    EXPECT_EQ(begun, (Pairs{{ids[0], ids[4]}, {ids[0], ids[5]}}));
+    EXPECT_EQ(world.pairs(), (Pairs{{ids[0], ids[4]},
+                                    {ids[0], ids[5]},
+                                    {ids[1], ids[2]},
+                                    {ids[3], ids[4]},
+                                    {ids[4], ids[5]}}));
+    EXPECT_EQ(world.contacts().size(), 5u);
+    EXPECT_TRUE(world.update().moved.empty());
+  }
 }
 
 TEST(WorldDoors, AMoveOfManyIsAllOrNoneAndNamesTheBadOne) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
 namespace {
@@ -65,6 +66,28 @@ TEST_F(CliSimulate, ATableNamesThePairs) {
   ASSERT_EQ(lines.size(), 10u);
   EXPECT_EQ(lines[4], "  begun: floor - ball");
   EXPECT_EQ(lines[5], "  contact: floor - ball: depth 0, normal (0, 0, 1), point (0, 0, 0)");
+}
+
+/// Two balls that meet at time 1, and one that is never near.
+TEST_F(CliSimulate, MeshesThatNobodyWalksHaveNoTree) {
+  for (const char* name : {"a.off", "b.off", "c.off"})
+    write_mesh(name, make_sphere(1, 8, 12));
+  write("scene.json", R"({"graze_scene": 1, "step": 1, "steps": 1, "shapes": [
+    {"name": "a", "mesh": {"file": "a.off"}}, {"name": "b", "mesh": {"file": "b.off"}},
+    {"name": "c", "mesh": {"file": "c.off"}}], "bodies": [
+    {"name": "a", "shape": "a", "path": {"velocity": [2.5, 0, 0]}},
+    {"name": "b", "shape": "b", "pose": {"position": [4, 0, 0]}},
+    {"name": "c", "shape": "c", "pose": {"position": [0, 9, 0]}}]})");
+  const std::vector<Json> steps = json({});
+  ASSERT_EQ(steps.size(), 2u);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(steps[i]["work"]["trees_unbuilt"], i == 0 ? 3 : 1) << i;
+    EXPECT_EQ(steps[i]["work"]["trees_built"], i == 1 ? 2 : 0) << i;
+  }
+  const std::vector<std::string> lines = lines_of(graze({"simulate", "scene.json"}).out);
+  ASSERT_GE(lines.size(), 2u);
+  EXPECT_TRUE(lines[0].ends_with("no tree")) << lines[0];
+  EXPECT_TRUE(lines[1].ends_with(" 3")) << lines[1];
 }
 
 TEST_F(CliSimulate, BundledScenesRun) {

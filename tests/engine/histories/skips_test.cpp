@@ -91,6 +91,96 @@ TEST(Skips, OfTreesAreCountedWhereTheyEnd) {
   EXPECT_TRUE(has_no_tree(far));
 }
 
+std::vector<BodyId> add_apart(World& world, const std::vector<Mesh>& meshes) {
+  std::vector<BodyId> ids;
+  for (const Mesh& mesh : meshes)
+    ids.push_back(world.add(mesh, at(4.0 * static_cast<double>(ids.size()), 0, 0)));
+  return ids;
+}
+
+std::vector<Mesh> make_spheres(int count) {
+  std::vector<Mesh> meshes;
+  for (int i = 0; i < count; ++i)
+    meshes.push_back(tests::make_sphere(1, 8, 12));
+  return meshes;
+}
+
+TEST(UnbuiltTrees, OfMeshesApartAreAllAndThoseThatMeetAreBuilt) {
+  World world;
+  const std::vector<Mesh> meshes = make_spheres(10);
+  const std::vector<BodyId> ids = add_apart(world, meshes);
+  const WorldWork first = world.update().work;
+  EXPECT_EQ(first.trees_unbuilt, 10u);
+  EXPECT_EQ(first.shapes.trees_built, 0u);
+  world.move(ids[3], at(4.5, 0, 0));  // over the one with number 1
+  const WorldWork met = world.update().work;
+  EXPECT_EQ(met.shapes.trees_built, 2u);
+  EXPECT_EQ(met.trees_unbuilt, 8u);
+  EXPECT_EQ(world.update().work.trees_unbuilt, 8u);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    EXPECT_EQ(meshes[i].has_tree(), i == 1 || i == 3) << i;
+  // A new look at a pair whose boxes part again builds nothing.
+  world.move(ids[3], at(12, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 8u);
+}
+
+TEST(UnbuiltTrees, AreNoneWhereTheSkipIsOff) {
+  World world({.skip_unused_trees = false});
+  const std::vector<Mesh> meshes = make_spheres(4);
+  add_apart(world, meshes);
+  world.add(Sphere{{0, 0, 0}, 1}, at(0, 9, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+}
+
+TEST(UnbuiltTrees, OfMeshesThatBodiesShareAreCountedOnce) {
+  World world;
+  const Mesh shared = tests::make_sphere(1, 8, 12);
+  const std::vector<BodyId> ids = add_apart(world, {shared, shared, shared});
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  world.remove(ids[0]);
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  const WorldSnapshot snapshot = world.snapshot();
+  world.remove(ids[1]), world.remove(ids[2]);
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+  world.restore(snapshot);
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  world.add(Sphere{{0, 0, 0}, 1}, at(4, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+  // The mark of the other body that shares it is void, and takes no other mesh's entry with it.
+  world.add(tests::make_sphere(1, 8, 12), at(0, 9, 0));
+  world.remove(ids[2]), world.remove(ids[1]);
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+}
+
+TEST(UnbuiltTrees, FollowTheShapesThatBodiesTake) {
+  World world;
+  const BodyId id = world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+  for (int i = 0; i < 3; ++i) {
+    world.set_shape(id, tests::make_sphere(1, 8, 12));
+    EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  }
+  world.set_shape(id, Sphere{{0, 0, 0}, 1});
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+}
+
+TEST(UnbuiltTrees, ThatAreBuiltElsewhereAreSeenWhereAnUpdateLooks) {
+  World world;
+  const Mesh mesh = tests::make_sphere(1, 8, 12);
+  const BodyId id = world.add(mesh, at(0, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  EXPECT_EQ(world.find_touching(Sphere{{0, 0, 0}, 1}, at(1, 0, 0)).size(), 1u);
+  EXPECT_TRUE(mesh.has_tree());
+  EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
+  world.move(id, at(0, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+  // Only the tree that other volumes walk: it counts as well.
+  const Mesh other = tests::make_sphere(1, 8, 12);
+  other.tree();
+  world.add(other, at(9, 0, 0));
+  EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
+}
+
 /// Cones that are flat by a millionth are found out about by searches that come to no proof.
 TEST(Skips, SearchesAreCountedAsThoseOfThePairsAre) {
   World world;
@@ -101,6 +191,7 @@ TEST(Skips, SearchesAreCountedAsThoseOfThePairsAre) {
     shapes.emplace_back(Cone{1, std::ldexp(1.0, -i)});
     shapes.emplace_back(Cylinder{1, std::ldexp(1.0, -i)});
     poses.push_back(at(0.01 * i, 0.02 * i, 0.5)), poses.push_back(at(0.02 * i, 0.01 * i, 0.4));
+    poses.back().rotate(Eigen::AngleAxisd(1e-3, Eigen::Vector3d::UnitX()));
   }
   for (std::size_t i = 0; i < shapes.size(); ++i)
     world.add(shapes[i], poses[i]);
