@@ -64,7 +64,7 @@ void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
 }
 
 void OverlapTracker::erase(std::uint32_t owner) {
-  wait({Verb::Erase, owner, {}});
+  wait({Verb::Erase, owner, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
 }
 
 /// Changes are made in the order in which they came.

@@ -222,7 +222,8 @@ TEST_F(Coal, ManyThreadsMayAskAtOnce) {
     thread.join();
   for (const Answers& each : together) {
     EXPECT_TRUE(std::equal(each.meshes.begin(), each.meshes.end(), alone.meshes.begin(),
-                           alone.meshes.end(), is_same));
+                           alone.meshes.end(),
+                           [](const CaseAnswer& a, const CaseAnswer& b) { return is_same(a, b); }));
     EXPECT_EQ(each.shapes, alone.shapes);
   }
 }

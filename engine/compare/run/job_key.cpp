@@ -45,7 +45,9 @@ JournalHead head_of(const ComparisonJob& job) {
   std::string text = question;
   if (job.question.ask == Ask::Within) {
     text += json_number(settings.clearance);
-    question += " " + cases::json_plain_number(settings.clearance) + " m";
+    question += ' ';
+    question += cases::json_plain_number(settings.clearance);
+    question += " m";
   }
   text = digest_of(job.b.mesh, digest_of(job.a.mesh, text));
   text += cases::json_pose(job.a.pose);
