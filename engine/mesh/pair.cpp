@@ -34,9 +34,10 @@ bool has_wide_pair(const PlacedMesh& a, const PlacedMesh& b, Touch touch, Work& 
   if (query.are_far_apart(work)) return false;
   bvh::WidePairWalk walk = query.walk();
   Candidates candidates(touch, work);
-  const bool is_hit = query.has_any(walk, candidates);
+  const bvh::Walk end =
+      query.decide_at_once(walk, candidates, [](TrianglePair) { return bvh::Walk::Stop; });
   add_counts(walk.counts(), work);
-  return is_hit;
+  return end == bvh::Walk::Stop;
 }
 
 /// Calls `on_pair(pair)` with the indices of each pair of triangles that meet, until it answers

@@ -133,7 +133,7 @@ class MeetingQuery {
   void walk(OnPair&& on_pair) {
     bvh::WidePairWalk walk = query_.walk();
     Candidates candidates(touch_, work_);
-    query_.decide_all(walk, candidates, on_pair);
+    query_.decide_at_once(walk, candidates, on_pair);
     add_counts(walk.counts(), work_);
   }
 

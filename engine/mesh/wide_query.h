@@ -108,17 +108,18 @@ struct WideQuery {
     return candidates.decide(on_pair);
   }
 
-  /// Whether any pair meets. What one step of the walk has found is decided before the next one: it
-  /// is likely to be the last.
-  bool has_any(bvh::WidePairWalk& walk, Candidates& candidates) const {
-    const auto stop = [](TrianglePair) { return bvh::Walk::Stop; };
+  /// The same for a query that any pair ends: what one step of the walk has found is decided before
+  /// the next one, for it is likely to be the last.
+  template <typename OnPair>
+  bvh::Walk decide_at_once(bvh::WidePairWalk& walk, Candidates& candidates,
+                           OnPair&& on_pair) const {
     bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
     walk.look_elsewhere();
     while (const std::size_t count = walk.next(places)) {
-      if (decide({places, count}, candidates, stop) == bvh::Walk::Stop) return true;
-      if (candidates.decide(stop) == bvh::Walk::Stop) return true;
+      if (decide({places, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      if (candidates.decide(on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
-    return false;
+    return bvh::Walk::Continue;
   }
 
  private:
