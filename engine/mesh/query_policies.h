@@ -6,8 +6,8 @@
 
 namespace graze {
 
-/// Throws InputError, which begins with `query`, unless touching counts: the query is not one about
-/// two meshes, and would ignore the policy.
+/// Throws InputError, which begins with `query`, unless touching counts: the query would ignore the
+/// policy.
 void require_touch_included(const QuerySettings& settings, const char* query);
 
 /// Throws InputError, which begins with `query`, unless only the surface is asked for.

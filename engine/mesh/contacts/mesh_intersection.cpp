@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/contacts/curves.h>
 #include <graze/engine/mesh/contacts/disjoint_sets.h>
 #include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/query_policies.h>
 
 #include <algorithm>
 #include <map>
@@ -82,6 +83,8 @@ void add_touching_points(const CellComplex& complex, MeshIntersection& result) {
 
 MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                    const QuerySettings& settings, Work* work) {
+  require_touch_included(settings, "find_intersection");
+  require_surface(settings, "find_intersection");
   CellComplex complex = contacts::intersect_cells(mesh_a, mesh_b, settings.volume, work);
   MeshIntersection result;
   add_points(complex, result);

@@ -93,7 +93,9 @@ struct MeshIntersection {
 /// edge with an edge, nor touch along a plane, meet in closed curves only. A mesh that crosses
 /// itself, or whose edges are not welded, has its curves on each sheet. Swapping A and B gives the
 /// same points and curves with the sides of all features and pairs swapped (law 4). Time as for
-/// find_triangle_pairs(), and O(k log k) in the pairs. Throws as intersects() does.
+/// find_triangle_pairs(), and O(k log k) in the pairs. Throws as intersects() does, and InputError
+/// if touching is not to count or solids are asked for: it speaks of surfaces, touching points
+/// included.
 MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                    const QuerySettings& settings = {}, Work* work = nullptr);
 

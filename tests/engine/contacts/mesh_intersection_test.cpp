@@ -386,5 +386,11 @@ TEST(MeshIntersection, LatticeSolidsLeaveNoLooseEnds) {
   }
 }
 
+TEST(MeshIntersection, RefusesPoliciesThatItWouldIgnore) {
+  const Mesh box = tests::make_box({1, 1, 1});
+  EXPECT_THROW(find_intersection({box}, {box}, {.touch = Touch::Exclude}), InputError);
+  EXPECT_THROW(find_intersection({box}, {box}, {.interior = Interior::Solid}), InputError);
+}
+
 }  // namespace
 }  // namespace graze
