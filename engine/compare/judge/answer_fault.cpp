@@ -29,13 +29,13 @@ class TriangleFaults {
         count_b_(query.b ? triangle_count(*query.b) : count_a_) {}
 
   Fault of(const TrianglePair& pair) const {
-    const Fault fault = fault_of_triangle(pair.a, count_a_);
+    Fault fault = fault_of_triangle(pair.a, count_a_);
     return fault ? fault : fault_of_triangle(pair.b, count_b_);
   }
 
   Fault of(const std::vector<TrianglePair>& pairs) const {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (const Fault fault = of(pairs[i])) return fault;
+      if (Fault fault = of(pairs[i])) return fault;
       if (i > 0 && !(pairs[i - 1] < pairs[i])) return "a list that does not ascend";
     }
     return std::nullopt;
@@ -43,7 +43,7 @@ class TriangleFaults {
 
   Fault of(const std::vector<std::uint32_t>& triangles) const {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (const Fault fault = fault_of_triangle(triangles[i], count_a_)) return fault;
+      if (Fault fault = fault_of_triangle(triangles[i], count_a_)) return fault;
       if (i > 0 && triangles[i - 1] >= triangles[i]) return "a list that does not ascend";
     }
     return std::nullopt;
@@ -95,13 +95,13 @@ std::optional<std::string> fault_of_answer(const Case& query, const CaseAnswer& 
   if (!has_asked_part(query, answer)) return "answers another question";
   const TriangleFaults triangles(query);
   if (answer.pairs) {
-    if (const Fault fault = triangles.of(*answer.pairs)) return fault;
+    if (Fault fault = triangles.of(*answer.pairs)) return fault;
   }
   if (answer.triangles) {
-    if (const Fault fault = triangles.of(*answer.triangles)) return fault;
+    if (Fault fault = triangles.of(*answer.triangles)) return fault;
   }
   if (answer.pair) {
-    if (const Fault fault = triangles.of(*answer.pair)) return fault;
+    if (Fault fault = triangles.of(*answer.pair)) return fault;
   }
   return fault_of_numbers(answer);
 }
