@@ -192,7 +192,8 @@ void find_loops(MeshCrossings& found) {
     sort_edges(*edges);
     for (std::size_t i = 1; i < edges->size(); ++i) {
       const EdgeCrossing &s = (*edges)[i - 1], &t = (*edges)[i];
-      if (!is_one_end(s, t)) continue;
+      // Sheets that coincide have ends in common, and are pieces of their own nevertheless.
+      if (!is_one_end(s, t) || all[s.loop].piece != all[t.loop].piece) continue;
       join(s.loop, t.loop);
       ++found.met_ends[s.loop], ++found.met_ends[t.loop];
     }

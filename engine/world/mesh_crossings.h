@@ -23,7 +23,7 @@ struct MeshCrossing {
   narrowphase::Vec3 on_a;  ///< a corner
   narrowphase::Vec3 on_b;
   std::uint32_t piece;  ///< crossings that share triangles, or do through others, are of one piece
-  std::uint32_t loop;   ///< closed curves have numbers of their own; open ones of a piece share one
+  std::uint32_t loop;   ///< within its piece: closed curves have their own, open ones share one
 };
 
 /// Where an edge goes through a triangle of the other mesh.

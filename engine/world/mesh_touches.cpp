@@ -332,8 +332,6 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
       if (loop.piece->patch == patch && (deepest == nullptr || loop.depth > deepest->depth))
         deepest = &loop;
     }
-    // Where sheets coincide a loop may go through several pieces, and counts for its first.
-    if (deepest == nullptr) continue;
     const Vec3* corner[5] = {};
     const Loop* of[5] = {};
     double most[5];
