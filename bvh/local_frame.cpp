@@ -1,4 +1,5 @@
 #include <graze/bvh/local_frame.h>
+#include <graze/bvh/power_of_two.h>
 
 #include <algorithm>
 #include <bit>
@@ -46,7 +47,7 @@ LocalFrame LocalFrame::around(const Aabb& box) {
 // each relative to the same value: together less than the one ulp that rounded_down and rounded_up
 // step.
 FloatBox LocalFrame::to_local(const Aabb& box) const {
-  const double scale = std::ldexp(1.0, -exponent);
+  const double scale = power_of_two(-exponent);
   FloatBox local;
   for (int k = 0; k < 3; ++k) {
     local.min[k] = rounded_down((box.min.data()[k] - centre[k]) * scale);
@@ -56,7 +57,7 @@ FloatBox LocalFrame::to_local(const Aabb& box) const {
 }
 
 double LocalFrame::unit() const {
-  return std::ldexp(1.0, exponent);
+  return power_of_two(exponent);
 }
 
 }  // namespace graze::bvh

@@ -21,12 +21,12 @@ double rotation_deviation(const Pose& pose) {
   return deviation;
 }
 
-double check_rigid(const Pose& pose, const char* what) {
+namespace {
+
+/// What is wrong with a pose that is not rigid.
+[[noreturn]] void throw_not_rigid(const Pose& pose, double deviation, const char* what) {
   const double* m = pose.data();
-  bool is_finite = true;
-  for (int i = 0; i < 16; ++i)
-    is_finite &= m[i] - m[i] == 0;
-  for (int i = 0; i < 16 && !is_finite; ++i) {
+  for (int i = 0; i < 16; ++i) {
     if (!std::isfinite(m[i])) {
       throw PoseError(std::string(what) + ": entry (" + std::to_string(i % 4) + ", " +
                       std::to_string(i / 4) + ") is not finite");
@@ -35,20 +35,30 @@ double check_rigid(const Pose& pose, const char* what) {
   if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
     throw PoseError(std::string(what) + ": the last row is not (0, 0, 0, 1)");
   }
-  const double deviation = rotation_deviation(pose);
   if (!(deviation <= kMaxRotationDeviation)) {
     std::ostringstream message;
     message << what << ": not a rotation, max |R^T R - I| is " << deviation << ", above "
             << kMaxRotationDeviation;
     throw PoseError(message.str());
   }
-  // Within the deviation the determinant is close to +1 or -1: its sign needs no care.
+  throw PoseError(std::string(what) + ": the determinant is negative, this is a reflection");
+}
+
+}  // namespace
+
+double check_rigid(const Pose& pose, const char* what) {
+  const double* m = pose.data();
+  const double deviation = rotation_deviation(pose);
+  // Within the deviation the determinant is close to +1 or -1: its sign needs no care. It is no
+  // number if one of its entries is none, and the deviation is infinite if one of them is.
   const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) +
                              m[4] * (m[9] * m[2] - m[1] * m[10]) +
                              m[8] * (m[1] * m[6] - m[2] * m[5]);
-  if (!(determinant > 0)) {
-    throw PoseError(std::string(what) + ": the determinant is negative, this is a reflection");
-  }
+  bool is_rigid = deviation <= kMaxRotationDeviation && determinant > 0;
+  is_rigid &= m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+  for (int i = 12; i < 15; ++i)
+    is_rigid &= m[i] - m[i] == 0;  // finite
+  if (!is_rigid) throw_not_rigid(pose, deviation, what);
   return deviation;
 }
 

@@ -15,6 +15,10 @@ float due_at(const WideFront::Pass& pass, double limit) {
   return rounded_up((pass.moved + limit) + 2 * pass.slack);
 }
 
+FrontHorizon horizon_at(const WideFront::Pass& pass, double limit) {
+  return {limit > 0 ? rounded_up(limit) : 0, due_at(pass, limit)};
+}
+
 std::size_t count_due(const std::vector<float>& deadlines, float due) {
   return static_cast<std::size_t>(std::count_if(deadlines.begin(), deadlines.end(),
                                                 [due](float deadline) { return deadline <= due; }));
@@ -85,11 +89,15 @@ double WideFront::share_due(const Pass& pass, double limit) const {
          static_cast<double>(all);
 }
 
-void WideFront::advance(const Pass& pass, double limit) {
+void WideFront::advance(const Pass& pass, double limit, const Foresight& foresight) {
   const std::uint64_t before = state_.counts.box_tests;
   const std::uint64_t known = state_.lanes;
-  const float float_limit = limit > 0 ? rounded_up(limit) : 0;
-  pass_over(state_, pass, float_limit, due_at(pass, limit));
+  const double reach = std::max(limit, foresight.reach);
+  pass_over(state_, pass,
+            {.must = horizon_at(pass, limit),
+             .reach = horizon_at(pass, reach),
+             .useful = static_cast<float>(foresight.useful),
+             .most_added = foresight.most_added});
   const std::uint64_t tested = state_.counts.box_tests - before;
   skipped_ += known > tested ? known - tested : 0;
 }
@@ -104,12 +112,9 @@ void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
 
 double WideFront::proven_gap(const Pass& pass) const {
   if (!state_.busy.empty()) return 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (const std::vector<float>* deadlines :
-       {&state_.visit_deadlines, &state_.leaves_deadlines, &state_.candidate_deadlines}) {
-    for (const float deadline : *deadlines)
-      least = std::min(least, deadline);
-  }
+  float least = state_.least_deadline;
+  for (const float deadline : state_.candidate_deadlines)
+    least = std::min(least, deadline);
   return (static_cast<double>(least) - pass.moved) - 2 * pass.slack;
 }
 

@@ -68,10 +68,20 @@ class WideFront {
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
 
+  /// What a pass does for later ones, so that the gap that it proves is larger: it opens boxes that
+  /// are no further apart than `reach` as if they met, until the front holds so much more, and
+  /// looks again at primitives as near. But not where primitives are no further apart than
+  /// `useful`, which a gap has to exceed to be worth anything. Common units.
+  struct Foresight {
+    double reach = 0;
+    double useful = 0;
+    std::size_t most_added = 0;
+  };
+
   /// Looks at all boxes and leaves that are due. Afterwards no two primitives are `limit` apart or
   /// nearer but, by Bounds::Distance, those that are candidates, and by Bounds::Meeting, whose
   /// limit is 0, those that surely cross, crossing(), and some of those that may meet, unsure().
-  void advance(const Pass& pass, double limit);
+  void advance(const Pass& pass, double limit, const Foresight& foresight);
 
   std::size_t crossing_count() const { return state_.crossing.size; }
   PlacePair crossing(std::size_t index) const { return places_of(state_.crossing.lanes[index]); }
@@ -162,6 +172,7 @@ class WideFront {
     std::vector<float> candidate_deadlines;
     std::vector<std::uint32_t> due;  // what a pass looks at
     std::size_t looked_at = 0;       // in the last pass, of what there was
+    float least_deadline = 0;        // of visits and leaves, where none is busy
     std::uint64_t lanes = 0;         // of all visits
     WideWalkCounts counts;
   };

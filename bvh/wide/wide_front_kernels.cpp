@@ -46,11 +46,13 @@ using LeafPlanes = FrontPlanes<kLeafPairs>;
 /// One pass.
 class Passer {
  public:
-  Passer(WideFront::State& state, const WideFront::Pass& pass, float limit, float due)
+  Passer(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : state_(state),
         pass_(pass),
-        limit_(limit),
-        due_(due),
+        must_(task.must),
+        reach_(task.reach),
+        useful_(task.useful),
+        most_held_(held() + task.most_added),
         moved_(static_cast<float>(pass.moved) * kRoundDown),
         is_distance_(pass.bounds == WideFront::Bounds::Distance),
         scale_b_(static_cast<float>(pass.into[0].scale)) {}
@@ -58,6 +60,7 @@ class Passer {
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
+    if (reach_.limit > must_.limit && is_reach_in_vain()) reach_ = must_;
     const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
     for (std::size_t i = 0; i < open; ++i) {
       if (i + 2 * kAhead < open) {
@@ -77,9 +80,40 @@ class Passer {
     } else {
       decide_leaves();
     }
+    if (state_.busy.empty()) {
+      state_.least_deadline =
+          std::min(least_of(state_.visit_deadlines), least_of(state_.leaves_deadlines));
+    }
   }
 
  private:
+  std::size_t held() const { return state_.visits.size() + state_.leaves.size(); }
+
+  /// Whether so much is within reach that most of it could not be opened, or primitives are so near
+  /// that no gap is worth it.
+  HWY_INLINE bool is_reach_in_vain() const {
+    const std::size_t leaves = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    for (std::size_t i = 0; i < leaves; ++i) {
+      const LeafPlanes& planes = state_.leaf_planes[state_.due[i]];
+      if (!(least_gap(planes, pass_.since[planes.host_side]) > useful_)) return true;
+    }
+    const std::size_t near = leaves + find_due(state_.visit_planes, state_.visit_deadlines);
+    return 2 * near > most_held_ - held();
+  }
+
+  HWY_INLINE static float least_of(const std::vector<float>& deadlines) {
+    const hn::ScalableTag<float> tag;
+    const std::size_t lanes = hn::Lanes(tag);
+    auto least = hn::Set(tag, kNever);
+    std::size_t i = 0;
+    for (; i + lanes <= deadlines.size(); i += lanes)
+      least = hn::Min(least, hn::LoadU(tag, deadlines.data() + i));
+    float found = hn::GetLane(hn::MinOfLanes(tag, least));
+    for (; i < deadlines.size(); ++i)
+      found = std::min(found, deadlines[i]);
+    return found;
+  }
+
   /// Leaves that are due: which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
     const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
@@ -150,7 +184,7 @@ class Passer {
       const float gap = least_gap(planes[index], pass_.since[planes[index].host_side]);
       const float later = deadline_after(gap);
       // Both false where it is no number.
-      const bool is_kept = (gap > limit_) & (later > due_);
+      const bool is_kept = (gap > reach_.limit) & (later > reach_.due);
       deadlines[index] = is_kept ? later : deadlines[index];
       due[open] = index;
       open += !is_kept;
@@ -176,13 +210,13 @@ class Passer {
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), hn::Set(tag, due_));
+      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), hn::Set(tag, reach_.due));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
                                  hn::RebindMask(indices, is_due), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);
-      count += deadlines[i] <= due_;
+      count += deadlines[i] <= reach_.due;
     }
     return count;
   }
@@ -224,7 +258,8 @@ class Passer {
 
   /// Of these lanes alone, from gaps as they are now, which become those of the pose of reference.
   template <typename Planes>
-  HWY_INLINE Nearness keep(Planes& planes, std::uint32_t lanes, const FrontWay& way) const {
+  HWY_INLINE Nearness keep(Planes& planes, std::uint32_t lanes, const FrontWay& way,
+                           float limit) const {
     const hn::CappedTag<float, Planes::kLanes> tag;
     float step[3];
     set_step(step, planes.guest, way);
@@ -236,7 +271,7 @@ class Passer {
                                     static_cast<std::uint8_t>(lanes >> lane >> 8)};
       const auto is_asked = hn::LoadMaskBits(tag, bits);
       const auto gap = hn::Load(tag, planes.gap + lane);
-      const auto is_far = hn::Gt(gap, hn::Set(tag, limit_));
+      const auto is_far = hn::Gt(gap, hn::Set(tag, limit));
       const auto is_kept = hn::And(is_far, is_asked);
       least = hn::Min(least, hn::IfThenElse(is_kept, gap, least));
       near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
@@ -279,7 +314,7 @@ class Passer {
     }
     const std::uint32_t closed = node.lanes() & ~visit.open;
     set_gaps(planes, node, host_side, closed);
-    const Nearness kept = keep(planes, closed, pass_.since[host_side]);
+    const Nearness kept = keep(planes, closed, pass_.since[host_side], reach_.limit);
     std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
@@ -287,6 +322,7 @@ class Passer {
     visit.open |= near;
     state_.visit_deadlines[index] = deadline_after(kept.least);
     const FrontBall ball = planes.guest;
+    if (held() > most_held_) reach_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideSlot child = {&node, lane, below.treelet};
@@ -425,7 +461,7 @@ class Passer {
     const std::uint32_t asked =
         pairs_of(ChildLink::count(leaves.host.link), ChildLink::count(leaves.guest.link));
     set_leaf_gaps(planes, leaves.host_side, asked);
-    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side]);
+    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side], must_.limit);
     state_.leaves_deadlines[index] = found.near == 0 ? deadline_after(found.least) : kNever;
     return found.near == 0;
   }
@@ -436,7 +472,7 @@ class Passer {
     const std::uint32_t asked = set_leaves(leaves) & ~leaves.listed;
     state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
     set_leaf_gaps(planes, leaves.host_side, asked);
-    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side]);
+    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side], must_.limit);
     state_.leaves_deadlines[index] = deadline_after(found.least);
     leaves.listed |= found.near;
     for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
@@ -448,9 +484,11 @@ class Passer {
 
   WideFront::State& state_;
   const WideFront::Pass& pass_;
-  float limit_;
-  float due_;
-  float moved_;  // rounded down
+  FrontHorizon must_;
+  FrontHorizon reach_;
+  float useful_;
+  std::size_t most_held_;  // what it opens until then may be within reach_
+  float moved_;            // rounded down
   bool is_distance_;
   float scale_b_;
   Guest guest_{};
@@ -462,8 +500,8 @@ class Passer {
   GuestLeaf guest_leaf_;
 };
 
-void advance(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
-  Passer(state, pass, limit, due).run();
+void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
+  Passer(state, pass, task).run();
 }
 
 }  // namespace
@@ -475,8 +513,8 @@ namespace graze::bvh {
 
 HWY_EXPORT(advance);
 
-void pass_over(WideFront::State& state, const WideFront::Pass& pass, float limit, float due) {
-  HWY_DYNAMIC_DISPATCH(advance)(state, pass, limit, due);
+void pass_over(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
+  HWY_DYNAMIC_DISPATCH(advance)(state, pass, task);
 }
 
 }  // namespace graze::bvh

@@ -1,6 +1,7 @@
 #include <graze/engine/mesh/motion_front.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace graze {
 namespace {
@@ -20,12 +21,27 @@ constexpr int kMostPasses = 1000;
 constexpr double kMostGrowth = 1.5;
 constexpr std::size_t kFewMore = 64;
 
+/// Measured. How much of itself a front adds for later queries in one pass, at most, and what a
+/// pass costs: as much as to look at so many boxes beside eight others, and so much of that for
+/// each that it holds.
+constexpr double kMostAhead = 0.25;
+constexpr std::size_t kFewAhead = 16;
+constexpr double kLooksOfPass = 6;
+constexpr double kLooksOfOthers = 0.08;
+constexpr double kLongestGap = 1000;  // queries
+
+/// What is further than it was foreseen to come by this factor has jumped.
+constexpr double kJump = 4;
+
 /// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
 constexpr std::size_t kLargest = std::size_t{1} << 19;
 
 }  // namespace
 
-void MotionFront::move(const bvh::WideFront::Motion& step) {
+void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
+  is_jump_ = step.way > kJump * step_ * queries;
+  step_ = step.way / queries;
+  queries_ = queries;
   // The sums round up.
   motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
@@ -59,7 +75,8 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
     const bvh::WideFront::Pass pass = front_.pass(b_in_a, a_in_b, bounds_, motion_);
-    if (front_.share_due(pass, limit) <= kMostDue && !has_many_candidates(pass, limit)) {
+    const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
+    if (is_worth_it && !has_many_candidates(pass, limit)) {
       if (passes_ >= kEnoughPasses) next_pause_ = 1;
       return pass;
     }
@@ -77,16 +94,42 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   return front_.pass(b_in_a, a_in_b, bounds_, motion_);
 }
 
+bvh::WideFront::Foresight MotionFront::foresight() const {
+  if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_) return {};
+  const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
+  return {
+      .reach = reach_.queries() * step_,
+      .useful = step_,
+      .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
+}
+
+void MotionFront::learn(const bvh::WideFront::Pass& pass, std::size_t size_before) {
+  if (bounds_ == bvh::WideFront::Bounds::Distance || !(step_ > 0)) return;
+  const double lasts = std::clamp(std::floor(front_.proven_gap(pass) / step_), 0.0, kLongestGap);
+  const std::size_t looks = front_.looked_at() + (front_.size() - size_before);
+  const double tried = reach_.queries();
+  reach_.learn((kLooksOfPass + static_cast<double>(looks) +
+                kLooksOfOthers * static_cast<double>(front_.size())) /
+               (1 + lasts));
+  // What was opened in vain is looked at for as long as the front lives.
+  const bool was_in_vain = reach_.queries() < tried;
+  if (was_in_vain &&
+      static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
+    is_live_ = false;
+}
+
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
   is_live_ = false;  // should it throw
   const std::size_t size_before = front_.size();
-  front_.advance(pass, limit);
+  const bvh::WideFront::Foresight ahead = foresight();
+  front_.advance(pass, limit, ahead);
   is_live_ = true;
   if (passes_++ == 0) {
     first_size_ = front_.size();
-  } else if (static_cast<double>(front_.looked_at()) >
-             kMostLookedAt * static_cast<double>(size_before)) {
-    pause();
+  } else {
+    learn(pass, size_before);
+    const double most = kMostLookedAt * queries_ * static_cast<double>(size_before);
+    if (!(ahead.reach > 0) && static_cast<double>(front_.looked_at()) > most) pause();
   }
   if (front_.size() > kLargest) {
     is_live_ = false;

@@ -3,6 +3,7 @@
 // Private to engine/mesh.
 
 #include <graze/bvh/wide/wide_front.h>
+#include <graze/engine/mesh/front_reach.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
@@ -16,9 +17,10 @@ class MotionFront {
   explicit MotionFront(bvh::WideFront::Bounds bounds) : bounds_(bounds) {}
 
   bvh::WideFront& front() { return front_; }
+  bool is_live() const { return is_live_; }
 
-  /// B has come so much further, in one step (common units).
-  void move(const bvh::WideFront::Motion& step);
+  /// B has come so much further (common units), in so many queries.
+  void move(const bvh::WideFront::Motion& step, int queries);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
   /// be: where most of it is due, or a third of it had to be looked at in the last pass, the query
@@ -38,6 +40,12 @@ class MotionFront {
   bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const;
   void pause();
 
+  /// What this pass is to do for later queries.
+  bvh::WideFront::Foresight foresight() const;
+
+  /// What it was worth, with so much in the front before.
+  void learn(const bvh::WideFront::Pass& pass, std::size_t size_before);
+
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
@@ -46,6 +54,10 @@ class MotionFront {
   std::size_t first_size_ = 0;     // after the first of these
   int pause_ = 0;                  // queries until it may begin
   int next_pause_ = 1;
+  FrontReach reach_;
+  double step_ = 0;  // by which B came further in each of the last queries
+  int queries_ = 1;  // from the last pass to this one
+  bool is_jump_ = true;
 };
 
 }  // namespace graze

@@ -66,8 +66,9 @@ class MeetingQuery {
         touch_(touch),
         work_(work) {}
 
-  /// Whether the boxes of all prove it, which is then remembered.
+  /// Whether the boxes of all prove it, which is then remembered. A front has them, too.
   bool are_far_apart() {
+    if (remembered_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;
     remembered_.learn_gap(gap_of_bounds(query_));
     return true;
@@ -76,6 +77,7 @@ class MeetingQuery {
   /// Whether triangles that touched when last asked still do.
   bool does_remembered_pair_touch() {
     const std::span<const TrianglePair> pairs = remembered_.pairs();
+    if (pairs.empty()) return false;
     Candidates candidates(touch_, work_);
     std::size_t touching = pairs.size();
     const auto on_pair = [&](TrianglePair pair) {
@@ -110,17 +112,11 @@ class MeetingQuery {
       if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
     }
     bool is_any_met = front.crossing_count() > 0;
-    Candidates candidates(touch_, work_);
     const auto on_met = [&](TrianglePair pair) {
       is_any_met = true;
       return on_pair(pair);
     };
-    for (std::size_t i = 0; i < front.unsure_count(); ++i) {
-      const TrianglePair pair = query_.pair_at(front.unsure(i));
-      candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
-      if (candidates.is_full() && candidates.decide(on_met) == bvh::Walk::Stop) return true;
-    }
-    if (candidates.decide(on_met) == bvh::Walk::Stop) return true;
+    if (front.unsure_count() > 0 && decide_unsure(front, on_met) == bvh::Walk::Stop) return true;
     if (!is_any_met) {
       const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
       remembered_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
@@ -138,6 +134,18 @@ class MeetingQuery {
   }
 
  private:
+  template <typename OnPair>
+  bvh::Walk decide_unsure(const bvh::WideFront& front, OnPair&& on_pair) {
+    Candidates candidates(touch_, work_);
+    for (std::size_t i = 0; i < front.unsure_count(); ++i) {
+      const TrianglePair pair = query_.pair_at(front.unsure(i));
+      candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
+      if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
+    }
+    return candidates.decide(on_pair);
+  }
+
   WideQuery query_;
   Remembered& remembered_;
   Touch touch_;

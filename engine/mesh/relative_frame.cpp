@@ -26,6 +26,7 @@
 // frame. The rounding of the separating axis test itself, with |T| = tau in common units, in which
 // boxes are at most 2 in size and 4 across, is below 128 u (tau + 16).
 
+#include <graze/bvh/power_of_two.h>
 #include <graze/engine/mesh/relative_frame.h>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
   // Common units: those of the larger frame. Scaling by powers of two is exact; what underflows is
   // paid for by the last term of the slack.
   const int exponent = std::max(a.frame.exponent, b.frame.exponent);
-  const double per_metre = std::ldexp(1.0, -exponent);
+  const double per_metre = bvh::power_of_two(-exponent);
 
   bvh::RelativeFrame relative;
   const double between[3] = {side_b.centre[0] - side_a.centre[0],
@@ -89,8 +90,8 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
     relative.translation[i] = dot(axis, between) * per_metre;
     tau = std::max(tau, std::abs(relative.translation[i]));
   }
-  relative.units_a = std::ldexp(1.0, a.frame.exponent - exponent);
-  relative.units_b = std::ldexp(1.0, b.frame.exponent - exponent);
+  relative.units_a = bvh::power_of_two(a.frame.exponent - exponent);
+  relative.units_b = bvh::power_of_two(b.frame.exponent - exponent);
 
   const double error_a = 3 * side_a.deviation * side_a.radius + 3.5 * side_a.placing;
   const double error_b = (3 * side_b.deviation + 28 * kUnitRoundoff) * side_b.radius +

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace graze {
 namespace {
@@ -58,7 +59,7 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
 }  // namespace
 
 bool are_equal(const Pose& one, const Pose& other) {
-  return std::equal(one.data(), one.data() + 16, other.data());
+  return std::memcmp(one.data(), other.data(), 16 * sizeof(double)) == 0;
 }
 
 RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
@@ -108,6 +109,7 @@ RememberedMesh::Motion RememberedMesh::motion_from(const Pose& before) const {
 void Remembered::place(const Pose& pose_a, const Pose& pose_b) {
   a_.place(pose_a, "pose of mesh A");
   b_.place(pose_b, "pose of mesh B");
+  ++queries_;
 }
 
 bool Remembered::are_beyond(double metres) const {
@@ -135,14 +137,15 @@ bool Remembered::follow(const WideQuery& query) {
   if (was_followed) {
     const bvh::WideFront::Motion step =
         motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
-    meeting.move(step);
-    near.move(step);
+    meeting.move(step, queries_);
+    near.move(step, queries_);
   }
   for (int i = 0; i < 3; ++i) {
     std::copy_n(now.rotation[i], 3, rotation_[i]);
     translation_[i] = now.translation[i];
   }
   is_followed_ = true;
+  queries_ = 0;
   return was_followed;
 }
 

@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// Entry by entry.
+/// Bit by bit.
 bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
@@ -111,6 +111,7 @@ class Remembered {
   double rotation_[3][3];  // of B in A, in common units, when last computed
   double translation_[3];
   bool is_followed_ = false;
+  int queries_ = 0;  // since then
 
   std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
   std::size_t pair_count_ = 0;

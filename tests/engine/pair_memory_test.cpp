@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -306,6 +307,36 @@ TEST(PairMemory, CountsWhatItSaves) {
   EXPECT_EQ(cold.skipped_by_memory, 0u);
   EXPECT_LT(remembering.volume_tests, cold.volume_tests / 2);
   EXPECT_GT(remembering.skipped_by_memory, remembering.volume_tests);
+}
+
+/// A ball that slides along a torus, a tenth of its size away: one look answers several queries.
+TEST(PairMemory, LooksAheadWhereNothingMeets) {
+  const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
+  const Mesh ball = tests::make_sphere(0.4, 30, 30);
+  Pose pose = Pose::Identity();
+  PairMemory memory;
+  constexpr int kQueries = 300;
+  for (int i = 0; i < kQueries; ++i) {
+    pose.translation() << 0.3 * std::cos(0.005 * i), 0.3 * std::sin(0.005 * i), 0.735;
+    EXPECT_FALSE(intersects({torus}, {ball, pose}, memory));
+  }
+  EXPECT_GT(distance({torus}, {ball, pose}).distance, 0.03);
+  EXPECT_GT(memory.still_apart(), kQueries * 3 / 4);
+}
+
+/// And one that follows it so near that no look can answer two: to try costs little.
+TEST(PairMemory, LooksNoFurtherThanPays) {
+  const Mesh shell = tests::make_sphere(1.005, 40, 40);
+  const Mesh ball = tests::make_sphere(1, 40, 40);
+  PairMemory memory;
+  Work cold;
+  Work remembering;
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose(Eigen::AngleAxisd(0.004 * i, Eigen::Vector3d::UnitZ()));
+    EXPECT_FALSE(intersects({shell}, {ball, pose}, {}, &cold));
+    EXPECT_FALSE(intersects({shell}, {ball, pose}, memory, {}, &remembering));
+  }
+  EXPECT_LT(remembering.volume_tests, cold.volume_tests / 4);
 }
 
 TEST(Law9, AMemoryOfOtherMeshesIsForgotten) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace graze::bvh {
+
+/// 2^exponent. Queries of small meshes ask for it often enough to notice std::ldexp: where it is a
+/// normal double its bits are known.
+inline double power_of_two(int exponent) {
+  constexpr int kBias = 1023;
+  if (exponent <= -kBias || exponent > kBias) return std::ldexp(1.0, exponent);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << 52);
+}
+
+}  // namespace graze::bvh
