@@ -63,4 +63,24 @@ FrontBall::FrontBall(const WideSlot& slot, float units) {
   radius = (std::sqrt(square) * (1 + 0x1p-18f) + sizes * 0x1p-20f + 0x1p-60f) * units;
 }
 
+FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontBall& guest,
+                       const FrontWay& way) {
+  float step[3];
+  set_step(step, guest, way);
+  double kept = gap_now;
+  for (int i = 0; i < 3; ++i) {
+    normal[i] = static_cast<float>(direction[i]);
+    kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
+  }
+  kept += static_cast<double>(guest.radius) * static_cast<double>(way.turn * kRoundPlanes);
+  gap = rounded_down(kept - static_cast<double>(way.error));
+}
+
+float FrontPlane::gap_after(const FrontBall& guest, const FrontWay& way) const {
+  float step[3];
+  set_step(step, guest, way);
+  const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
+  return (along - (guest.radius * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
+}
+
 }  // namespace graze::bvh

@@ -4,6 +4,7 @@
 #include <graze/bvh/wide/wide_tree.h>
 
 #include <cstddef>
+#include <limits>
 
 // How a gap along a direction n changes with the pose. In the host's frame, in common units, a
 // point b of the guest lies at R b + t in one pose and at S b + v in another. If all b of a guest
@@ -37,6 +38,36 @@ struct FrontBall {
 
   FrontBall() = default;
   FrontBall(const WideSlot& slot, float units);
+};
+
+/// What gaps of planes are multiplied by where they are stored, and where they are read: four
+/// roundings each, and those of turns.
+inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
+
+/// What is rounded to float, times it, is no more than before.
+inline constexpr float kRoundDown = 1 - 0x1p-22f;
+
+/// How far the middle of a guest has come since the pose of reference.
+inline void set_step(float (&step)[3], const FrontBall& guest, const FrontWay& way) {
+  for (int i = 0; i < 3; ++i) {
+    step[i] = way.turned[i][0] * guest.centre[0] + way.turned[i][1] * guest.centre[1] +
+              way.turned[i][2] * guest.centre[2] + way.moved[i];
+  }
+}
+
+/// What keeps one pair out, as in FrontPlanes: nothing as it is made.
+struct FrontPlane {
+  float normal[3] = {};
+  float gap = -std::numeric_limits<float>::infinity();
+
+  FrontPlane() = default;
+
+  /// The guest is `gap_now` beyond the host, after this way.
+  FrontPlane(const double (&direction)[3], double gap_now, const FrontBall& guest,
+             const FrontWay& way);
+
+  /// How far it is at least after another way.
+  float gap_after(const FrontBall& guest, const FrontWay& way) const;
 };
 
 /// What keeps pairs out: lane by lane a direction in the host's frame, no longer than 1, and how

@@ -70,6 +70,7 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.busy.clear();
   state_.candidates.clear();
   state_.candidate_deadlines.clear();
+  state_.candidate_planes.clear();
   state_.lanes = 0;
 }
 
@@ -102,12 +103,32 @@ void WideFront::advance(const Pass& pass, double limit, const Foresight& foresig
   skipped_ += known > tested ? known - tested : 0;
 }
 
-bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) const {
-  return state_.candidate_deadlines[index] <= due_at(pass, limit);
+bool WideFront::is_due(std::size_t index, const Pass& pass, double limit) {
+  const FrontHorizon horizon = horizon_at(pass, limit);
+  float& deadline = state_.candidate_deadlines[index];
+  if (!(deadline <= horizon.due)) return false;
+  const FrontPlanes<kLeafPairs>& planes = state_.leaf_planes[state_.candidates[index] / kLeafPairs];
+  const float gap =
+      state_.candidate_planes[index].gap_after(planes.guest, pass.since[planes.host_side]);
+  const float later = rounded_down(pass.moved + static_cast<double>(gap));
+  if (!(gap > horizon.limit && later > horizon.due)) return true;
+  deadline = later;
+  return false;
 }
 
 void WideFront::set_gap(std::size_t index, const Pass& pass, double gap) {
   state_.candidate_deadlines[index] = rounded_down(pass.moved + gap);
+}
+
+void WideFront::keep_apart(std::size_t index, const Pass& pass, const Gap& gap) {
+  set_gap(index, pass, gap.units);
+  const FrontPlanes<kLeafPairs>& planes = state_.leaf_planes[state_.candidates[index] / kLeafPairs];
+  const bool is_b_guest = planes.host_side == 0;
+  double direction[3];
+  for (int i = 0; i < 3; ++i)
+    direction[i] = is_b_guest ? gap.along_in_a[i] : -gap.along_in_b[i];
+  state_.candidate_planes[index] =
+      FrontPlane(direction, gap.units, planes.guest, pass.since[planes.host_side]);
 }
 
 double WideFront::proven_gap(const Pass& pass) const {

@@ -95,10 +95,21 @@ class WideFront {
   PlacePair candidate(std::size_t index) const { return places_of(state_.candidates[index]); }
 
   /// Whether a candidate may be `limit` apart or nearer, after what was said of it.
-  bool is_due(std::size_t index, const Pass& pass, double limit) const;
+  bool is_due(std::size_t index, const Pass& pass, double limit);
 
-  /// Candidate `index` is at least so far apart in this pass.
+  /// Candidate `index` is at least so far apart in this pass (common units).
   void set_gap(std::size_t index, const Pass& pass, double gap);
+
+  /// How far two primitives are apart at least along a direction, from A to B, which is no longer
+  /// than 1 in the frame of either tree (common units).
+  struct Gap {
+    double units;
+    double along_in_a[3];
+    double along_in_b[3];
+  };
+
+  /// Candidate `index` is apart by that in this pass, and while it is it is not due.
+  void keep_apart(std::size_t index, const Pass& pass, const Gap& gap);
 
   /// How far apart all is at least, if no candidate was near and nothing met: valid after
   /// advance().
@@ -170,6 +181,7 @@ class WideFront {
     LeafPairs unsure;
     std::vector<std::uint32_t> candidates;  // as those of LeafPairs
     std::vector<float> candidate_deadlines;
+    std::vector<FrontPlane> candidate_planes;
     std::vector<std::uint32_t> due;  // what a pass looks at
     std::size_t looked_at = 0;       // in the last pass, of what there was
     float least_deadline = 0;        // of visits and leaves, where none is busy

@@ -29,13 +29,6 @@ namespace {
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// What is rounded to float, times it, is no more than before.
-constexpr float kRoundDown = 1 - 0x1p-22f;
-
-/// What gaps of planes are multiplied by where they are stored, and where they are read: four
-/// roundings each, and those of turns.
-constexpr float kRoundPlanes = 1 - 0x1p-20f;
-
 /// Leaves are fetched so many before they are looked at.
 constexpr std::size_t kAhead = 6;
 constexpr std::size_t kPlanesAhead = 16;
@@ -241,14 +234,6 @@ class Passer {
       least = hn::Min(least, hn::Sub(gap, lost));
     }
     return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
-  }
-
-  /// How far the guest's middle has come since the pose of reference.
-  HWY_INLINE static void set_step(float (&step)[3], const FrontBall& guest, const FrontWay& way) {
-    for (int i = 0; i < 3; ++i) {
-      step[i] = way.turned[i][0] * guest.centre[0] + way.turned[i][1] * guest.centre[1] +
-                way.turned[i][2] * guest.centre[2] + way.moved[i];
-    }
   }
 
   struct Nearness {
@@ -480,6 +465,7 @@ class Passer {
       state_.candidates.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
     }
     state_.candidate_deadlines.resize(state_.candidates.size(), kAtOnce);
+    state_.candidate_planes.resize(state_.candidates.size());
   }
 
   WideFront::State& state_;

@@ -54,7 +54,7 @@ void MotionFront::pause() {
   next_pause_ = std::min(2 * next_pause_, kLongestPause);
 }
 
-bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const {
+bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) {
   if (bounds_ == bvh::WideFront::Bounds::Meeting) return false;
   std::size_t due = 0;
   for (std::size_t i = 0; i < front_.candidate_count(); ++i)

@@ -37,7 +37,7 @@ class MotionFront {
   bool is_outgrown() const;
 
   /// Of distances, each of which is computed: where many are nearly equal a walk sees fewer.
-  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit) const;
+  bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit);
   void pause();
 
   /// What this pass is to do for later queries.

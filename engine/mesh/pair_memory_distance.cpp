@@ -40,11 +40,8 @@ class NearQuery {
     auto pass = near.pass(query_.tree_a, query_.tree_b, query_.b_in_a,
                           relative_frame(query_.frame_b, query_.frame_a), reach_.units());
     if (!pass) return false;
-    const double(&z)[3] = gap_.direction();
-    const double* m = query_.a.pose.data();  // column-major 4x4
     double direction_in_a[3];
-    for (int i = 0; i < 3; ++i)
-      direction_in_a[i] = m[4 * i] * z[0] + m[4 * i + 1] * z[1] + m[4 * i + 2] * z[2];
+    turn_into(direction_in_a, query_.a.pose, gap_.direction());
     pass->aim_along(direction_in_a);
     near.advance(*pass, reach_.units(), work_);
     bvh::WideFront& front = near.front();
@@ -56,11 +53,18 @@ class NearQuery {
       const double end = gap_.end_of(triangle_a);
       const double start = gap_.start_of(triangle_b);
       if (gap_.is_beyond(limit_, end, start)) {
-        front.set_gap(i, *pass, units_between(start - end));
+        front.keep_apart(i, *pass, gap_along(gap_, start - end));
         continue;
       }
       const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
       front.set_gap(i, *pass, units_between(found.distance));
+      // What is as near as any will be asked again, whatever keeps it apart.
+      if (found.distance > limit_) {
+        narrowphase::DirectedGap along(largest_);
+        along.set_direction(found);
+        front.keep_apart(i, *pass,
+                         gap_along(along, along.start_of(triangle_b) - along.end_of(triangle_a)));
+      }
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
     remembered_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
@@ -71,9 +75,31 @@ class NearQuery {
   double surely(double metres) const { return metres - 0x1p-46 * largest_; }
 
  private:
+  /// A direction in space, in the frame of a pose.
+  static void turn_into(double (&turned)[3], const Pose& pose, const double (&direction)[3]) {
+    const double* m = pose.data();  // column-major 4x4
+    for (int i = 0; i < 3; ++i) {
+      turned[i] =
+          m[4 * i] * direction[0] + m[4 * i + 1] * direction[1] + m[4 * i + 2] * direction[2];
+    }
+  }
+
   /// How far apart in the trees' frames what is so far apart in space is at least.
   double units_between(double metres) const {
     return reach_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
+  }
+
+  /// The same along a direction.
+  bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres) const {
+    // Poses turn directions into such that are longer by 1.5e-6 at most.
+    constexpr double kShorter = 1 - 0x1p-18;
+    bvh::WideFront::Gap gap;
+    gap.units = kShorter * (reach_.least_units_along(surely(metres)) - 2 * query_.b_in_a.slack);
+    turn_into(gap.along_in_a, query_.a.pose, along.direction());
+    turn_into(gap.along_in_b, query_.b.pose, along.direction());
+    for (int i = 0; i < 3; ++i)
+      gap.along_in_a[i] *= kShorter, gap.along_in_b[i] *= kShorter;
+    return gap;
   }
 
   const WideQuery& query_;

@@ -309,22 +309,43 @@ TEST(PairMemory, CountsWhatItSaves) {
   EXPECT_GT(remembering.skipped_by_memory, remembering.volume_tests);
 }
 
-/// A ball that slides along a torus, a tenth of its size away: one look answers several queries.
+/// Two linked rings that slide through each other's holes: their boxes overlap, and one look that
+/// opens them answers several queries.
 TEST(PairMemory, LooksAheadWhereNothingMeets) {
-  const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
-  const Mesh ball = tests::make_sphere(0.4, 30, 30);
-  Pose pose = Pose::Identity();
+  const Mesh ring = tests::make_torus(1, 0.3, 60, 30);
+  const Eigen::AngleAxisd upright(EIGEN_PI / 2, Eigen::Vector3d::UnitX());
   PairMemory memory;
   constexpr int kQueries = 300;
   for (int i = 0; i < kQueries; ++i) {
-    pose.translation() << 0.3 * std::cos(0.005 * i), 0.3 * std::sin(0.005 * i), 0.735;
-    EXPECT_FALSE(intersects({torus}, {ball, pose}, memory));
+    Pose pose(upright);
+    pose.translation().x() = 1 + 0.2 * std::sin(0.01 * i);
+    pose.translation().y() = 0.2 * std::cos(0.01 * i);
+    EXPECT_FALSE(intersects({ring}, {ring, pose}, memory));
   }
-  EXPECT_GT(distance({torus}, {ball, pose}).distance, 0.03);
-  EXPECT_GT(memory.still_apart(), kQueries * 3 / 4);
+  EXPECT_GT(memory.still_apart(), kQueries / 2);
 }
 
-/// And one that follows it so near that no look can answer two: to try costs little.
+/// Triangles that may be as near as the nearest are asked in each pose, those that share its corner
+/// or edge. What keeps the others out is a plane: by how far all has moved alone thrice as many
+/// would be asked as by a walk.
+TEST(PairMemory, AsksFewDistances) {
+  const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
+  const Mesh ball = tests::make_sphere(0.6, 30, 30);
+  PairMemory memory;
+  Work cold;
+  Work remembering;
+  for (int i = 0; i < 100; ++i) {
+    Pose pose(Eigen::AngleAxisd(0.0003 * i, Eigen::Vector3d(1, 2, 3).normalized()));
+    pose.translation() << 0.9 + 0.001 * i, 0.0005 * i, 0.95 + 0.0007 * i;
+    const MeshDistance expected = distance({torus}, {ball, pose}, {}, &cold);
+    const MeshDistance found = distance({torus}, {ball, pose}, memory, {}, &remembering);
+    EXPECT_EQ(found.distance, expected.distance);
+    EXPECT_EQ(found.pair, expected.pair);
+  }
+  EXPECT_LT(remembering.triangle_tests, 2 * cold.triangle_tests);
+}
+
+/// Shells so near each other that no look can answer two queries: to try costs little.
 TEST(PairMemory, LooksNoFurtherThanPays) {
   const Mesh shell = tests::make_sphere(1.005, 40, 40);
   const Mesh ball = tests::make_sphere(1, 40, 40);
@@ -382,7 +403,7 @@ TEST(Law9, AMemoryFollowsWhatMeets) {
       EXPECT_LT(remembering.volume_tests, cold.volume_tests);
       // Most of what crosses surely does so in float: unless that is too coarse so far away.
       if (offset == 0) {
-        EXPECT_LT(remembering.triangle_tests, cold.triangle_tests / 4);
+        EXPECT_LT(remembering.triangle_tests, 2 * cold.triangle_tests);
       }
     }
   }
