@@ -292,6 +292,26 @@ TEST(Law10, AMemoryIsNoWayRoundTheDoor) {
   EXPECT_FALSE(intersects({box}, {box, pose}, memory));
 }
 
+/// A small ball of small triangles in the side of a large box: nearly all pairs are told apart, or
+/// to cross, in float, whatever their sizes.
+TEST(Law9, AMemoryTellsLargeTrianglesFromSmallOnes) {
+  const Mesh box = tests::make_box({1, 0.9, 0.8});
+  const Mesh ball = tests::make_sphere(0.03, 40, 40);
+  PairMemory memory;
+  Work remembering;
+  std::size_t pairs = 0;
+  for (int i = 0; i < 200; ++i) {
+    Pose pose(Eigen::AngleAxisd(0.01 * i, Eigen::Vector3d(1, 2, 3).normalized()));
+    pose.translation() << 1.001, 0.3 - 0.001 * i, 0.1 + 0.0007 * i;
+    const TrianglePairs expected = find_triangle_pairs({box}, {ball, pose});
+    EXPECT_EQ(find_triangle_pairs({box}, {ball, pose}, memory, {}, &remembering).pairs,
+              expected.pairs);
+    pairs += expected.size();
+  }
+  EXPECT_GT(pairs, 10000u);
+  EXPECT_LT(remembering.triangle_tests, pairs / 5);
+}
+
 TEST(PairMemory, CountsWhatItSaves) {
   const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
   const Mesh ball = tests::make_sphere(0.4, 30, 30);
