@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace graze {
 namespace {
@@ -59,7 +58,7 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
 }  // namespace
 
 bool are_equal(const Pose& one, const Pose& other) {
-  return std::memcmp(one.data(), other.data(), 16 * sizeof(double)) == 0;
+  return std::equal(one.data(), one.data() + 16, other.data());
 }
 
 RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {

@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// Bit by bit.
+/// Entry by entry.
 bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.

@@ -451,9 +451,9 @@ TEST(Allocations, BooleanQueriesMakeNoneOnceTheTreesAreBuilt) {
   RandomSource source(22);
   const Mesh torus = tests::make_torus(1, 0.3, 60, 30);
   const Mesh ball = tests::make_sphere(0.4, 40, 40);
-  std::vector<Pose> poses;
-  for (int i = 0; i < 200; ++i)
-    poses.push_back(tests::random_pose(1.2, source));
+  std::vector<Pose> poses(200);
+  for (Pose& pose : poses)
+    pose = tests::random_pose(1.2, source);
   std::size_t made[2];
   for (std::size_t& count : made) {
     const std::size_t before = allocations;
