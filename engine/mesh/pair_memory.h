@@ -16,7 +16,7 @@ class Remembered;
 /// no answer, however the meshes jump between two queries. It keeps handles of the two meshes;
 /// asked about two others, or the same in the other order, it begins anew. One thread at a time may
 /// use it. It grows with what a query walks: some 230 bytes for each eight pairs of boxes, and 360
-/// to 500 for two leaves, up to 16 pairs of triangles.
+/// to 750 for two leaves, up to 16 pairs of triangles.
 class PairMemory {
  public:
   PairMemory();

@@ -53,7 +53,7 @@ class NearQuery {
       const double end = gap_.end_of(triangle_a);
       const double start = gap_.start_of(triangle_b);
       if (gap_.is_beyond(limit_, end, start)) {
-        front.keep_apart(i, *pass, gap_along(gap_, start - end));
+        front.keep_apart(i, *pass, gap_along(gap_, start - end, pass->slack));
         continue;
       }
       const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
@@ -62,8 +62,9 @@ class NearQuery {
       if (found.distance > limit_) {
         narrowphase::DirectedGap along(largest_);
         along.set_direction(found);
-        front.keep_apart(i, *pass,
-                         gap_along(along, along.start_of(triangle_b) - along.end_of(triangle_a)));
+        front.keep_apart(
+            i, *pass,
+            gap_along(along, along.start_of(triangle_b) - along.end_of(triangle_a), pass->slack));
       }
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
@@ -89,12 +90,13 @@ class NearQuery {
     return reach_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
   }
 
-  /// The same along a direction.
-  bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres) const {
+  /// The same along a direction, with the slack of both frames.
+  bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres,
+                                double slack) const {
     // Poses turn directions into such that are longer by 1.5e-6 at most.
     constexpr double kShorter = 1 - 0x1p-18;
     bvh::WideFront::Gap gap;
-    gap.units = kShorter * (reach_.least_units_along(surely(metres)) - 2 * query_.b_in_a.slack);
+    gap.units = kShorter * (reach_.least_units_along(surely(metres)) - 2 * slack);
     turn_into(gap.along_in_a, query_.a.pose, along.direction());
     turn_into(gap.along_in_b, query_.b.pose, along.direction());
     for (int i = 0; i < 3; ++i)
