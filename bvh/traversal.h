@@ -16,6 +16,10 @@ enum class Walk { Continue, Stop };
 template <typename Entry, std::size_t InlineCapacity>
 class TraversalStack {
  public:
+  /// Clears nothing: most stacks use little of their room, and would take longer to clear than a
+  /// query of meshes far apart takes.
+  TraversalStack() {}  // NOLINT(modernize-use-equals-default): that would clear where it is {}
+
   bool empty() const { return size_ == 0; }
 
   void push(const Entry& entry) {

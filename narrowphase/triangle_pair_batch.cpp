@@ -1,5 +1,7 @@
 #include <graze/narrowphase/triangle_pair_batch.h>
 
+#include <algorithm>
+
 namespace graze::narrowphase {
 namespace {
 
@@ -22,6 +24,11 @@ Triangle gather(const Rows& rows, std::size_t index) {
 }  // namespace
 
 void TrianglePairBatch::add(const Triangle& triangle_a, const Triangle& triangle_b) {
+  if (!is_cleared_) {
+    std::fill_n(&a_[0][0], 9 * kCapacity, 0.0);
+    std::fill_n(&b_[0][0], 9 * kCapacity, 0.0);
+    is_cleared_ = true;
+  }
   scatter(triangle_a, a_, size_);
   scatter(triangle_b, b_, size_);
   ++size_;

@@ -14,6 +14,8 @@ class TrianglePairBatch {
  public:
   static constexpr std::size_t kCapacity = 8;
 
+  TrianglePairBatch() {}  // NOLINT(modernize-use-equals-default): that would clear where it is {}
+
   std::size_t size() const { return size_; }
   bool is_full() const { return size_ == kCapacity; }
   void clear() { size_ = 0; }
@@ -29,10 +31,12 @@ class TrianglePairBatch {
   const double* row_b(std::size_t row) const { return b_[row]; }
 
  private:
-  // Zero, so that kernels may compute with lanes that hold no pair.
-  alignas(64) double a_[9][kCapacity] = {};
-  alignas(64) double b_[9][kCapacity] = {};
+  // Cleared by the first add(), so that kernels may compute with lanes that hold no pair; not
+  // before, because a query of meshes far apart adds none, and takes little longer than that.
+  alignas(64) double a_[9][kCapacity];
+  alignas(64) double b_[9][kCapacity];
   std::size_t size_ = 0;
+  bool is_cleared_ = false;
 };
 
 /// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it

@@ -207,6 +207,7 @@ std::uint32_t find_apart(const TrianglePairBatch& batch) {
 }
 
 Verdicts triage(const TrianglePairBatch& batch) {
+  if (batch.size() == 0) return {0, 0};
   return HWY_DYNAMIC_DISPATCH(triage_batch)(batch);
 }
 

@@ -66,16 +66,16 @@ class WidePairWalk {
   void start_at(const Waiting& waiting) { state_.open.push(waiting); }
 
   /// A walk over the same trees in the same poses in which nothing waits yet.
-  WidePairWalk another() const {
-    return WidePairWalk(
-        State{{state_.tree[0], state_.tree[1]}, {state_.into[0], state_.into[1]}, {}, 0, 0});
-  }
+  WidePairWalk another() const { return WidePairWalk(state_.tree, state_.into); }
 
   const WideWalkCounts& counts() const { return counts_; }
 
   // What the kernels see.
 
   struct State {
+    State(const WideTree* const (&trees)[2], const WideWay (&ways)[2])
+        : tree{trees[0], trees[1]}, into{ways[0], ways[1]} {}
+
     const WideTree* tree[2];
     WideWay into[2];  // of guests from the other tree
     TraversalStack<Waiting, 192> open;
@@ -86,7 +86,7 @@ class WidePairWalk {
  private:
   static constexpr std::uint32_t kPatience = 16;
 
-  explicit WidePairWalk(const State& state) : state_(state) {}
+  WidePairWalk(const WideTree* const (&trees)[2], const WideWay (&ways)[2]) : state_(trees, ways) {}
 
   State state_;
   WideWalkCounts counts_;

@@ -30,6 +30,7 @@ class Candidates {
   template <typename OnPair>
   bvh::Walk decide(OnPair&& on_pair) {
     const std::size_t size = batch_.size();
+    if (size == 0) return bvh::Walk::Continue;
     const narrowphase::Verdicts verdicts = narrowphase::triage(batch_);
     batch_.clear();
     work_.triangle_tests += size;
