@@ -12,6 +12,7 @@
 
 #include "tests/benchmark/common/median.h"
 #include "tests/benchmark/common/processor_name.h"
+#include "tests/benchmark/motion/means.h"
 #include "tests/benchmark/motion/measure.h"
 
 namespace graze::benchmark {
@@ -78,7 +79,7 @@ void print(const std::string& scene, const std::string& regime, const Json& row)
   std::fflush(stdout);
 }
 
-Json measured(const Scene& scene, const Options& options, std::size_t& wrong) {
+Json measured(const Scene& scene, const Options& options, MotionMeans& means, std::size_t& wrong) {
   Json regimes = Json::array();
   for (const RegimePoses& regime : scene.regimes) {
     if (!options.only.empty() && options.only != regime.name) continue;
@@ -90,6 +91,8 @@ Json measured(const Scene& scene, const Options& options, std::size_t& wrong) {
       wrong += result.wrong;
       answers.push_back(to_json(result));
       print(scene.name, regime.name, answers.back());
+      means.add(name_of(question), regime.name, answers.back()["microseconds"],
+                answers.back()["remembering_microseconds"]);
     }
     regimes.push_back({{"regime", regime.name}, {"paths", paths.size()}, {"answers", answers}});
   }
@@ -109,12 +112,15 @@ std::size_t run(const Options& options) {
   std::printf("%-16s %-6s %-9s %10s %10s %9s %9s\n", "scene", "regime", "question", "us, cold",
               "with memory", "saved", "median");
   std::size_t wrong = 0;
+  MotionMeans means;
   const auto add = [&](const Scene& scene) {
     if (options.only_scene.empty() || options.only_scene == scene.name)
-      document["scenes"].push_back(measured(scene, options, wrong));
+      document["scenes"].push_back(measured(scene, options, means, wrong));
   };
   for (const SceneMaker& make_scene : mesh_scenes(options.scenes))
     add(make_scene());
+  means.print();
+  document["saved_in_geometric_mean"] = means.to_json();
   std::ofstream file(options.output);
   file << document.dump(1) << "\n";
   file.close();
