@@ -28,7 +28,7 @@ class WideFront {
   /// What the bounds are good at: telling that boxes are apart at all, or how far.
   enum class Bounds { Meeting, Distance };
 
-  /// What `moved` and limit must stay below.
+  /// What `moved`, limits and reaches must stay below.
   static constexpr double kFarthest = 0x1p60;
 
   /// How B has moved in A since begin(): no point of B's box came further than `way`, and the

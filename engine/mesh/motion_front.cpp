@@ -95,10 +95,13 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
 }
 
 bvh::WideFront::Foresight MotionFront::foresight() const {
-  if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_) return {};
+  const double reach = reach_.queries() * step_;
+  // To go far away and to come back are of one length, and neither jumps beside the other.
+  const bool is_near = reach < bvh::WideFront::kFarthest;
+  if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_ || !is_near) return {};
   const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
   return {
-      .reach = reach_.queries() * step_,
+      .reach = reach,
       .useful = step_,
       .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
 }

@@ -365,6 +365,27 @@ TEST(PairMemory, AsksFewDistances) {
   EXPECT_LT(remembering.triangle_tests, 2 * cold.triangle_tests);
 }
 
+/// Steps so long that a look as far ahead would not be a float: B goes far away and comes back to
+/// where it touches.
+TEST(Law9, AMemoryOutlivesStepsBeyondFloats) {
+  const Mesh ring = tests::make_torus(1, 0.3, 60, 30);
+  const Eigen::AngleAxisd upright(EIGEN_PI / 2, Eigen::Vector3d::UnitX());
+  for (const double away : {1e10, 1e18, 1e38, 1e100, 1e200}) {
+    PairMemory memory;
+    for (int round = 0; round < 2; ++round) {
+      Pose pose(upright);
+      for (int i = 0; i < 20; ++i) {
+        pose.translation() << 1 + 0.002 * i, 0.05, 0;
+        EXPECT_FALSE(intersects({ring}, {ring, pose}, memory));
+      }
+      pose.translation().x() = away;
+      EXPECT_FALSE(intersects({ring}, {ring, pose}, memory));
+      pose.translation().x() = 0.5;
+      EXPECT_TRUE(intersects({ring}, {ring, pose}, memory)) << away << ", " << round;
+    }
+  }
+}
+
 /// Shells so near each other that no look can answer two queries: to try costs little.
 TEST(PairMemory, LooksNoFurtherThanPays) {
   const Mesh shell = tests::make_sphere(1.005, 40, 40);
