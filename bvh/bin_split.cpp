@@ -44,21 +44,20 @@ void extend(Bounds& bounds, const Bounds& box, IntLanes mask) {
   bounds.max = larger(std::bit_cast<Lanes>(std::bit_cast<IntLanes>(box.max) | mask), bounds.max);
 }
 
-/// Each reference is written to both sides, and the place on the wrong one is written again: a
-/// branch would be mispredicted every other time. In a mask all bits set are NaN, which adds
-/// nothing.
+/// Each reference changes places with the first of those behind, which then is one further on if
+/// it belongs in front: a branch would be mispredicted every other time. In a mask all bits set are
+/// NaN, which adds nothing.
 template <int kAxis, bool kWithBoxes>
-std::size_t partition_along(std::span<Reference> range, const BinSplit& split, Reference* scratch,
-                            Spread (&spreads)[2], Bounds (&boxes)[2]) {
+std::size_t partition_along(std::span<Reference> range, const BinSplit& split, Spread (&spreads)[2],
+                            Bounds (&boxes)[2]) {
   const Lanes low = all_lanes(split.low[kAxis]);
   const Lanes bins_per_unit = all_lanes(split.bins_per_unit[kAxis]);
   const Lanes row = all_lanes(static_cast<float>(split.cut.row));
-  Reference* front = range.data();
-  Reference* behind = scratch;
+  Reference* behind = range.data();
   Spread of_front = empty_spread();
   Spread of_behind = empty_spread();
-  for (const Reference& from : range) {
-    const Reference reference = from;
+  for (Reference& place : range) {
+    const Reference reference = place;
     const Lanes centroid = centroid_of(reference.box);
     const Lanes along = __builtin_shufflevector(centroid, centroid, kAxis, kAxis, kAxis, kAxis);
     // The sign of a difference, which is zero for equals only. A comparison would do; g++ 12 makes
@@ -72,33 +71,32 @@ std::size_t partition_along(std::span<Reference> range, const BinSplit& split, R
       extend(boxes[0], reference.box, is_behind);
       extend(boxes[1], reference.box, is_front);
     }
-    *front = reference;
+    place = *behind;
     *behind = reference;
-    front -= is_front[0];
-    behind += 1 + is_front[0];
+    behind -= is_front[0];
   }
-  std::copy(scratch, behind, front);
   spreads[0] = of_front;
   spreads[1] = of_behind;
-  return static_cast<std::size_t>(front - range.data());
+  return static_cast<std::size_t>(behind - range.data());
 }
 
 template <bool kWithBoxes>
-std::size_t partition(std::span<Reference> range, const BinSplit& split, Reference* scratch,
-                      Spread (&spreads)[2], Bounds (&boxes)[2]) {
+std::size_t partition(std::span<Reference> range, const BinSplit& split, Spread (&spreads)[2],
+                      Bounds (&boxes)[2]) {
   switch (split.cut.axis) {
     case 0:
-      return partition_along<0, kWithBoxes>(range, split, scratch, spreads, boxes);
+      return partition_along<0, kWithBoxes>(range, split, spreads, boxes);
     case 1:
-      return partition_along<1, kWithBoxes>(range, split, scratch, spreads, boxes);
+      return partition_along<1, kWithBoxes>(range, split, spreads, boxes);
     default:
-      return partition_along<2, kWithBoxes>(range, split, scratch, spreads, boxes);
+      return partition_along<2, kWithBoxes>(range, split, spreads, boxes);
   }
 }
 
 }  // namespace
 
-BinSplit find_bin_split(std::span<const Reference> references, const Part& part, Measure measure) {
+BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
+                        const SweepCosts& costs) {
   const std::span<const Reference> range = references.subspan(part.begin, part.size());
   const int count = bin_count(range.size());
   const Lanes width = part.spread.high + part.spread.minus_low;
@@ -112,7 +110,7 @@ BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
   const std::size_t stride = stride_of(range.size());
   fill(bins, range, stride, split, count);
   split.is_sampled = stride > 1;
-  split.cut = cheapest_cut(bins, count, measure);
+  split.cut = cheapest_cut(bins, count, costs);
   split.first_size = 0;
   split.boxes[0] = split.boxes[1] = empty_bounds();
   if (split.cut.axis < 0 || split.is_sampled) return split;
@@ -128,13 +126,12 @@ BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
 // A centroid falls in front of a bin if and only if its place, before it is rounded down to a whole
 // bin, is below that bin's number.
 void partition(std::span<Reference> references, const Part& part, const BinSplit& split,
-               Reference* scratch, Part (&sides)[2]) {
+               Part (&sides)[2]) {
   const std::span<Reference> range = references.subspan(part.begin, part.size());
   Spread spreads[2];
   Bounds boxes[2] = {split.boxes[0], split.boxes[1]};
-  const std::size_t in_front = split.is_sampled
-                                   ? partition<true>(range, split, scratch, spreads, boxes)
-                                   : partition<false>(range, split, scratch, spreads, boxes);
+  const std::size_t in_front = split.is_sampled ? partition<true>(range, split, spreads, boxes)
+                                                : partition<false>(range, split, spreads, boxes);
   const std::size_t middle = part.begin + in_front;
   sides[0] = {part.begin, middle, part.depth + 1, boxes[0], spreads[0]};
   sides[1] = {middle, part.end, part.depth + 1, boxes[1], spreads[1]};

@@ -16,11 +16,12 @@ struct BinSplit {
 };
 
 /// Of several references, along all three axes. Of very many only some are looked at.
-BinSplit find_bin_split(std::span<const Reference> references, const Part& part, Measure measure);
+BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
+                        const SweepCosts& costs);
 
-/// Reorders the part to both sides of the plane, keeping the order of each, and returns them.
-/// `scratch` has room for those behind.
+/// Reorders the part, in its place, to both sides of the plane, and returns them. Those in front
+/// keep their order.
 void partition(std::span<Reference> references, const Part& part, const BinSplit& split,
-               Reference* scratch, Part (&sides)[2]);
+               Part (&sides)[2]);
 
 }  // namespace graze::bvh

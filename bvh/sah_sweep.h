@@ -38,8 +38,24 @@ static inline SweepRow empty_row() {
   return {{empty_bounds(), empty_bounds(), empty_bounds()}, IntLanes{}};
 }
 
-/// A cut before a row. `cost` is the sum over both sides of primitives times the measure of their
-/// box. axis is negative when none has primitives on both sides.
+/// What primitives are weighed by: the measure of their box, times how many they are and, for each
+/// place that they leave empty in leaves of so many, a share of one more.
+struct SweepCosts {
+  Measure measure = Measure::Surface;
+  float leaf_size = 1;
+  float empty_place = 0;  // of a primitive
+
+  /// So many primitives, with the places that they leave empty. Exact integers but for the share.
+  Lanes weight(Lanes count) const {
+    const Lanes size = all_lanes(leaf_size);
+    const IntLanes leaves = __builtin_convertvector((count + (size - 1)) / size, IntLanes);
+    const Lanes places = __builtin_convertvector(leaves, Lanes) * size;
+    return count + (places - count) * empty_place;
+  }
+};
+
+/// A cut before a row. `cost` is the sum over both sides of their primitives' weight times the
+/// measure of their box. axis is negative when none has primitives on both sides.
 struct Cut {
   int axis = -1;
   int row = 0;
@@ -47,6 +63,6 @@ struct Cut {
 };
 
 /// The cheapest cut along all axes; of equals the one of the lowest axis and row.
-Cut cheapest_cut(const SweepRow* rows, int count, Measure measure);
+Cut cheapest_cut(const SweepRow* rows, int count, const SweepCosts& costs);
 
 }  // namespace graze::bvh

@@ -5,7 +5,7 @@
 namespace graze::bvh {
 
 // The rank of a centroid is how many are smaller; of equals, those in front are.
-SortSplit find_sort_split(std::span<const Reference> references, Measure measure) {
+SortSplit find_sort_split(std::span<const Reference> references, const SweepCosts& costs) {
   const int count = static_cast<int>(references.size());
   Lanes centroid[kMostSorted];
   IntLanes rank[kMostSorted];
@@ -27,7 +27,7 @@ SortSplit find_sort_split(std::span<const Reference> references, Measure measure
       rows[rank[i][k]].box[k] = references[i].box;
     }
   }
-  split.cut = cheapest_cut(rows, count, measure);
+  split.cut = cheapest_cut(rows, count, costs);
   return split;
 }
 

@@ -16,7 +16,7 @@ struct SortSplit {
 };
 
 /// The cheapest cut of the orders along all three axes, of 2 to kMostSorted references.
-SortSplit find_sort_split(std::span<const Reference> references, Measure measure);
+SortSplit find_sort_split(std::span<const Reference> references, const SweepCosts& costs);
 
 /// Brings the part into the order of the split and returns both sides of the cut.
 void partition(std::span<Reference> references, const Part& part, const SortSplit& split,

@@ -12,10 +12,11 @@ constexpr int kMaxHeuristicDepth = 64;
 
 /// Whether a cut promises less than a leaf. Nothing is divided by the measure of the part, which
 /// may be zero.
-bool is_cheaper_than_leaf(const Cut& cut, const Part& part, Measure measure, float primitive_cost) {
-  const float of_part = measured(part.box, measure);
-  return cut.axis >= 0 && of_part + primitive_cost * cut.cost <
-                              primitive_cost * static_cast<float>(part.size()) * of_part;
+bool is_cheaper_than_leaf(const Cut& cut, const Part& part, const SweepCosts& costs,
+                          float primitive_cost) {
+  const float of_part = measured(part.box, costs.measure);
+  const float weight = costs.weight(all_lanes(static_cast<float>(part.size())))[0];
+  return cut.axis >= 0 && of_part + primitive_cost * cut.cost < primitive_cost * weight * of_part;
 }
 
 int widest_axis(const Spread& spread) {
@@ -45,26 +46,28 @@ void halve(std::span<Reference> references, const Part& part, Part (&sides)[2]) 
 }  // namespace
 
 Verdict split(std::span<Reference> references, const Part& part, const BuildSettings& settings,
-              Reference* scratch, Part (&sides)[2]) {
+              Part (&sides)[2]) {
   const bool is_leaf_allowed = part.size() <= settings.max_leaf_size;
-  const Measure measure = measure_for(part.box);
+  const SweepCosts costs{.measure = measure_for(part.box),
+                         .leaf_size = static_cast<float>(settings.max_leaf_size),
+                         .empty_place = settings.empty_place_cost};
   const auto is_leaf = [&](const Cut& cut) {
-    return is_leaf_allowed && !is_cheaper_than_leaf(cut, part, measure, settings.primitive_cost);
+    return is_leaf_allowed && !is_cheaper_than_leaf(cut, part, costs, settings.primitive_cost);
   };
   if (part.depth >= kMaxHeuristicDepth) {
     if (is_leaf_allowed) return Verdict::Leaf;
     halve(references, part, sides);
   } else if (part.size() <= kMostSorted) {
-    const SortSplit sorted = find_sort_split(references.subspan(part.begin, part.size()), measure);
+    const SortSplit sorted = find_sort_split(references.subspan(part.begin, part.size()), costs);
     if (is_leaf(sorted.cut)) return Verdict::Leaf;
     partition(references, part, sorted, sides);
   } else {
-    const BinSplit binned = find_bin_split(references, part, measure);
+    const BinSplit binned = find_bin_split(references, part, costs);
     if (is_leaf(binned.cut)) return Verdict::Leaf;
     if (binned.cut.axis < 0) {
       halve(references, part, sides);
     } else {
-      partition(references, part, binned, scratch, sides);
+      partition(references, part, binned, sides);
     }
   }
   return Verdict::Inner;

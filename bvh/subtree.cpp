@@ -9,10 +9,8 @@ namespace {
 class Builder {
  public:
   Builder(std::span<Reference> references, const Part& part, const BuildSettings& settings)
-      : references_(references.subspan(part.begin, part.size())),
-        settings_(settings),
-        scratch_(part.size()) {
-    nodes_.reserve(part.size() + part.size() / 4 + 1);
+      : references_(references.subspan(part.begin, part.size())), settings_(settings) {
+    nodes_.reserve(part.size() / 4 * 3 + 1);
     nodes_.push_back(node_over(part.box, 0, 0));
     build(0, {0, part.size(), part.depth, part.box, part.spread});
   }
@@ -26,8 +24,7 @@ class Builder {
       return;
     }
     Part sides[2];
-    if (part.size() == 1 ||
-        split(references_, part, settings_, scratch_.data.get(), sides) == Verdict::Leaf) {
+    if (part.size() == 1 || split(references_, part, settings_, sides) == Verdict::Leaf) {
       nodes_[at].first = static_cast<std::uint32_t>(part.begin);
       nodes_[at].count = static_cast<std::uint32_t>(part.size());
       return;
@@ -42,7 +39,6 @@ class Builder {
 
   std::span<Reference> references_;
   BuildSettings settings_;
-  References scratch_;
   std::vector<Node> nodes_;
 };
 

@@ -23,13 +23,11 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
   TopTree tree;
   std::vector<Open> level{{0, part_of(references, 0, references.size(), depth), Verdict::Leaf, {}}};
   tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
-  References scratch(references.size() > part_size ? references.size() : 0);
   while (!level.empty()) {
     tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) {
       Open& open = level[i];
       if (open.part.size() <= part_size) return;
-      open.verdict =
-          split(references, open.part, settings, scratch.data.get() + open.part.begin, open.sides);
+      open.verdict = split(references, open.part, settings, open.sides);
     });
     std::vector<Open> next;
     for (const Open& open : level) {

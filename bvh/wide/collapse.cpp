@@ -9,8 +9,11 @@ namespace {
 
 constexpr std::uint32_t kWidth = WideNode::kWidth;
 
-/// The cheapest ways to hold what lies below a binary node in at most 1, 2, ... 8 roots. A wide
-/// node costs its surface, for that is how often it is visited.
+/// A wide node costs its surface, for that is how often it is visited, and the room it takes: this
+/// many times what the surface of everything is for each binary node. Few nodes are as small.
+constexpr float kRoomCost = 4;
+
+/// The cheapest ways to hold what lies below a binary node in at most 1, 2, ... 8 roots.
 struct Forests {
   std::array<float, kWidth + 1> cost{};          // by the number of roots, from 1 on
   std::array<std::uint8_t, kWidth + 1> first{};  // of these, roots in the first child; 0: fewer do
@@ -32,14 +35,14 @@ Choice best_share(const Forests& a, const Forests& b, std::uint32_t roots) {
   return best;
 }
 
-Forests forests_of(const Node& node, const std::vector<Forests>& below) {
+Forests forests_of(const Node& node, const std::vector<Forests>& below, float room) {
   Forests forests;
   if (node.is_leaf()) return forests;  // a lane of whatever holds it
   const Forests& a = below[node.first];
   const Forests& b = below[node.first + 1];
   const Choice children = best_share(a, b, kWidth);
   forests.first_below = children.first;
-  forests.cost[1] = children.cost + half_surface(node.box);
+  forests.cost[1] = children.cost + half_surface(node.box) + room;
   for (std::uint32_t roots = 2; roots <= kWidth; ++roots) {
     const Choice share = best_share(a, b, roots);
     forests.cost[roots] = forests.cost[roots - 1];
@@ -55,9 +58,10 @@ class Collapse {
  public:
   explicit Collapse(std::span<const Node> nodes)
       : nodes_(nodes), ranges_(nodes.size()), forests_(nodes.size()) {
+    const float room = kRoomCost * half_surface(nodes[0].box) / static_cast<float>(nodes.size());
     for (std::size_t i = nodes.size(); i-- > 0;) {
       const Node& node = nodes[i];
-      forests_[i] = forests_of(node, forests_);
+      forests_[i] = forests_of(node, forests_, room);
       ranges_[i] = node.is_leaf()
                        ? PrimitiveRange{node.first, node.first + node.count}
                        : PrimitiveRange{ranges_[node.first].begin, ranges_[node.first + 1].end};

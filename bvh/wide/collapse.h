@@ -20,10 +20,10 @@ struct WideTopologyNode {
 };
 
 /// Collapses binary nodes, of which the first is the root, into the wide ones that are visited
-/// least as the surface area heuristic has it: the cheapest forests of up to eight roots, from the
-/// leaves up (Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs through compressed
-/// wide BVHs", 2017, section 3). Parents stand before their children. A single leaf becomes a node
-/// of one child.
+/// least as the surface area heuristic has it, and few of them: the cheapest forests of up to eight
+/// roots, from the leaves up (Ylitie, Karras, Laine, "Efficient incoherent ray traversal on GPUs
+/// through compressed wide BVHs", 2017, section 3). Parents stand before their children. A single
+/// leaf becomes a node of one child.
 std::vector<WideTopologyNode> collapse(std::span<const Node> nodes);
 
 }  // namespace graze::bvh

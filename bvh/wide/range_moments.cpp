@@ -13,7 +13,12 @@ void add_corner(RangeMoments& moments, const double* p) {
   }
 }
 
-void add_primitive(RangeMoments& moments, const double (&corner)[3][3]) {
+void add_primitive(RangeMoments& moments, const CornerRows& rows, std::size_t primitive) {
+  double corner[3][3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[c][k] = rows.row(c, k)[primitive];
+  }
   double e[3], f[3];
   for (int k = 0; k < 3; ++k) {
     e[k] = corner[1][k] - corner[0][k];
@@ -32,22 +37,26 @@ void add_primitive(RangeMoments& moments, const double (&corner)[3][3]) {
 
 }  // namespace
 
-MomentSums::MomentSums(const CornerRows& rows) : sums_(rows.size() + 1) {
+MomentSums::MomentSums(const CornerRows& rows) : rows_(rows) {
+  sums_.reserve(rows.size() / kStep + 1);
   RangeMoments running;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    double corner[3][3];
-    for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t k = 0; k < 3; ++k)
-        corner[c][k] = rows.row(c, k)[i];
-    }
-    add_primitive(running, corner);
-    sums_[i + 1] = running;
+    if (i % kStep == 0) sums_.push_back(running);
+    add_primitive(running, rows, i);
   }
+  if (rows.size() % kStep == 0) sums_.push_back(running);
+}
+
+RangeMoments MomentSums::of_first(std::size_t count) const {
+  RangeMoments moments = sums_[count / kStep];
+  for (std::size_t i = count / kStep * kStep; i < count; ++i)
+    add_primitive(moments, rows_, i);
+  return moments;
 }
 
 RangeMoments MomentSums::of(std::size_t begin, std::size_t end) const {
-  const RangeMoments& low = sums_[begin];
-  const RangeMoments& high = sums_[end];
+  const RangeMoments low = of_first(begin);
+  const RangeMoments high = of_first(end);
   RangeMoments moments;
   for (int k = 0; k < 3; ++k) {
     moments.normal[k] = high.normal[k] - low.normal[k];

@@ -15,16 +15,24 @@ struct RangeMoments {
   double products[6] = {};  ///< of all corners' coordinates: xx, yy, zz, xy, yz, zx
 };
 
-/// The moments of any range of consecutive primitives, as differences of running sums.
+/// The moments of any range of consecutive primitives, as differences of running sums. One sum in
+/// four is kept, and the others made again: they are by far the largest part of what a treelet
+/// needs to be built.
 class MomentSums {
  public:
+  /// The rows must outlive the sums.
   explicit MomentSums(const CornerRows& rows);
 
   /// Of the primitives from `begin` to before `end`.
   RangeMoments of(std::size_t begin, std::size_t end) const;
 
  private:
-  std::vector<RangeMoments> sums_;  // of the first i primitives
+  static constexpr std::size_t kStep = 4;
+
+  RangeMoments of_first(std::size_t count) const;
+
+  const CornerRows& rows_;
+  std::vector<RangeMoments> sums_;  // of the first kStep * i primitives
 };
 
 }  // namespace graze::bvh
