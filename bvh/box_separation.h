@@ -33,4 +33,12 @@ class BoxSeparation {
   double size_[3][3];  // |rotation|
 };
 
+/// Whether an axis of one box or the other has them further apart than the slack. What cross
+/// products of edges would prove beside that is little, and takes longer than all of this.
+bool are_apart_along_faces(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b);
+
+/// How far apart these axes have them, common units, as it is rounded: the slack pays for that. 0
+/// where they overlap along all.
+double gap_along_faces(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b);
+
 }  // namespace graze::bvh

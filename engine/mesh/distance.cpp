@@ -29,7 +29,7 @@ class Search {
  public:
   Search(const WideQuery& query, Work& work)
       : query_(query),
-        a_in_b_(relative_frame(query.frame_b, query.frame_a)),
+        a_in_b_(query.a_in_b()),
         reach_(query.frame_a, query.frame_b, query.b_in_a),
         gap_(std::max(largest_of(query.a), largest_of(query.b))),
         work_(work) {}

@@ -102,7 +102,7 @@ class MeetingQuery {
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
     if (!remembered_.follow(query_)) return false;
-    const bvh::RelativeFrame a_in_b = relative_frame(query_.frame_b, query_.frame_a);
+    const bvh::RelativeFrame a_in_b = query_.a_in_b();
     const auto pass =
         remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
     if (!pass) return false;

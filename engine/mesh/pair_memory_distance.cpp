@@ -37,8 +37,8 @@ class NearQuery {
   bool pass_front(OnPair&& on_pair) {
     if (!remembered_.follow(query_)) return false;
     MotionFront& near = remembered_.near;
-    auto pass = near.pass(query_.tree_a, query_.tree_b, query_.b_in_a,
-                          relative_frame(query_.frame_b, query_.frame_a), reach_.units());
+    auto pass =
+        near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), reach_.units());
     if (!pass) return false;
     double direction_in_a[3];
     turn_into(direction_in_a, query_.a.pose, gap_.direction());

@@ -46,7 +46,7 @@ struct Side {
   explicit Side(const PlacedFrame& placed)
       : m(placed.pose.data()),
         deviation(placed.deviation + 8 * kUnitRoundoff),
-        radius(2 * placed.frame.unit()),
+        radius(2 * bvh::power_of_two(placed.frame.exponent)),
         largest(std::max(largest_component(placed.bounds.min.data()),
                          largest_component(placed.bounds.max.data()))),
         placing(8 * kUnitRoundoff * (largest + largest_component(m + 12)) + 0x1p-1070) {
@@ -68,9 +68,8 @@ double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-}  // namespace
-
-bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
+/// All but the rotation.
+inline void place(bvh::RelativeFrame& relative, const PlacedFrame& a, const PlacedFrame& b) {
   const Side side_a(a);
   const Side side_b(b);
   // Common units: those of the larger frame. Scaling by powers of two is exact; what underflows is
@@ -78,16 +77,12 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
   const int exponent = std::max(a.frame.exponent, b.frame.exponent);
   const double per_metre = bvh::power_of_two(-exponent);
 
-  bvh::RelativeFrame relative;
   const double between[3] = {side_b.centre[0] - side_a.centre[0],
                              side_b.centre[1] - side_a.centre[1],
                              side_b.centre[2] - side_a.centre[2]};
   double tau = 0;
   for (int i = 0; i < 3; ++i) {
-    const double* axis = side_a.m + 4 * i;
-    for (int j = 0; j < 3; ++j)
-      relative.rotation[i][j] = dot(axis, side_b.m + 4 * j);
-    relative.translation[i] = dot(axis, between) * per_metre;
+    relative.translation[i] = dot(side_a.m + 4 * i, between) * per_metre;
     tau = std::max(tau, std::abs(relative.translation[i]));
   }
   relative.units_a = bvh::power_of_two(a.frame.exponent - exponent);
@@ -100,6 +95,28 @@ bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
   const double metres = 2 * (error_a + error_b) + 18 * gram * side_b.radius;
   // A hundredth more pays for the rounding of these lines.
   relative.slack = 1.01 * (metres * per_metre + 128 * kUnitRoundoff * (tau + 16)) + 0x1p-900;
+}
+
+}  // namespace
+
+bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
+  bvh::RelativeFrame relative;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      relative.rotation[i][j] = dot(a.pose.data() + 4 * i, b.pose.data() + 4 * j);
+  }
+  place(relative, a, b);
+  return relative;
+}
+
+bvh::RelativeFrame reversed(const bvh::RelativeFrame& b_in_a, const PlacedFrame& a,
+                            const PlacedFrame& b) {
+  bvh::RelativeFrame relative;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      relative.rotation[i][j] = b_in_a.rotation[j][i];
+  }
+  place(relative, b, a);
   return relative;
 }
 

@@ -19,4 +19,8 @@ struct PlacedFrame {
 /// an oriented box, does a placed triangle in A meet it by law 3.
 bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b);
 
+/// relative_frame(b, a), bit for bit, in less time.
+bvh::RelativeFrame reversed(const bvh::RelativeFrame& b_in_a, const PlacedFrame& a,
+                            const PlacedFrame& b);
+
 }  // namespace graze

@@ -155,32 +155,7 @@ void Remembered::remember(std::span<const TrianglePair> found) {
 
 double gap_of_bounds(const WideQuery& query) {
   const bvh::RelativeFrame& frame = query.b_in_a;
-  const bvh::FloatBox& box_a = query.tree_a.box();
-  const bvh::FloatBox& box_b = query.tree_b.box();
-  double half_a[3], half_b[3], way[3];
-  for (int k = 0; k < 3; ++k) {
-    half_a[k] = (0.5 * box_a.max[k] - 0.5 * box_a.min[k]) * frame.units_a;
-    half_b[k] = (0.5 * box_b.max[k] - 0.5 * box_b.min[k]) * frame.units_b;
-  }
-  for (int i = 0; i < 3; ++i) {
-    way[i] = frame.translation[i] - (0.5 * box_a.max[i] + 0.5 * box_a.min[i]) * frame.units_a;
-    for (int j = 0; j < 3; ++j) {
-      way[i] += frame.rotation[i][j] * (0.5 * box_b.max[j] + 0.5 * box_b.min[j]) * frame.units_b;
-    }
-  }
-  double gap = 0;
-  for (int i = 0; i < 3; ++i) {
-    double along_a = std::abs(way[i]) - half_a[i];
-    double along_b = -half_b[i];
-    double turned = 0;
-    for (int j = 0; j < 3; ++j) {
-      along_a -= std::abs(frame.rotation[i][j]) * half_b[j];
-      along_b -= std::abs(frame.rotation[j][i]) * half_a[j];
-      turned += frame.rotation[j][i] * way[j];
-    }
-    gap = std::max(gap, std::max(along_a, along_b + std::abs(turned)));
-  }
-  // The slack has room for the rounding of these lines.
+  const double gap = bvh::gap_along_faces(frame, query.tree_a.box(), query.tree_b.box());
   const double unit = std::max(query.frame_a.frame.unit(), query.frame_b.frame.unit());
   return (gap * (1 - kFrameGrowth) - 4 * frame.slack) * (1 - kFrameGrowth) * unit;
 }

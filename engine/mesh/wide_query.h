@@ -68,14 +68,14 @@ struct WideQuery {
   /// after one test.
   bool are_far_apart(Work& work) const {
     ++work.volume_tests;
-    const bool is_apart = bvh::BoxSeparation(b_in_a).are_apart(tree_a.box(), tree_b.box());
+    const bool is_apart = bvh::are_apart_along_faces(b_in_a, tree_a.box(), tree_b.box());
     work.volume_rejections += is_apart;
     return is_apart;
   }
 
-  bvh::WidePairWalk walk() const {
-    return {tree_a, tree_b, b_in_a, relative_frame(frame_b, frame_a)};
-  }
+  bvh::RelativeFrame a_in_b() const { return reversed(b_in_a, frame_a, frame_b); }
+
+  bvh::WidePairWalk walk() const { return {tree_a, tree_b, b_in_a, a_in_b()}; }
 
   TrianglePair pair_at(const bvh::PlacePair& places) const {
     return {tree_a.primitive(places.a), tree_b.primitive(places.b)};

@@ -59,6 +59,11 @@ TEST(BoxSeparation, NothingIsProvedByNanOrInfinity) {
   EXPECT_FALSE(BoxSeparation(frame(identity, {5, 5, 5}, kInfinity)).are_apart(cube(1), cube(1)));
   EXPECT_FALSE(
       BoxSeparation(frame(identity, {kInfinity, 0, 0}, kInfinity)).are_apart(cube(1), cube(1)));
+  EXPECT_FALSE(are_apart_along_faces(frame(identity, {kNan, 5, 0}, kNan), cube(1), cube(1)));
+  EXPECT_FALSE(are_apart_along_faces(frame(identity, {5, 5, 5}, kInfinity), cube(1), cube(1)));
+  EXPECT_FALSE(
+      are_apart_along_faces(frame(identity, {kInfinity, 0, 0}, kInfinity), cube(1), cube(1)));
+  EXPECT_EQ(gap_along_faces(frame(identity, {kNan, 0, 0}, 0), cube(1), cube(1)), 0);
 }
 
 // Conservative: a point of both boxes forbids "apart". And useful: boxes that a plane separates
@@ -89,6 +94,7 @@ TEST(BoxSeparation, NeverApartWithACommonPoint) {
     }
     const Eigen::Vector3d translation = in_a - rotation * in_b;
     ASSERT_FALSE(BoxSeparation(frame(rotation, translation, 1e-13)).are_apart(a, b));
+    ASSERT_FALSE(are_apart_along_faces(frame(rotation, translation, 1e-13), a, b));
     const Eigen::Vector3d away = translation + Eigen::Vector3d(uniform(-4, 4), uniform(-4, 4), 0);
     found_apart += BoxSeparation(frame(rotation, away, 1e-13)).are_apart(a, b);
   }
@@ -139,6 +145,13 @@ TEST(BoxSeparation, EachOfTheFifteenAxesCountsByTheSlack) {
     if (std::abs(*widest - kSlack) < 1e-9) continue;
     const bool is_apart = *widest > kSlack;
     ASSERT_EQ(BoxSeparation(frame(rotation, offset, kSlack)).are_apart(a, b), is_apart) << n;
+    const double along_faces = *std::max_element(gaps, gaps + 6);
+    if (std::abs(along_faces - kSlack) >= 1e-9) {
+      ASSERT_EQ(are_apart_along_faces(frame(rotation, offset, kSlack), a, b), along_faces > kSlack)
+          << n;
+    }
+    ASSERT_NEAR(gap_along_faces(frame(rotation, offset, kSlack), a, b), std::max(along_faces, 0.0),
+                1e-14);
     const auto separating =
         std::count_if(gaps, gaps + 15, [&](double gap) { return gap > kSlack; });
     times_alone[widest - gaps] += is_apart && separating == 1;
@@ -155,6 +168,8 @@ TEST(BoxSeparation, UnitsScaleEachSide) {
   scaled.units_b = 4;
   EXPECT_FALSE(BoxSeparation(scaled).are_apart(cube(1), cube(0.5f)));
   EXPECT_TRUE(BoxSeparation(scaled).are_apart(cube(0.5f), cube(0.5f)));
+  EXPECT_FALSE(are_apart_along_faces(scaled, cube(1), cube(0.5f)));
+  EXPECT_TRUE(are_apart_along_faces(scaled, cube(0.5f), cube(0.5f)));
   EXPECT_FALSE(BoxSeparation(scaled).is_first_larger(cube(1), cube(0.5f)));
   EXPECT_TRUE(BoxSeparation(scaled).is_first_larger(cube(3), cube(0.5f)));
 }

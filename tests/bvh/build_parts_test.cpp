@@ -1,4 +1,5 @@
 #include <graze/bvh/build_references.h>
+#include <graze/bvh/sah_sweep.h>
 #include <graze/bvh/statistics.h>
 #include <graze/bvh/subtree.h>
 #include <graze/bvh/to_local.h>
@@ -166,6 +167,31 @@ TEST(BuildQuartet, IsTheCheapestOfAllTrees) {
     const double best = BruteForce(local, settings).cheapest((1u << count) - 1);
     EXPECT_NEAR(cost_of(tree, settings), best, 1e-5 * best) << seed;
   }
+}
+
+TEST(SweepCosts, PlacesThatLeavesLeaveEmptyCountToo) {
+  const SweepCosts costs{.leaf_size = 4, .empty_place = 0.5f};
+  const Lanes few = costs.weight(Lanes{0, 1, 3, 4});
+  const Lanes more = costs.weight(Lanes{5, 8, 9, 1000});
+  EXPECT_EQ(few[0], 0);
+  EXPECT_EQ(few[1], 2.5f);
+  EXPECT_EQ(few[2], 3.5f);
+  EXPECT_EQ(few[3], 4);
+  EXPECT_EQ(more[0], 6.5f);
+  EXPECT_EQ(more[1], 8);
+  EXPECT_EQ(more[2], 10.5f);
+  EXPECT_EQ(more[3], 1000);
+}
+
+TEST(SweepCosts, DearerPlacesMakeFewerLeaves) {
+  const std::vector<Aabb> boxes = random_boxes(Distribution::Uniform, 20000, 3);
+  const auto leaves_at = [&](float cost) {
+    const Tree tree = build(boxes, {.primitive_cost = 0.1f, .empty_place_cost = cost});
+    EXPECT_EQ(find_broken_invariant(tree, boxes).value_or(""), "");
+    return static_cast<double>(statistics_of(tree).leaf_count);
+  };
+  EXPECT_LT(leaves_at(0.5f), 0.95 * leaves_at(0));
+  EXPECT_LE(leaves_at(1), leaves_at(0.5f));
 }
 
 }  // namespace

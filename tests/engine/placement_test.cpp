@@ -3,7 +3,10 @@
 #include <graze/engine/mesh/relative_frame.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "tests/shapes/random_meshes.h"
 
@@ -111,6 +114,44 @@ TEST(Law5Slack, PaysForEachOfItsParts) {
   const double between = (2.0 * 10 + 128) * u * kFar;
   expect_slack(slack_between({.translation = kFar}, {}), placing + between);
   expect_slack(slack_between({}, {.translation = kFar}), placing + between);
+}
+
+/// Bit for bit.
+void expect_equal(const bvh::RelativeFrame& one, const bvh::RelativeFrame& other) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      EXPECT_EQ(one.rotation[i][j], other.rotation[i][j]);
+    EXPECT_EQ(one.translation[i], other.translation[i]);
+  }
+  EXPECT_EQ(one.units_a, other.units_a);
+  EXPECT_EQ(one.units_b, other.units_b);
+  EXPECT_EQ(one.slack, other.slack);
+}
+
+TEST(RelativeFrame, ReversedIsTheOtherWayRound) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int n = 0; n < 1000; ++n) {
+    const auto size = [&] { return std::exp2(100 * uniform(random)); };
+    const auto pose = [&] {
+      const double w = uniform(random), x = uniform(random), y = uniform(random);
+      Pose result = Pose::Identity();
+      result.linear() = Eigen::Quaterniond(w, x, y, 1).normalized().toRotationMatrix();
+      result.translation() = Eigen::Vector3d(size(), -size(), size());
+      return result;
+    };
+    const auto box = [&] {
+      const Eigen::Vector3d low(-size(), size(), -size());
+      return Aabb{low, low + Eigen::Vector3d(size(), size(), size())};
+    };
+    const Pose pose_a = pose(), pose_b = pose();
+    const Aabb box_a = box(), box_b = box();
+    const bvh::LocalFrame frame_a = bvh::LocalFrame::around(box_a);
+    const bvh::LocalFrame frame_b = bvh::LocalFrame::around(box_b);
+    const PlacedFrame a{pose_a, 1e-16, frame_a, box_a};
+    const PlacedFrame b{pose_b, 1e-7, frame_b, box_b};
+    expect_equal(reversed(relative_frame(a, b), a, b), relative_frame(b, a));
+  }
 }
 
 }  // namespace

@@ -14,10 +14,14 @@ namespace {
 
 std::atomic<std::size_t> count = 0;
 std::atomic<std::size_t> bytes = 0;
+std::atomic<std::size_t> most = 0;
 
 void* counted(void* block) noexcept {
   ++count;
-  bytes += malloc_usable_size(block);
+  const std::size_t now = bytes += malloc_usable_size(block);
+  std::size_t before = most;
+  while (before < now && !most.compare_exchange_weak(before, now)) {
+  }
   return block;
 }
 
@@ -112,6 +116,10 @@ std::size_t allocations() {
 
 std::size_t allocated_bytes() {
   return bytes;
+}
+
+std::size_t most_allocated_bytes() {
+  return most.exchange(bytes);
 }
 
 }  // namespace graze::tests

@@ -10,4 +10,7 @@ std::size_t allocations();
 /// The bytes of all blocks that it holds by them now.
 std::size_t allocated_bytes();
 
+/// The most that these were since the last call.
+std::size_t most_allocated_bytes();
+
 }  // namespace graze::tests
