@@ -111,14 +111,11 @@ BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
   fill(bins, range, stride, split, count);
   split.is_sampled = stride > 1;
   split.cut = cheapest_cut(bins, count, costs);
-  split.first_size = 0;
   split.boxes[0] = split.boxes[1] = empty_bounds();
   if (split.cut.axis < 0 || split.is_sampled) return split;
   for (int i = 0; i < count; ++i) {
     Bounds& side = split.boxes[i < split.cut.row ? 0 : 1];
     side = merged(side, bins[i].box[split.cut.axis]);
-    if (i < split.cut.row)
-      split.first_size += static_cast<std::size_t>(bins[i].count[split.cut.axis]);
   }
   return split;
 }

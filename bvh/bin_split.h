@@ -10,9 +10,8 @@ struct BinSplit {
   Cut cut;  // axis is negative when all centroids fall together
   Lanes low;
   Lanes bins_per_unit;
-  bool is_sampled;         // the plane is known, but not what is on its sides:
-  std::size_t first_size;  // references in front of the plane
-  Bounds boxes[2];         // around those in front, and behind
+  bool is_sampled;  // the plane is known, but not what is on its sides:
+  Bounds boxes[2];  // around those in front, and behind
 };
 
 /// Of several references, along all three axes. Of very many only some are looked at.

@@ -6,8 +6,8 @@ namespace graze::bvh {
 
 /// How the frame of tree B lies in that of tree A, in common units: a point b of B's local frame is
 /// at rotation * (b * units_b) + translation, a point a of A's at a * units_a. `slack`, in the same
-/// units, covers all by which the query's truth may differ from that, and the rounding of
-/// BoxSeparation: whoever fills this in derives it (law 5).
+/// units, covers all by which the query's truth may differ from that, and the rounding of all
+/// that compares boxes here: whoever fills this in derives it (law 5).
 struct RelativeFrame {
   double rotation[3][3];  // row-major
   double translation[3];

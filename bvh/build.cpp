@@ -2,7 +2,9 @@
 #include <graze/bvh/build.h>
 #include <graze/bvh/build_nodes.h>
 #include <graze/bvh/build_references.h>
+#include <graze/bvh/error.h>
 
+#include <string>
 #include <utility>
 
 namespace graze::bvh {
@@ -16,6 +18,10 @@ Tree build(References references, const LocalFrame& frame, const BuildSettings& 
 }
 
 Tree build(std::span<const Aabb> boxes, const BuildSettings& settings) {
+  if (!(settings.empty_place_cost >= 0 && settings.empty_place_cost <= 1)) {
+    throw InputError("empty_place_cost: " + std::to_string(settings.empty_place_cost) +
+                     " is not from 0 to 1");
+  }
   const LocalFrame frame = LocalFrame::around(checked_bounds(boxes));
   return build(references_to(boxes, frame), frame, settings);
 }

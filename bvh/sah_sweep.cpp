@@ -24,7 +24,7 @@ struct Side {
     return measured(__builtin_shufflevector(low, c, 0, 1, 4, 4),
                     __builtin_shufflevector(low, c, 2, 3, 5, 5),
                     __builtin_shufflevector(high, c, 0, 1, 6, 6), costs.measure) *
-           costs.weight(__builtin_convertvector(count, Lanes));
+           weight_of(__builtin_convertvector(count, Lanes), costs);
   }
 };
 

@@ -42,17 +42,19 @@ static inline SweepRow empty_row() {
 /// place that they leave empty in leaves of so many, a share of one more.
 struct SweepCosts {
   Measure measure = Measure::Surface;
-  float leaf_size = 1;
+  float leaf_size = 1;    // at least 1
   float empty_place = 0;  // of a primitive
-
-  /// So many primitives, with the places that they leave empty. Exact integers but for the share.
-  Lanes weight(Lanes count) const {
-    const Lanes size = all_lanes(leaf_size);
-    const IntLanes leaves = __builtin_convertvector((count + (size - 1)) / size, IntLanes);
-    const Lanes places = __builtin_convertvector(leaves, Lanes) * size;
-    return count + (places - count) * empty_place;
-  }
 };
+
+/// So many primitives, with the places that they leave empty; 0 for none, whatever rounds. Where
+/// only some primitives are looked at, the places are theirs.
+static inline Lanes weight_of(Lanes count, const SweepCosts& costs) {
+  const Lanes size = all_lanes(costs.leaf_size);
+  const IntLanes full_leaves = __builtin_convertvector(count / size, IntLanes);
+  const Lanes in_full = __builtin_convertvector(full_leaves, Lanes) * size;
+  const Lanes places = in_full + chosen(in_full < count, size, all_lanes(0));
+  return count + (places - count) * costs.empty_place;
+}
 
 /// A cut before a row. `cost` is the sum over both sides of their primitives' weight times the
 /// measure of their box. axis is negative when none has primitives on both sides.

@@ -15,7 +15,7 @@ constexpr int kMaxHeuristicDepth = 64;
 bool is_cheaper_than_leaf(const Cut& cut, const Part& part, const SweepCosts& costs,
                           float primitive_cost) {
   const float of_part = measured(part.box, costs.measure);
-  const float weight = costs.weight(all_lanes(static_cast<float>(part.size())))[0];
+  const float weight = weight_of(all_lanes(static_cast<float>(part.size())), costs)[0];
   return cut.axis >= 0 && of_part + primitive_cost * cut.cost < primitive_cost * weight * of_part;
 }
 
@@ -49,7 +49,7 @@ Verdict split(std::span<Reference> references, const Part& part, const BuildSett
               Part (&sides)[2]) {
   const bool is_leaf_allowed = part.size() <= settings.max_leaf_size;
   const SweepCosts costs{.measure = measure_for(part.box),
-                         .leaf_size = static_cast<float>(settings.max_leaf_size),
+                         .leaf_size = static_cast<float>(std::max(settings.max_leaf_size, 1u)),
                          .empty_place = settings.empty_place_cost};
   const auto is_leaf = [&](const Cut& cut) {
     return is_leaf_allowed && !is_cheaper_than_leaf(cut, part, costs, settings.primitive_cost);

@@ -10,7 +10,8 @@ namespace {
 constexpr std::uint32_t kWidth = WideNode::kWidth;
 
 /// A wide node costs its surface, for that is how often it is visited, and the room it takes: this
-/// many times what the surface of everything is for each binary node. Few nodes are as small.
+/// many times the surface of everything, shared among the binary nodes. So nodes near the leaves
+/// are as large as they can be, and those above stand where they are visited least.
 constexpr float kRoomCost = 4;
 
 /// The cheapest ways to hold what lies below a binary node in at most 1, 2, ... 8 roots.

@@ -16,8 +16,8 @@ struct RangeMoments {
 };
 
 /// The moments of any range of consecutive primitives, as differences of running sums. One sum in
-/// four is kept, and the others made again: they are by far the largest part of what a treelet
-/// needs to be built.
+/// four is kept, and the others made again: all of them would be by far the largest part of what a
+/// treelet needs to be built.
 class MomentSums {
  public:
   /// The rows must outlive the sums.

@@ -157,6 +157,7 @@ double gap_of_bounds(const WideQuery& query) {
   const bvh::RelativeFrame& frame = query.b_in_a;
   const double gap = bvh::gap_along_faces(frame, query.tree_a.box(), query.tree_b.box());
   const double unit = std::max(query.frame_a.frame.unit(), query.frame_b.frame.unit());
+  // Two slacks for where placed triangles are (above), the others for how the gap is rounded.
   return (gap * (1 - kFrameGrowth) - 4 * frame.slack) * (1 - kFrameGrowth) * unit;
 }
 

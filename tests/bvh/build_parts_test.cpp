@@ -1,4 +1,5 @@
 #include <graze/bvh/build_references.h>
+#include <graze/bvh/error.h>
 #include <graze/bvh/sah_sweep.h>
 #include <graze/bvh/statistics.h>
 #include <graze/bvh/subtree.h>
@@ -7,7 +8,9 @@
 #include <graze/bvh/validate.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "tests/bvh/random_boxes.h"
@@ -171,8 +174,8 @@ TEST(BuildQuartet, IsTheCheapestOfAllTrees) {
 
 TEST(SweepCosts, PlacesThatLeavesLeaveEmptyCountToo) {
   const SweepCosts costs{.leaf_size = 4, .empty_place = 0.5f};
-  const Lanes few = costs.weight(Lanes{0, 1, 3, 4});
-  const Lanes more = costs.weight(Lanes{5, 8, 9, 1000});
+  const Lanes few = weight_of(Lanes{0, 1, 3, 4}, costs);
+  const Lanes more = weight_of(Lanes{5, 8, 9, 1000}, costs);
   EXPECT_EQ(few[0], 0);
   EXPECT_EQ(few[1], 2.5f);
   EXPECT_EQ(few[2], 3.5f);
@@ -181,6 +184,45 @@ TEST(SweepCosts, PlacesThatLeavesLeaveEmptyCountToo) {
   EXPECT_EQ(more[1], 8);
   EXPECT_EQ(more[2], 10.5f);
   EXPECT_EQ(more[3], 1000);
+}
+
+// A side without primitives weighs nothing, however large leaves may be: it must not be chosen.
+TEST(SweepCosts, NothingWeighsNothing) {
+  for (const float size : {1.0f, 3.0f, 0x1p24f, 0x1p32f}) {
+    const SweepCosts costs{.leaf_size = size, .empty_place = 1};
+    EXPECT_EQ(weight_of(all_lanes(0), costs)[0], 0) << size;
+    EXPECT_EQ(weight_of(all_lanes(1), costs)[0], size);
+  }
+  for (const std::uint32_t size : {0u, 1u, 0xffffffffu}) {
+    for (const Distribution distribution : {Distribution::Collinear, Distribution::Uniform}) {
+      const std::vector<Aabb> boxes = random_boxes(distribution, 500, 4);
+      const Tree tree =
+          build(boxes, {.max_leaf_size = size, .primitive_cost = 100, .empty_place_cost = 0.5f});
+      EXPECT_EQ(find_broken_invariant(tree, boxes).value_or(""), "") << size;
+    }
+  }
+}
+
+// Three boxes and, far from them, two: apart they cost one visit, and the boxes of both sides are
+// small. Together they leave three places of eight empty.
+TEST(SweepCosts, ALeafPaysForItsEmptyPlaces) {
+  std::vector<Aabb> boxes;
+  for (const double x : {0.0, 1.0, 2.0, 1000.0, 1001.0})
+    boxes.push_back({{x, 0, 0}, {x + 1, 1, 1}});
+  const auto leaves_at = [&](float cost) {
+    return statistics_of(
+               build(boxes,
+                     {.max_leaf_size = 8, .primitive_cost = 0.16f, .empty_place_cost = cost}))
+        .leaf_count;
+  };
+  EXPECT_EQ(leaves_at(0), 1u);
+  EXPECT_EQ(leaves_at(1), 2u);
+}
+
+TEST(SweepCosts, ThePriceOfAPlaceIsChecked) {
+  const std::vector<Aabb> boxes = random_boxes(Distribution::Uniform, 9, 1);
+  for (const float cost : {-0.1f, 1.1f, std::numeric_limits<float>::infinity(), std::nanf("")})
+    EXPECT_THROW(build(boxes, {.empty_place_cost = cost}), InputError) << cost;
 }
 
 TEST(SweepCosts, DearerPlacesMakeFewerLeaves) {

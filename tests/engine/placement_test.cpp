@@ -116,7 +116,7 @@ TEST(Law5Slack, PaysForEachOfItsParts) {
   expect_slack(slack_between({}, {.translation = kFar}), placing + between);
 }
 
-/// Bit for bit.
+/// In every number.
 void expect_equal(const bvh::RelativeFrame& one, const bvh::RelativeFrame& other) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
