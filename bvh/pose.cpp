@@ -54,11 +54,12 @@ double check_rigid(const Pose& pose, const char* what) {
   const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) +
                              m[4] * (m[9] * m[2] - m[1] * m[10]) +
                              m[8] * (m[1] * m[6] - m[2] * m[5]);
-  bool is_rigid = deviation <= kMaxRotationDeviation && determinant > 0;
-  is_rigid &= m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
-  for (int i = 12; i < 15; ++i)
-    is_rigid &= m[i] - m[i] == 0;  // finite
-  if (!is_rigid) throw_not_rigid(pose, deviation, what);
+  // Each sum is 0 if and only if all of it is: neither infinity nor a number that is none goes
+  // away.
+  const double last_row = std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1);
+  const double infinite = (m[12] - m[12]) + (m[13] - m[13]) + (m[14] - m[14]);
+  const bool is_rigid = deviation <= kMaxRotationDeviation && determinant > 0;
+  if (!(is_rigid && last_row + infinite == 0)) throw_not_rigid(pose, deviation, what);
   return deviation;
 }
 

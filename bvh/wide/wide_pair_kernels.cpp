@@ -342,7 +342,7 @@ HWY_EXPORT(walk);
 
 WidePairWalk::WidePairWalk(const WideTree& tree_a, const WideTree& tree_b,
                            const RelativeFrame& b_in_a, const RelativeFrame& a_in_b)
-    : WidePairWalk({&tree_a, &tree_b}, {WideWay(b_in_a), WideWay(a_in_b)}) {
+    : state_(tree_a, tree_b, b_in_a, a_in_b) {
   state_.open.push({tree_a.root(), tree_b.root()});
 }
 

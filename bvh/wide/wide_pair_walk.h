@@ -73,6 +73,9 @@ class WidePairWalk {
   // What the kernels see.
 
   struct State {
+    State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+          const RelativeFrame& a_in_b)
+        : tree{&tree_a, &tree_b}, into{WideWay(b_in_a), WideWay(a_in_b)} {}
     State(const WideTree* const (&trees)[2], const WideWay (&ways)[2])
         : tree{trees[0], trees[1]}, into{ways[0], ways[1]} {}
 

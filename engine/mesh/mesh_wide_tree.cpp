@@ -77,6 +77,7 @@ std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
 }
 
 const bvh::WideTree& Mesh::wide_tree(Work* work) const {
+  if (data_->is_wide_made.load(std::memory_order_acquire)) return *data_->wide;
   std::call_once(data_->wide_flag, [&] {
     data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
     const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();

@@ -39,15 +39,21 @@ std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {
   return reach;
 }
 
+namespace {
+
+[[noreturn]] void throw_overflow(const std::array<double, 3>& reach, const char* what) {
+  const char axis = !std::isfinite(reach[0]) ? 'x' : !std::isfinite(reach[1]) ? 'y' : 'z';
+  throw PoseError(std::string(what) + ": coordinate " + axis + " of the mesh could overflow");
+}
+
+}  // namespace
+
 double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
   const double deviation = check_rigid(pose, what);
   const std::array<double, 3> reach = placed_reach(pose, bounds);
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(reach[i])) {
-      throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +
-                      " of the mesh could overflow");
-    }
-  }
+  // 0 if and only if all are finite.
+  const double infinite = (reach[0] - reach[0]) + (reach[1] - reach[1]) + (reach[2] - reach[2]);
+  if (!(infinite == 0)) throw_overflow(reach, what);
   return deviation;
 }
 

@@ -41,40 +41,16 @@ double largest_component(const double* v) {
   return std::max(std::abs(v[0]), std::max(std::abs(v[1]), std::abs(v[2])));
 }
 
-/// What the derivation needs to know of one side.
-struct Side {
-  explicit Side(const PlacedFrame& placed)
-      : m(placed.pose.data()),
-        deviation(placed.deviation + 8 * kUnitRoundoff),
-        radius(2 * bvh::power_of_two(placed.frame.exponent)),
-        largest(std::max(largest_component(placed.bounds.min.data()),
-                         largest_component(placed.bounds.max.data()))),
-        placing(8 * kUnitRoundoff * (largest + largest_component(m + 12)) + 0x1p-1070) {
-    const double* o = placed.frame.centre;
-    for (int i = 0; i < 3; ++i) {
-      centre[i] = ((m[i] * o[0] + m[4 + i] * o[1]) + m[8 + i] * o[2]) + m[12 + i];
-    }
-  }
-
-  const double* m;  // the pose, column-major 4x4
-  double deviation;
-  double radius;
-  double largest;
-  double placing;
-  double centre[3];
-};
-
 double dot(const double* a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// All but the rotation.
-inline void place(bvh::RelativeFrame& relative, const PlacedFrame& a, const PlacedFrame& b) {
-  const Side side_a(a);
-  const Side side_b(b);
+inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
+                  const PlacedFrame& side_b) {
   // Common units: those of the larger frame. Scaling by powers of two is exact; what underflows is
   // paid for by the last term of the slack.
-  const int exponent = std::max(a.frame.exponent, b.frame.exponent);
+  const int exponent = std::max(side_a.frame.exponent, side_b.frame.exponent);
   const double per_metre = bvh::power_of_two(-exponent);
 
   const double between[3] = {side_b.centre[0] - side_a.centre[0],
@@ -85,8 +61,8 @@ inline void place(bvh::RelativeFrame& relative, const PlacedFrame& a, const Plac
     relative.translation[i] = dot(side_a.m + 4 * i, between) * per_metre;
     tau = std::max(tau, std::abs(relative.translation[i]));
   }
-  relative.units_a = bvh::power_of_two(a.frame.exponent - exponent);
-  relative.units_b = bvh::power_of_two(b.frame.exponent - exponent);
+  relative.units_a = bvh::power_of_two(side_a.frame.exponent - exponent);
+  relative.units_b = bvh::power_of_two(side_b.frame.exponent - exponent);
 
   const double error_a = 3 * side_a.deviation * side_a.radius + 3.5 * side_a.placing;
   const double error_b = (3 * side_b.deviation + 28 * kUnitRoundoff) * side_b.radius +
@@ -99,11 +75,25 @@ inline void place(bvh::RelativeFrame& relative, const PlacedFrame& a, const Plac
 
 }  // namespace
 
+PlacedFrame::PlacedFrame(const Pose& pose, double pose_deviation, const bvh::LocalFrame& tree_frame,
+                         const Aabb& bounds)
+    : m(pose.data()),
+      frame(tree_frame),
+      deviation(pose_deviation + 8 * kUnitRoundoff),
+      radius(2 * bvh::power_of_two(frame.exponent)),
+      largest(std::max(largest_component(bounds.min.data()), largest_component(bounds.max.data()))),
+      placing(8 * kUnitRoundoff * (largest + largest_component(m + 12)) + 0x1p-1070) {
+  const double* o = frame.centre;
+  for (int i = 0; i < 3; ++i) {
+    centre[i] = ((m[i] * o[0] + m[4 + i] * o[1]) + m[8 + i] * o[2]) + m[12 + i];
+  }
+}
+
 bvh::RelativeFrame relative_frame(const PlacedFrame& a, const PlacedFrame& b) {
   bvh::RelativeFrame relative;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
-      relative.rotation[i][j] = dot(a.pose.data() + 4 * i, b.pose.data() + 4 * j);
+      relative.rotation[i][j] = dot(a.m + 4 * i, b.m + 4 * j);
   }
   place(relative, a, b);
   return relative;

@@ -6,12 +6,20 @@
 
 namespace graze {
 
-/// A tree's frame in a pose, with what is known of its contents.
+/// A tree's frame in a pose, which outlives it, with what the slack of a query is derived from.
 struct PlacedFrame {
-  const Pose& pose;
-  double deviation;              ///< of the pose from a rotation, as check_rigid() returns it
+  /// `pose_deviation` from a rotation as check_rigid() returns it, `bounds` of the primitives
+  /// (metres).
+  PlacedFrame(const Pose& pose, double pose_deviation, const bvh::LocalFrame& tree_frame,
+              const Aabb& bounds);
+
+  const double* m;               ///< the pose, column-major 4x4
   const bvh::LocalFrame& frame;  ///< of the tree
-  const Aabb& bounds;            ///< of the primitives, metres
+  double deviation;              ///< with the rounding of its measurement
+  double radius;                 ///< of the frame, metres
+  double largest;                ///< coordinate of the primitives
+  double placing;                ///< what rounding a placed coordinate costs
+  double centre[3];              ///< of the frame, placed
 };
 
 /// How frame B lies in frame A, with the one slack of the query (law 5): node boxes that are
