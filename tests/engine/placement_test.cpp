@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
 #include "tests/shapes/random_meshes.h"
 
@@ -62,6 +63,23 @@ TEST(Law1, PosesUnderWhichTheBoundsCouldOverflowAreRefused) {
     FAIL();
   } catch (const PoseError& error) {
     EXPECT_STREQ(error.what(), "pose of mesh A: coordinate x of the mesh could overflow");
+  }
+}
+
+TEST(Law1, OverflowIsLookedForAlongEachAxis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Aabb huge{{0, 0, 0}, {1, 1, 1}};
+    huge.max[axis] = kMax;
+    Pose pose = Pose::Identity();
+    EXPECT_EQ(check_placement(pose, huge, "pose"), 0);
+    pose.translation()[axis] = kMax;
+    try {
+      check_placement(pose, huge, "pose");
+      FAIL() << axis;
+    } catch (const PoseError& error) {
+      EXPECT_EQ(error.what(),
+                std::string("pose: coordinate ") + "xyz"[axis] + " of the mesh could overflow");
+    }
   }
 }
 
