@@ -77,6 +77,7 @@ std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
 }
 
 const bvh::WideTree& Mesh::wide_tree(Work* work) const {
+  // Each query asks: call_once() takes longer to say that there is nothing to do.
   if (data_->is_wide_made.load(std::memory_order_acquire)) return *data_->wide;
   std::call_once(data_->wide_flag, [&] {
     data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
