@@ -41,7 +41,8 @@ FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const W
   error = rounded_up(sizes * 0x1p-20 + 0x1p-100);
 }
 
-FrontBall::FrontBall(const WideSlot& slot, float units) {
+FrontGuest::FrontGuest(const WideSlot& slot, float units, int side_of_host)
+    : host_side(static_cast<std::uint16_t>(side_of_host)) {
   const WideNode& node = *slot.node;
   const std::uint32_t lane = slot.lane;
   float square = 0;
@@ -60,10 +61,13 @@ FrontBall::FrontBall(const WideSlot& slot, float units) {
   }
   // Axes that are at right angles and of length 1 but for 2.01 u, and a root; the centre, which is
   // off by less than 8 u of what it adds up.
-  radius = (std::sqrt(square) * (1 + 0x1p-18f) + sizes * 0x1p-20f + 0x1p-60f) * units;
+  const float radius = (std::sqrt(square) * (1 + 0x1p-18f) + sizes * 0x1p-20f + 0x1p-60f) * units;
+  constexpr std::uint32_t kLowerHalf = 0xffff;
+  upper_radius =
+      static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(radius) + kLowerHalf) >> 16);
 }
 
-FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontBall& guest,
+FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontGuest& guest,
                        const FrontWay& way) {
   float step[3];
   set_step(step, guest, way);
@@ -72,15 +76,15 @@ FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const Front
     normal[i] = static_cast<float>(direction[i]);
     kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
   }
-  kept += static_cast<double>(guest.radius) * static_cast<double>(way.turn * kRoundPlanes);
+  kept += static_cast<double>(guest.radius()) * static_cast<double>(way.turn * kRoundPlanes);
   gap = rounded_down(kept - static_cast<double>(way.error));
 }
 
-float FrontPlane::gap_after(const FrontBall& guest, const FrontWay& way) const {
+float FrontPlane::gap_after(const FrontGuest& guest, const FrontWay& way) const {
   float step[3];
   set_step(step, guest, way);
   const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
-  return (along - (guest.radius * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
+  return (along - (guest.radius() * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
 }
 
 }  // namespace graze::bvh

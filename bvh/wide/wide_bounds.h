@@ -88,6 +88,9 @@ inline constexpr float kLeafInNodeError = 8;
 /// Of a comparison's margin, along a slab's normal, which is longer than 1.
 inline constexpr float kSlabMargins = 4;
 inline constexpr float kCornerError = 0x1p-19f;
+/// Of edges and ways of primitives that are beside each other: for the reach of what is stored, and
+/// for the size of what is turned.
+inline constexpr float kStoredError = 0x1p-22f;
 inline constexpr float kLocalError = 0x1p-21f;
 inline constexpr float kAlignedError = 0x1p-20f;
 inline constexpr float kPlaneError = 32;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/box_separation.h>
+#include <graze/bvh/wide/front_course.h>
 #include <graze/bvh/wide/front_planes.h>
 #include <graze/bvh/wide/wide_pair_walk.h>
 #include <graze/bvh/wide/wide_tree.h>
@@ -25,8 +26,7 @@ namespace graze::bvh {
 /// further in A's frame than their sum.
 class WideFront {
  public:
-  /// What the bounds are good at: telling that boxes are apart at all, or how far.
-  enum class Bounds { Meeting, Distance };
+  using Bounds = FrontBounds;
 
   /// What `moved`, limits and reaches must stay below.
   static constexpr double kFarthest = 0x1p60;
@@ -50,6 +50,9 @@ class WideFront {
     float units[2];              // of each tree, in common units
     float direction[2][3] = {};  // in each tree's frame, from it to the other
     FrontWay since[2];           // of guests of the other tree, since begin()
+    float drift = 1;             // kDrift on a course, whose are
+    FrontWay step[2];            // how guests of the other tree go on,
+    float per_way = 0;           // each time that B comes so far
 
    private:
     friend class WideFront;
@@ -61,9 +64,19 @@ class WideFront {
   void begin(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
              const RelativeFrame& a_in_b);
 
-  /// Of other poses of the same trees, in the same units.
-  Pass pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds bounds,
-            const Motion& motion) const;
+  /// The same trees are in other poses, in the same units, since begin() after this motion.
+  void follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, const Motion& motion);
+
+  /// In the poses that it followed to.
+  Pass pass(Bounds bounds) const;
+
+  /// From here on B is expected to go on as it came from these poses, a `step` ago. What it does
+  /// not come nearer to is then due later. Other motions are no less certain, but cost time.
+  void set_course(const RelativeFrame (&before)[2], const Motion& step);
+  void drop_course();
+  bool has_course() const { return has_course_; }
+  /// What deadlines are compared with: how far B has come, or more.
+  double clock() const { return clock_; }
 
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
@@ -143,6 +156,7 @@ class WideFront {
     std::uint32_t treelet;
     std::uint32_t link;
     std::uint32_t first;  // place of a primitive
+    float size;           // which no two of its corners are further apart than
     bool operator==(const Leaf&) const = default;
   };
 
@@ -168,13 +182,25 @@ class WideFront {
     bool empty() const { return size == 0; }
   };
 
+  /// One for each visit, and each two leaves.
+  template <FrontBounds bounds>
+  struct Planes {
+    std::vector<FrontPlanes<WideNode::kWidth, bounds>> of_visits;
+    std::vector<FrontPlanes<kLeafPairs, bounds>> of_leaves;
+
+    void clear() {
+      of_visits.clear();
+      of_leaves.clear();
+    }
+  };
+
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
-    std::vector<FrontPlanes<WideNode::kWidth>> visit_planes;
+    Planes<FrontBounds::Meeting> meeting;    // of passes with these bounds,
+    Planes<FrontBounds::Distance> distance;  // or these
     std::vector<float> visit_deadlines;
     std::vector<Leaves> leaves;
-    std::vector<FrontPlanes<kLeafPairs>> leaf_planes;
     std::vector<float> leaves_deadlines;
     std::vector<std::uint32_t> busy;  // of these leaves
     LeafPairs crossing;
@@ -194,6 +220,11 @@ class WideFront {
 
   State state_;
   RelativeFrame first_[2] = {};  // at begin()
+  RelativeFrame last_[2] = {};   // when a pass was last asked for
+  Motion motion_;                // until then, since begin()
+  double clock_ = 0;  // what deadlines are compared with: the way, or more (front_course.h)
+  bool has_course_ = false;
+  FrontCourse course_;
   std::uint64_t skipped_ = 0;
 };
 

@@ -12,7 +12,7 @@
 #include <graze/bvh/wide/front_pass.h>
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
-#include <graze/bvh/wide/front_gaps.inc>
+#include <graze/bvh/wide/front_outlook.inc>
 #include <graze/bvh/wide/leaf_crossings.inc>
 #include <graze/bvh/wide/local_leaves.inc>
 #include <graze/bvh/wide/slots.inc>
@@ -21,6 +21,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -33,32 +34,50 @@ constexpr float kNever = std::numeric_limits<float>::infinity();
 constexpr std::size_t kAhead = 6;
 constexpr std::size_t kPlanesAhead = 16;
 
-using VisitPlanes = FrontPlanes<WideNode::kWidth>;
-using LeafPlanes = FrontPlanes<kLeafPairs>;
+/// The first if `is_first` is 1, the second if it is 0, without a branch.
+HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
+  const auto other = std::bit_cast<std::uint32_t>(second);
+  const std::uint32_t change = std::bit_cast<std::uint32_t>(first) ^ other;
+  return std::bit_cast<float>(other ^ (change & (0 - is_first)));
+}
+
+WideFront::Planes<FrontBounds::Meeting>& planes_of(
+    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Meeting> /*of*/) {
+  return state.meeting;
+}
+WideFront::Planes<FrontBounds::Distance>& planes_of(
+    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Distance> /*of*/) {
+  return state.distance;
+}
 
 /// One pass.
+template <FrontBounds bounds>
 class Passer {
  public:
   Passer(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : state_(state),
+        planes_(planes_of(state, std::integral_constant<FrontBounds, bounds>())),
         pass_(pass),
         must_(task.must),
         reach_(task.reach),
         useful_(task.useful),
         most_held_(held() + task.most_added),
         moved_(static_cast<float>(pass.moved) * kRoundDown),
-        is_distance_(pass.bounds == WideFront::Bounds::Distance),
-        scale_b_(static_cast<float>(pass.into[0].scale)) {}
+        scale_b_(static_cast<float>(pass.into[0].scale)),
+        leaves_(*state.tree[0], *state.tree[1]) {
+    for (int side = 0; side < 2; ++side)
+      outlook_[side].set(pass, side);
+  }
 
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
     if (reach_.limit > must_.limit && is_reach_in_vain()) reach_ = must_;
-    const std::size_t open = find_due(state_.visit_planes, state_.visit_deadlines);
+    const std::size_t open = find_due(planes_.of_visits, state_.visit_deadlines);
     for (std::size_t i = 0; i < open; ++i) {
       if (i + 2 * kAhead < open) {
         fetch(state_.visits[state_.due[i + 2 * kAhead]]);
-        fetch(state_.visit_planes[state_.due[i + 2 * kAhead]]);
+        fetch(planes_.of_visits[state_.due[i + 2 * kAhead]]);
       }
       if (i + kAhead < open) fetch_visit(state_.due[i + kAhead]);
       visit(state_.due[i]);
@@ -68,7 +87,7 @@ class Passer {
       if (i + kAhead < state_.visits.size()) fetch_visit(i + kAhead);
       visit(i);
     }
-    if (is_distance_) {
+    if constexpr (kIsDistance) {
       compare_due_leaves();
     } else {
       decide_leaves();
@@ -80,17 +99,23 @@ class Passer {
   }
 
  private:
+  using VisitPlanes = FrontPlanes<WideNode::kWidth, bounds>;
+  using LeafPlanes = FrontPlanes<kLeafPairs, bounds>;
+  using Outlook = FrontOutlook<bounds>;
+
+  static constexpr bool kIsDistance = bounds == FrontBounds::Distance;
+
   std::size_t held() const { return state_.visits.size() + state_.leaves.size(); }
 
   /// Whether so much is within reach that most of it could not be opened, or primitives are so near
   /// that no gap is worth it.
   HWY_INLINE bool is_reach_in_vain() const {
-    const std::size_t leaves = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_deadlines);
     for (std::size_t i = 0; i < leaves; ++i) {
-      const LeafPlanes& planes = state_.leaf_planes[state_.due[i]];
-      if (!(least_gap(planes, pass_.since[planes.host_side]) > useful_)) return true;
+      const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
+      if (!(outlook_[planes.guest.host_side].gap(planes) > useful_)) return true;
     }
-    const std::size_t near = leaves + find_due(state_.visit_planes, state_.visit_deadlines);
+    const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_deadlines);
     return 2 * near > most_held_ - held();
   }
 
@@ -109,55 +134,93 @@ class Passer {
 
   /// Leaves that are due: which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
-    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_deadlines);
     state_.looked_at += near;
     for (std::size_t i = 0; i < near; ++i)
       compare_leaves(state_.due[i]);
   }
 
-  /// Leaves that are busy or due: which of their primitives meet.
+  /// Leaves that are busy or due: which of their primitives meet. In which some do cannot be
+  /// foretold, so that no branch depends on it.
   HWY_INLINE void decide_leaves() {
     state_.crossing.size = 0;
     state_.unsure.size = 0;
-    state_.crossing.make_room(state_.busy.size());
-    state_.unsure.make_room(state_.busy.size());
-    std::size_t busy = 0;
-    for (std::size_t i = 0; i < state_.busy.size(); ++i) {
-      if (i + 2 * kAhead < state_.busy.size()) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
-      if (i + kAhead < state_.busy.size()) fetch_leaves(state_.busy[i + kAhead]);
-      const std::uint32_t index = state_.busy[i];
-      state_.busy[busy] = index;
-      busy += is_busy(index);
-    }
-    state_.busy.resize(busy);
-    const std::size_t near = find_due(state_.leaf_planes, state_.leaves_deadlines);
+    settle(decide_busy());
+    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_deadlines);
     state_.looked_at += near;
-    state_.crossing.make_room(near);
-    state_.unsure.make_room(near);
-    for (std::size_t i = 0; i < near; ++i) {
-      if (i + 2 * kAhead < near) {
-        fetch(state_.leaves[state_.due[i + 2 * kAhead]]);
-        fetch(state_.leaf_planes[state_.due[i + 2 * kAhead]]);
-      }
-      if (i + kAhead < near) fetch_leaves(state_.due[i + kAhead]);
-      const std::uint32_t index = state_.due[i];
-      const std::uint32_t asked = set_leaves(state_.leaves[index]);
-      // Where nothing has met so far nothing will.
-      if (state_.crossing.empty() && is_kept_out(index)) continue;
-      if (!decide(index, asked) && is_kept_out(index)) continue;
-      state_.leaves_deadlines[index] = kNever;
-      state_.busy.push_back(index);
-    }
-    // Only where nothing meets is there a gap to be told.
-    if (state_.crossing.empty() && state_.unsure.empty()) calm_down();
+    settle(near);
   }
 
-  /// Finds planes for whatever is busy, as far as there are any.
-  HWY_INLINE void calm_down() {
+  /// All pairs of leaves that have been busy. Those in which none meets any more are listed first
+  /// in state_.due: how many these are.
+  HWY_INLINE std::size_t decide_busy() {
+    const std::size_t size = state_.busy.size();
+    state_.crossing.make_room(size);
+    state_.unsure.make_room(size);
+    if (state_.due.size() < size) state_.due.resize(2 * size);
     std::size_t busy = 0;
-    for (const std::uint32_t index : state_.busy) {
-      set_leaves(state_.leaves[index]);
-      if (!is_kept_out(index)) state_.busy[busy++] = index;
+    std::size_t quiet = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (i + 2 * kAhead < size) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
+      if (i + kAhead < size) fetch_leaves(state_.busy[i + kAhead]);
+      const std::uint32_t index = state_.busy[i];
+      const std::uint32_t asked = set_leaves(state_.leaves[index]);
+      state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
+      const PairTag tag;
+      Meetings found;
+      for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+        const LocalPairs<PairTag> pairs(leaves_, first);
+        found.add(LeafCrossings<PairTag>(pairs, leaves_.errors()), first);
+      }
+      const std::uint32_t open = list(index, asked, found);
+      state_.busy[busy] = index;
+      state_.due[quiet] = index;
+      busy += open != 0;
+      quiet += open == 0;
+    }
+    state_.busy.resize(busy);
+    return quiet;
+  }
+
+  /// So many leaves in state_.due get planes between their primitives, until they are due again, or
+  /// are busy.
+  HWY_INLINE void settle(std::size_t count) {
+    state_.crossing.make_room(count);
+    state_.unsure.make_room(count);
+    std::size_t busy = state_.busy.size();
+    state_.busy.resize(busy + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i + 2 * kAhead < count) {
+        fetch(state_.leaves[state_.due[i + 2 * kAhead]]);
+        fetch(planes_.of_leaves[state_.due[i + 2 * kAhead]]);
+      }
+      if (i + kAhead < count) fetch_leaves(state_.due[i + kAhead]);
+      const std::uint32_t index = state_.due[i];
+      const WideFront::Leaves& leaves = state_.leaves[index];
+      LeafPlanes& planes = planes_.of_leaves[index];
+      const std::uint32_t asked = set_leaves(leaves);
+      state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
+      const PairTag tag;
+      Meetings met;
+      FoundPlanes<kLeafPairs> gaps;
+      for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+        const LocalPairs<PairTag> pairs(leaves_, first);
+        const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
+        met.add(crossings, first);
+        PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
+        found.look_at(crossings);
+        const auto is_open = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
+        if ((bits_of(tag, is_open) & asked >> first) != 0) found.look_across();
+        found.store(planes, gaps, first, pass_.units[leaves.host_side]);
+      }
+      const typename Outlook::Nearness found =
+          outlook_[leaves.host_side].keep(planes, gaps, asked, must_.limit);
+      // What planes keep apart does not meet, be it unsure or not.
+      list(index, found.near, met);
+      const std::uint32_t is_busy = found.near != 0;
+      state_.leaves_deadlines[index] = chosen(is_busy, kNever, deadline_after(found.lasts));
+      state_.busy[busy] = index;
+      busy += is_busy;
     }
     state_.busy.resize(busy);
   }
@@ -174,13 +237,13 @@ class Passer {
     for (std::size_t i = 0; i < size; ++i) {
       fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
       const std::uint32_t index = due[i];
-      const float gap = least_gap(planes[index], pass_.since[planes[index].host_side]);
-      const float later = deadline_after(gap);
-      // Both false where it is no number.
-      const bool is_kept = (gap > reach_.limit) & (later > reach_.due);
-      deadlines[index] = is_kept ? later : deadlines[index];
+      const float later =
+          deadline_after(outlook_[planes[index].guest.host_side].lasts(planes[index]));
+      // False where it is no number. What lasts so long is further apart than the limit.
+      const std::uint32_t kept = later > reach_.due;
+      deadlines[index] = chosen(kept, later, deadlines[index]);
       due[open] = index;
-      open += !is_kept;
+      open += 1 - kept;
     }
     return open;
   }
@@ -214,60 +277,9 @@ class Passer {
     return count;
   }
 
-  float deadline_after(float gap) const {
+  float deadline_after(float lasts) const {
     // Rounded down: the sum is not negative where it matters.
-    return gap < kNever ? (moved_ + gap) * kRoundDown : kNever;
-  }
-
-  /// The least of the gaps that planes prove now.
-  template <typename Planes>
-  HWY_INLINE float least_gap(const Planes& planes, const FrontWay& way) const {
-    const hn::CappedTag<float, Planes::kLanes> tag;
-    float step[3];
-    set_step(step, planes.guest, way);
-    const auto lost = hn::Set(tag, planes.guest.radius * way.turn * (1 / kRoundPlanes) + way.error);
-    auto least = hn::Set(tag, kNever);
-    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
-      auto gap = hn::Load(tag, planes.gap + lane);
-      for (int i = 0; i < 3; ++i)
-        gap = hn::MulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), gap);
-      least = hn::Min(least, hn::Sub(gap, lost));
-    }
-    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
-  }
-
-  struct Nearness {
-    std::uint32_t near;  // the lanes within the limit
-    float least;         // gap of the others
-  };
-
-  /// Of these lanes alone, from gaps as they are now, which become those of the pose of reference.
-  template <typename Planes>
-  HWY_INLINE Nearness keep(Planes& planes, std::uint32_t lanes, const FrontWay& way,
-                           float limit) const {
-    const hn::CappedTag<float, Planes::kLanes> tag;
-    float step[3];
-    set_step(step, planes.guest, way);
-    const auto gained = hn::Set(tag, planes.guest.radius * way.turn * kRoundPlanes - way.error);
-    std::uint32_t near = 0;
-    auto least = hn::Set(tag, kNever);
-    for (std::size_t lane = 0; lane < Planes::kLanes; lane += hn::Lanes(tag)) {
-      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> lane),
-                                    static_cast<std::uint8_t>(lanes >> lane >> 8)};
-      const auto is_asked = hn::LoadMaskBits(tag, bits);
-      const auto gap = hn::Load(tag, planes.gap + lane);
-      const auto is_far = hn::Gt(gap, hn::Set(tag, limit));
-      const auto is_kept = hn::And(is_far, is_asked);
-      least = hn::Min(least, hn::IfThenElse(is_kept, gap, least));
-      near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
-      auto stored = hn::Mul(gap, hn::Set(tag, kRoundPlanes));
-      for (int i = 0; i < 3; ++i)
-        stored =
-            hn::NegMulAdd(hn::Load(tag, planes.normal[i] + lane), hn::Set(tag, step[i]), stored);
-      stored = hn::IfThenElse(is_kept, hn::Add(stored, gained), hn::Set(tag, kNever));
-      hn::Store(stored, tag, planes.gap + lane);
-    }
-    return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
+    return (moved_ + lasts) * kRoundDown;
   }
 
   HWY_INLINE void fetch_visit(std::size_t index) const {
@@ -291,22 +303,23 @@ class Passer {
     const WideNode& node = *below.node;
     set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * found.host_size);
     WideFront::Visit& visit = state_.visits[index];
-    VisitPlanes& planes = state_.visit_planes[index];
+    VisitPlanes& planes = planes_.of_visits[index];
     if (state_.visit_deadlines[index] == kAtOnce) {
-      planes.host_side = host_side;
-      planes.guest = FrontBall(guest, pass_.units[1 - host_side]);
+      planes.guest = FrontGuest(guest, pass_.units[1 - host_side], host_side);
       state_.lanes += node.count;
     }
     const std::uint32_t closed = node.lanes() & ~visit.open;
-    set_gaps(planes, node, host_side, closed);
-    const Nearness kept = keep(planes, closed, pass_.since[host_side], reach_.limit);
+    FoundPlanes<WideNode::kWidth> gaps;
+    set_gaps(planes, gaps, node, host_side, closed);
+    const typename Outlook::Nearness kept =
+        outlook_[host_side].keep(planes, gaps, closed, reach_.limit);
     std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
     state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
     visit.open |= near;
-    state_.visit_deadlines[index] = deadline_after(kept.least);
-    const FrontBall ball = planes.guest;
+    state_.visit_deadlines[index] = deadline_after(kept.lasts);
+    const FrontGuest placed = planes.guest;
     if (held() > most_held_) reach_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
@@ -314,7 +327,7 @@ class Passer {
       const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
                                                         : WidePairWalk::Waiting{guest, child};
       if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        add_leaves(pair, host_side, ball);
+        add_leaves(pair, host_side, placed);
       } else {
         add_visit(pair);
       }
@@ -330,53 +343,38 @@ class Passer {
     const WideSlot below = first_below(*state_.tree[host_side], host,
                                        host_side == 0 ? link_a : link_b, state_.counts.treelets);
     state_.visits.push_back({below, host_side == 0 ? pair.b : pair.a, host_side, size_of(host), 0});
-    state_.visit_planes.emplace_back();
+    planes_.of_visits.emplace_back();
     state_.visit_deadlines.push_back(kAtOnce);
   }
 
   HWY_INLINE WideFront::Leaf leaf_at(int side, const WideSlot& slot) const {
     const std::uint32_t link = slot.node->child[slot.lane];
     return {slot.treelet, link,
-            state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link)};
+            state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link),
+            2 * size_of(slot)};
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side,
-                             const FrontBall& ball) {
+                             const FrontGuest& placed) {
     const WideSlot& host = host_side == 0 ? pair.a : pair.b;
     const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
     state_.leaves.push_back(
         {leaf_at(host_side, host), leaf_at(1 - host_side, guest), host_side, 0});
-    state_.leaf_planes.emplace_back().host_side = host_side;
-    state_.leaf_planes.back().guest = ball;
+    planes_.of_leaves.emplace_back().guest = placed;
     state_.leaves_deadlines.push_back(kAtOnce);
   }
 
   /// Of the children of a host beside guest_; of these lanes it matters.
-  HWY_INLINE void set_gaps(VisitPlanes& planes, const WideNode& node, int host_side,
-                           std::uint32_t asked) const {
+  HWY_INLINE void set_gaps(VisitPlanes& planes, FoundPlanes<WideNode::kWidth>& found,
+                           const WideNode& node, int host_side, std::uint32_t asked) const {
     for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(Tag())) {
-      BoxGaps gaps(node, in_node_, guest_, lane);
-      if (is_distance_) {
+      BoxGaps gaps(node, in_node_, lane);
+      if constexpr (kIsDistance) {
         gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
       } else if ((bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0) {
         gaps.look_across();
       }
-      gaps.store(planes, lane, pass_.units[host_side]);
-    }
-  }
-
-  /// Of all pairs of the primitives of host_leaf_ and guest_leaf_; of these lanes it matters.
-  HWY_INLINE void set_leaf_gaps(LeafPlanes& planes, int host_side, std::uint32_t asked) const {
-    const PairTag tag;
-    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
-      const PairLanes<PairTag> pairs(first);
-      const PairBoxes<PairTag> boxes(pairs, host_leaf_, guest_leaf_);
-      const PairTriangles<PairTag> triangles(pairs, host_leaf_, guest_leaf_);
-      PrimitiveGaps<PairTag> gaps(boxes, triangles, guest_leaf_.error);
-      if (is_distance_) gaps.look_along(pass_.direction[host_side]);
-      if (!is_distance_ && (bits_of(tag, hn::Not(gaps.are_apart())) & asked >> first) != 0)
-        gaps.look_across();
-      gaps.store(planes, first, pass_.units[host_side]);
+      gaps.store(planes, found, lane, pass_.units[host_side]);
     }
   }
 
@@ -394,17 +392,10 @@ class Passer {
       hwy::Prefetch(rows + i);
   }
 
-  /// Two leaves become host_leaf_ and guest_leaf_. Returns which pairs they have.
+  /// Two leaves become leaves_. Returns which pairs they have.
   HWY_INLINE std::uint32_t set_leaves(const WideFront::Leaves& leaves) {
-    const WideTree::Treelet& host = state_.tree[leaves.host_side]->treelet(leaves.host.treelet);
-    const WideTree::Treelet& guest =
-        state_.tree[1 - leaves.host_side]->treelet(leaves.guest.treelet);
-    const WideWay& way = pass_.into[leaves.host_side];
-    if (between_.host != &host || between_.guest != &guest || between_.way != &way)
-      set_treelet_way(between_, host, guest, way);
-    set_local_leaves(host_leaf_, guest_leaf_, {host, leaves.host.link}, {guest, leaves.guest.link},
-                     between_);
-    return pairs_of(ChildLink::count(leaves.host.link), ChildLink::count(leaves.guest.link));
+    leaves_.set(leaves, pass_.into[leaves.host_side]);
+    return leaves_.pairs();
   }
 
   HWY_INLINE static void add_lanes(WideFront::LeafPairs& pairs, std::uint32_t leaves,
@@ -420,45 +411,43 @@ class Passer {
     }
   }
 
-  /// Decides all pairs of two leaves. Whether some meet, or did so a short time ago, or cannot be
-  /// kept out by planes. Which pairs meet cannot be foretold: there are no branches on that.
-  HWY_INLINE bool is_busy(std::uint32_t index) {
-    const std::uint32_t asked = set_leaves(state_.leaves[index]);
-    return decide(index, asked) || !is_kept_out(index);
-  }
+  /// Which pairs of two leaves surely cross, and which are surely apart.
+  struct Meetings {
+    std::uint32_t crossing = 0;
+    std::uint32_t apart = 0;
 
-  /// Of these pairs of host_leaf_ and guest_leaf_: lists those that cross or may. Whether there are
-  /// any.
-  HWY_INLINE bool decide(std::uint32_t index, std::uint32_t asked) {
-    state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-    const LeafCrossings found = leaf_crossings(host_leaf_, guest_leaf_);
+    HWY_INLINE void add(const LeafCrossings<PairTag>& some, std::size_t first) {
+      crossing |= bits_of(PairTag(), some.do_cross) << first;
+      apart |= bits_of(PairTag(), some.are_apart) << first;
+    }
+  };
+
+  /// Of these pairs of leaves_ lists those that cross or may: which these are.
+  HWY_INLINE std::uint32_t list(std::uint32_t index, std::uint32_t asked, const Meetings& found) {
     const std::uint32_t open = asked & ~found.apart;
     add_lanes(state_.crossing, index, open & found.crossing);
     if ((open & ~found.crossing) != 0) add_lanes(state_.unsure, index, open & ~found.crossing);
-    return open != 0;
-  }
-
-  /// Looks for planes between the primitives of host_leaf_ and guest_leaf_, until they are due
-  /// again.
-  HWY_INLINE bool is_kept_out(std::size_t index) {
-    const WideFront::Leaves& leaves = state_.leaves[index];
-    LeafPlanes& planes = state_.leaf_planes[index];
-    const std::uint32_t asked =
-        pairs_of(ChildLink::count(leaves.host.link), ChildLink::count(leaves.guest.link));
-    set_leaf_gaps(planes, leaves.host_side, asked);
-    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side], must_.limit);
-    state_.leaves_deadlines[index] = found.near == 0 ? deadline_after(found.least) : kNever;
-    return found.near == 0;
+    return open;
   }
 
   HWY_INLINE void compare_leaves(std::size_t index) {
     WideFront::Leaves& leaves = state_.leaves[index];
-    LeafPlanes& planes = state_.leaf_planes[index];
+    LeafPlanes& planes = planes_.of_leaves[index];
     const std::uint32_t asked = set_leaves(leaves) & ~leaves.listed;
     state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-    set_leaf_gaps(planes, leaves.host_side, asked);
-    const Nearness found = keep(planes, asked, pass_.since[leaves.host_side], must_.limit);
-    state_.leaves_deadlines[index] = deadline_after(found.least);
+    const PairTag tag;
+    FoundPlanes<kLeafPairs> gaps;
+    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
+      const LocalPairs<PairTag> pairs(leaves_, first);
+      const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
+      PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
+      found.look_at(crossings);
+      found.look_along(pass_.direction[leaves.host_side]);
+      found.store(planes, gaps, first, pass_.units[leaves.host_side]);
+    }
+    const typename Outlook::Nearness found =
+        outlook_[leaves.host_side].keep(planes, gaps, asked, must_.limit);
+    state_.leaves_deadlines[index] = deadline_after(found.lasts);
     leaves.listed |= found.near;
     for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
@@ -469,25 +458,28 @@ class Passer {
   }
 
   WideFront::State& state_;
+  WideFront::Planes<bounds>& planes_;
   const WideFront::Pass& pass_;
   FrontHorizon must_;
   FrontHorizon reach_;
   float useful_;
   std::size_t most_held_;  // what it opens until then may be within reach_
   float moved_;            // rounded down
-  bool is_distance_;
   float scale_b_;
   Guest guest_{};
   WideSlot guest_slot_{};  // of guest_, in the tree of
   int guest_side_ = -1;    // this side, if of any
   GuestInNode in_node_;
-  TreeletWay between_;
-  LeafLanes host_leaf_;
-  GuestLeaf guest_leaf_;
+  LocalLeaves leaves_;
+  Outlook outlook_[2];  // by the side of the host
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
-  Passer(state, pass, task).run();
+  if (pass.bounds == FrontBounds::Distance) {
+    Passer<FrontBounds::Distance>(state, pass, task).run();
+  } else {
+    Passer<FrontBounds::Meeting>(state, pass, task).run();
+  }
 }
 
 }  // namespace

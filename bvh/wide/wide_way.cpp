@@ -17,6 +17,10 @@ WideWay::WideWay(const RelativeFrame& frame) {
     translation[i] = frame.translation[i] * per_unit;
   }
   scale = frame.units_b * per_unit;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      scaled[j][i] = static_cast<float>(rotation[i][j] * scale);
+  }
   slack = rounded_up(3 * frame.slack * per_unit + kWideUnderflow);
   if (!(scale <= kLargestScale)) slack = std::numeric_limits<float>::infinity();
 }

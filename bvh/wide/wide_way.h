@@ -9,6 +9,7 @@ namespace graze::bvh {
 /// the guest's frame is at rotation * p * scale + translation. Private to bvh/wide.
 struct alignas(16) WideWay {
   float columns[3][4];  // of the rotation, rounded; then 0
+  float scaled[3][3];   // the same times the scale
   double rotation[3][3];
   double translation[3];
   double scale;  // of a guest's unit

@@ -16,9 +16,15 @@ constexpr int kLongestPause = 32;             // queries
 /// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
 
+/// Of a course that is worth it: how fast its clock may run, for each unit of the way, and in how
+/// many passes another may follow at once.
+constexpr double kFastestClock = 1.5;
+constexpr int kEnoughOnCourse = 8;
+
 /// A front grows with what opens and never closes.
 constexpr int kMostPasses = 1000;
-constexpr double kMostGrowth = 1.5;
+constexpr double kMostGrowth = 2;
+constexpr double kMostGrowthOfDistances = 1.5;
 constexpr std::size_t kFewMore = 64;
 
 /// Measured. How much of itself a front adds for later queries in one pass, at most, and what a
@@ -45,6 +51,8 @@ void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
   // The sums round up.
   motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
+  since_last_.way = (since_last_.way + step.way) * (1 + 0x1p-50);
+  since_last_.turn = (since_last_.turn + step.turn) * (1 + 0x1p-50);
   if (!(motion_.way < bvh::WideFront::kFarthest)) is_live_ = false;
 }
 
@@ -63,8 +71,34 @@ bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double l
 }
 
 bool MotionFront::is_outgrown() const {
-  return passes_ >= kMostPasses || static_cast<double>(front_.size()) >
-                                       kMostGrowth * static_cast<double>(first_size_) + kFewMore;
+  const double most =
+      bounds_ == bvh::WideFront::Bounds::Distance ? kMostGrowthOfDistances : kMostGrowth;
+  return passes_ >= kMostPasses ||
+         static_cast<double>(front_.size()) > most * static_cast<double>(first_size_) + kFewMore;
+}
+
+void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
+  if (front_.has_course()) {
+    ++passes_on_course_;
+    way_on_course_ += since_last_.way;
+    if (front_.clock() - clock_at_course_ > kFastestClock * way_on_course_) {
+      front_.drop_course();
+      next_off_course_ =
+          passes_on_course_ >= kEnoughOnCourse ? 1 : std::min(2 * next_off_course_, kLongestPause);
+      passes_off_course_ = next_off_course_ - 1;
+    }
+  }
+  if (!front_.has_course() && is_last_known_ &&
+      front_.crossing_count() + front_.unsure_count() > 0 && since_last_.way > 0 &&
+      passes_off_course_-- <= 0) {
+    front_.set_course(last_, since_last_);
+    passes_on_course_ = 0;
+    way_on_course_ = 0;
+    clock_at_course_ = front_.clock();
+  }
+  std::copy_n(now, 2, last_);
+  since_last_ = {};
+  is_last_known_ = true;
 }
 
 std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_a,
@@ -74,7 +108,13 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
                                                       double limit) {
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
-    const bvh::WideFront::Pass pass = front_.pass(b_in_a, a_in_b, bounds_, motion_);
+    front_.follow(b_in_a, a_in_b, motion_);
+    if (!(front_.clock() < bvh::WideFront::kFarthest)) {
+      is_live_ = false;
+      return std::nullopt;
+    }
+    steer({b_in_a, a_in_b});
+    const bvh::WideFront::Pass pass = front_.pass(bounds_);
     const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
     if (is_worth_it && !has_many_candidates(pass, limit)) {
       if (passes_ >= kEnoughPasses) next_pause_ = 1;
@@ -91,7 +131,8 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   is_live_ = true;
   motion_ = {};
   passes_ = 0;
-  return front_.pass(b_in_a, a_in_b, bounds_, motion_);
+  steer({b_in_a, a_in_b});
+  return front_.pass(bounds_);
 }
 
 bvh::WideFront::Foresight MotionFront::foresight() const {

@@ -46,6 +46,9 @@ class MotionFront {
   /// What it was worth, with so much in the front before.
   void learn(const bvh::WideFront::Pass& pass, std::size_t size_before);
 
+  /// Gives the front a course where there is one, and none where it would not be kept to.
+  void steer(const bvh::RelativeFrame (&now)[2]);
+
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
@@ -58,6 +61,15 @@ class MotionFront {
   double step_ = 0;  // by which B came further in each of the last queries
   int queries_ = 1;  // from the last pass to this one
   bool is_jump_ = true;
+
+  bvh::RelativeFrame last_[2] = {};  // when a pass was last asked for
+  bvh::WideFront::Motion since_last_;
+  bool is_last_known_ = false;
+  int passes_on_course_ = 0;
+  double way_on_course_ = 0;
+  double clock_at_course_ = 0;
+  int passes_off_course_ = 0;  // until another is tried
+  int next_off_course_ = 1;
 };
 
 }  // namespace graze

@@ -309,7 +309,7 @@ TEST(Law9, AMemoryTellsLargeTrianglesFromSmallOnes) {
     pairs += expected.size();
   }
   EXPECT_GT(pairs, 10000u);
-  EXPECT_LT(remembering.triangle_tests, pairs / 5);
+  EXPECT_LT(remembering.triangle_tests, pairs / 4);
 }
 
 TEST(PairMemory, CountsWhatItSaves) {
