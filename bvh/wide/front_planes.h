@@ -79,7 +79,8 @@ struct FrontPlane {
 /// What the bounds of a front are good at: telling that things are apart at all, or how far.
 enum class FrontBounds { Meeting, Distance };
 
-/// What keeps pairs out: lane by lane a direction in the host's frame, no longer than 1, and how
+/// What keeps pairs out: lane by lane a direction in the host's frame, no longer than 1 but for
+/// rounding, which kRoundPlanes pays for, and how
 /// far beyond the host a guest is along it. Gaps are those of the reference pose, but for what
 /// turning may have cost; infinite in lanes that need no plane. Nothing is kept out at first.
 template <std::size_t lanes, FrontBounds bounds>
