@@ -16,6 +16,9 @@ constexpr int kLongestPause = 32;             // queries
 /// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
 
+/// Measured. What a smaller front has due is looked at in less time than the course takes.
+constexpr std::size_t kWorthACourse = 200;
+
 /// Of a course that is worth it: how fast its clock may run, for each unit of the way, and in how
 /// many passes another may follow at once.
 constexpr double kFastestClock = 1.5;
@@ -88,7 +91,7 @@ void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
       passes_off_course_ = next_off_course_ - 1;
     }
   }
-  if (!front_.has_course() && is_last_known_ &&
+  if (!front_.has_course() && is_last_known_ && front_.size() >= kWorthACourse &&
       front_.crossing_count() + front_.unsure_count() > 0 && since_last_.way > 0 &&
       passes_off_course_-- <= 0) {
     front_.set_course(last_, since_last_);
