@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/pose.h>
-#include <algorithm>
+#include <graze/bvh/rigid.h>
+
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -8,17 +9,7 @@
 namespace graze {
 
 double rotation_deviation(const Pose& pose) {
-  const double* m = pose.data();  // column-major 4x4
-  double deviation = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      const double* u = m + 4 * i;
-      const double* v = m + 4 * j;
-      const double dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-      deviation = std::max(deviation, std::abs(i == j ? dot - 1 : dot));
-    }
-  }
-  return deviation;
+  return bvh::RotationError(pose).largest();
 }
 
 namespace {
@@ -47,20 +38,12 @@ namespace {
 }  // namespace
 
 double check_rigid(const Pose& pose, const char* what) {
+  const bvh::RotationError error(pose);
   const double* m = pose.data();
-  const double deviation = rotation_deviation(pose);
-  // Within the deviation the determinant is close to +1 or -1: its sign needs no care. It is no
-  // number if one of its entries is none, and the deviation is infinite if one of them is.
-  const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) +
-                             m[4] * (m[9] * m[2] - m[1] * m[10]) +
-                             m[8] * (m[1] * m[6] - m[2] * m[5]);
-  // Each sum is 0 if and only if all of it is: neither infinity nor a number that is none goes
-  // away.
-  const double last_row = std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1);
+  // 0 if and only if all are finite.
   const double infinite = (m[12] - m[12]) + (m[13] - m[13]) + (m[14] - m[14]);
-  const bool is_rigid = deviation <= kMaxRotationDeviation && determinant > 0;
-  if (!(is_rigid && last_row + infinite == 0)) throw_not_rigid(pose, deviation, what);
-  return deviation;
+  if (!(bvh::is_rigid(pose, error) && infinite == 0)) throw_not_rigid(pose, error.largest(), what);
+  return error.largest();
 }
 
 }  // namespace graze

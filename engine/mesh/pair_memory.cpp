@@ -199,6 +199,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
   if (are_still_apart(remembered, counted.work())) return found;
   MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
+  found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
   const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
@@ -210,6 +211,8 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
   }
   remembered.remember(found.pairs);
+  // The next pose has about as many.
+  remembered.pairs_found = found.pairs.size() + found.pairs.size() / 4;
   return found;
 }
 

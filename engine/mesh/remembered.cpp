@@ -15,7 +15,9 @@
 #include <graze/engine/mesh/remembered.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace graze {
 namespace {
@@ -58,7 +60,12 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
 }  // namespace
 
 bool are_equal(const Pose& one, const Pose& other) {
-  return std::equal(one.data(), one.data() + 16, other.data());
+  if (one.data()[12] != other.data()[12]) return false;  // as when it moves
+  std::uint64_t difference = 0;
+  for (int i = 0; i < 16; ++i)
+    difference |=
+        std::bit_cast<std::uint64_t>(one.data()[i]) ^ std::bit_cast<std::uint64_t>(other.data()[i]);
+  return difference == 0;
 }
 
 RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {

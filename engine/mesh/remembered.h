@@ -15,7 +15,7 @@
 
 namespace graze {
 
-/// Entry by entry.
+/// Bit by bit.
 bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
@@ -85,6 +85,7 @@ class Remembered {
   std::optional<TrianglePair> nearest;
   bool was_within = false;
   bool was_touching = false;  // when a distance was last asked for
+  std::size_t pairs_found = 0;  // when all pairs were last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
   MotionFront near{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;

@@ -8,7 +8,7 @@
 
 namespace graze {
 
-/// Ascending. Many of them take a fourth of the time of std::sort.
+/// Ascending. From twenty on they take a fifth of the time of std::sort.
 void sort_pairs(std::vector<TrianglePair>& pairs);
 
 }  // namespace graze

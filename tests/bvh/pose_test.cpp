@@ -50,6 +50,23 @@ TEST(Law10Pose, EveryEntryMustBeFinite) {
   }
 }
 
+TEST(Law10Pose, NoTwoEntriesHideEachOther) {
+  const double bad[] = {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e200, -1e200};
+  for (int i = 0; i < 12; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (i % 4 == 3 || j % 4 == 3) continue;
+      for (const double one : bad) {
+        for (const double other : bad) {
+          Pose pose = Pose::Identity();
+          pose.data()[i] = one;
+          pose.data()[j] = other;
+          EXPECT_THROW(check_rigid(pose, "pose"), PoseError) << i << " " << j;
+        }
+      }
+    }
+  }
+}
+
 TEST(Law10Pose, TheMessageNamesThePlace) {
   Pose pose = Pose::Identity();
   pose.matrix()(1, 3) = std::nan("");

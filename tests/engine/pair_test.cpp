@@ -285,9 +285,14 @@ TEST(Law10Pair, BadPosesAreRefusedAndNamed) {
     EXPECT_EQ(std::string(error.what()).find("pose of mesh B: not a rotation"), 0u) << error.what();
   }
   EXPECT_THROW(find_triangle_pairs({mesh, bad}, {mesh}), PoseError);
-  Pose far = Pose::Identity();
-  far.translation().x() = std::nan("");
-  EXPECT_THROW(intersects({mesh, far}, {mesh}), PoseError);
+  for (int i = 0; i < 16; ++i) {
+    for (const double bad_entry : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+      Pose pose = Pose::Identity();
+      pose.data()[i] = bad_entry;
+      EXPECT_THROW(intersects({mesh, pose}, {mesh}), PoseError) << i;
+      EXPECT_THROW(intersects({mesh}, {mesh, pose}), PoseError) << i;
+    }
+  }
 }
 
 }  // namespace

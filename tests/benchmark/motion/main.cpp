@@ -47,18 +47,19 @@ Json to_json(const Work& work, std::size_t queries) {
           {"skipped_by_memory", mean(work.skipped_by_memory)}};
 }
 
-/// Times are means over the paths; `saved` is the share of the whole time, `median_saved` that of
-/// the path in the middle.
+/// Times are means over the queries of all paths, some of which end early; `saved` is the share of
+/// the whole time, `median_saved` that of the path in the middle.
 Json to_json(const MotionResult& result) {
   double cold = 0;
   double remembering = 0;
   std::vector<double> saved;
   for (const PathTimes& path : result.paths) {
-    cold += path.cold_microseconds;
-    remembering += path.remembering_microseconds;
+    const auto queries = static_cast<double>(path.queries);
+    cold += queries * path.cold_microseconds;
+    remembering += queries * path.remembering_microseconds;
     saved.push_back(1 - path.remembering_microseconds / path.cold_microseconds);
   }
-  const auto count = static_cast<double>(result.paths.size());
+  const auto count = static_cast<double>(result.queries);
   return {{"question", name_of(result.question)},
           {"queries", result.queries},
           {"wrong", result.wrong},

@@ -146,7 +146,7 @@ PathTimes times_on(const Asker& asker, const Path& path, int repetitions) {
     }));
   }
   const auto queries = static_cast<double>(path.size());
-  return {median(cold) / queries, median(remembering) / queries};
+  return {path.size(), median(cold) / queries, median(remembering) / queries};
 }
 
 }  // namespace

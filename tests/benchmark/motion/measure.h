@@ -21,7 +21,8 @@ struct MotionSettings {
 
 /// One question all along one path, asked with a memory that is new in its first pose, and without.
 struct PathTimes {
-  double cold_microseconds;  ///< a query, the path's mean
+  std::size_t queries;
+  double cold_microseconds;  ///< of each, in the mean
   double remembering_microseconds;
 };
 
