@@ -310,7 +310,7 @@ class Passer {
     }
     const std::uint32_t closed = node.lanes() & ~visit.open;
     FoundPlanes<WideNode::kWidth> gaps;
-    set_gaps(planes, gaps, node, host_side, closed);
+    set_gaps(planes, gaps, node, host_side, closed, guest);
     const typename Outlook::Nearness kept =
         outlook_[host_side].keep(planes, gaps, closed, reach_.limit);
     std::uint32_t near = kept.near;
@@ -366,13 +366,24 @@ class Passer {
 
   /// Of the children of a host beside guest_; of these lanes it matters.
   HWY_INLINE void set_gaps(VisitPlanes& planes, FoundPlanes<WideNode::kWidth>& found,
-                           const WideNode& node, int host_side, std::uint32_t asked) const {
+                           const WideNode& node, int host_side, std::uint32_t asked,
+                           const WideSlot& guest) const {
+    const bool are_slabs_asked = node.has_slabs && guest.node->has_slabs;
+    GuestSlab slab{};
+    if (!kIsDistance && are_slabs_asked) {
+      slab = slab_of(*guest.node, guest.lane, static_cast<float>(pass_.into[host_side].scale),
+                     in_node_.padding);
+    }
     for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(Tag())) {
       BoxGaps gaps(node, in_node_, lane);
       if constexpr (kIsDistance) {
         gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
-      } else if ((bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0) {
-        gaps.look_across();
+      } else {
+        const auto is_any_near = [&]() HWY_ATTR {
+          return (bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0;
+        };
+        if (is_any_near()) gaps.look_across();
+        if (are_slabs_asked && is_any_near()) gaps.look_along_slabs(lane, slab);
       }
       gaps.store(planes, found, lane, pass_.units[host_side]);
     }

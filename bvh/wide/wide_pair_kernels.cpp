@@ -18,18 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// A box along the axes of a host node: what the test of the host's children reads of it.
-struct OneGuest {
-  const GuestInNode& in_node;
-
-  HWY_INLINE float axis(int k, int i) const { return in_node.axes[k][i]; }
-  HWY_INLINE float size(int k, int i) const { return in_node.size[k][i]; }
-  HWY_INLINE float crossed(int k, int i) const { return in_node.crossed[k][i]; }
-  HWY_INLINE float way(int i) const { return in_node.way[i]; }
-  HWY_INLINE float reach(int i) const { return in_node.reach[i]; }
-  HWY_INLINE float half(int k) const { return in_node.half[k]; }
-};
-
 /// One of eight.
 struct GuestAmongOthers {
   const GuestsInNode& in_node;

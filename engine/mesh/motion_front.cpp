@@ -7,11 +7,15 @@ namespace graze {
 namespace {
 
 /// Measured. Where nearly all is due by its deadline, there was a jump, and planes hold no better;
-/// to look at a third of a front costs as much as a walk of its own.
+/// to look at a third of a front of distances costs as much as a walk of its own.
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
 constexpr std::size_t kMostCandidates = 250;  // whose distances are asked for in one pass
-constexpr int kLongestPause = 32;             // queries
+constexpr int kLongestPause = 64;             // queries
+
+/// Of the edges of the smaller mesh's box, added up. What goes so far in one query has to have done
+/// so before, or no front is begun for it.
+constexpr double kFast = 0.005;
 
 /// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
@@ -30,13 +34,9 @@ constexpr double kMostGrowth = 2;
 constexpr double kMostGrowthOfDistances = 1.5;
 constexpr std::size_t kFewMore = 64;
 
-/// Measured. How much of itself a front adds for later queries in one pass, at most, and what a
-/// pass costs: as much as to look at so many boxes beside eight others, and so much of that for
-/// each that it holds.
+/// Measured. How much of itself a front adds for later queries in one pass, at most.
 constexpr double kMostAhead = 0.25;
 constexpr std::size_t kFewAhead = 16;
-constexpr double kLooksOfPass = 6;
-constexpr double kLooksOfOthers = 0.08;
 constexpr double kLongestGap = 1000;  // queries
 
 /// What is further than it was foreseen to come by this factor has jumped.
@@ -44,6 +44,14 @@ constexpr double kJump = 4;
 
 /// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
 constexpr std::size_t kLargest = std::size_t{1} << 19;
+
+/// From corner to corner along the edges.
+double way_around(const bvh::FloatBox& box, double unit) {
+  double way = 0;
+  for (int i = 0; i < 3; ++i)
+    way += (double{box.max[i]} - double{box.min[i]}) * unit;
+  return way;
+}
 
 }  // namespace
 
@@ -62,7 +70,13 @@ void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
 void MotionFront::pause() {
   is_live_ = false;
   pause_ = next_pause_;
-  next_pause_ = std::min(2 * next_pause_, kLongestPause);
+  next_pause_ = std::min(4 * next_pause_, kLongestPause);
+}
+
+bool MotionFront::rests() {
+  if (is_live_ || pause_ == 0) return false;
+  --pause_;
+  return true;
 }
 
 bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) {
@@ -120,20 +134,21 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
     const bvh::WideFront::Pass pass = front_.pass(bounds_);
     const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
     if (is_worth_it && !has_many_candidates(pass, limit)) {
-      if (passes_ >= kEnoughPasses) next_pause_ = 1;
+      const bool is_kept = bounds_ == bvh::WideFront::Bounds::Distance || worth_.is_sure();
+      if (passes_ >= kEnoughPasses && is_kept) next_pause_ = 1;
       return pass;
     }
     pause();
     return std::nullopt;
   }
-  if (!is_live_ && pause_ > 0) {
-    --pause_;
-    return std::nullopt;
-  }
+  const double smaller =
+      std::min(way_around(tree_a.box(), b_in_a.units_a), way_around(tree_b.box(), b_in_a.units_b));
+  if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;
   motion_ = {};
   passes_ = 0;
+  worth_.begin();
   steer({b_in_a, a_in_b});
   return front_.pass(bounds_);
 }
@@ -150,39 +165,40 @@ bvh::WideFront::Foresight MotionFront::foresight() const {
       .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
 }
 
-void MotionFront::learn(const bvh::WideFront::Pass& pass, std::size_t size_before) {
-  if (bounds_ == bvh::WideFront::Bounds::Distance || !(step_ > 0)) return;
+void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
+  if (!(step_ > 0)) return;
   const double lasts = std::clamp(std::floor(front_.proven_gap(pass) / step_), 0.0, kLongestGap);
-  const std::size_t looks = front_.looked_at() + (front_.size() - size_before);
+  const double of_each = cost / (1 + lasts);
   const double tried = reach_.queries();
-  reach_.learn((kLooksOfPass + static_cast<double>(looks) +
-                kLooksOfOthers * static_cast<double>(front_.size())) /
-               (1 + lasts));
+  reach_.learn(of_each);
   // What was opened in vain is looked at for as long as the front lives.
   const bool was_in_vain = reach_.queries() < tried;
   if (was_in_vain &&
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
     is_live_ = false;
+  worth_.learn(of_each);
+  if (is_live_ && !worth_.is_given()) pause();
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
   is_live_ = false;  // should it throw
   const std::size_t size_before = front_.size();
-  const bvh::WideFront::Foresight ahead = foresight();
-  front_.advance(pass, limit, ahead);
+  front_.advance(pass, limit, foresight());
   is_live_ = true;
+  const bvh::WideFront::Counts counts = front_.take_counts();
   if (passes_++ == 0) {
     first_size_ = front_.size();
-  } else {
-    learn(pass, size_before);
-    const double most = kMostLookedAt * queries_ * static_cast<double>(size_before);
-    if (!(ahead.reach > 0) && static_cast<double>(front_.looked_at()) > most) pause();
+    if (front_.share_due(pass, limit + step_) > kMostDue) pause();
+  } else if (bounds_ == bvh::WideFront::Bounds::Meeting) {
+    learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
+  } else if (static_cast<double>(front_.looked_at()) >
+             kMostLookedAt * queries_ * static_cast<double>(size_before)) {
+    pause();
   }
   if (front_.size() > kLargest) {
     is_live_ = false;
     pause_ = kLongestPause;
   }
-  const bvh::WideFront::Counts counts = front_.take_counts();
   work.volume_tests += counts.walk.box_tests;
   work.volume_rejections += counts.walk.box_rejections;
   work.treelets_built += counts.walk.treelets.built;

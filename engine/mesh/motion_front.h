@@ -4,6 +4,7 @@
 
 #include <graze/bvh/wide/wide_front.h>
 #include <graze/engine/mesh/front_reach.h>
+#include <graze/engine/mesh/front_worth.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
@@ -19,19 +20,25 @@ class MotionFront {
   bvh::WideFront& front() { return front_; }
   bool is_live() const { return is_live_; }
 
+  /// Whether this query had better do without it, because others have.
+  bool rests();
+
   /// B has come so much further (common units), in so many queries.
   void move(const bvh::WideFront::Motion& step, int queries);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
-  /// be: where most of it is due, or a third of it had to be looked at in the last pass, the query
-  /// had better walk the trees, and so had the next ones, the more of them the more often that
-  /// happens in turn. `limit` as in WideFront::advance().
+  /// be. Where most of it is due, or queries with it have cost more than a walk, the query had
+  /// better walk the trees, and so had the next ones, the more of them the more often that happens
+  /// in turn. `limit` as in WideFront::advance().
   std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
                                            const bvh::RelativeFrame& b_in_a,
                                            const bvh::RelativeFrame& a_in_b, double limit);
 
   /// Looks at what is due, and counts that.
   void advance(const bvh::WideFront::Pass& pass, double limit, Work& work);
+
+  /// A query has walked the trees instead, to the end: what that was.
+  void learn_walk(const Work& walk) { worth_.learn_walk(FrontWorth::cost_of_walk(walk)); }
 
  private:
   bool is_outgrown() const;
@@ -43,8 +50,8 @@ class MotionFront {
   /// What this pass is to do for later queries.
   bvh::WideFront::Foresight foresight() const;
 
-  /// What it was worth, with so much in the front before.
-  void learn(const bvh::WideFront::Pass& pass, std::size_t size_before);
+  /// What a pass that cost so much was worth.
+  void learn(const bvh::WideFront::Pass& pass, double cost);
 
   /// Gives the front a course where there is one, and none where it would not be kept to.
   void steer(const bvh::RelativeFrame (&now)[2]);
@@ -57,6 +64,7 @@ class MotionFront {
   std::size_t first_size_ = 0;     // after the first of these
   int pause_ = 0;                  // queries until it may begin
   int next_pause_ = 1;
+  FrontWorth worth_;
   FrontReach reach_;
   double step_ = 0;  // by which B came further in each of the last queries
   int queries_ = 1;  // from the last pass to this one

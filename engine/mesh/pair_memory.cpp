@@ -48,14 +48,6 @@ void require_wide(Volume volume) {
   if (volume != Volume::Wide) throw InputError("volume: a PairMemory needs Volume::Wide");
 }
 
-/// Whether what is remembered proves it, at once.
-bool are_still_apart(Remembered& remembered, Work& work) {
-  const bool is_apart = remembered.are_beyond(0);
-  remembered.still_apart += is_apart;
-  work.skipped_by_memory += is_apart;
-  return is_apart;
-}
-
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
@@ -101,7 +93,7 @@ class MeetingQuery {
   /// otherwise it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    if (!remembered_.follow(query_)) return false;
+    if (remembered_.meeting.rests() || !remembered_.follow(query_)) return false;
     const bvh::RelativeFrame a_in_b = query_.a_in_b();
     const auto pass =
         remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
@@ -127,10 +119,13 @@ class MeetingQuery {
   /// The same by walking the trees.
   template <typename OnPair>
   void walk(OnPair&& on_pair) {
+    Work done;
     bvh::WidePairWalk walk = query_.walk();
-    Candidates candidates(touch_, work_);
-    query_.decide_at_once(walk, candidates, on_pair);
-    add_counts(walk.counts(), work_);
+    Candidates candidates(touch_, done);
+    const bvh::Walk end = query_.decide_at_once(walk, candidates, on_pair);
+    add_counts(walk.counts(), done);
+    if (end == bvh::Walk::Continue) remembered_.meeting.learn_walk(done);
+    work_ += done;
   }
 
  private:
@@ -152,10 +147,8 @@ class MeetingQuery {
   Work& work_;
 };
 
-bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Remembered& remembered,
                       Touch touch, Work& work) {
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  if (are_still_apart(remembered, work)) return false;
   MeetingQuery query(mesh_a, mesh_b, remembered, touch, work);
   if (query.are_far_apart()) return false;
   if (query.does_remembered_pair_touch()) return true;
@@ -183,9 +176,14 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& 
     check_closed(mesh_a.mesh, "mesh A");
     check_closed(mesh_b.mesh, "mesh B");
   }
+  Remembered& remembered = recall(memory, mesh_a, mesh_b);
+  const bool is_solid = settings.interior == Interior::Solid;
+  const bool is_apart = remembered.are_still_beyond(0, work);
+  if (is_apart && !is_solid) return false;
   CountedWork counted(work);
-  if (do_surfaces_meet(mesh_a, mesh_b, memory, settings.touch, counted.work())) return true;
-  return settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work());
+  return (!is_apart &&
+          do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, counted.work())) ||
+         (is_solid && is_either_inside(mesh_a, mesh_b, counted.work()));
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
@@ -193,10 +191,10 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
   require_wide(settings.volume);
   narrowphase::check_touch(settings.touch);
   check_threads(settings.threads);
-  CountedWork counted(work);
   Remembered& remembered = recall(memory, mesh_a, mesh_b);
   TrianglePairs found;
-  if (are_still_apart(remembered, counted.work())) return found;
+  if (remembered.are_still_beyond(0, work)) return found;
+  CountedWork counted(work);
   MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
   found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
@@ -208,7 +206,11 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     sort_pairs(found.pairs);
   } else {
     // Which pairs come first is for the walk to say.
-    found = find_triangle_pairs(mesh_a, mesh_b, settings, &counted.work());
+    Work done;
+    found = find_triangle_pairs(mesh_a, mesh_b, settings, &done);
+    if (settings.threads == 1 && found.completeness == Completeness::Complete)
+      remembered.meeting.learn_walk(done);
+    counted.work() += done;
   }
   remembered.remember(found.pairs);
   // The next pose has about as many.

@@ -35,8 +35,8 @@ class NearQuery {
   /// none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    if (!remembered_.follow(query_)) return false;
     MotionFront& near = remembered_.near;
+    if (near.rests() || !remembered_.follow(query_)) return false;
     auto pass =
         near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), reach_.units());
     if (!pass) return false;
@@ -162,14 +162,10 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
 bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings, Work* work) {
   check_clearance(clearance);
-  CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  if (remembered.are_beyond(clearance)) {
-    ++remembered.still_apart;
-    ++counted.work().skipped_by_memory;
-    return false;
-  }
+  if (remembered.are_still_beyond(clearance, work)) return false;
+  CountedWork counted(work);
   const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
                          counted.work());
   std::optional<TriangleDistance> known;

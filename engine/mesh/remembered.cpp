@@ -130,6 +130,13 @@ bool Remembered::are_beyond(double metres) const {
   return left > 0 && left * left * (1 - 0x1p-40) > square;
 }
 
+bool Remembered::are_still_beyond(double metres, Work* work) {
+  if (!are_beyond(metres)) return false;
+  ++still_apart;
+  if (work != nullptr) ++work->skipped_by_memory;
+  return true;
+}
+
 void Remembered::learn_gap(double metres) {
   if (!(metres > 0) || !std::isfinite(metres)) return;
   gap_ = metres;

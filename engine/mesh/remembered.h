@@ -72,6 +72,9 @@ class Remembered {
   /// that was proved last, less the motion since.
   bool are_beyond(double metres) const;
 
+  /// The same, and a query that is over with it, which is counted.
+  bool are_still_beyond(double metres, Work* work);
+
   /// No triangles are nearer than so many metres in these poses.
   void learn_gap(double metres);
 
@@ -84,7 +87,7 @@ class Remembered {
 
   std::optional<TrianglePair> nearest;
   bool was_within = false;
-  bool was_touching = false;  // when a distance was last asked for
+  bool was_touching = false;    // when a distance was last asked for
   std::size_t pairs_found = 0;  // when all pairs were last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
   MotionFront near{bvh::WideFront::Bounds::Distance};

@@ -401,6 +401,40 @@ TEST(PairMemory, LooksNoFurtherThanPays) {
   EXPECT_LT(remembering.volume_tests, cold.volume_tests / 4);
 }
 
+/// Where surfaces are nearly parallel slabs tell apart what boxes do not: a front that did not ask
+/// them would have three times as many triangles to look at.
+TEST(PairMemory, AsksSlabs) {
+  const Mesh shell = tests::make_sphere(1.02, 80, 40);
+  const Mesh ball = tests::make_sphere(1, 80, 40);
+  PairMemory memory;
+  Work cold;
+  Work remembering;
+  for (int i = 0; i < 60; ++i) {
+    const Pose pose(Eigen::AngleAxisd(0.3 + 0.001 * i, Eigen::Vector3d(1, 2, 3).normalized()));
+    EXPECT_FALSE(intersects({shell}, {ball, pose}, {}, &cold));
+    EXPECT_FALSE(intersects({shell}, {ball, pose}, memory, {}, &remembering));
+  }
+  EXPECT_LT(remembering.filter_tests, cold.filter_tests / 8);
+}
+
+/// A small ball that runs along a ring, nearer to it than each step is long: a walk is over after a
+/// few nodes, and a front has to look at as many triangles as the ball meets anew.
+TEST(PairMemory, WalksWhereThatCostsLess) {
+  const Mesh ring = tests::make_torus(1, 0.3, 96, 48);
+  const Mesh ball = tests::make_sphere(0.02, 12, 12);
+  PairMemory memory;
+  Work cold;
+  Work remembering;
+  for (int i = 0; i < 300; ++i) {
+    Pose pose = Pose::Identity();
+    pose.translation() << 0.736 * std::cos(0.01 * i), 0.736 * std::sin(0.01 * i), 0.198;
+    EXPECT_FALSE(intersects({ring}, {ball, pose}, {}, &cold));
+    EXPECT_FALSE(intersects({ring}, {ball, pose}, memory, {}, &remembering));
+  }
+  EXPECT_GT(remembering.volume_tests, cold.volume_tests / 2);
+  EXPECT_LT(remembering.filter_tests, 5 * cold.filter_tests);
+}
+
 TEST(Law9, AMemoryOfOtherMeshesIsForgotten) {
   const Mesh near = tests::make_box({1, 1, 1});
   const Mesh far = tests::make_box({0.25, 0.25, 0.25});
