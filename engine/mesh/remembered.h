@@ -41,11 +41,11 @@ class RememberedMesh {
   Motion motion_from(const Pose& before) const;
 
  private:
+  alignas(64) Pose pose_ = Pose::Identity();  // two cache lines: each query compares it
   Mesh mesh_;
   double middle_[3];
   double radius_;   // of the bounds, around their middle
   double largest_;  // coordinate
-  Pose pose_ = Pose::Identity();
   double deviation_ = 0;
   std::uint64_t pose_number_ = 0;
   bool is_placed_ = false;
@@ -99,7 +99,7 @@ class Remembered {
   RememberedMesh b_;
 
   struct Place {
-    Pose pose = Pose::Identity();
+    alignas(64) Pose pose = Pose::Identity();
     std::uint64_t number = 0;
   };
   static Place place_of(const RememberedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
