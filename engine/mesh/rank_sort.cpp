@@ -7,6 +7,11 @@
 #include <graze/engine/mesh/rank_sort.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::HWY_NAMESPACE {
 namespace {
@@ -14,19 +19,26 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 bool rank_sort(std::span<const std::uint64_t> numbers, std::uint64_t* sorted) {
-  const hn::CappedTag<std::uint64_t, 8> tag;
+  constexpr std::size_t kMostLanes = 8;
+  const hn::CappedTag<std::uint64_t, kMostLanes> tag;
   const std::size_t size = numbers.size();
   std::size_t sum = 0;
   for (std::size_t first = 0; first < size; first += hn::Lanes(tag)) {
-    const auto is_there = hn::FirstN(tag, size - first);
-    const auto some = hn::MaskedLoad(is_there, tag, numbers.data() + first);
+    const std::size_t count = std::min(hn::Lanes(tag), size - first);
+    const std::uint64_t* lanes = numbers.data() + first;
+    alignas(64) std::uint64_t rest[kMostLanes] = {};
+    if (count < hn::Lanes(tag)) {
+      std::copy_n(lanes, count, rest);
+      lanes = rest;
+    }
+    const auto some = hn::LoadU(tag, lanes);
     auto rank = hn::Zero(tag);
     for (const std::uint64_t other : numbers)
       rank = hn::Sub(rank, hn::VecFromMask(tag, hn::Lt(hn::Set(tag, other), some)));
-    alignas(64) std::uint64_t ranks[8];
+    alignas(64) std::uint64_t ranks[kMostLanes];
     hn::Store(rank, tag, ranks);
-    for (std::size_t lane = 0; lane < hn::Lanes(tag) && first + lane < size; ++lane) {
-      sorted[ranks[lane]] = numbers[first + lane];
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      sorted[ranks[lane]] = lanes[lane];
       sum += ranks[lane];
     }
   }

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <random>
+#include <span>
 #include <vector>
+
+#include "tests/narrowphase/simd_targets.h"
 
 namespace graze {
 namespace {
@@ -16,6 +19,20 @@ std::vector<TrianglePair> random_pairs(std::size_t count, std::uint32_t range, u
     pair.b = 0xffffffff - static_cast<std::uint32_t>(random()) % range;
   }
   return pairs;
+}
+
+TEST(Law8, PairsAreSortedOnEveryTarget) {
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    for (std::size_t count = 0; count <= kMostToRank; ++count) {
+      std::vector<TrianglePair> pairs = random_pairs(count, 50, 7);
+      std::vector<TrianglePair> expected = pairs;
+      std::sort(expected.begin(), expected.end());
+      sort_pairs(pairs);
+      EXPECT_EQ(pairs, expected) << count << " " << target;
+    }
+  }
+  narrowphase::force_simd_target(0);
 }
 
 TEST(SortPairs, AgreesWithTheStandardSort) {
@@ -31,16 +48,22 @@ TEST(SortPairs, AgreesWithTheStandardSort) {
 }
 
 TEST(RankSort, SaysWhetherAnyAreEqual) {
-  for (std::size_t count = 2; count <= kMostToRank; ++count) {
-    std::vector<std::uint64_t> numbers(count);
-    for (std::size_t i = 0; i < count; ++i)
-      numbers[i] = (i * 7919) % 1009 << 40;
-    std::vector<std::uint64_t> sorted(count);
-    ASSERT_TRUE(rank_sort(numbers, sorted.data())) << count;
-    EXPECT_TRUE(std::is_sorted(sorted.begin(), sorted.end()));
-    numbers[0] = numbers[count - 1];
-    EXPECT_FALSE(rank_sort(numbers, sorted.data())) << count;
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    for (std::size_t count = 2; count <= kMostToRank; ++count) {
+      // Wherever they lie in memory.
+      std::vector<std::uint64_t> memory(count + 1);
+      const std::span<std::uint64_t> numbers(memory.data() + 1, count);
+      for (std::size_t i = 0; i < count; ++i)
+        numbers[i] = (i * 7919) % 1009 << 40;
+      std::vector<std::uint64_t> sorted(count);
+      ASSERT_TRUE(rank_sort(numbers, sorted.data())) << count << " " << target;
+      EXPECT_TRUE(std::is_sorted(sorted.begin(), sorted.end()));
+      numbers[0] = numbers[count - 1];
+      EXPECT_FALSE(rank_sort(numbers, sorted.data())) << count << " " << target;
+    }
   }
+  narrowphase::force_simd_target(0);
 }
 
 }  // namespace
