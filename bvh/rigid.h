@@ -36,8 +36,9 @@ class RotationError {
 
   /// Never true of what is no number, which a maximum may lose and a sum does not.
   bool is_within(double most) const {
-    const Two sum = entries_[0] + entries_[1] + entries_[2];
-    return sum.x() + sum.y() <= 7 * most && largest() <= most;
+    const Two sums = entries_[0] + entries_[1] + entries_[2];
+    const double sum = sums.x() + sums.y();
+    return sum <= most || (sum <= 7 * most && largest() <= most);
   }
 
  private:

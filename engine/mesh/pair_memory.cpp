@@ -8,6 +8,7 @@
 #include <graze/engine/mesh/sort_pairs.h>
 #include <graze/engine/mesh/threads.h>
 #include <graze/engine/mesh/wide_query.h>
+#include <hwy/base.h>
 
 #include <algorithm>
 
@@ -147,9 +148,13 @@ class MeetingQuery {
   Work& work_;
 };
 
-bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Remembered& remembered,
-                      Touch touch, Work& work) {
-  MeetingQuery query(mesh_a, mesh_b, remembered, touch, work);
+// What follows is not inlined: a query that a gap answers is over before there were frames and
+// counters for all that.
+
+HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                   Remembered& remembered, Touch touch, Work* work) {
+  CountedWork counted(work);
+  MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
   if (query.are_far_apart()) return false;
   if (query.does_remembered_pair_touch()) return true;
   // After a hit another is likelier than a gap.
@@ -165,36 +170,16 @@ bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Rememb
   return count > 0;
 }
 
-}  // namespace
-
-bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
-                const QuerySettings& settings, Work* work) {
-  require_wide(settings.volume);
-  narrowphase::check_touch(settings.touch);
-  check_interior(settings);
-  if (settings.interior == Interior::Solid) {
-    check_closed(mesh_a.mesh, "mesh A");
-    check_closed(mesh_b.mesh, "mesh B");
-  }
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  const bool is_solid = settings.interior == Interior::Solid;
-  const bool is_apart = remembered.are_still_beyond(0, work);
-  if (is_apart && !is_solid) return false;
+HWY_NOINLINE bool is_one_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
   CountedWork counted(work);
-  return (!is_apart &&
-          do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, counted.work())) ||
-         (is_solid && is_either_inside(mesh_a, mesh_b, counted.work()));
+  return is_either_inside(mesh_a, mesh_b, counted.work());
 }
 
-TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                  PairMemory& memory, const PairSettings& settings, Work* work) {
-  require_wide(settings.volume);
-  narrowphase::check_touch(settings.touch);
-  check_threads(settings.threads);
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  TrianglePairs found;
-  if (remembered.are_still_beyond(0, work)) return found;
+HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                      Remembered& remembered, const PairSettings& settings,
+                                      Work* work) {
   CountedWork counted(work);
+  TrianglePairs found;
   MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
   found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
@@ -216,6 +201,34 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
   // The next pose has about as many.
   remembered.pairs_found = found.pairs.size() + found.pairs.size() / 4;
   return found;
+}
+
+}  // namespace
+
+bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+                const QuerySettings& settings, Work* work) {
+  require_wide(settings.volume);
+  narrowphase::check_touch(settings.touch);
+  check_interior(settings);
+  if (settings.interior == Interior::Solid) {
+    check_closed(mesh_a.mesh, "mesh A");
+    check_closed(mesh_b.mesh, "mesh B");
+  }
+  Remembered& remembered = recall(memory, mesh_a, mesh_b);
+  if (!remembered.are_still_beyond(0, work) &&
+      do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
+    return true;
+  return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
+}
+
+TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                  PairMemory& memory, const PairSettings& settings, Work* work) {
+  require_wide(settings.volume);
+  narrowphase::check_touch(settings.touch);
+  check_threads(settings.threads);
+  Remembered& remembered = recall(memory, mesh_a, mesh_b);
+  if (remembered.are_still_beyond(0, work)) return {};
+  return find_pairs(mesh_a, mesh_b, remembered, settings, work);
 }
 
 }  // namespace graze

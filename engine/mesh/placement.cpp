@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
-#include <graze/bvh/rigid.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/placement_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,23 +47,11 @@ namespace {
   throw PoseError(std::string(what) + ": coordinate " + axis + " of the mesh could overflow");
 }
 
-/// All that a placed coordinate is made of.
-double sum_of_sizes(const Pose& pose, const Aabb& bounds) {
-  const double* m = pose.data();
-  double sum = std::abs(m[12]) + std::abs(m[13]) + std::abs(m[14]);
-  for (int k = 0; k < 3; ++k)
-    sum += std::abs(bounds.min.data()[k]) + std::abs(bounds.max.data()[k]);
-  return sum;
-}
-
 }  // namespace
 
 double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
-  // Nearly all poses pass at once: entries of a rotation enlarge nothing.
-  constexpr double kFarFromOverflow = 0x1p1000;
   const bvh::RotationError error(pose);
-  if (bvh::is_rigid(pose, error) && sum_of_sizes(pose, bounds) < kFarFromOverflow)
-    return error.largest();
+  if (is_surely_placeable(pose, error, sum_of_sizes(bounds))) return error.largest();
   const double deviation = check_rigid(pose, what);
   const std::array<double, 3> reach = placed_reach(pose, bounds);
   for (const double most : reach) {

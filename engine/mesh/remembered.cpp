@@ -12,6 +12,7 @@
 // T2 no b of the box m +- h moves by more than |dC m + dT| + sum h_j |dC_j|. So a gap less this
 // motion that exceeds twice the new slack leaves no two triangles that meet.
 
+#include <graze/engine/mesh/placement_check.h>
 #include <graze/engine/mesh/remembered.h>
 
 #include <algorithm>
@@ -68,7 +69,8 @@ bool are_equal(const Pose& one, const Pose& other) {
   return difference == 0;
 }
 
-RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
+RememberedMesh::RememberedMesh(const Mesh& mesh)
+    : mesh_(mesh), sizes_(sum_of_sizes(mesh.bounds())) {
   const double* low = mesh.bounds().min.data();
   const double* high = mesh.bounds().max.data();
   double square = 0;
@@ -85,7 +87,8 @@ RememberedMesh::RememberedMesh(const Mesh& mesh) : mesh_(mesh) {
 void RememberedMesh::place(const Pose& pose, const char* what) {
   if (is_placed_ && are_equal(pose, pose_)) return;
   is_placed_ = false;
-  deviation_ = check_placement(pose, mesh_.bounds(), what);
+  error_ = bvh::RotationError(pose);
+  if (!is_surely_placeable(pose, error_, sizes_)) check_placement(pose, mesh_.bounds(), what);
   pose_ = pose;
   ++pose_number_;
   is_placed_ = true;

@@ -2,6 +2,7 @@
 
 // Private to engine/mesh.
 
+#include <graze/bvh/rigid.h>
 #include <graze/engine/mesh/motion_front.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/wide_query.h>
@@ -27,7 +28,7 @@ class RememberedMesh {
   const Pose& pose() const { return pose_; }
   /// Another number each time that the pose changes.
   std::uint64_t pose_number() const { return pose_number_; }
-  double deviation() const { return deviation_; }
+  double deviation() const { return error_.largest(); }
 
   /// The door: check_placement(), unless the pose is the last one.
   void place(const Pose& pose, const char* what);
@@ -46,7 +47,8 @@ class RememberedMesh {
   double middle_[3];
   double radius_;   // of the bounds, around their middle
   double largest_;  // coordinate
-  double deviation_ = 0;
+  double sizes_;    // of the bounds, added up
+  bvh::RotationError error_{pose_};
   std::uint64_t pose_number_ = 0;
   bool is_placed_ = false;
 };
