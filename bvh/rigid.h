@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace graze::bvh {
@@ -42,8 +43,8 @@ class RotationError {
   }
 
  private:
-  using Two = Eigen::Array2d;  // as wide as every processor's registers
-  Two entries_[3];
+  using Two = Eigen::Array2d;  // which most processors have registers for
+  std::array<Two, 3> entries_;
 };
 
 /// Whether a pose turns and does not mirror, if its columns are nearly unit vectors at right

@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// One of eight.
+/// One of eight guests.
 struct GuestAmongOthers {
   const GuestsInNode& in_node;
   std::uint32_t lane;

@@ -1,5 +1,7 @@
 #include <graze/engine/mesh/front_worth.h>
 
+#include <cmath>
+
 namespace graze {
 namespace {
 
@@ -39,7 +41,7 @@ bool FrontWorth::is_given() const {
 }
 
 bool FrontWorth::is_sure() const {
-  return queries_ >= kEnoughQueries && mean_ < kWellWorth * walk_;
+  return queries_ >= kEnoughQueries && std::isfinite(walk_) && mean_ < kWellWorth * walk_;
 }
 
 }  // namespace graze

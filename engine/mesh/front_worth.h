@@ -18,7 +18,7 @@ class FrontWorth {
   static double cost_of_walk(const Work& done);
   static double cost_of_pass(const bvh::WideFront::Counts& done, std::size_t unsure);
 
-  /// What a query would cost now.
+  /// What the last query without it has cost.
   void learn_walk(double cost) { walk_ = cost; }
 
   /// There is another front.
@@ -31,7 +31,7 @@ class FrontWorth {
   /// is known.
   bool is_given() const;
 
-  /// Whether they cost so much less that there is no doubt.
+  /// Whether they are known to cost so much less that there is no doubt.
   bool is_sure() const;
 
  private:

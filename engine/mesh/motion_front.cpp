@@ -143,6 +143,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   }
   const double smaller =
       std::min(way_around(tree_a.box(), b_in_a.units_a), way_around(tree_b.box(), b_in_a.units_b));
+  is_live_ = false;
   if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
   is_live_ = true;

@@ -27,9 +27,9 @@ class MotionFront {
   void move(const bvh::WideFront::Motion& step, int queries);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
-  /// be. Where most of it is due, or queries with it have cost more than a walk, the query had
-  /// better walk the trees, and so had the next ones, the more of them the more often that happens
-  /// in turn. `limit` as in WideFront::advance().
+  /// be. Where most of it is due, or queries with it have cost more than a walk, or have looked at
+  /// a third of it for a distance, the query had better walk the trees, and so had the next ones,
+  /// the more of them the more often that happens in turn. `limit` as in WideFront::advance().
   std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
                                            const bvh::RelativeFrame& b_in_a,
                                            const bvh::RelativeFrame& a_in_b, double limit);
@@ -66,8 +66,8 @@ class MotionFront {
   int next_pause_ = 1;
   FrontWorth worth_;
   FrontReach reach_;
-  double step_ = 0;  // by which B came further in each of the last queries
-  int queries_ = 1;  // from the last pass to this one
+  double step_ = 0;  // of B in each of the last queries, from where it was before them
+  int queries_ = 1;  // how many these are
   bool is_jump_ = true;
 
   bvh::RelativeFrame last_[2] = {};  // when a pass was last asked for

@@ -182,8 +182,8 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
   TrianglePairs found;
   MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
-  found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
   const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
+    if (found.pairs.empty()) found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });

@@ -118,7 +118,8 @@ RememberedMesh::Motion RememberedMesh::motion_from(const Pose& before) const {
 void Remembered::place(const Pose& pose_a, const Pose& pose_b) {
   a_.place(pose_a, "pose of mesh A");
   b_.place(pose_b, "pose of mesh B");
-  ++queries_;
+  // No number of queries is too large: some are over in nanoseconds.
+  queries_ = std::min(queries_ + 1, kMostQueries);
 }
 
 bool Remembered::are_beyond(double metres) const {

@@ -117,7 +117,8 @@ class Remembered {
   double rotation_[3][3];  // of B in A, in common units, when last computed
   double translation_[3];
   bool is_followed_ = false;
-  int queries_ = 0;  // since then
+  static constexpr int kMostQueries = 1 << 20;
+  int queries_ = 0;  // since then, or so many
 
   std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
   std::size_t pair_count_ = 0;

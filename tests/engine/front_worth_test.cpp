@@ -14,6 +14,14 @@ TEST(FrontWorth, NothingSpeaksAgainstAFrontThatNobodyHasTried) {
   EXPECT_FALSE(worth.is_sure());
 }
 
+TEST(FrontWorth, NothingIsSureAsLongAsNobodyHasWalked) {
+  FrontWorth worth;
+  for (int i = 0; i < 10; ++i)
+    worth.learn(1);
+  EXPECT_TRUE(worth.is_given());
+  EXPECT_FALSE(worth.is_sure());
+}
+
 TEST(FrontWorth, WhatCostsMoreThanAWalkIsNotWorthIt) {
   FrontWorth worth;
   worth.learn_walk(100);

@@ -287,9 +287,29 @@ TEST(Law10, AMemoryIsNoWayRoundTheDoor) {
     EXPECT_THROW(intersects({box}, {box, bent}, memory), PoseError);
     EXPECT_THROW(distance({box, bent}, {box, pose}, memory), PoseError);
   }
+  for (int i = 0; i < 16; ++i) {
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+      Pose broken = pose;
+      broken.data()[i] = bad;
+      EXPECT_THROW(intersects({box}, {box, broken}, memory), PoseError) << i;
+      EXPECT_THROW(intersects({box}, {box, broken}, memory), PoseError) << i;
+      EXPECT_FALSE(intersects({box}, {box, pose}, memory));
+    }
+  }
   EXPECT_THROW(within({box}, {box, pose}, -1, memory), InputError);
   EXPECT_THROW(distance({box}, {box, pose}, memory, {.hint = TrianglePair{99, 0}}), InputError);
   EXPECT_FALSE(intersects({box}, {box, pose}, memory));
+}
+
+/// Turned, its corners are no doubles.
+TEST(Law10, AMemoryOfAMeshThatOverflows) {
+  const Mesh vast = tests::make_box({1.5e308, 1.5e308, 1.5e308});
+  const Mesh box = tests::make_box({1, 1, 1});
+  const Pose turned(Eigen::AngleAxisd(0.25 * EIGEN_PI, Eigen::Vector3d::UnitZ()));
+  PairMemory memory;
+  EXPECT_THROW(intersects({box}, {vast, turned}), PoseError);
+  EXPECT_THROW(intersects({box}, {vast, turned}, memory), PoseError);
+  EXPECT_THROW(intersects({vast, turned}, {box}, memory), PoseError);
 }
 
 /// A small ball of small triangles in the side of a large box: nearly all pairs are told apart, or
@@ -415,6 +435,31 @@ TEST(PairMemory, AsksSlabs) {
     EXPECT_FALSE(intersects({shell}, {ball, pose}, memory, {}, &remembering));
   }
   EXPECT_LT(remembering.filter_tests, cold.filter_tests / 8);
+}
+
+/// Planes along slabs hold no longer than they may: shells come to touch on one side or the other.
+TEST(Law8, AMemoryThatAsksSlabsChangesNoAnswerOnAnyTarget) {
+  const Mesh shell = tests::make_sphere(1.02, 60, 30);
+  const Mesh ball = tests::make_sphere(1, 60, 30);
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    for (const double way : {-0.001, 0.001}) {
+      PairMemory inside;
+      PairMemory outside;
+      int touching = 0;
+      for (int i = 0; i < 30; ++i) {
+        Pose pose(Eigen::AngleAxisd(0.3 + 0.001 * i, Eigen::Vector3d(1, 2, 3).normalized()));
+        pose.translation() << way * i, 0.3 * way * i, -0.5 * way * i;
+        const bool expected = intersects({shell}, {ball, pose});
+        EXPECT_EQ(intersects({shell}, {ball, pose}, inside), expected) << target << " " << i;
+        EXPECT_EQ(intersects({ball, pose}, {shell}, outside), expected) << target << " " << i;
+        touching += expected;
+      }
+      EXPECT_GT(touching, 3);
+      EXPECT_LT(touching, 27);
+    }
+  }
+  narrowphase::force_simd_target(0);
 }
 
 /// A small ball that runs along a ring, nearer to it than each step is long: a walk is over after a
