@@ -3,6 +3,7 @@
 #include <graze/engine/world/shape.h>
 #include <graze/narrowphase/convex/hull.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,6 +22,19 @@ const char* name_of(narrowphase::HullDefect defect) {
   }
 }
 
+/// Squares and products of six of the hull's lengths must stay within double, as of every shape.
+/// How thin it is does not matter.
+void check_size(const std::vector<narrowphase::Vec3>& points) {
+  narrowphase::Vec3 low = points[0], high = points[0];
+  for (const narrowphase::Vec3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const double longest = largest(high - low);
+  if (longest > 0 && longest < kSmallestLength)
+    throw InputError("convex hull: its longest side is below the smallest length");
+}
+
 }  // namespace
 
 ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
@@ -35,6 +49,7 @@ ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
     }
     copied.push_back({point.data()[0], point.data()[1], point.data()[2]});
   }
+  check_size(copied);
   narrowphase::Hull hull;
   const narrowphase::HullDefect defect = narrowphase::build_hull(copied, hull);
   if (defect != narrowphase::HullDefect::None) {
@@ -53,7 +68,7 @@ Eigen::Vector3d ConvexHull::vertex(std::size_t index) const {
 }
 
 std::size_t ConvexHull::face_count() const {
-  return hull_->faces.size();
+  return hull_->contact_faces.size();
 }
 
 }  // namespace graze

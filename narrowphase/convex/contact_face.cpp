@@ -113,17 +113,17 @@ ContactFace hull_face(const Core& core, const Vec3& own) {
   const Hull& hull = *core.hull;
   std::size_t best = 0;
   double most = -2;
-  for (std::size_t i = 0; i < hull.faces.size(); ++i) {
-    const double along = dot(hull.faces[i].normal, own);
+  for (std::size_t i = 0; i < hull.contact_faces.size(); ++i) {
+    const double along = dot(hull.contact_faces[i].normal, own);
     if (along > most) best = i, most = along;
   }
-  const Hull::Face& found = hull.faces[best];
+  const Hull::Face& found = hull.contact_faces[best];
   ContactFace face;
   face.id = static_cast<std::uint32_t>(best);
   constexpr std::uint32_t kMost = ContactFace::kMostCorners;
   const std::uint32_t count = found.count < kMost ? found.count : kMost;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t corner = hull.loops[found.first + i * found.count / count];
+    const std::uint32_t corner = hull.contact_loops[found.first + i * found.count / count];
     add(face, core, hull.corners[corner], corner);
   }
   set_normal(face, core, found.normal);

@@ -5,7 +5,7 @@
 // moved by so much.
 
 #include <graze/narrowphase/convex/core_ray.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/hull/hull_ray.h>
 #include <graze/narrowphase/derived/double_pair.h>
 
 #include <algorithm>
@@ -181,18 +181,6 @@ Stretch in_box(const Line& line, const Vec3& half) {
                 in_slab(line, {0, 0, 1}, half.z));
 }
 
-/// Faces that stand for some triangles hold the corners of all.
-Stretch in_hull(const Line& line, const Hull& hull, double size) {
-  Stretch stretch;
-  for (const Hull::Face& face : hull.faces) {
-    double offset = -kInfinity;
-    for (std::uint32_t i = face.first; i < face.first + face.count; ++i)
-      offset = std::max(offset, dot(face.normal, hull.corners[hull.loops[i]]));
-    stretch = common(stretch, in_half_space(line, face.normal, offset / size));
-  }
-  return stretch;
-}
-
 /// From the common frame into the core's own: the inverse of its axes, which are not quite
 /// orthonormal.
 class IntoOwn {
@@ -231,8 +219,6 @@ Stretch in_own(const Core& core, const Line& line, double size) {
       return in_cone(line, half);
     case CoreKind::Ellipsoid:
       return in_ellipsoid(line, half);
-    case CoreKind::Points:
-      return in_hull(line, *core.hull, size);
     default:
       return Stretch::nothing();
   }
@@ -249,11 +235,37 @@ Stretch in_core(const Core& core, const Line& line, double size) {
   return stretch;
 }
 
+/// A hull's faces may meet at any angle, so that planes that are elsewhere by however little may
+/// meet far away. So it is the ray that is moved, by rounding, and what it meets is exact. From
+/// near the hull the ray begins where it does, from afar at its point nearest to the middle.
+std::optional<CoreRayHit> cast_at_hull(const Core& core, const Vec3& from_middle,
+                                       const Vec3& direction) {
+  const double far = largest(from_middle);
+  const IntoOwn into_own(core);
+  const auto placed = [&](const HullRayHit& hit, double before) {
+    const double distance = before + hit.distance;
+    if (!(distance > 0)) return CoreRayHit{0, -direction};
+    return CoreRayHit{distance, unit_or(into_own.normal_back(hit.normal), -direction)};
+  };
+  const Vec3 along = into_own(direction);
+  if (far <= 4 * core.reach) {
+    const auto hit = cast_ray(*core.hull, into_own(from_middle), along, HullRayStart::Here);
+    return hit ? std::optional(placed(*hit, 0)) : std::nullopt;
+  }
+  const Vec3 start{from_middle.x / far, from_middle.y / far, from_middle.z / far};
+  const double to_nearest = -dot(start, direction);
+  const Vec3 nearest = (start + direction * to_nearest) * far;
+  if (!(to_nearest > 0) || !(largest(nearest) <= 2 * core.reach)) return std::nullopt;
+  const auto hit = cast_ray(*core.hull, into_own(nearest), along, HullRayStart::FarBehind);
+  return hit ? std::optional(placed(*hit, to_nearest * far)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<CoreRayHit> cast_ray(const Core& core, const Vec3& origin, const Vec3& direction) {
   const double size = core.reach + core.radius;
   const Vec3 from_middle = origin - core.at;
+  if (core.kind == CoreKind::Points) return cast_at_hull(core, from_middle, direction);
   // In units of whichever is larger, so that nothing overflows on the way.
   const double far = std::max(largest(from_middle), size);
   const Vec3 start{from_middle.x / far, from_middle.y / far, from_middle.z / far};

@@ -1,9 +1,12 @@
 #include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/hull/contact_faces.h>
 #include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/ray/ray_stages.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace graze::narrowphase {
@@ -11,10 +14,6 @@ namespace {
 
 using Index = std::uint32_t;
 using Corners = std::array<Index, 3>;  // counter-clockwise from outside
-
-// Triangles whose normals are as close as this lie in one face: far above rounding, far below what
-// anybody models.
-constexpr double kOneFace = 1 - 1e-10;
 
 const double* data(const Vec3& v) {
   return &v.x;
@@ -59,56 +58,56 @@ HullDefect first_tetrahedron(const std::vector<Vec3>& p, std::array<Index, 4>& t
   return HullDefect::None;
 }
 
-/// Replaces the triangles that see the point by a fan from their horizon.
+/// Replaces the triangles that the point is not behind by a fan from their horizon. Those in whose
+/// planes it lies go too, so that no new triangle is without area: an edge of the horizon belongs
+/// to a triangle that the point is strictly behind, and so it is on no line with that edge. They
+/// hang together with those that see it, and around a corner the planes in front of the point
+/// follow each other: the horizon is one closed loop. What lies within a face or an edge thus drops
+/// out.
 void add_point(const std::vector<Vec3>& p, Index point, std::vector<Corners>& triangles) {
-  std::map<std::pair<Index, Index>, int> edges;  // directed, of triangles that see the point
+  std::vector<Sign> sides;
+  sides.reserve(triangles.size());
+  for (const Corners& t : triangles)
+    sides.push_back(side(p, t, point));
+  if (std::find(sides.begin(), sides.end(), Sign::Positive) == sides.end()) return;
+  std::set<std::pair<Index, Index>> edges;  // directed, of those that go
   std::vector<Corners> kept;
-  for (const Corners& t : triangles) {
-    if (side(p, t, point) != Sign::Positive) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Corners& t = triangles[i];
+    if (sides[i] == Sign::Negative) {
       kept.push_back(t);
       continue;
     }
     for (int k = 0; k < 3; ++k)
-      edges[{t[k], t[(k + 1) % 3]}] = 1;
+      edges.insert({t[k], t[(k + 1) % 3]});
   }
-  if (edges.empty()) return;
-  for (const auto& [edge, unused] : edges) {
-    if (!edges.contains({edge.second, edge.first})) {
-      kept.push_back({edge.first, edge.second, point});
-    }
+  for (const auto& [from, to] : edges) {
+    if (!edges.contains({to, from})) kept.push_back({from, to, point});
   }
   triangles = std::move(kept);
-}
-
-Vec3 normal_of(const std::vector<Vec3>& p, const Corners& t) {
-  // Each edge by itself is scaled, so that thin and small triangles have their normals too.
-  const Vec3 u = unit_or(p[t[1]] - p[t[0]], {1, 0, 0});
-  const Vec3 v = unit_or(p[t[2]] - p[t[0]], {0, 1, 0});
-  return unit_or(cross(u, v), {0, 0, 1});
 }
 
 /// Corners go relative to the middle of their box, so that a hull far from its frame's origin loses
 /// nothing more.
 void centre(Hull& hull) {
-  Vec3 low = hull.corners[0];
-  Vec3 high = hull.corners[0];
-  for (const Vec3& c : hull.corners) {
+  Vec3 low = hull.exact_corners[0];
+  Vec3 high = low;
+  for (const Vec3& c : hull.exact_corners) {
     low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
     high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
   }
   hull.middle = low * 0.5 + high * 0.5;
-  for (Vec3& c : hull.corners) {
-    c = c - hull.middle;
-    hull.reach = std::max(hull.reach, length(c));
+  for (const Vec3& c : hull.exact_corners) {
+    hull.corners.push_back(c - hull.middle);
+    hull.reach = std::max(hull.reach, length(hull.corners.back()));
   }
 }
 
-/// Gathers triangles that lie in one plane with the first of them, and chains the edges that only
-/// one of them has.
+/// Gathers triangles that lie in one plane, and chains the edges that only one of them has.
 class FaceBuilder {
  public:
-  explicit FaceBuilder(const std::vector<Corners>& triangles)
-      : triangles_(triangles), is_taken_(triangles.size(), false) {
+  FaceBuilder(const std::vector<Vec3>& points, const std::vector<Corners>& triangles)
+      : points_(points), triangles_(triangles), is_taken_(triangles.size(), false) {
     for (Index i = 0; i < triangles.size(); ++i) {
       for (int k = 0; k < 3; ++k)
         owner_[{triangles[i][k], triangles[i][(k + 1) % 3]}] = i;
@@ -117,30 +116,22 @@ class FaceBuilder {
 
   bool is_taken(Index triangle) const { return is_taken_[triangle]; }
 
-  /// The corners around those connected to `first` for which `is_one_face(first, other)`.
-  template <typename IsOneFace>
-  std::vector<Index> loop_from(Index first, IsOneFace&& is_one_face) {
+  /// The corners around all that are in the plane of `first`.
+  std::vector<Index> loop_from(Index first) {
     std::vector<Index> open{first};
     std::map<Index, Index> next;  // along the boundary
-    std::vector<Index> members;
     is_taken_[first] = true;
     while (!open.empty()) {
-      const Index i = open.back();
+      const Corners& t = triangles_[open.back()];
       open.pop_back();
-      members.push_back(i);
       for (int k = 0; k < 3; ++k) {
-        const Index twin = owner_.at({triangles_[i][(k + 1) % 3], triangles_[i][k]});
-        if (is_taken_[twin] || !is_one_face(first, twin)) continue;
-        is_taken_[twin] = true;
-        open.push_back(twin);
-      }
-    }
-    std::sort(members.begin(), members.end());
-    for (const Index i : members) {
-      for (int k = 0; k < 3; ++k) {
-        const Index from = triangles_[i][k], to = triangles_[i][(k + 1) % 3];
-        if (!std::binary_search(members.begin(), members.end(), owner_.at({to, from}))) {
+        const Index from = t[k], to = t[(k + 1) % 3];
+        const Index twin = owner_.at({to, from});
+        if (!is_in_plane(first, twin)) {
           next[from] = to;
+        } else if (!is_taken_[twin]) {
+          is_taken_[twin] = true;
+          open.push_back(twin);
         }
       }
     }
@@ -151,50 +142,40 @@ class FaceBuilder {
   }
 
  private:
+  bool is_in_plane(Index first, Index other) const {
+    const Corners& t = triangles_[other];
+    return std::all_of(t.begin(), t.end(), [&](Index corner) {
+      return side(points_, triangles_[first], corner) == Sign::Zero;
+    });
+  }
+
+  const std::vector<Vec3>& points_;
   const std::vector<Corners>& triangles_;
   std::vector<bool> is_taken_;
   std::map<std::pair<Index, Index>, Index> owner_;
 };
 
-/// The corners that lie in three planes of faces at least, exactly: points that others were added
-/// around later may have come to lie within edges and faces.
-std::map<Index, Index> true_corners(const std::vector<Vec3>& p,
-                                    const std::vector<Corners>& triangles) {
-  FaceBuilder builder(triangles);
-  std::map<Index, Index> planes;
-  for (Index i = 0; i < triangles.size(); ++i) {
-    if (builder.is_taken(i)) continue;
-    const std::vector<Index> loop = builder.loop_from(i, [&](Index first, Index other) {
-      return std::all_of(triangles[other].begin(), triangles[other].end(), [&](Index corner) {
-        return side(p, triangles[first], corner) == Sign::Zero;
-      });
-    });
-    for (const Index corner : loop)
-      ++planes[corner];
-  }
-  std::erase_if(planes, [](const auto& entry) { return entry.second < 3; });
-  return planes;
+/// The unit normal of a face, from three of its corners that are apart: no three are on a line.
+Vec3 normal_of(const std::vector<Vec3>& p, const std::vector<Index>& loop) {
+  const std::size_t n = loop.size();
+  const auto at = [&](std::size_t i) {
+    const Vec3& c = p[loop[i]];
+    return Eigen::Vector3d(c.x, c.y, c.z);
+  };
+  const Eigen::Vector3d normal = unit_normal(Triangle{at(0), at(n / 3), at(2 * n / 3)});
+  return {normal.data()[0], normal.data()[1], normal.data()[2]};
 }
 
-/// Neighbours whose normals are one, but for rounding, are one face.
 void add_faces(const std::vector<Vec3>& p, const std::vector<Corners>& triangles,
                const std::map<Index, Index>& renamed, Hull& hull) {
-  std::vector<Vec3> normals;
-  normals.reserve(triangles.size());
-  for (const Corners& t : triangles)
-    normals.push_back(normal_of(p, t));
-  FaceBuilder builder(triangles);
+  FaceBuilder builder(p, triangles);
   for (Index i = 0; i < triangles.size(); ++i) {
     if (builder.is_taken(i)) continue;
-    const std::vector<Index> loop = builder.loop_from(i, [&](Index first, Index other) {
-      return dot(normals[first], normals[other]) >= kOneFace;
-    });
+    const std::vector<Index> loop = builder.loop_from(i);
     const auto begin = static_cast<Index>(hull.loops.size());
-    for (const Index corner : loop) {
-      const auto found = renamed.find(corner);
-      if (found != renamed.end()) hull.loops.push_back(found->second);
-    }
-    hull.faces.push_back({normals[i], begin, static_cast<Index>(hull.loops.size()) - begin});
+    for (const Index corner : loop)
+      hull.loops.push_back(renamed.at(corner));
+    hull.faces.push_back({normal_of(p, loop), begin, static_cast<Index>(loop.size())});
   }
 }
 
@@ -211,13 +192,20 @@ HullDefect build_hull(const std::vector<Vec3>& points, Hull& hull) {
   std::sort(triangles.begin(), triangles.end());
 
   hull = {};
-  std::map<Index, Index> renamed = true_corners(points, triangles);
+  std::map<Index, Index> renamed;
+  for (const Corners& triangle : triangles) {
+    for (const Index corner : triangle)
+      renamed[corner] = 0;
+  }
   for (auto& [from, to] : renamed) {
-    to = static_cast<Index>(hull.corners.size());
-    hull.corners.push_back(points[from]);
+    to = static_cast<Index>(hull.exact_corners.size());
+    hull.exact_corners.push_back(points[from]);
   }
   centre(hull);
   add_faces(points, triangles, renamed, hull);
+  for (Hull::Face& face : hull.faces)
+    face.offset = dot(face.normal, hull.corners[hull.loops[face.first]]);
+  add_contact_faces(hull);
   return HullDefect::None;
 }
 
