@@ -196,7 +196,7 @@ TEST(HullRay, IsTheDefinitionsWhateverTheThinness) {
 }
 
 TEST(HullRaySlow, IsTheDefinitionsWhateverTheThinness) {
-  try_sets(20000, 2);
+  try_sets(6000, 2);
 }
 
 TEST(HullRay, ARaisedCentreIsMetWhereItIs) {
