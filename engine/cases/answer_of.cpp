@@ -80,7 +80,9 @@ CaseAnswer answer_of(const ShapeDistance& gap) {
 
 CaseAnswer answer_of(const Manifold& manifold) {
   CaseAnswer answer;
-  answer.manifold.emplace(manifold.begin(), manifold.end());
+  answer.manifold.emplace();
+  for (const ShapeContact& c : manifold)
+    answer.manifold->push_back({c.point, c.point_a, c.point_b, c.normal, c.depth, c.feature});
   return answer;
 }
 

@@ -95,6 +95,16 @@ struct CaseContact {
   double depth;            ///< metres
 };
 
+/// A ShapeContact, as far as its engine or its file names points on the surfaces.
+struct CaseShapeContact {
+  Eigen::Vector3d point;
+  std::optional<Eigen::Vector3d> point_a;
+  std::optional<Eigen::Vector3d> point_b;
+  Eigen::Vector3d normal;  ///< from A to B
+  double depth;            ///< metres
+  ContactFeature feature;
+};
+
 /// What an engine answered: the parts that its question asks for. Distances alone may be infinite,
 /// where the true one is beyond the largest double.
 struct CaseAnswer {
@@ -112,13 +122,14 @@ struct CaseAnswer {
   std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
   std::optional<Eigen::Vector3d> translation;  ///< Separation, metres
   std::optional<std::vector<CaseContact>> contacts;
-  std::optional<std::vector<ShapeContact>> manifold;    ///< Contacts, of bodies
-  std::optional<CaseIntersection> intersection;         ///< Intersection, of meshes
-  std::optional<std::vector<Eigen::Vector3d>> corners;  ///< Intersection, of triangles
-  std::optional<std::vector<RayHit>> hits;              ///< Ray: one at most; RayAll
+  std::optional<std::vector<CaseShapeContact>> manifold;  ///< Contacts, of bodies
+  std::optional<CaseIntersection> intersection;           ///< Intersection, of meshes
+  std::optional<std::vector<Eigen::Vector3d>> corners;    ///< Intersection, of triangles
+  std::optional<std::vector<RayHit>> hits;                ///< Ray: one at most; RayAll
 };
 
-/// Whether two answers agree in every bit, but for the sign of zeros in numbers that are equal.
+/// Whether two answers agree in every bit, but for the sign of zeros in numbers that are equal. On
+/// which points of the surfaces two bodies meet is compared where both answers say it.
 bool is_same(const CaseAnswer& answer_a, const CaseAnswer& answer_b);
 
 /// Who answered.

@@ -16,8 +16,15 @@ bool is_same(const CaseContact& a, const CaseContact& b) {
          a.normal == b.normal && a.depth == b.depth;
 }
 
-bool is_same(const ShapeContact& a, const ShapeContact& b) {
-  return a.point == b.point && a.normal == b.normal && a.depth == b.depth && a.feature == b.feature;
+/// False only if both say something, and something else.
+bool can_be_same(const std::optional<Eigen::Vector3d>& a, const std::optional<Eigen::Vector3d>& b) {
+  return !a || !b || *a == *b;
+}
+
+bool is_same(const CaseShapeContact& a, const CaseShapeContact& b) {
+  return a.point == b.point && can_be_same(a.point_a, b.point_a) &&
+         can_be_same(a.point_b, b.point_b) && a.normal == b.normal && a.depth == b.depth &&
+         a.feature == b.feature;
 }
 
 bool is_same(const RayHit& a, const RayHit& b) {

@@ -1,7 +1,9 @@
 #include <graze/engine/cases/read_parts.h>
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace graze::cases {
 namespace {
@@ -38,9 +40,17 @@ CaseContact read_contact(const JsonCursor& at) {
           at.member("normal").point(), at.member("depth").number()};  // below 0: merely near
 }
 
-ShapeContact read_shape_contact(const JsonCursor& at) {
-  at.require_keys({"point", "normal", "depth", "feature_a", "feature_b"});
+/// A point that older files do not have.
+std::optional<Eigen::Vector3d> read_point_if_any(const JsonCursor& at, std::string_view key) {
+  if (!at.has(key)) return std::nullopt;
+  return at.member(key).point();
+}
+
+CaseShapeContact read_shape_contact(const JsonCursor& at) {
+  at.require_keys({"point", "point_a", "point_b", "normal", "depth", "feature_a", "feature_b"});
   return {at.member("point").point(),
+          read_point_if_any(at, "point_a"),
+          read_point_if_any(at, "point_b"),
           at.member("normal").point(),
           read_length(at.member("depth")),
           {at.member("feature_a").bits(), at.member("feature_b").bits()}};

@@ -60,10 +60,12 @@ struct NumberText {
         .add("depth", number(contact.depth))
         .text();
   }
-  std::string item(const ShapeContact& contact) const {
-    return ObjectText()
-        .add("point", point(contact.point))
-        .add("normal", point(contact.normal))
+  std::string item(const CaseShapeContact& contact) const {
+    ObjectText out;
+    out.add("point", point(contact.point));
+    if (contact.point_a) out.add("point_a", point(*contact.point_a));
+    if (contact.point_b) out.add("point_b", point(*contact.point_b));
+    return out.add("normal", point(contact.normal))
         .add("depth", number(contact.depth))
         .add("feature_a", cases::json_bits(contact.feature.a))
         .add("feature_b", cases::json_bits(contact.feature.b))

@@ -19,8 +19,10 @@ std::string json_of(const Eigen::Vector3d& v) {
 std::string json_of(const Manifold& manifold) {
   std::string out;
   for (const ShapeContact& contact : manifold) {
-    out += fmt::format("{}{{\"depth\":{},\"normal\":{},\"point\":{}}}", out.empty() ? "" : ",",
-                       contact.depth, json_of(contact.normal), json_of(contact.point));
+    out +=
+        fmt::format("{}{{\"depth\":{},\"normal\":{},\"point\":{},\"point_a\":{},\"point_b\":{}}}",
+                    out.empty() ? "" : ",", contact.depth, json_of(contact.normal),
+                    json_of(contact.point), json_of(contact.point_a), json_of(contact.point_b));
   }
   return "[" + out + "]";
 }

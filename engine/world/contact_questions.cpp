@@ -31,7 +31,7 @@ bool touches_of_spheres(const PlacedShape& a, const PlacedShape& b, Touches& tou
   const Vec3 normal = unit_or(between, {0, 0, 1});
   const Vec3 on_a = normal * sphere_a.radius;
   const Vec3 on_b = between - normal * sphere_b.radius;
-  touches.list.push_back({(on_a + on_b) * 0.5, normal, std::max(radii - distance, 0.0),
+  touches.list.push_back({on_a, on_b, normal, std::max(radii - distance, 0.0),
                           narrowphase::kPointFeature, narrowphase::kPointFeature});
   return true;
 }
@@ -70,8 +70,9 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
   const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, touches.origin);
   const Vec3 down = -plane.normal;
   const auto add = [&](const Vec3& point, std::uint64_t feature) {
-    const double depth = std::max(plane.offset - dot(plane.normal, point), 0.0);
-    touches.list.push_back({point - down * (0.5 * depth), down, depth, feature, 0});
+    const double depth = plane.offset - dot(plane.normal, point);
+    const Vec3 foot = point + plane.normal * depth;
+    touches.list.push_back({point, foot, down, std::max(depth, 0.0), feature, 0});
   };
   const Vec3 lowest = rounded_support(core, down);
   const double deepest = plane.offset - dot(plane.normal, lowest);

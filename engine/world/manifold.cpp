@@ -57,7 +57,9 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
   Manifold manifold;
   for (const ContactPoint& touch : touches.list) {
     ShapeContact& contact = manifold.contacts[manifold.count++];
-    contact.point = to_eigen(touch.point + to_vec3(touches.origin));
+    contact.point_a = to_eigen(touch.point_a + to_vec3(touches.origin));
+    contact.point_b = to_eigen(touch.point_b + to_vec3(touches.origin));
+    contact.point = to_eigen((to_vec3(contact.point_a) + to_vec3(contact.point_b)) * 0.5);
     contact.normal = to_eigen(touch.normal);
     contact.depth = touch.depth;
     contact.feature = {touch.feature_a, touch.feature_b};
@@ -66,6 +68,7 @@ Manifold manifold_of(Touches& touches, bool is_mirrored) {
   if (!is_mirrored) return manifold;
   for (std::size_t i = 0; i < manifold.count; ++i) {
     ShapeContact& contact = manifold.contacts[i];
+    std::swap(contact.point_a, contact.point_b);
     contact.normal = to_eigen(-to_vec3(contact.normal));
     std::swap(contact.feature.a, contact.feature.b);
   }

@@ -19,9 +19,11 @@ struct ContactFeature {
 };
 
 struct ShapeContact {
-  Eigen::Vector3d point;   ///< midway between the two surfaces, metres, in the world's frame
-  Eigen::Vector3d normal;  ///< unit, from A to B
-  double depth;            ///< metres, >= 0: how far the two reach past each other here
+  Eigen::Vector3d point;    ///< midway between point_a and point_b, metres, in the world's frame
+  Eigen::Vector3d point_a;  ///< on A's surface
+  Eigen::Vector3d point_b;  ///< on B's
+  Eigen::Vector3d normal;   ///< unit, from A to B
+  double depth;             ///< metres, >= 0: how far the two reach past each other here
   ContactFeature feature;
 };
 
@@ -59,10 +61,21 @@ struct Manifold {
 /// leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a plane, along a line
 /// or in a point, offer their find_contacts().
 ///
+/// **Points.** Each point_a is on A's surface and each point_b on B's, to kTouchTolerance times the
+/// scale of the pair (their sizes and the distance of their middles) and the rounding of world
+/// coordinates. Of a convex shape and any other, point_a - point_b is depth times normal: along the
+/// normal, A ends at point_a and B begins at point_b, however deep the two are in each other. That
+/// holds to the same tolerance where faces, or edges that lie along each other, meet, and above a
+/// half-space. Where it is one point that meets something, it holds to 2^-18 of the smaller shape's
+/// size, or to what Work::penetration_failures says was not found, or, if a box meets a box or a
+/// triangle, to a twentieth of the depth: by so much the depth may be more than the least, which
+/// alone has two such points. Two meshes go through each other at their contacts: there point_a and
+/// point_b are one point, which is on both surfaces, and the depth is that of the curve.
+///
 /// Of all that is offered four remain: the deepest, and those that are far from all that remain. So
 /// that features persist, edges of two faces that are within a 256th of the smaller shape's size of
-/// each other count as one, which no answer of yes or no depends on: their corners are moved by so
-/// much at most, along the face, and keep the names that they have in the face that is cut.
+/// each other count as one, which no answer of yes or no depends on: where such an edge ends the
+/// common area, its corners slide along their face onto that end, and keep their names.
 /// Swapping A and B mirrors the result. Throws as intersects() does, and UnsupportedPairError for
 /// two half-spaces that intersect: no finite translation parts them.
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,

@@ -106,9 +106,9 @@ class TriangleTouches {
   }
 
   void add_point(const Vec3& deepest, const Parting& parting, std::vector<ContactPoint>& found) {
-    const Vec3 middle = deepest - parting.way.normal * (0.5 * parting.way.depth);
-    found.push_back({middle, parting.way.normal, parting.way.depth, narrowphase::kPointFeature,
-                     narrowphase::kPointFeature});
+    const Vec3 on_triangle = deepest - parting.way.normal * parting.way.depth;
+    found.push_back({deepest, on_triangle, parting.way.normal, parting.way.depth,
+                     narrowphase::kPointFeature, narrowphase::kPointFeature});
   }
 
   const Core& core_;
@@ -223,7 +223,8 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
       const Vec3 point = to_vec3(place(b.pose, mesh.vertices()[index])) - to_vec3(touches.origin);
       const double height = dot(plane.normal, point) - plane.offset;
       const double depth = std::max(-height, 0.0);
-      const ContactPoint touch{point + plane.normal * (0.5 * depth), plane.normal, depth, 0, index};
+      const Vec3 foot = point - plane.normal * height;
+      const ContactPoint touch{foot, point, plane.normal, depth, 0, index};
       if (height < lowest) lowest = height, deepest = touch;
       if (height <= kTouchTolerance * size) touches.list.push_back(touch);
     }
@@ -245,14 +246,15 @@ void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touc
     std::vector<ContactPoint>& of_piece = touches.found;
     of_piece.clear();
     for (const Eigen::Vector3d& point : contacts.points_of(contact)) {
-      of_piece.push_back({to_vec3(point) - origin, to_vec3(contact.normal), contact.depth, 0, 0});
+      const Vec3 on_both = to_vec3(point) - origin;
+      of_piece.push_back({on_both, on_both, to_vec3(contact.normal), contact.depth, 0, 0});
     }
     narrowphase::reduce(of_piece, 4);
     touches.list.insert(touches.list.end(), of_piece.begin(), of_piece.end());
   }
   narrowphase::reduce(touches.list, 4);
   for (ContactPoint& touch : touches.list) {
-    const Eigen::Vector3d point = to_eigen(touch.point + origin);
+    const Eigen::Vector3d point = to_eigen(touch.point_a + origin);
     touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
     touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
   }

@@ -351,7 +351,8 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
       if (i == 4 && std::find(of, of + 4, deepest) != of + 4) continue;
       const std::uint64_t feature_a = (std::uint64_t{rank} << 8 | side_a) << 2 | (i % 4);
       const std::uint64_t fifth = i == 4 ? std::uint64_t{1} << 63 : 0;
-      touches.push_back({*corner[i], normal, of[i]->depth, fifth | feature_a, feature_b});
+      touches.push_back(
+          {*corner[i], *corner[i], normal, of[i]->depth, fifth | feature_a, feature_b});
     }
   }
 }

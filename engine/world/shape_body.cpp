@@ -20,6 +20,7 @@ namespace {
 Manifold mirrored(Manifold manifold) {
   for (std::size_t i = 0; i < manifold.count; ++i) {
     ShapeContact& contact = manifold.contacts[i];
+    std::swap(contact.point_a, contact.point_b);
     contact.normal = -contact.normal;
     std::swap(contact.feature.a, contact.feature.b);
   }

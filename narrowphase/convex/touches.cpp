@@ -121,10 +121,12 @@ void add_clipped(const ContactFace& incident, const ContactFace& reference, cons
     const double depth = dot(reference.normal, reference.corner[0] - corner.point) / facing;
     if (depth < -tolerance.touching) continue;
     ContactPoint touch;
+    const Vec3 met = corner.point + normal * (sign * depth);
+    touch.point_a = sign > 0 ? met : corner.point;
+    touch.point_b = sign > 0 ? corner.point : met;
     // Faces that are not quite at right angles to the normal are not met where it leads.
     touch.depth = std::clamp(depth, 0.0, std::max(way.depth, 0.0));
     touch.normal = normal;
-    touch.point = corner.point + normal * (0.5 * sign * touch.depth);
     const std::uint64_t of_incident = feature(incident.id, corner.own);
     const std::uint64_t of_reference =
         feature(reference.id, corner.other != 0 ? corner.other : kWhole);
@@ -147,7 +149,7 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
     on_a = gap.point_a + way.normal * a.radius;
     on_b = gap.point_b - way.normal * b.radius - out;
   }
-  touches.push_back({(on_a + on_b) * 0.5, way.normal, way.depth, kPointFeature, kPointFeature});
+  touches.push_back({on_a, on_b, way.normal, way.depth, kPointFeature, kPointFeature});
 }
 
 }  // namespace
@@ -213,7 +215,7 @@ void add_face_touches(const Core& a, const Core& b, const Penetration& way,
 namespace {
 
 double square_between(const ContactPoint& s, const ContactPoint& t) {
-  const Vec3 way = s.point - t.point;
+  const Vec3 way = middle_of(s) - middle_of(t);
   return dot(way, way);
 }
 
@@ -289,9 +291,9 @@ void keep_farthest(Points& touches, std::size_t most) {
 std::size_t outermost(const Points& touches) {
   Vec3 middle{0, 0, 0};
   for (const ContactPoint& touch : touches)
-    middle = middle + touch.point * (1.0 / static_cast<double>(touches.size()));
+    middle = middle + middle_of(touch) * (1.0 / static_cast<double>(touches.size()));
   const auto away = [&](const ContactPoint& touch) {
-    const Vec3 way = touch.point - middle;
+    const Vec3 way = middle_of(touch) - middle;
     return dot(way, way);
   };
   double farthest = 0;

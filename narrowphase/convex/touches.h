@@ -11,12 +11,18 @@ namespace graze::narrowphase {
 
 /// One point of a contact of two sets.
 struct ContactPoint {
-  Vec3 point;               ///< midway between the two boundaries
+  Vec3 point_a;             ///< on A's boundary
+  Vec3 point_b;             ///< on B's: depth along the normal before point_a, mostly
   Vec3 normal;              ///< unit, from A to B
-  double depth;             ///< metres, >= 0, along the normal at this point
+  double depth;             ///< metres, >= 0, along the normal at these points
   std::uint64_t feature_a;  ///< which corner, edge or face of A: the same from step to step
   std::uint64_t feature_b;
 };
+
+/// Midway between the two boundaries.
+static inline Vec3 middle_of(const ContactPoint& touch) {
+  return (touch.point_a + touch.point_b) * 0.5;
+}
 
 /// Of a point that is of no corner, edge or face in particular.
 inline constexpr std::uint64_t kPointFeature = 0x30000;

@@ -57,6 +57,8 @@ void expect_equal(const Manifold& s, const Manifold& t) {
   ASSERT_EQ(s.size(), t.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     EXPECT_EQ(s[i].point, t[i].point);
+    EXPECT_EQ(s[i].point_a, t[i].point_a);
+    EXPECT_EQ(s[i].point_b, t[i].point_b);
     EXPECT_EQ(s[i].normal, t[i].normal);
     EXPECT_EQ(s[i].depth, t[i].depth);
     EXPECT_EQ(s[i].feature, t[i].feature);

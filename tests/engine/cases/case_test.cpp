@@ -292,7 +292,14 @@ TEST_F(Cases, AnAnswerWithAnotherBitIsAnother) {
       expect_other(answer, [&](CaseAnswer& a) { a.hits->pop_back(); });
     }
     if (answer.manifold && !answer.manifold->empty()) {
+      ASSERT_TRUE(answer.manifold->front().point_a && answer.manifold->front().point_b);
       expect_other(answer, [&](CaseAnswer& a) { next(a.manifold->front().depth); });
+      expect_other(answer, [&](CaseAnswer& a) { next(a.manifold->front().point_a->x()); });
+      expect_other(answer, [&](CaseAnswer& a) { next(a.manifold->front().point_b->z()); });
+      CaseAnswer older = answer;  // of a file that does not name the points
+      older.manifold->front().point_a.reset();
+      older.manifold->front().point_b.reset();
+      EXPECT_TRUE(is_same(answer, older) && is_same(older, answer));
       expect_other(answer, [&](CaseAnswer& a) { a.manifold->front().feature.b ^= 1ULL << 63; });
     }
     if (answer.corners && !answer.corners->empty()) {

@@ -145,6 +145,14 @@ TEST(HostileAnswer, Bodies) {
             place + "is a number, not a string");
   EXPECT_EQ(refusal_of(contacts.with(R"({"contacts": []})")),
             "c:2: /answer: unknown key \"contacts\"; there are manifold");
+  // Points on the surfaces may be missing, both or one, and must be points.
+  const auto with_point = [&](const std::string& point) {
+    return contacts.with(R"({"manifold": [{"point_b": )" + point + "," + good.substr(1) + "]}");
+  };
+  const auto read = parse_case(with_point("[1,2,3]"), "c").answer->manifold->front();
+  EXPECT_EQ(read.point_b, Eigen::Vector3d(1, 2, 3));
+  EXPECT_FALSE(read.point_a.has_value());
+  EXPECT_EQ(refusal_of(with_point("[1,2]")).substr(0, 32), "c:2: /answer/manifold/0/point_b:");
 }
 
 /// A setting that the query does not have would be ignored: another question than was meant.

@@ -118,6 +118,8 @@ std::map<std::uint64_t, std::uint64_t> hashed_contacts(const World& world, const
     Hash hash;
     for (const ShapeContact& contact : manifold) {
       hash.mix(contact.point);
+      hash.mix(a < b ? contact.point_a : contact.point_b);
+      hash.mix(a < b ? contact.point_b : contact.point_a);
       hash.mix(a < b ? contact.normal : Eigen::Vector3d(-contact.normal));
       hash.mix(contact.depth);
       hash.mix(a < b ? contact.feature.a : contact.feature.b);

@@ -32,8 +32,8 @@ std::vector<NamePair> difference(const std::vector<NamePair>& s, const std::vect
 
 bool are_equal(const Manifold& s, const Manifold& t) {
   return std::equal(s.begin(), s.end(), t.begin(), t.end(), [](const auto& a, const auto& b) {
-    return a.point == b.point && a.normal == b.normal && a.depth == b.depth &&
-           a.feature == b.feature;
+    return a.point == b.point && a.point_a == b.point_a && a.point_b == b.point_b &&
+           a.normal == b.normal && a.depth == b.depth && a.feature == b.feature;
   });
 }
 
@@ -82,6 +82,7 @@ struct Contestant {
       if (a < b || oracle.are_alike(a, b)) continue;
       Manifold& manifold = all.back().manifold;
       for (std::size_t i = 0; i < manifold.count; ++i) {
+        std::swap(manifold.contacts[i].point_a, manifold.contacts[i].point_b);
         manifold.contacts[i].normal *= -1;
         std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
       }

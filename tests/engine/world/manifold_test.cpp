@@ -47,6 +47,8 @@ void expect_mirrored(const Manifold& m, const Manifold& other, const std::string
   ASSERT_EQ(m.size(), other.size()) << label;
   for (std::size_t i = 0; i < m.size(); ++i) {
     EXPECT_EQ(m[i].point, other[i].point) << label;
+    EXPECT_EQ(m[i].point_a, other[i].point_b) << label;
+    EXPECT_EQ(m[i].point_b, other[i].point_a) << label;
     EXPECT_EQ(m[i].normal, -other[i].normal) << label;
     EXPECT_EQ(m[i].depth, other[i].depth) << label;
     EXPECT_EQ(m[i].feature.a, other[i].feature.b) << label;

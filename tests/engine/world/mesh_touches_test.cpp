@@ -148,6 +148,8 @@ TEST(MeshTouches, SwappingMirrorsBitForBit) {
     ASSERT_EQ(other.size(), manifold.size());
     for (std::size_t i = 0; i < manifold.size(); ++i) {
       EXPECT_EQ(manifold[i].point, other[i].point);
+      EXPECT_EQ(manifold[i].point_a, other[i].point_b);
+      EXPECT_EQ(manifold[i].point_b, other[i].point_a);
       EXPECT_EQ(manifold[i].normal, -other[i].normal);
       EXPECT_EQ(manifold[i].depth, other[i].depth);
       EXPECT_EQ(manifold[i].feature.a, other[i].feature.b);
