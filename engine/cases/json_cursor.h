@@ -25,6 +25,7 @@ class JsonCursor {
   /// Throws unless this is an object with keys of this list only.
   void require_keys(std::initializer_list<std::string_view> known) const;
 
+  bool is_null() const { return value_.kind == JsonKind::Null; }
   bool is_object() const { return value_.kind == JsonKind::Object; }
   bool has(std::string_view key) const { return find(key) != nullptr; }
   JsonCursor member(std::string_view key) const;  ///< throws if there is none

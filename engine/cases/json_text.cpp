@@ -77,6 +77,7 @@ std::string json_bits(std::uint64_t bits) {
 
 std::string json_plain_number(double value) {
   if (!std::isfinite(value)) return "null";
+  if (value == 0 && std::signbit(value)) return "-0.0";  // "-0" would be read as a whole number
   std::array<char, 32> text;
   const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};

@@ -16,7 +16,10 @@ Each pose of B is put to graze and to every other engine that this command was b
 differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
 triangles, and written as cases to --cases. What an engine
-returns that is no answer (triangles that are not there, no number, a throw) is an engine error.
+returns that is no answer (triangles that are not there, no number, a throw) is an engine error. Other engines
+run in processes of their own (graze-peer), so that a crash of theirs is an engine error, too, and so is an answer
+that does not come within --timeout. What one of them gets wrong is asked again where nothing else was asked;
+if it is right then, it is "not confirmed", and counted, but not held against it.
 
 Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
@@ -108,6 +111,11 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--threads", options.threads, "0 (default): as many as processors")
       ->type_name("N")
       ->check(whole_number(0, kMaxThreads));
+  command
+      .add_option("--timeout", options.timeout,
+                  "so long another engine may take for a question (default: 60)")
+      ->type_name("SECONDS")
+      ->check(finite_number(Sign::Positive));
   command.add_flag("--json", options.is_json, "one JSON object per line");
   command.add_flag("--progress", options.has_progress,
                    "report progress on stderr even if it is no terminal");
@@ -138,7 +146,9 @@ void add_compare_command(CLI::App& program, Action& action,
   command->footer(kCompareFooter);
   command->callback([options, &action] {
     action = [options](Output& output) {
-      return run_compare(*options, compare::all_engines(), output);
+      const compare::PeerSettings peers = {.timeout =
+                                               std::chrono::duration<double>(options->timeout)};
+      return run_compare(*options, compare::all_engines(peers), output);
     };
   });
 }

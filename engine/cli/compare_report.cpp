@@ -25,6 +25,7 @@ void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
   const compare::Judgement& judgement = answer.judgement;
   summary.right += judgement.verdict == Verdict::Right;
   summary.not_judged += judgement.verdict == Verdict::NotJudged;
+  summary.not_confirmed += judgement.verdict == Verdict::NotConfirmed;
   if (!answer.is_wrong()) return;
   ++summary.wrong;
   ++summary.classes[static_cast<std::size_t>(judgement.error_class)];
@@ -155,6 +156,7 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                      {"containment", 11},
                      {"real", 6},
                      {"engine error", 12},
+                     {"not confirmed", 13},
                      {"largest (m)", 11},
                      {"median (us)", 11}});
   std::string out = table.header();
@@ -163,6 +165,7 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                                     std::to_string(s.right), std::to_string(s.wrong)};
     for (const std::size_t count : s.classes)
       row.push_back(std::to_string(count));
+    row.push_back(std::to_string(s.not_confirmed));
     row.push_back(fmt::format("{:.3g}", s.largest_error));
     row.push_back(fmt::format("{:.1f}", s.median_time));
     out += table.row(row);
@@ -179,11 +182,12 @@ std::string summary_json(std::span<const EngineSummary> summaries,
         "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{}"
         ",\"touching\":{},\"pose_rounding\":{},\"degenerate\":{},\"containment\":{},\"real\":{},"
         "\"engine_error\":{}"
-        ",\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},\"total_us\":{:.3f}}}",
+        ",\"not_confirmed\":{},\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},"
+        "\"total_us\":{:.3f}}}",
         i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
         s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4], s.classes[5],
-        json_plain_or_infinite(s.largest_error), json_plain_or_infinite(s.largest_ulps),
-        s.median_time, s.total_time);
+        s.not_confirmed, json_plain_or_infinite(s.largest_error),
+        json_plain_or_infinite(s.largest_ulps), s.median_time, s.total_time);
   }
   out += "],\"cases\":[";
   for (std::size_t i = 0; i < cases.size(); ++i) {

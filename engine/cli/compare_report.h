@@ -19,6 +19,7 @@ struct EngineSummary {
   std::size_t agreed = 0;  ///< nobody contradicted
   std::size_t right = 0;   ///< the referee confirmed
   std::size_t not_judged = 0;
+  std::size_t not_confirmed = 0;  ///< wrong, but not when it was asked again alone
   std::size_t wrong = 0;
   std::array<std::size_t, 6> classes{};  ///< of the wrong ones, by ErrorClass
   double largest_error = 0;              ///< metres

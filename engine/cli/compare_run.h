@@ -33,6 +33,7 @@ struct CompareOptions {
   std::string resume;
   double time_tolerance = 1.5;
   std::size_t threads = 0;
+  double timeout = 60;  ///< seconds, of each question to another engine
   // Of scenes alone:
   std::optional<std::size_t> steps = {};
   double step = 0;               ///< seconds; 0: as the scene says

@@ -45,6 +45,7 @@ class Borrowed : public compare::Engine {
   std::unique_ptr<compare::LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
     return engine_.load_shapes(shapes);
   }
+  std::unique_ptr<compare::Engine> alone() const override { return engine_.alone(); }
 
  private:
   const compare::Engine& engine_;

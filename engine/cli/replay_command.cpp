@@ -1,3 +1,4 @@
+#include <graze/engine/cli/count_argument.h>
 #include <graze/engine/cli/replay_command.h>
 #include <graze/engine/cli/replay_run.h>
 
@@ -16,7 +17,9 @@ too, by itself. "changed" is an answer of graze other than the one that graze or
 right where a bug was fixed since. Most other engines have no query for rays, intersections and separations.
 
 Wrong answers have a class: touching (by no more than 64 ulp), pose rounding (as little, and right
-without poses), degenerate (a triangle without area), containment (one mesh inside the other), real.
+without poses), degenerate (a triangle without area), containment (one mesh inside the other), real. Other engines
+run in processes of their own: a crash, or no answer within --timeout, is an engine error, and what they get wrong
+is asked again alone: if it is right then, it is "not confirmed".
 
 With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
@@ -44,6 +47,11 @@ void add_replay_command(CLI::App& program, Action& action) {
       ->add_option("--meshes", options->mesh_folder,
                    "the folder of meshes by file (default: that of each case)")
       ->type_name("DIR");
+  command
+      ->add_option("--timeout", options->timeout,
+                   "so long another engine may take for a question (default: 60)")
+      ->type_name("SECONDS")
+      ->check(finite_number(Sign::Positive));
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--same", options->is_change_failure,
                     "fail if an answer of graze is not the one that the case records");
@@ -52,7 +60,9 @@ void add_replay_command(CLI::App& program, Action& action) {
   command->footer(kReplayFooter);
   command->callback([options, &action] {
     action = [options](Output& output) {
-      return run_replay(*options, compare::all_engines(), output);
+      const compare::PeerSettings peers = {.timeout =
+                                               std::chrono::duration<double>(options->timeout)};
+      return run_replay(*options, compare::all_engines(peers), output);
     };
   });
 }

@@ -16,6 +16,7 @@ struct ReplayOptions {
   std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
   bool is_json = false;
   bool has_progress = false;
+  double timeout = 60;             ///< seconds, of each question to another engine
   bool is_change_failure = false;  ///< an answer other than the recorded one is exit code 1
 };
 

@@ -366,7 +366,8 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
 }
 
 const char* name_of(Verdict verdict) {
-  return verdict == Verdict::Right ? "right" : verdict == Verdict::Wrong ? "wrong" : "not judged";
+  constexpr std::array kNames = {"right", "wrong", "not judged", "not confirmed"};
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 const char* name_of(ErrorClass error_class) {

@@ -8,7 +8,12 @@
 
 namespace graze::compare {
 
-enum class Verdict { Right, Wrong, NotJudged };
+enum class Verdict {
+  Right,
+  Wrong,
+  NotJudged,
+  NotConfirmed,  ///< wrong once: asked again alone, the engine said something else
+};
 
 /// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse.
 enum class ErrorClass {

@@ -1,7 +1,7 @@
 // Bullet behind the page that every engine has: GImpact meshes and shapes without margin, in
-// double. Its shapes keep state while they are asked, so that one thread at a time may ask.
+// double. Its shapes keep state while they are asked.
 
-#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/adaptors.h>
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <mutex>
 #include <variant>
 
 static_assert(sizeof(btScalar) == sizeof(double), "compile this file with BT_USE_DOUBLE_PRECISION");
@@ -114,7 +113,6 @@ class BulletPair : public LoadedPair {
                                    const Pose& pose_b) const override {
     if (!question.is_plain()) return std::nullopt;
     if (question.ask != Ask::Any && question.ask != Ask::Contacts) return std::nullopt;
-    const std::lock_guard lock(mutex_);
     std::vector<CaseContact> contacts =
         test_.contacts(mesh_a_.place(pose_a), mesh_b_.place(pose_b));
     CaseAnswer answer;
@@ -127,7 +125,6 @@ class BulletPair : public LoadedPair {
   }
 
  private:
-  mutable std::mutex mutex_;
   mutable BulletMesh mesh_a_;
   mutable BulletMesh mesh_b_;
   mutable PairTest test_;
@@ -213,12 +210,10 @@ class BulletShapes : public LoadedShapes {
     BulletShape& b = *shapes_[shape_b];
     const bool are_planes = a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace;
     if (!a.is_known() || !b.is_known() || are_planes) return std::nullopt;
-    const std::lock_guard lock(mutex_);
     return !test_.contacts(a.place(0, pose_a), b.place(1, pose_b)).empty();
   }
 
  private:
-  mutable std::mutex mutex_;
   std::vector<std::unique_ptr<BulletShape>> shapes_;
   mutable PairTest test_;
 };

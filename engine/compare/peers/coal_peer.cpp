@@ -1,7 +1,7 @@
 // Coal 3 behind the page that every engine has: OBBRSS trees and shapes, in double. Its settings
 // are its defaults, but for the one that asks for time and changes no answer (slack_of).
 
-#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/adaptors.h>
 #include <graze/narrowphase/convex/hull.h>
 
 #include <coal/BVH/BVH_model.h>

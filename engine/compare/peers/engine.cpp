@@ -1,7 +1,10 @@
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/known_peers.h>
+#include <graze/engine/compare/peers/process/process_engine.h>
 
 #include <array>
+#include <exception>
 
 namespace graze::compare {
 namespace {
@@ -22,9 +25,47 @@ bool is_of_triangles_alone(const Case& query) {
   return are_triangles && (query.ask == Ask::Distance || query.ask == Ask::Intersection);
 }
 
+/// The answer, and how long it took to come by.
+template <typename Ask>
+TimedAnswer timed(const Ask& ask) {
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<CaseAnswer> answer = ask();
+  return {std::move(answer), std::chrono::steady_clock::now() - start};
+}
+
 }  // namespace
 
+TimedAnswer LoadedPair::timed_answer(const Question& question, const Pose& pose_a,
+                                     const Pose& pose_b) const {
+  return timed([&] { return answer(question, pose_a, pose_b); });
+}
+
+ShapesAnswer LoadedShapes::intersect_all(
+    std::span<const PlacedShape> bodies,
+    std::span<const std::pair<std::size_t, std::size_t>> pairs) const {
+  ShapesAnswer all;
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& [a, b] : pairs) {
+    ShapesAnswer::Pair& pair = all.pairs.emplace_back();
+    try {
+      pair.says = intersects(bodies[a].shape, bodies[a].pose, bodies[b].shape, bodies[b].pose);
+    } catch (const Error&) {  // the engine is not there, or graze refuses what it is asked
+      throw;
+    } catch (const EngineFailure& failure) {
+      pair.fault = failure.what();
+    } catch (const std::exception& error) {
+      pair.fault = std::string("throws ") + error.what();
+    }
+  }
+  all.time = std::chrono::steady_clock::now() - start;
+  return all;
+}
+
 std::unique_ptr<LoadedShapes> Engine::load_shapes(std::span<const Shape>) const {
+  return nullptr;
+}
+
+std::unique_ptr<Engine> Engine::alone() const {
   return nullptr;
 }
 
@@ -44,56 +85,43 @@ std::optional<BodyCase> as_bodies(const Case& query) {
 
 LoadedQuestion load_question(const Engine& engine, const Case& query) {
   if (engine.name().engine == "graze" && is_of_triangles_alone(query)) {
-    return [&query] { return std::optional(answer_case(query)); };
+    return [&query] { return timed([&] { return std::optional(answer_case(query)); }); };
   }
   if (const std::optional<MeshCase> meshes = as_meshes(query)) {
     const std::shared_ptr<LoadedPair> pair = engine.load(meshes->a.mesh, meshes->b.mesh);
     return [pair, question = Question{query.ask, query.settings}, pose_a = meshes->a.pose,
-            pose_b = meshes->b.pose] { return pair->answer(question, pose_a, pose_b); };
+            pose_b = meshes->b.pose] { return pair->timed_answer(question, pose_a, pose_b); };
   }
   const std::optional<BodyCase> bodies = as_bodies(query);
   if (bodies && query.ask == Ask::Any) {
     const std::array<Shape, 2> shapes = {bodies->a.shape, bodies->b.shape};
     const std::shared_ptr<LoadedShapes> loaded = engine.load_shapes(shapes);
     return [loaded, pose_a = bodies->a.pose, pose_b = bodies->b.pose] {
-      std::optional<CaseAnswer> answer;
-      if (!loaded) return answer;
-      const std::optional<bool> says = loaded->intersects(0, pose_a, 1, pose_b);
-      if (says) answer.emplace().says = says;
-      return answer;
+      return timed([&] {
+        std::optional<CaseAnswer> answer;
+        if (!loaded) return answer;
+        const std::optional<bool> says = loaded->intersects(0, pose_a, 1, pose_b);
+        if (says) answer.emplace().says = says;
+        return answer;
+      });
     };
   }
-  if (engine.name().engine != "graze") return [] { return std::optional<CaseAnswer>(); };
-  return [&query] { return std::optional(answer_case(query)); };
+  if (engine.name().engine != "graze") return [] { return TimedAnswer(); };
+  return [&query] { return timed([&] { return std::optional(answer_case(query)); }); };
 }
 
 std::optional<CaseAnswer> ask(const Engine& engine, const Case& query) {
-  return load_question(engine, query)();
+  return load_question(engine, query)().answer;
 }
 
-std::vector<EngineEntry> all_engines() {
+std::vector<EngineEntry> all_engines(const PeerSettings& settings) {
   std::vector<EngineEntry> engines;
   engines.push_back({"graze", make_graze_engine()});
-#if GRAZE_HAS_FCL
-  engines.push_back({"fcl", make_fcl_engine()});
-#else
-  engines.push_back({"fcl", nullptr});
-#endif
-#if GRAZE_HAS_BULLET
-  engines.push_back({"bullet", make_bullet_engine()});
-#else
-  engines.push_back({"bullet", nullptr});
-#endif
-#if GRAZE_HAS_ODE
-  engines.push_back({"ode", make_ode_engine()});
-#else
-  engines.push_back({"ode", nullptr});
-#endif
-#if GRAZE_HAS_COAL
-  engines.push_back({"coal", make_coal_engine()});
-#else
-  engines.push_back({"coal", nullptr});
-#endif
+  for (const KnownPeer& peer : kKnownPeers) {
+    engines.push_back({peer.name, nullptr});
+    if (peer.is_here)
+      engines.back().engine = make_process_engine(built_in_peer(peer.name, settings));
+  }
   return engines;
 }
 

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/case.h>
 #include <graze/engine/world/shape.h>
 
@@ -24,7 +30,33 @@ struct Question {
   }
 };
 
-/// Two meshes as an engine holds them. Safe to ask from many threads at once.
+/// What an engine did instead of answering: it died, it hung, it wrote what nobody can read. what()
+/// says it in words. It is the engine's error, and no refusal.
+class EngineFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An engine cannot be asked at all: the program that it runs in is not there.
+class EngineMissingError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// An answer, or nothing where the engine knows no such question, and how long the engine itself
+/// took for it.
+struct TimedAnswer {
+  using Time = std::chrono::duration<double, std::micro>;
+  TimedAnswer() = default;
+  TimedAnswer(std::optional<CaseAnswer> the_answer, Time the_time = Time(0))  // NOLINT: implicit
+      : answer(std::move(the_answer)), time(the_time) {}
+
+  std::optional<CaseAnswer> answer;
+  Time time{0};
+};
+
+/// Two meshes as an engine holds them. One thread at a time may ask, unless its engine says that it
+/// can be asked from many.
 class LoadedPair {
  public:
   virtual ~LoadedPair() = default;
@@ -32,9 +64,31 @@ class LoadedPair {
   /// The engine's answer in these poses; nothing if it does not know such questions.
   virtual std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                            const Pose& pose_b) const = 0;
+
+  /// The same with the engine's time, which does not count the way to another process and back.
+  virtual TimedAnswer timed_answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const;
 };
 
-/// Shapes of bodies as an engine holds them, asked about by their indices.
+/// One of the shapes that are loaded, by its index, somewhere.
+struct PlacedShape {
+  std::size_t shape = 0;
+  Pose pose = Pose::Identity();
+};
+
+/// What an engine says of many pairs of placed shapes.
+struct ShapesAnswer {
+  /// Of each pair whether the two intersect; nothing if the engine does not know such shapes.
+  struct Pair {
+    std::optional<bool> says = {};
+    std::string fault = {};  ///< what the engine did instead of answering; empty: nothing
+  };
+  std::vector<Pair> pairs;
+  TimedAnswer::Time time{0};  ///< of all of them together
+};
+
+/// Shapes of bodies as an engine holds them, asked about by their indices. Of threads see
+/// LoadedPair.
 class LoadedShapes {
  public:
   virtual ~LoadedShapes() = default;
@@ -42,6 +96,12 @@ class LoadedShapes {
   /// Whether two of them intersect in these poses; nothing if the engine does not know such shapes.
   virtual std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a,
                                          std::size_t shape_b, const Pose& pose_b) const = 0;
+
+  /// The same of many pairs, given by indices into `bodies`. What the engine throws becomes a
+  /// fault, but for an Error, which is thrown on.
+  virtual ShapesAnswer intersect_all(
+      std::span<const PlacedShape> bodies,
+      std::span<const std::pair<std::size_t, std::size_t>> pairs) const;
 };
 
 /// A collision engine behind one page. No type of the engine's own appears here.
@@ -55,6 +115,11 @@ class Engine {
 
   /// The same for shapes of all kinds; null if the engine's adaptor knows meshes only.
   virtual std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const;
+
+  /// The same engine, for confirming what it said: every load starts where nothing else was loaded
+  /// before, and every question is asked where nothing else was asked. Null if this is such an
+  /// engine, or if nothing that it is asked changes what it says later.
+  virtual std::unique_ptr<Engine> alone() const;
 };
 
 /// An engine, or the word why it is not here.
@@ -63,17 +128,24 @@ struct EngineEntry {
   std::unique_ptr<Engine> engine;  ///< null if it was not found when this was built
 };
 
-/// graze first, then every other engine that this program knows of.
-std::vector<EngineEntry> all_engines();
+/// How engines in processes of their own are asked.
+struct PeerSettings {
+  std::chrono::duration<double> timeout{60};  ///< for loading, and for each question
+  /// The program that they run in. Empty: graze-peer beside the running program, or else where it
+  /// was built.
+  std::filesystem::path program = {};
+};
 
+/// graze first, then every other engine that this program knows of, each in processes of its own
+/// (peers/process/README.md), which start when they are first needed. All of them may be asked from
+/// many threads.
+std::vector<EngineEntry> all_engines(const PeerSettings& settings = {});
+
+/// In this process, from many threads.
 std::unique_ptr<Engine> make_graze_engine();
-std::unique_ptr<Engine> make_fcl_engine();
-std::unique_ptr<Engine> make_bullet_engine();
-std::unique_ptr<Engine> make_ode_engine();
-std::unique_ptr<Engine> make_coal_engine();
 
 /// What an engine answers to a case that it holds; nothing if it knows no such question.
-using LoadedQuestion = std::function<std::optional<CaseAnswer>()>;
+using LoadedQuestion = std::function<TimedAnswer()>;
 
 /// Only graze is asked about shapes other than bodies, meshes and triangles, which become meshes of
 /// one triangle. Engine and case must outlive the result. Throws Error if the engine refuses.

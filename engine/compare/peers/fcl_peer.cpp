@@ -2,7 +2,7 @@
 
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/compare/fcl_shapes.h>
-#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/adaptors.h>
 
 namespace graze::compare {
 namespace {

@@ -1,7 +1,8 @@
 // ODE behind the page that every engine has: dCollide() of two trimeshes or shapes, in double. ODE
-// keeps caches in its geoms, so that one thread at a time may ask.
+// keeps caches in its geoms, and its trimesh colliders in globals: of one process one thread may
+// ask.
 
-#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/peers/adaptors.h>
 #include <graze/narrowphase/convex/hull.h>
 
 #include <ode/ode.h>
@@ -10,7 +11,7 @@
 #include <array>
 #include <cstdarg>
 #include <memory>
-#include <mutex>
+#include <stdexcept>
 
 namespace graze::compare {
 namespace {
@@ -24,11 +25,9 @@ void start_ode() {
   static const bool kIsStarted = [] {
     dInitODE2(0);
     dSetMessageHandler(be_silent);
-    return true;
+    return dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   }();
-  static_cast<void>(kIsStarted);
-  thread_local const bool kHasThreadData = dAllocateODEDataForThread(dAllocateMaskAll) != 0;
-  static_cast<void>(kHasThreadData);
+  if (!kIsStarted) throw std::runtime_error("ODE has no memory for its thread");
 }
 
 void place(dGeomID geom, const Pose& pose) {
@@ -104,8 +103,6 @@ class OdePair : public LoadedPair {
 
  private:
   std::vector<dContactGeom> collide(const Pose& pose_a, const Pose& pose_b, int flags) const {
-    const std::lock_guard lock(mutex_);
-    start_ode();
     std::vector<dContactGeom> contacts(static_cast<std::size_t>(flags & 0xffff));
     place(mesh_a_.geom(), pose_a);
     place(mesh_b_.geom(), pose_b);
@@ -115,7 +112,6 @@ class OdePair : public LoadedPair {
     return contacts;
   }
 
-  mutable std::mutex mutex_;
   OdeMesh mesh_a_;
   OdeMesh mesh_b_;
 };
@@ -264,15 +260,12 @@ class OdeShapes : public LoadedShapes {
     const OdeShape& a = *shapes_[shape_a];
     const OdeShape& b = *others_[shape_b];
     if (!knows_[index_of(a.kind())][index_of(b.kind())]) return std::nullopt;
-    const std::lock_guard lock(mutex_);
-    start_ode();
     return collide(a.place(pose_a), b.place(pose_b));
   }
 
  private:
   static std::size_t index_of(ShapeKind kind) { return static_cast<std::size_t>(kind); }
 
-  mutable std::mutex mutex_;
   std::array<std::array<bool, kShapeKinds.size()>, kShapeKinds.size()> knows_{};
   std::vector<std::unique_ptr<OdeShape>> shapes_;
   std::vector<std::unique_ptr<OdeShape>> others_;

@@ -15,7 +15,8 @@ using cases::json_string;
 using cases::JsonCursor;
 
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::uint32_t>::max();
-constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged};
+constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged,
+                                  Verdict::NotConfirmed};
 constexpr std::array kClasses = {ErrorClass::Touching,   ErrorClass::PoseRounding,
                                  ErrorClass::Degenerate, ErrorClass::Containment,
                                  ErrorClass::Real,       ErrorClass::EngineError};

@@ -1,21 +1,54 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/sha256.h>
 #include <graze/engine/cases/write_case.h>
-#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
 #include <algorithm>
-#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 namespace graze::compare {
 namespace {
 
-struct LoadedEngine {
-  const EngineEntry* entry;
-  std::unique_ptr<LoadedPair> pair;
+/// An engine that holds the two meshes, once for all questions and once for those that confirm.
+class LoadedEngine {
+ public:
+  LoadedEngine(const EngineEntry& entry, const ComparisonJob& job)
+      : entry_(&entry), job_(&job), pair_(entry.engine->load(job.a.mesh, job.b.mesh)) {}
+
+  const std::string& name() const { return entry_->name; }
+  const Engine& engine() const { return *entry_->engine; }
+
+  Utterance hear(std::size_t pose) const { return hear(*pair_, pose); }
+  Utterance hear_alone(std::size_t pose) const {
+    std::call_once(alone_->is_loaded, [&] {
+      const std::unique_ptr<Engine> alone = engine().alone();
+      if (alone) alone_->pair = alone->load(job_->a.mesh, job_->b.mesh);
+    });
+    return hear(alone_->pair ? *alone_->pair : *pair_, pose);
+  }
+
+ private:
+  struct Alone {
+    std::once_flag is_loaded;
+    std::unique_ptr<LoadedPair> pair;  // null: the engine needs none
+  };
+
+  Utterance hear(const LoadedPair& pair, std::size_t pose) const {
+    return compare::hear(
+        [&] { return pair.timed_answer(job_->question, job_->a.pose, job_->poses_b[pose]); },
+        name());
+  }
+
+  const EngineEntry* entry_;
+  const ComparisonJob* job_;
+  std::unique_ptr<LoadedPair> pair_;
+  std::unique_ptr<Alone> alone_ = std::make_unique<Alone>();
 };
 
 /// Every engine that is here and takes the meshes. That graze refuses them is an error.
@@ -24,7 +57,9 @@ std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const Eng
   for (const EngineEntry& entry : engines) {
     if (entry.engine == nullptr) continue;
     try {
-      loaded.push_back({&entry, entry.engine->load(job.a.mesh, job.b.mesh)});
+      loaded.emplace_back(entry, job);
+    } catch (const EngineMissingError&) {
+      throw;
     } catch (const Error&) {
       if (entry.name == "graze") throw;
     }
@@ -45,47 +80,52 @@ class PoseTrial {
 
   PlaceRecord run(std::size_t pose) const {
     PlaceRecord record{pose, {}};
-    std::vector<CaseAnswer> answers;
+    std::vector<Utterance> said;
     std::vector<const LoadedEngine*> owners;
     for (const LoadedEngine& engine : engines_) {
-      const auto start = std::chrono::steady_clock::now();
-      Utterance said =
-          hear([&] { return engine.pair->answer(job_.question, job_.a.pose, job_.poses_b[pose]); },
-               engine.entry->name);
-      const std::chrono::duration<double, std::micro> time =
-          std::chrono::steady_clock::now() - start;
-      if (!said.answer && said.thrown.empty()) continue;
-      record.answers.push_back(
-          {.engine = engine.entry->name,
-           .digest = said.answer ? cases::sha256_of(to_json(*said.answer)) : "",
-           .brief = said.answer ? brief(*said.answer) : "nothing",
-           .time = time.count(),
-           .is_agreed = said.answer.has_value(),
-           .judgement = {}});
-      if (!said.answer) record.answers.back().judgement = engine_error("throws " + said.thrown);
-      owners.push_back(said.answer ? &engine : nullptr);
-      answers.push_back(std::move(said.answer).value_or(CaseAnswer()));
+      Utterance utterance = engine.hear(pose);
+      if (!utterance.answer && utterance.fault.empty()) continue;
+      owners.push_back(&engine);
+      said.push_back(std::move(utterance));
     }
+    const auto first = std::find_if(said.begin(), said.end(),
+                                    [](const Utterance& each) { return each.answer.has_value(); });
     bool is_disputed = false;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-      is_disputed |= owners[i] != nullptr && contradicts(answers[i], answers.front());
-    if (is_disputed) settle(record, answers, owners);
+    for (const Utterance& each : said)
+      is_disputed |= each.answer && contradicts(*each.answer, *first->answer);
+    std::optional<Case> query;
+    std::optional<Judge> judge;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      const bool is_settled = is_disputed || !said[i].answer;
+      if (is_settled && !judge) judge.emplace(query.emplace(case_of(job_, pose)));
+      Heard heard = is_settled ? settled(*judge, *owners[i], std::move(said[i]), pose)
+                               : Heard{std::move(said[i]), {}};
+      record.answers.push_back(record_of(*owners[i], heard));
+      record.answers.back().is_agreed = !is_settled;
+    }
     return record;
   }
 
  private:
-  /// Of an engine that threw there is no owner: it is wrong already.
-  void settle(PlaceRecord& record, const std::vector<CaseAnswer>& answers,
-              const std::vector<const LoadedEngine*>& owners) const {
-    const Case query = case_of(job_, record.place);
-    const Judge judge(query);
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (owners[i] == nullptr) continue;
-      const Engine& engine = *owners[i]->entry->engine;
-      record.answers[i].is_agreed = false;
-      record.answers[i].judgement =
-          judge.judge(answers[i], {owners[i]->entry->name, engine.name().version}, asking(engine));
-    }
+  static Heard settled(const Judge& judge, const LoadedEngine& owner, Utterance said,
+                       std::size_t pose) {
+    return judged(
+        owner.name(), std::move(said),
+        [&](const CaseAnswer& answer) {
+          return judge.judge(answer, {owner.name(), owner.engine().name().version},
+                             asking(owner.engine()));
+        },
+        [&] { return owner.hear_alone(pose); });
+  }
+
+  static AnswerRecord record_of(const LoadedEngine& owner, const Heard& heard) {
+    const std::optional<CaseAnswer>& answer = heard.said.answer;
+    return {.engine = owner.name(),
+            .digest = answer ? cases::sha256_of(to_json(*answer)) : "",
+            .brief = answer ? brief(*answer) : "nothing",
+            .time = heard.said.time.count(),
+            .is_agreed = false,
+            .judgement = heard.judgement};
   }
 
   const ComparisonJob& job_;

@@ -6,8 +6,11 @@
 #include <graze/engine/scenes/simulation.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -19,9 +22,54 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct SceneEngine {
-  const EngineEntry* entry;
-  std::unique_ptr<LoadedShapes> shapes;
+/// An engine that holds the shapes of a scene, and for confirming what it said a few pairs of them
+/// by themselves.
+class SceneEngine {
+ public:
+  SceneEngine(const EngineEntry& entry, std::span<const Shape> shapes,
+              std::unique_ptr<LoadedShapes> loaded)
+      : entry_(&entry), shapes_(shapes.begin(), shapes.end()), loaded_(std::move(loaded)) {}
+
+  const EngineEntry& entry() const { return *entry_; }
+  const LoadedShapes& loaded() const { return *loaded_; }
+
+  Utterance hear_alone(const PlacedShape& a, const PlacedShape& b) const {
+    return hear(
+        [&] {
+          const std::shared_ptr<LoadedShapes> alone = load_alone(a.shape, b.shape);
+          const std::optional<bool> says =
+              alone ? alone->intersects(0, a.pose, 1, b.pose)
+                    : loaded_->intersects(a.shape, a.pose, b.shape, b.pose);
+          std::optional<CaseAnswer> answer;
+          if (says) answer.emplace().says = says;
+          return TimedAnswer(std::move(answer));
+        },
+        entry_->name);
+  }
+
+ private:
+  /// Null if the engine needs no such thing.
+  std::shared_ptr<LoadedShapes> load_alone(std::size_t shape_a, std::size_t shape_b) const {
+    constexpr std::size_t kMostKept = 8;  // each is a process
+    const std::lock_guard lock(alone_->mutex);
+    const auto at = alone_->pairs.find({shape_a, shape_b});
+    if (at != alone_->pairs.end()) return at->second;
+    const std::unique_ptr<Engine> engine = entry_->engine->alone();
+    if (!engine) return nullptr;
+    const std::array<Shape, 2> shapes = {shapes_[shape_a], shapes_[shape_b]};
+    if (alone_->pairs.size() == kMostKept) alone_->pairs.clear();
+    return alone_->pairs[{shape_a, shape_b}] = engine->load_shapes(shapes);
+  }
+
+  struct Alone {
+    std::mutex mutex;
+    std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<LoadedShapes>> pairs;
+  };
+
+  const EngineEntry* entry_;
+  std::vector<Shape> shapes_;
+  std::unique_ptr<LoadedShapes> loaded_;
+  std::unique_ptr<Alone> alone_ = std::make_unique<Alone>();
 };
 
 std::vector<SceneEngine> load_all(const Scene& scene, std::span<const EngineEntry> engines) {
@@ -32,7 +80,7 @@ std::vector<SceneEngine> load_all(const Scene& scene, std::span<const EngineEntr
   for (const EngineEntry& entry : engines) {
     if (entry.engine == nullptr) continue;
     std::unique_ptr<LoadedShapes> its = entry.engine->load_shapes(shapes);
-    if (its) loaded.push_back({&entry, std::move(its)});
+    if (its) loaded.emplace_back(entry, shapes, std::move(its));
   }
   return loaded;
 }
@@ -49,7 +97,7 @@ struct WorldStep {
   std::set<ScenePair> touching;
 };
 
-/// All pairs at one step, one after the other.
+/// All pairs at one step.
 class StepTrial {
  public:
   StepTrial(const Scene& scene, std::span<const SceneEngine> engines, WorldStep world)
@@ -58,21 +106,23 @@ class StepTrial {
     record_.time = world_.time;
     record_.engines.push_back({"world", 0, "", world_.took});
     for (const SceneEngine& engine : engines)
-      record_.engines.push_back({engine.entry->name, 0, "", 0});
+      record_.engines.push_back({engine.entry().name, 0, "", 0});
     for (const SceneBody& body : scene.bodies)
-      poses_.push_back(pose_at(body, world_.time));
+      bodies_.push_back({body.shape, pose_at(body, world_.time)});
   }
 
   /// What the world should not even look at is asked about too, so that it is seen.
   StepRecord run(const std::vector<ScenePair>& meeting) {
-    for (const ScenePair& pair : meeting)
-      ask(pair);
-    std::vector<ScenePair> filtered;
+    std::vector<ScenePair> pairs = meeting;
     std::set_difference(world_.touching.begin(), world_.touching.end(), meeting.begin(),
-                        meeting.end(), std::back_inserter(filtered));
-    for (const ScenePair& pair : filtered) {
-      ask(pair);
-      if (record_.differences.empty() || record_.differences.back().pair != pair) keep(pair);
+                        meeting.end(), std::back_inserter(pairs));
+    ask_all(pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      judge_pair(pairs[i], i);
+      if (i < meeting.size()) continue;
+      if (record_.differences.empty() || record_.differences.back().pair != pairs[i]) {
+        keep(pairs[i]);
+      }
       blame_world("filtered");
     }
     for (std::size_t i = 0; i < said_.size(); ++i)
@@ -81,67 +131,109 @@ class StepTrial {
   }
 
  private:
-  void ask(const ScenePair& pair) {
-    answers_.clear();
-    says_.clear();
-    owners_.clear();
-    ++record_.questions;
-    add(nullptr, 0, world_.touching.contains(pair));
+  /// What one of them said of a pair; the world has no engine.
+  struct Said {
+    const SceneEngine* engine;
+    Utterance utterance;
+
+    bool says() const { return utterance.answer && *utterance.answer->says; }
+  };
+
+  static Utterance utterance_of(std::optional<bool> says, std::string fault = {}) {
+    Utterance utterance{.fault = std::move(fault)};
+    if (says) utterance.answer.emplace().says = says;
+    return utterance;
+  }
+
+  void ask_all(const std::vector<ScenePair>& pairs) {
+    std::vector<std::pair<std::size_t, std::size_t>> asked;
+    for (const ScenePair& pair : pairs)
+      asked.emplace_back(pair.a, pair.b);
     for (std::size_t i = 0; i < engines_.size(); ++i) {
-      const auto start = Clock::now();
-      const std::optional<bool> says = engines_[i].shapes->intersects(
-          scene_.bodies[pair.a].shape, poses_[pair.a], scene_.bodies[pair.b].shape, poses_[pair.b]);
-      const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-      said_[i + 1] += says ? "" : "-";
-      if (!says) continue;
-      record_.engines[i + 1].time += took.count();
-      add(engines_[i].entry, i + 1, *says);
+      answers_.push_back(engines_[i].loaded().intersect_all(bodies_, asked));
+      record_.engines[i + 1].time = answers_.back().time.count();
     }
-    if (std::find(says_.begin(), says_.end(), !says_.front()) == says_.end()) return;
+    record_.questions = pairs.size();
+  }
+
+  void judge_pair(const ScenePair& pair, std::size_t place) {
+    heard_.clear();
+    add(nullptr, 0, utterance_of(world_.touching.contains(pair)));
+    for (std::size_t i = 0; i < engines_.size(); ++i) {
+      const ShapesAnswer::Pair& answer = answers_[i].pairs[place];
+      add(&engines_[i], i + 1, utterance_of(answer.says, answer.fault));
+    }
+    const bool is_disputed = std::any_of(heard_.begin(), heard_.end(), [&](const Said& each) {
+      return each.utterance.answer && each.says() != heard_.front().says();
+    });
+    const bool is_fault = std::any_of(heard_.begin(), heard_.end(), [](const Said& each) {
+      return !each.utterance.fault.empty();
+    });
+    if (!is_disputed && !is_fault) return;
     keep(pair);
-    settle(pair);
+    settle(pair, is_disputed);
   }
 
-  void add(const EngineEntry* owner, std::size_t place, bool says) {
-    answers_.push_back({.engine = owner == nullptr ? "world" : owner->name,
-                        .digest = "",
-                        .brief = brief_of(says),
-                        .time = 0,
-                        .is_agreed = true,
-                        .judgement = {}});
-    said_[place] += says ? '1' : '0';
+  void add(const SceneEngine* engine, std::size_t place, Utterance utterance) {
+    const bool is_fault = !utterance.fault.empty();
+    said_[place] += is_fault ? '!' : !utterance.answer ? '-' : *utterance.answer->says ? '1' : '0';
+    if (!utterance.answer && !is_fault) return;
     ++record_.engines[place].answers;
-    says_.push_back(says);
-    owners_.push_back(owner);
+    heard_.push_back({engine, std::move(utterance)});
   }
 
-  void keep(const ScenePair& pair) { record_.differences.push_back({pair, answers_}); }
+  void keep(const ScenePair& pair) {
+    SceneDifference difference{pair, {}};
+    for (const Said& each : heard_) {
+      difference.answers.push_back({.engine = each.engine ? each.engine->entry().name : "world",
+                                    .digest = "",
+                                    .brief = brief_of(each),
+                                    .time = 0,
+                                    .is_agreed = true,
+                                    .judgement = {}});
+    }
+    record_.differences.push_back(std::move(difference));
+  }
+
+  static const char* brief_of(const Said& said) {
+    return !said.utterance.answer ? "nothing" : compare::brief_of(said.says());
+  }
 
   PlacedBody body(std::size_t index) const {
-    return {scene_.shapes[scene_.bodies[index].shape].shape, poses_[index]};
+    return {scene_.shapes[bodies_[index].shape].shape, bodies_[index].pose};
   }
 
-  void settle(const ScenePair& pair) {
+  /// All answers, or, where none is disputed, those that are none.
+  void settle(const ScenePair& pair, bool is_disputed) {
     const ShapeJudge judge(body(pair.a), body(pair.b));
-    const EngineEntry* graze = nullptr;
+    const Engine* graze = nullptr;
     std::optional<bool> graze_says;
+    for (const Said& each : heard_) {
+      if (each.engine == nullptr || each.engine->entry().name != "graze") continue;
+      graze = each.engine->entry().engine.get();
+      if (each.utterance.answer) graze_says = each.says();
+    }
     std::vector<AnswerRecord>& answers = record_.differences.back().answers;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      if (owners_[i] == nullptr || owners_[i]->name != "graze") continue;
-      graze = owners_[i];
-      graze_says = says_[i];
+    for (std::size_t i = 0; i < heard_.size(); ++i) {
+      Said& each = heard_[i];
+      if (!is_disputed && each.utterance.answer) continue;
+      const Engine* asked = each.engine == nullptr ? graze : each.engine->entry().engine.get();
+      const std::string name = each.engine == nullptr ? "graze" : each.engine->entry().name;
+      Heard heard = judged(
+          name, std::move(each.utterance),
+          [&](const CaseAnswer& answer) {
+            return judge.judge(*answer.says, {name, ""},
+                               asked == nullptr ? JudgeSettings() : asking(*asked));
+          },
+          [&] { return each.engine->hear_alone(bodies_[pair.a], bodies_[pair.b]); });
+      each.utterance = std::move(heard.said);
+      answers[i].brief = brief_of(each);
+      answers[i].is_agreed = false;
+      answers[i].judgement = heard.judgement;
     }
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-      const EngineEntry* asked = owners_[i] == nullptr ? graze : owners_[i];
-      const CaseWitness witness = {asked == nullptr ? "graze" : asked->name, ""};
-      AnswerRecord& answer = answers[i];
-      answer.is_agreed = false;
-      answer.judgement = judge.judge(says_[i], witness,
-                                     asked == nullptr ? JudgeSettings() : asking(*asked->engine));
-    }
-    if (!graze_says || *graze_says == says_.front()) return;
+    if (!graze_says || *graze_says == heard_.front().says()) return;
     if (answers.front().is_wrong()) return;
-    blame_world(std::string("graze alone says ") + brief_of(*graze_says));
+    blame_world(std::string("graze alone says ") + compare::brief_of(*graze_says));
   }
 
   void blame_world(const std::string& why) {
@@ -155,13 +247,11 @@ class StepTrial {
   const Scene& scene_;
   std::span<const SceneEngine> engines_;
   WorldStep world_;
-  std::vector<Pose> poses_;
-  std::vector<std::string> said_;  // a character a question, of the world and of each engine
+  std::vector<PlacedShape> bodies_;
+  std::vector<ShapesAnswer> answers_;  // of each engine
+  std::vector<std::string> said_;      // a character a question, of the world and of each engine
   StepRecord record_;
-  // Of the last question:
-  std::vector<AnswerRecord> answers_;
-  std::vector<bool> says_;
-  std::vector<const EngineEntry*> owners_;
+  std::vector<Said> heard_;  // of the last pair; the world's first
 };
 
 std::set<ScenePair> touching_in(const World& world) {

@@ -49,7 +49,7 @@ ShrunkCase shrink_one(const WrongAnswer& wrong, const Engine& engine) {
   const CaseWitness witness = {answer.engine, engine.name().version};
   const auto judged = [&](const Case& query) {
     const Utterance said = hear([&] { return ask(engine, query); }, "");
-    if (!said.thrown.empty()) return engine_error("throws " + said.thrown);
+    if (!said.fault.empty()) return engine_error(said.fault);
     return said.answer ? Judge(query).judge(*said.answer, witness, asking(engine)) : Judgement();
   };
   const StillWrong is_still_wrong = [&](const Case& smaller) {

@@ -12,26 +12,18 @@
 namespace graze::compare {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 /// Asks twice: the first query builds what it needs.
-std::optional<Testimony> testify(const EngineEntry& entry, const Case& query) {
+Utterance hear_twice(const EngineEntry& entry, const Case& query) {
   LoadedQuestion question;
-  const Utterance first = hear(
+  Utterance first = hear(
       [&] {
         question = load_question(*entry.engine, query);
         return question();
       },
       entry.name);
-  Testimony testimony;
-  testimony.witness = entry.engine->name();
-  if (!first.thrown.empty()) testimony.judgement = engine_error("throws " + first.thrown);
-  if (!first.answer) return first.thrown.empty() ? std::nullopt : std::optional(testimony);
-  const auto start = Clock::now();
+  if (!first.answer) return first;
   Utterance second = hear(question, entry.name);
-  testimony.time = Clock::now() - start;
-  testimony.answer = second.answer ? *std::move(second.answer) : *first.answer;
-  return testimony;
+  return second.answer || !second.fault.empty() ? second : first;
 }
 
 bool is_of_record(const CaseWitness& witness) {
@@ -52,15 +44,57 @@ std::string counted(std::size_t count, const char* what) {
 }  // namespace
 
 Utterance hear(const LoadedQuestion& question, const std::string& engine) {
-  if (engine == "graze") return {.answer = question()};
+  const auto heard = [&] {
+    TimedAnswer timed = question();
+    return Utterance{.answer = std::move(timed.answer), .time = timed.time};
+  };
+  if (engine == "graze") return heard();
   try {
-    return {.answer = question()};
+    return heard();
+  } catch (const EngineMissingError&) {
+    throw;
   } catch (const Error&) {
     return {};
+  } catch (const EngineFailure& failure) {
+    return {.fault = failure.what()};
   } catch (const std::exception& error) {
     const std::string what = error.what();
-    return {.thrown = what.empty() ? "without a word" : what};
+    return {.fault = "throws " + (what.empty() ? "without a word" : what)};
   }
+}
+
+Utterance hear_alone(const EngineEntry& entry, const Case& query) {
+  return hear(
+      [&] {
+        const std::unique_ptr<Engine> alone = entry.engine->alone();
+        return load_question(alone ? *alone : *entry.engine, query)();
+      },
+      entry.name);
+}
+
+Heard judged(const std::string& engine, Utterance said,
+             const std::function<Judgement(const CaseAnswer&)>& judge,
+             const std::function<Utterance()>& ask_alone) {
+  const auto judgement_of = [&](const Utterance& what) {
+    if (!what.fault.empty()) return engine_error(what.fault);
+    return what.answer ? judge(*what.answer) : Judgement();
+  };
+  Heard first{std::move(said), {}};
+  first.judgement = judgement_of(first.said);
+  if (first.judgement.verdict != Verdict::Wrong || engine == "graze") return first;
+  Heard again{ask_alone(), {}};
+  if (first.said.answer && again.said.answer && is_same(*first.said.answer, *again.said.answer)) {
+    return first;
+  }
+  again.judgement = judgement_of(again.said);
+  if (again.judgement.verdict == Verdict::Wrong) {
+    again.said.time = first.said.time;
+    return again;
+  }
+  const std::string alone = again.said.answer ? brief(*again.said.answer) : "nothing";
+  first.judgement.verdict = Verdict::NotConfirmed;
+  first.judgement.truth += "; alone it says: " + alone;
+  return first;
 }
 
 JudgeSettings asking(const Engine& engine) {
@@ -96,16 +130,23 @@ std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> 
   }
   for (const EngineEntry& entry : engines) {
     if (entry.engine == nullptr) continue;
-    std::optional<Testimony> testimony = testify(entry, query);
-    if (!testimony) continue;
-    if (!testimony->is_wrong()) {
-      testimony->judgement =
-          judge.judge(testimony->answer, testimony->witness, asking(*entry.engine));
+    Utterance said = hear_twice(entry, query);
+    if (!said.answer && said.fault.empty()) continue;
+    Testimony testimony;
+    testimony.witness = entry.engine->name();
+    Heard heard = judged(
+        entry.name, std::move(said),
+        [&](const CaseAnswer& answer) {
+          return judge.judge(answer, testimony.witness, asking(*entry.engine));
+        },
+        [&] { return hear_alone(entry, query); });
+    testimony.answer = std::move(heard.said.answer).value_or(CaseAnswer());
+    testimony.time = heard.said.time;
+    testimony.judgement = heard.judgement;
+    if (testimony.is_graze() && query.answer && is_of_record(query.answered_by)) {
+      testimony.differs_from_record = differs(testimony.answer, query);
     }
-    if (testimony->is_graze() && query.answer && is_of_record(query.answered_by)) {
-      testimony->differs_from_record = differs(testimony->answer, query);
-    }
-    all.push_back(*std::move(testimony));
+    all.push_back(std::move(testimony));
   }
   return all;
 }

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <graze/engine/compare/judge/judge.h>
@@ -26,19 +29,37 @@ struct Testimony {
 };
 
 /// Puts a case to every engine that is here and knows such questions, and judges their answers and
-/// the recorded one, which comes first. Throws what graze throws; other engines that refuse a mesh
-/// are left out, and one that throws anything else is wrong.
+/// the recorded one, which comes first. Throws what graze throws, and EngineMissingError; other
+/// engines that refuse a mesh are left out. Their errors are confirmed: see judged().
 std::vector<Testimony> try_case(const Case& query, std::span<const EngineEntry> engines);
 
-/// What an engine answers, or that it throws what is no refusal.
+/// What an engine answers, or what it did instead.
 struct Utterance {
   std::optional<CaseAnswer> answer = {};
-  std::string thrown = {};
+  TimedAnswer::Time time{0};
+  std::string fault = {};  ///< "throws out of its depth", "died of SIGSEGV"; empty: nothing
 };
 
 /// Asks. A refusal, an Error of the adaptor's, is no answer; whatever else an engine other than
-/// graze throws is told. What graze throws is thrown on.
+/// graze throws is told. What graze throws is thrown on, and EngineMissingError.
 Utterance hear(const LoadedQuestion& question, const std::string& engine);
+
+/// The same of a case, where nothing else was asked before (Engine::alone).
+Utterance hear_alone(const EngineEntry& entry, const Case& query);
+
+/// What an engine said, and what the referee says of that.
+struct Heard {
+  Utterance said;
+  Judgement judgement;
+};
+
+/// Has judged what an engine said, if it said anything. What is wrong, or no answer, of another
+/// engine than graze is asked again by `ask_alone`, and only what is wrong then too is held against
+/// it: if that is another answer, it takes the place of the first. Else the verdict is
+/// NotConfirmed.
+Heard judged(const std::string& engine, Utterance said,
+             const std::function<Judgement(const CaseAnswer&)>& judge,
+             const std::function<Utterance()>& ask_alone);
 
 /// The engine, asked about two triangles by the judge who wants to know why it was wrong. It must
 /// outlive the result.

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::compare {
+
+// Engines as graze-peer holds them. Most of them have globals, or keep state in what they have
+// loaded: one thread of one process may ask, about one load at a time.
+
+std::unique_ptr<Engine> make_fcl_engine();
+std::unique_ptr<Engine> make_bullet_engine();
+std::unique_ptr<Engine> make_ode_engine();
+std::unique_ptr<Engine> make_coal_engine();
+
+/// The adaptor of that name; null if this was built without it.
+std::unique_ptr<Engine> make_adaptor(const std::string& name);
+
+/// Of those that it was built with: "fcl, ode".
+std::string adaptor_names();
+
+}  // namespace graze::compare

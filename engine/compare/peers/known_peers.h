@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+
+// Which engines there are besides graze, and whether they were found when this was built. Private
+// to engine/compare/peers, whose CMakeLists.txt says it.
+
+#ifndef GRAZE_HAS_FCL
+#define GRAZE_HAS_FCL 0
+#endif
+#ifndef GRAZE_HAS_BULLET
+#define GRAZE_HAS_BULLET 0
+#endif
+#ifndef GRAZE_HAS_ODE
+#define GRAZE_HAS_ODE 0
+#endif
+#ifndef GRAZE_HAS_COAL
+#define GRAZE_HAS_COAL 0
+#endif
+
+namespace graze::compare {
+
+struct KnownPeer {
+  const char* name;
+  bool is_here;
+};
+
+inline constexpr std::array<KnownPeer, 4> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL != 0},
+                                                          {"bullet", GRAZE_HAS_BULLET != 0},
+                                                          {"ode", GRAZE_HAS_ODE != 0},
+                                                          {"coal", GRAZE_HAS_COAL != 0}}};
+
+}  // namespace graze::compare

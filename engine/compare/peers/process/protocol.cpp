@@ -1,0 +1,153 @@
+#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cases/read_parts.h>
+#include <graze/engine/compare/peers/process/protocol.h>
+#include <graze/engine/compare/peers/process/shape_points.h>
+#include <graze/engine/mesh/io/source.h>
+
+#include <limits>
+#include <variant>
+
+namespace graze::compare {
+namespace {
+
+using cases::json_list;
+using cases::JsonCursor;
+
+std::string number(double value) {
+  return cases::json_plain_number(value);
+}
+
+std::string text_of(const Eigen::Vector3d& p) {
+  return std::string("[") + number(p.x()) + "," + number(p.y()) + "," + number(p.z()) + "]";
+}
+
+std::string text_of(const TriangleIndices& t) {
+  return std::string("[") + std::to_string(t[0]) + "," + std::to_string(t[1]) + "," +
+         std::to_string(t[2]) + "]";
+}
+
+std::string text_of(const Pose& pose) {
+  std::string out = "[";
+  for (int i = 0; i < 12; ++i) {
+    if (i > 0) out += ',';
+    out += number(pose(i / 4, i % 4));
+  }
+  return out + "]";
+}
+
+std::string text_of(const Mesh& mesh) {
+  const auto item = [](const auto& each) { return text_of(each); };
+  return std::string("{\"vertices\":") + json_list(mesh.vertices(), ",", item) +
+         ",\"triangles\":" + json_list(mesh.triangles(), ",", item) + "}";
+}
+
+/// The member of a shape, as a case has it.
+struct ShapeText {
+  static std::string round(const char* kind, double radius, const char* name, double half) {
+    return std::string("{\"") + kind + "\":{\"radius\":" + number(radius) + ",\"" + name +
+           "\":" + number(half) + "}}";
+  }
+
+  std::string operator()(const Sphere& s) const {
+    return std::string("{\"sphere\":{\"centre\":") + text_of(s.centre) +
+           ",\"radius\":" + number(s.radius) + "}}";
+  }
+  std::string operator()(const Box& s) const {
+    return std::string("{\"box\":{\"half_extents\":") + text_of(s.half_extents) + "}}";
+  }
+  std::string operator()(const Capsule& s) const {
+    return round("capsule", s.radius, "half_length", s.half_length);
+  }
+  std::string operator()(const Cylinder& s) const {
+    return round("cylinder", s.radius, "half_height", s.half_height);
+  }
+  std::string operator()(const Cone& s) const {
+    return round("cone", s.radius, "half_height", s.half_height);
+  }
+  std::string operator()(const Ellipsoid& s) const {
+    return std::string("{\"ellipsoid\":{\"centre\":") + text_of(s.centre) +
+           ",\"semi_axes\":" + text_of(s.semi_axes) + "}}";
+  }
+  std::string operator()(const ConvexHull& s) const {
+    const std::optional<std::vector<Eigen::Vector3d>> points = points_of(s);
+    if (!points) return "";
+    return std::string("{\"convex_hull\":{\"points\":") +
+           json_list(*points, ",", [](const Eigen::Vector3d& p) { return text_of(p); }) + "}}";
+  }
+  std::string operator()(const HalfSpace& s) const {
+    const std::optional<HalfSpace> source = source_of(s);
+    if (!source) return "";
+    return std::string("{\"half_space\":{\"normal\":") + text_of(source->normal) +
+           ",\"offset\":" + number(source->offset) + "}}";
+  }
+  std::string operator()(const Mesh& s) const {
+    return std::string("{\"mesh\":") + text_of(s) + "}";
+  }
+};
+
+}  // namespace
+
+std::string load_text(const Mesh& mesh_a, const Mesh& mesh_b) {
+  const std::string b = mesh_a == mesh_b ? std::string("{\"same_as\":\"a\"}") : text_of(mesh_b);
+  return std::string("\"load\":{\"a\":") + text_of(mesh_a) + ",\"b\":" + b + "}";
+}
+
+std::string load_text(std::span<const std::string> shape_texts) {
+  return std::string("\"load\":{\"shapes\":") +
+         json_list(shape_texts, ",", [](const std::string& text) { return text; }) + "}";
+}
+
+std::string request_line(std::uint64_t id, std::string_view member) {
+  std::string line = "{\"id\":" + std::to_string(id) + ",";
+  line += member;
+  return line + "}\n";
+}
+
+std::string question_text(const Question& question, const Pose& pose_a, const Pose& pose_b) {
+  std::string out = std::string("\"question\":\"") + name_of(question.ask) + "\"";
+  if (question.ask == Ask::Within) {
+    out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) + "}";
+  }
+  return out + ",\"pose_a\":" + text_of(pose_a) + ",\"pose_b\":" + text_of(pose_b);
+}
+
+std::string question_text(std::span<const PlacedShape> bodies, BodyPairs pairs) {
+  const auto body = [](const PlacedShape& each) {
+    return std::string("{\"shape\":") + std::to_string(each.shape) +
+           ",\"pose\":" + text_of(each.pose) + "}";
+  };
+  const auto pair = [](const std::pair<std::size_t, std::size_t>& each) {
+    return std::string("[") + std::to_string(each.first) + "," + std::to_string(each.second) + "]";
+  };
+  return std::string("\"question\":\"any\",\"bodies\":") + json_list(bodies, ",", body) +
+         ",\"pairs\":" + json_list(pairs, ",", pair);
+}
+
+std::optional<std::string> shape_text(const Shape& shape) {
+  std::string text = std::visit(ShapeText{}, shape.value());
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
+PeerHello read_hello(const JsonCursor& at) {
+  const std::uint32_t version =
+      at.member("graze_peer").index(std::numeric_limits<std::uint32_t>::max());
+  if (version != kPeerProtocol) {
+    at.member("graze_peer")
+        .fail("is version " + std::to_string(version) + " of the protocol; this program speaks " +
+              std::to_string(kPeerProtocol));
+  }
+  at.require_keys({"graze_peer", "engine", "version", "alone"});
+  PeerHello hello;
+  hello.witness.engine = mesh_io::printable(at.member("engine").text());
+  if (at.has("version")) hello.witness.version = mesh_io::printable(at.member("version").text());
+  hello.can_fork = at.has("alone") && at.member("alone").boolean();
+  return hello;
+}
+
+Shape read_shape(const JsonCursor& at) {
+  return cases::read_body_shape(at,
+                                {.length = [](const JsonCursor& length) { return length.number(); },
+                                 .mesh = cases::read_inline_mesh});
+}
+
+}  // namespace graze::compare
