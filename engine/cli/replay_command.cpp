@@ -24,16 +24,22 @@ is asked again alone: if it is right then, it is "not confirmed".
 With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,
    "answer":{"says":true},"verdict":"right","truth":"hit","us":1.234},...],"silent":["ode"]}
-and "silent" names the engines that know no such query, or refuse such shapes.
+and "silent" names the engines that know no such query, or refuse such shapes. Of answers that --fail-on
+names it says "fails":true.
+
+Only graze fails a replay by itself. --fail-on ENGINE adds the wrong answers of an engine, those that it gives
+now and those that a case records of it; --fail-on recorded those that cases record, whoever gave them. With
+:CLASS only errors of that class count: touching, pose-rounding, degenerate, containment, real, engine-error.
 
 Examples:
   graze replay odd.json
   graze replay data/regressions --json
+  graze replay graze-cases --fail-on recorded:real --fail-on fcl
 
 Exit codes:
   0  graze is right everywhere, or was not judged
   1  exact arithmetic found an answer of graze to be wrong, or one that nobody judges has changed; with
-     --same also if any has changed
+     --same also if any has changed; with --fail-on also if an answer that it names is wrong
   2  bad input, with one line on stderr for each bad file, FILE:LINE: /PLACE: why; the others are replayed)";
 
 }  // namespace
@@ -55,6 +61,12 @@ void add_replay_command(CLI::App& program, Action& action) {
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--same", options->is_change_failure,
                     "fail if an answer of graze is not the one that the case records");
+  command
+      ->add_option("--fail-on", options->fail_on,
+                   "exit code 1 also if this engine is wrong, now or in a record; may be repeated")
+      ->type_name("ENGINE[:CLASS]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
   command->footer(kReplayFooter);

@@ -49,7 +49,7 @@ std::string in_full(const CaseAnswer& answer) {
 
 }  // namespace
 
-std::string to_json(const Testimony& t) {
+std::string to_json(const Testimony& t, const FailOn& fail_on) {
   const compare::Judgement& judgement = t.judgement;
   std::string out =
       fmt::format("{{\"engine\":{},\"version\":{},\"recorded\":{},\"answer\":{},\"verdict\":{}",
@@ -64,12 +64,14 @@ std::string to_json(const Testimony& t) {
     if (judgement.wrong_pairs > 0) out += fmt::format(",\"wrong_pairs\":{}", judgement.wrong_pairs);
   }
   if (t.differs_from_record) out += ",\"changed\":true";
+  if (fail_on.matches(t)) out += ",\"fails\":true";
   if (!t.is_recorded) out += fmt::format(",\"us\":{:.3f}", t.time.count());
   return out + "}";
 }
 
-ReplayReport::ReplayReport(Output& output, bool is_json)
+ReplayReport::ReplayReport(Output& output, const FailOn& fail_on, bool is_json)
     : output_(output),
+      fail_on_(fail_on),
       is_json_(is_json),
       table_({{"case", 28},
               {"question", 10},
@@ -97,6 +99,7 @@ void ReplayReport::add(const std::string& file, const Case& query,
                        const std::vector<Testimony>& testimonies) {
   ++cases_;
   for (const Testimony& testimony : testimonies) {
+    failures_ += fail_on_.matches(testimony);
     if (!testimony.is_graze()) continue;
     const bool is_judged = testimony.judgement.verdict != Verdict::NotJudged;
     graze_wrong_ += testimony.is_wrong();
@@ -109,7 +112,7 @@ void ReplayReport::add(const std::string& file, const Case& query,
     const char* separator = "";
     for (const Testimony& testimony : testimonies) {
       line += separator;
-      line += to_json(testimony);
+      line += to_json(testimony, fail_on_);
       separator = ",";
     }
     line += "],\"silent\":[";
@@ -145,8 +148,12 @@ void ReplayReport::add(const std::string& file, const Case& query,
 
 void ReplayReport::end() {
   if (is_json_) return;
-  output_.write(fmt::format("{} case{}, graze wrong in {}, changed in {}\n", cases_,
-                            cases_ == 1 ? "" : "s", graze_wrong_, changed_));
+  std::string line = fmt::format("{} case{}, graze wrong in {}, changed in {}", cases_,
+                                 cases_ == 1 ? "" : "s", graze_wrong_, changed_);
+  if (fail_on_.is_set()) {
+    line += fmt::format(", {} wrong answer{} of --fail-on", failures_, failures_ == 1 ? "" : "s");
+  }
+  output_.write(line + "\n");
 }
 
 }  // namespace graze::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <graze/engine/cli/output.h>
+#include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/cli/table.h>
 #include <graze/engine/compare/run/trial.h>
 
@@ -13,7 +14,8 @@ namespace graze::cli {
 /// Prints who said what to each case: a table for people, or one JSON object a case.
 class ReplayReport {
  public:
-  ReplayReport(Output& output, bool is_json);
+  /// `fail_on` must outlive this.
+  ReplayReport(Output& output, const FailOn& fail_on, bool is_json);
 
   void begin(std::span<const compare::EngineEntry> engines);
   void add(const std::string& file, const Case& query,
@@ -26,9 +28,12 @@ class ReplayReport {
   bool has_changed() const { return changed_ > 0; }
   /// And no referee says which of the two is right.
   bool has_changed_unjudged() const { return changed_unjudged_ > 0; }
+  /// Wrong answers that `fail_on` names.
+  std::size_t failures() const { return failures_; }
 
  private:
   Output& output_;
+  const FailOn& fail_on_;
   bool is_json_;
   std::vector<std::string> engines_;  ///< that are here
   Table table_;
@@ -36,9 +41,10 @@ class ReplayReport {
   std::size_t graze_wrong_ = 0;
   std::size_t changed_ = 0;
   std::size_t changed_unjudged_ = 0;
+  std::size_t failures_ = 0;
 };
 
-/// A JSON object: {"engine":...,"verdict":...}.
-std::string to_json(const compare::Testimony& testimony);
+/// A JSON object: {"engine":...,"verdict":...}; "fails" where `fail_on` names the answer.
+std::string to_json(const compare::Testimony& testimony, const FailOn& fail_on);
 
 }  // namespace graze::cli

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/progress.h>
+#include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/cli/replay_report.h>
 #include <graze/engine/cli/replay_run.h>
 #include <graze/engine/mesh/io/source.h>
@@ -48,7 +49,8 @@ void name_refused(const std::string& message) {
 ExitCode exit_code_of(const ReplayReport& report, const ReplayOptions& options, bool is_all_read) {
   if (!is_all_read) return ExitCode::BadInput;
   const bool is_failure = report.is_graze_wrong() || report.has_changed_unjudged() ||
-                          (options.is_change_failure && report.has_changed());
+                          (options.is_change_failure && report.has_changed()) ||
+                          report.failures() > 0;
   return is_failure ? ExitCode::GrazeWrong : ExitCode::Answered;
 }
 
@@ -70,8 +72,12 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
     name_refused(refusal);
   if (cases.empty()) return ExitCode::BadInput;
 
+  std::vector<std::string> recorded_engines;
+  for (const ReadFile& each : cases)
+    if (each.query.answer) recorded_engines.push_back(each.query.answered_by.engine);
+  const FailOn fail_on(options.fail_on, engines, recorded_engines);
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress});
-  ReplayReport report(output, options.is_json);
+  ReplayReport report(output, fail_on, options.is_json);
   report.begin(engines);
   bool is_all_read = refusals.empty();
   for (std::size_t i = 0; i < cases.size(); ++i) {

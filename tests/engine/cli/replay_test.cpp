@@ -5,9 +5,11 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cli/replay_run.h>
+#include <graze/engine/cli/usage_error.h>
 #include <gtest/gtest.h>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/compare/engine_doubles.h"
 #include "tests/files/temporary_directory.h"
@@ -161,6 +163,93 @@ TEST_F(CliReplay, WhereNothingCanBeReadNothingIsPrinted) {
   directory_.write("b.json", "{");
   EXPECT_EQ(replay({}), ExitCode::BadInput);
   EXPECT_EQ(out_, "");
+}
+
+/// graze is right about all three, and the two engines that once answered are not.
+class CliReplayFailOn : public CliReplay {
+ protected:
+  CliReplayFailOn() {
+    write_any("far.json", 3, true, "fcl");      // a metre of air
+    write_any("deep.json", 1.5, false, "ode");  // half a metre deep
+    write_any("kiss.json", 2, false, "ode");
+    write_any("right.json", 3, false, "bullet");
+  }
+
+  ExitCode fail_on(const std::vector<std::string>& words) {
+    return replay({.fail_on = words}, engines_);
+  }
+
+  std::string refusal_of(const std::string& word) {
+    Output output(stdout);
+    try {
+      run_replay({.files = {directory_.path().string()}, .fail_on = {word}}, engines_, output);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::vector<EngineEntry> engines_ = only_graze();
+};
+
+TEST_F(CliReplayFailOn, OnlyGrazeFailsByItself) {
+  EXPECT_EQ(fail_on({}), ExitCode::Answered);
+  expect_summary("4 cases, graze wrong in 0, changed in 0");
+  EXPECT_EQ(fail_on({"graze"}), ExitCode::Answered);
+  expect_summary("4 cases, graze wrong in 0, changed in 0, 0 wrong answers of --fail-on");
+}
+
+TEST_F(CliReplayFailOn, RecordedAnswersCountUnderTheNameOfTheirEngine) {
+  EXPECT_EQ(fail_on({"fcl"}), ExitCode::Failed);
+  expect_summary("4 cases, graze wrong in 0, changed in 0, 1 wrong answer of --fail-on");
+  EXPECT_EQ(fail_on({"ode"}), ExitCode::Failed);
+  expect_summary("4 cases, graze wrong in 0, changed in 0, 2 wrong answers of --fail-on");
+  EXPECT_EQ(fail_on({"bullet"}), ExitCode::Answered) << "it is right";
+  EXPECT_EQ(fail_on({"bullet", "fcl"}), ExitCode::Failed);
+  EXPECT_EQ(fail_on({"recorded"}), ExitCode::Failed);
+  expect_summary("4 cases, graze wrong in 0, changed in 0, 3 wrong answers of --fail-on");
+}
+
+TEST_F(CliReplayFailOn, AClassIsAllThatCounts) {
+  EXPECT_EQ(fail_on({"fcl:real"}), ExitCode::Failed);
+  EXPECT_EQ(fail_on({"fcl:touching"}), ExitCode::Answered);
+  EXPECT_EQ(fail_on({"fcl:pose-rounding", "fcl:pose rounding"}), ExitCode::Answered);
+  EXPECT_EQ(fail_on({"ode:touching"}), ExitCode::Failed);
+  expect_summary("4 cases, graze wrong in 0, changed in 0, 1 wrong answer of --fail-on");
+  EXPECT_EQ(fail_on({"recorded:engine-error"}), ExitCode::Answered);
+}
+
+TEST_F(CliReplayFailOn, EnginesThatAreAskedCountToo) {
+  engines_.push_back({"coal", compare::make_wrong_sign_engine("coal")});
+  EXPECT_EQ(fail_on({"coal:containment"}), ExitCode::Answered);
+  EXPECT_EQ(replay({.files = {}, .is_json = true, .fail_on = {"recorded:real"}}, engines_),
+            ExitCode::Failed);
+  std::size_t failures = 0;
+  std::istringstream lines(out_);
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json testimonies = nlohmann::json::parse(line).at("testimonies");
+    for (const nlohmann::json& each : testimonies) {
+      if (!each.contains("fails")) continue;
+      ++failures;
+      EXPECT_EQ(each.at("fails"), true);
+      EXPECT_EQ(each.at("recorded"), true);
+      EXPECT_EQ(each.at("class"), "real");
+    }
+  }
+  EXPECT_EQ(failures, 2u);
+}
+
+TEST_F(CliReplayFailOn, WhatCanNeverFailIsRefused) {
+  engines_.push_back({"coal", nullptr});
+  EXPECT_EQ(refusal_of("newton"),
+            "--fail-on: there is no engine \"newton\", but recorded, graze, bullet, fcl, ode");
+  EXPECT_EQ(refusal_of("fcl:plain"),
+            "--fail-on: there is no class \"plain\", but touching, pose-rounding, degenerate, "
+            "containment, real, engine-error");
+  EXPECT_EQ(refusal_of("coal"), "--fail-on: coal was not found when this command was built");
+  EXPECT_NE(refusal_of(""), "");
+  EXPECT_EQ(refusal_of(":real"), refusal_of("")) << "no engine";
+  EXPECT_NE(refusal_of("fcl:"), "");
 }
 
 TEST_F(CliReplay, JsonHasPlainNumbersThatLoseNothing) {

@@ -1,0 +1,90 @@
+#include <graze/engine/cli/replay/fail_on.h>
+#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/mesh/io/source.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+namespace graze::cli {
+namespace {
+
+using compare::EngineEntry;
+using compare::ErrorClass;
+
+constexpr const char* kRecorded = "recorded";
+constexpr std::array kClasses = {ErrorClass::Touching,   ErrorClass::PoseRounding,
+                                 ErrorClass::Degenerate, ErrorClass::Containment,
+                                 ErrorClass::Real,       ErrorClass::EngineError};
+
+std::string hyphenated(std::string_view name) {
+  std::string out(name);
+  std::replace(out.begin(), out.end(), ' ', '-');
+  return out;
+}
+
+ErrorClass class_named(std::string_view name) {
+  std::string known;
+  for (const ErrorClass each : kClasses) {
+    const std::string its = hyphenated(name_of(each));
+    if (hyphenated(name) == its) return each;
+    known += (known.empty() ? "" : ", ") + its;
+  }
+  throw UsageError("--fail-on: there is no class " + mesh_io::quoted(name) + ", but " + known);
+}
+
+/// The names that can match something, in the order in which a refusal lists them.
+std::vector<std::string> known_engines(std::span<const EngineEntry> engines,
+                                       const std::vector<std::string>& recorded_engines) {
+  std::vector<std::string> known = {kRecorded};
+  for (const EngineEntry& entry : engines)
+    if (entry.engine != nullptr) known.push_back(entry.name);
+  const std::set<std::string> recorded(recorded_engines.begin(), recorded_engines.end());
+  for (const std::string& name : recorded) {
+    const bool is_new = std::find(known.begin(), known.end(), name) == known.end();
+    if (is_new && !name.empty()) known.push_back(name);
+  }
+  return known;
+}
+
+}  // namespace
+
+FailOn::FailOn(std::span<const std::string> words, std::span<const EngineEntry> engines,
+               const std::vector<std::string>& recorded_engines) {
+  const std::vector<std::string> known = known_engines(engines, recorded_engines);
+  const auto is_known = [&](std::string_view name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  for (const std::string& word : words) {
+    // The name of an engine in a file may hold anything; that of a class holds no colon.
+    const std::size_t colon = is_known(word) ? word.npos : word.rfind(':');
+    const std::string name = word.substr(0, colon);
+    if (!is_known(name)) {
+      const bool is_absent = std::any_of(engines.begin(), engines.end(),
+                                         [&](const EngineEntry& e) { return e.name == name; });
+      if (is_absent) {
+        throw UsageError("--fail-on: " + name + " was not found when this command was built");
+      }
+      std::string names;
+      for (const std::string& each : known)
+        names += (names.empty() ? "" : ", ") + mesh_io::printable(each);
+      throw UsageError("--fail-on: there is no engine " + mesh_io::quoted(name) + ", but " + names);
+    }
+    Rule rule{name, std::nullopt};
+    if (colon != word.npos)
+      rule.error_class = class_named(std::string_view(word).substr(colon + 1));
+    rules_.push_back(std::move(rule));
+  }
+}
+
+bool FailOn::matches(const compare::Testimony& testimony) const {
+  if (!testimony.is_wrong()) return false;
+  return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
+    const bool is_engine = rule.engine == testimony.witness.engine ||
+                           (rule.engine == kRecorded && testimony.is_recorded);
+    return is_engine && (!rule.error_class || *rule.error_class == testimony.judgement.error_class);
+  });
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/compare/run/trial.h>
+
+namespace graze::cli {
+
+/// Whose wrong answers make a replay fail, besides those of graze.
+class FailOn {
+ public:
+  /// Each word is `ENGINE` or `ENGINE:CLASS`. An engine is one that is asked, or whose answer a
+  /// case records; `recorded` is every answer that a case records. Spaces in a class may be
+  /// hyphens. Throws UsageError for what is none of these, and for engines that are not here.
+  FailOn(std::span<const std::string> words, std::span<const compare::EngineEntry> engines,
+         const std::vector<std::string>& recorded_engines);
+
+  bool is_set() const { return !rules_.empty(); }
+
+  /// A wrong answer that is one of these.
+  bool matches(const compare::Testimony& testimony) const;
+
+ private:
+  struct Rule {
+    std::string engine;
+    std::optional<compare::ErrorClass> error_class;  ///< none: of any class
+  };
+
+  std::vector<Rule> rules_;
+};
+
+}  // namespace graze::cli
