@@ -34,12 +34,16 @@ class PartsDone {
   void add(std::uint64_t voxels) {
     const std::lock_guard lock(mutex_);
     voxels_ += voxels;
+    // Other threads end what they are at before they learn that one of them threw.
+    if (is_over_) return;
+    is_over_ = true;
     if (voxels_ > settings_.max_voxels) {
       throw InputError("resolution: " + std::to_string(settings_.resolution) + " gives more than " +
                        std::to_string(settings_.max_voxels) + " voxels");
     }
     ++done_;
     if (settings_.on_progress) settings_.on_progress(done_, total_);
+    is_over_ = false;
   }
 
  private:
@@ -47,6 +51,7 @@ class PartsDone {
   std::size_t total_;
   std::size_t done_ = 0;
   std::uint64_t voxels_ = 0;
+  bool is_over_ = false;  // it threw
   std::mutex mutex_;
 };
 

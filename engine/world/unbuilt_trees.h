@@ -5,21 +5,21 @@
 
 namespace graze {
 
-class BodyShape;
+class Mesh;
 
 /// The meshes of a world's bodies of whose tree nothing has been built, as far as has been seen.
 /// A body that holds one carries a mark, so that nothing is looked up for any other; where a mesh
 /// is found to have a tree its entry goes, and the marks of other bodies that share it become void.
 class UnbuiltTrees {
  public:
-  /// A body took the shape: whether to mark it.
-  bool add(const BodyShape& shape);
+  /// A body took the mesh, or nullptr where its shape is none: whether to mark it.
+  bool add(const Mesh* mesh);
 
-  /// A body with a mark let go of the shape.
-  void remove(const BodyShape& shape);
+  /// A body with a mark let go of its mesh.
+  void remove(const Mesh& mesh);
 
   /// Whether a body with a mark keeps it.
-  bool still_holds(const BodyShape& shape);
+  bool still_holds(const Mesh& mesh);
 
   std::uint64_t count() const { return bodies_.size(); }
 

@@ -44,9 +44,13 @@ void World::State::note_other_filter(std::uint32_t index) {
   note_change(index);
 }
 
+/// Makes the list anew: where an update was cut short the marks may no longer be those of the list.
 void World::State::note_everything() {
+  changed.clear();
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
-    if (all.ids.is_live(index)) note_other_filter(index);
+    Bodies::Way& way = all.ways[index];
+    way.has_changed = way.has_other_filter = all.ids.is_live(index);
+    if (way.has_changed) changed.push_back(index);
   }
 }
 
@@ -57,12 +61,20 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   body_of_box[body.box] = index;
 }
 
-/// Throws, or has the body's box in the list of those that move.
+void World::State::begin_move() {
+  boxes_to_move.clear();
+  places.clear();
+  reaches.clear();
+}
+
+/// Throws, or has the body's box in the list of those that move. All that is asked of a shape is
+/// asked here, where nothing has moved yet.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   check_rigid(pose, what);
   places.push_back(bounds_of(*mover.shape, pose, what));
+  reaches.push_back(mover.shape->reach());
   boxes_to_move.push_back(broad.id(mover.box));
 }
 
@@ -71,29 +83,38 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
     double& path = all.ways[ids[i].index].path;
-    path = longer_path(path, motion_bound(mover.pose, poses[i], mover.shape->reach()));
+    path = longer_path(path, motion_bound(mover.pose, poses[i], reaches[i]));
     mover.pose = poses[i];
     mover.is_awake = true;
     note_change(ids[i].index);
   }
 }
 
-void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape) {
-  const Shape* known = shape->shape();
+/// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
+/// a shape of a user's own may throw.
+const Mesh* World::State::prepared_mesh(const BodyShape& shape) const {
+  const Shape* known = shape.shape();
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
   if (mesh != nullptr && !settings.skip_unused_trees) {
     prepare(*mesh);
     mesh->tree();
   }
-  const bool is_unbuilt = unbuilt.add(*shape);
+  return mesh;
+}
+
+void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape,
+                              const Mesh* mesh) {
+  const bool is_unbuilt = unbuilt.add(mesh);
   drop_shape(index);
   all.bodies[index].shape = std::move(shape);
+  all.bodies[index].mesh = mesh;
   all.ways[index].has_unbuilt_tree = is_unbuilt;
 }
 
 void World::State::drop_shape(std::uint32_t index) {
-  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].shape);
+  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
   all.ways[index].has_unbuilt_tree = false;
+  all.bodies[index].mesh = nullptr;
   all.bodies[index].shape.reset();
 }
 
@@ -115,13 +136,14 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   if (shape == nullptr) throw InputError("add: no shape");
   check_rigid(pose, "add");
   const Aabb box = bounds_of(*shape, pose, "add");
+  const Mesh* mesh = state.prepared_mesh(*shape);
   const std::uint32_t index = state.all.ids.take();
   if (index >= state.all.bodies.size())
     state.all.bodies.emplace_back(), state.all.ways.emplace_back();
   Bodies::Body& body = state.all.bodies[index];
   body = {};
   state.all.ways[index] = {};
-  state.take_shape(index, std::move(shape));
+  state.take_shape(index, std::move(shape), mesh);
   body.pose = pose;
   body.motion = settings.motion;
   body.role = settings.role;
@@ -153,8 +175,7 @@ void World::remove(BodyId id) {
 }
 
 void World::move(BodyId id, const Pose& pose) {
-  state_->boxes_to_move.clear();
-  state_->places.clear();
+  state_->begin_move();
   state_->prepare_move(id, pose, "move");
   state_->move_prepared({&id, 1}, {&pose, 1});
 }
@@ -165,8 +186,7 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
     throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
                      std::to_string(poses.size()) + " poses");
   }
-  state.boxes_to_move.clear();
-  state.places.clear();
+  state.begin_move();
   std::size_t i = 0;
   try {
     for (; i < ids.size(); ++i)
@@ -184,8 +204,9 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
   Bodies::Body& body = state.body(id, "set_shape");
   if (shape == nullptr) throw InputError("set_shape: no shape");
   const Aabb box = bounds_of(*shape, body.pose, "set_shape");
+  const Mesh* mesh = state.prepared_mesh(*shape);
   state.broad.move(state.broad.id(body.box), box);
-  state.take_shape(id.index, std::move(shape));
+  state.take_shape(id.index, std::move(shape), mesh);
   body.is_awake = true;
   state.all.ways[id.index].has_other_shape = true;
   state.note_change(id.index);

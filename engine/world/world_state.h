@@ -16,6 +16,7 @@ namespace graze {
 struct Bodies {
   struct Body {
     std::shared_ptr<const BodyShape> shape;
+    const Mesh* mesh = nullptr;  // that the shape stands for
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
@@ -155,6 +156,7 @@ struct World::State {
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
+  std::vector<double> reaches;
   WorldWork work;
 
   bool is_updating = false;
@@ -171,9 +173,11 @@ struct World::State {
   void note_other_filter(std::uint32_t index);
   void note_everything();
   void insert_box(std::uint32_t index, const Aabb& box);
+  void begin_move();
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
-  void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape);
+  const Mesh* prepared_mesh(const BodyShape& shape) const;
+  void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
   void look_for_tree(std::uint32_t index);
 

@@ -57,15 +57,13 @@ class UpdatingScope {
   int exceptions_;
 };
 
-/// Of two ascending lists what is in one alone remains.
-void erase_common(std::vector<BodyPair>& s, std::vector<BodyPair>& t) {
-  std::vector<BodyPair> both;
-  std::set_intersection(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(both));
-  for (std::vector<BodyPair>* list : {&s, &t}) {
-    std::erase_if(*list, [&](const BodyPair& pair) {
-      return std::binary_search(both.begin(), both.end(), pair);
-    });
-  }
+/// What is left of two ascending lists when each element of the one takes an equal one of the other
+/// with it: a pair that began, ended and began again while updates were cut short has begun, once.
+void cancel_common(std::vector<BodyPair>& s, std::vector<BodyPair>& t) {
+  std::vector<BodyPair> of_s, of_t;
+  std::set_difference(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(of_s));
+  std::set_difference(t.begin(), t.end(), s.begin(), s.end(), std::back_inserter(of_t));
+  s = std::move(of_s), t = std::move(of_t);
 }
 
 GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
@@ -286,7 +284,7 @@ void World::State::test_pairs_at_rest() {
 /// After what may have built the tree of a body's mesh.
 void World::State::look_for_tree(std::uint32_t index) {
   bool& is_marked = all.ways[index].has_unbuilt_tree;
-  if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].shape);
+  if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].mesh);
 }
 
 void World::State::note_answer(std::uint32_t at, bool touches) {
@@ -345,7 +343,7 @@ void World::State::list_changes() {
   for (std::vector<BodyPair>* list : {&begun, &ended, &moved}) {
     if (!std::is_sorted(list->begin(), list->end())) std::sort(list->begin(), list->end());
   }
-  if (is_cut_short) erase_common(begun, ended);
+  if (is_cut_short) cancel_common(begun, ended);
   sort_contacts();
   work.pairs_at_rest =
       candidates.list().size() - work.shape_tests - work.pairs_apart - work.pairs_asleep;
@@ -392,7 +390,7 @@ void World::restore(const WorldSnapshot& snapshot) {
     if (!fresh->all.ids.is_live(index)) continue;
     const Bodies::Body& body = fresh->all.bodies[index];
     fresh->insert_box(index, body.shape->bounds(body.pose));
-    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(*fresh->all.bodies[index].shape);
+    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
   }
   fresh->broad.update();
   fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);

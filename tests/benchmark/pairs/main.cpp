@@ -95,6 +95,10 @@ int main(int argc, char** argv) {
   program.add_option("--poses", options.scenes.poses, "poses in each regime (default 60)")
       ->check(count);
   program
+      .add_option("--parallel-poses", options.parallel_poses,
+                  "likewise for the nearly parallel surfaces (default 20)")
+      ->check(count);
+  program
       .add_option("--scaling-poses", options.scaling_poses,
                   "likewise for the refined mesh (default 30)")
       ->check(count);

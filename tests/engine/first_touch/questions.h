@@ -1,0 +1,21 @@
+#pragma once
+
+#include <graze/engine/mesh/mesh.h>
+
+#include <span>
+
+#include "tests/engine/first_touch/digest.h"
+
+namespace graze::tests {
+
+/// Something that can be the first that is ever asked of two meshes. The answer in all its bits.
+struct FirstQuestion {
+  const char* name;
+  Digest (*ask)(const Mesh& a, const Mesh& b);
+};
+
+/// Every kind of query, and all that a mesh computes when first asked for it. For closed meshes of
+/// about a metre around the origin.
+std::span<const FirstQuestion> first_questions();
+
+}  // namespace graze::tests
