@@ -98,16 +98,69 @@ Stretch in_tube(const Line& line, const Vec3& unit_axis, double radius) {
   return in_ball(beside, radius);
 }
 
+/// The line from another of its points, `by` further on.
+struct Shifted {
+  Line line;
+  double by;
+
+  /// What is empty by less than rounding here may not come out as a point.
+  Stretch back(Stretch stretch) const {
+    if (stretch.is_empty()) return Stretch::nothing();
+    stretch.enter += by;
+    stretch.exit += by;
+    return stretch;
+  }
+};
+
+/// From the middle of the axis along which the line goes farthest, measured in half lengths. Of a
+/// shape that is thin along this axis other points of the line are many half lengths away, and what
+/// is rounded there, too: here all of the shape is about one unit wide, in units of its half
+/// lengths, and what is rounded from now on moves its faces by some u of each of these.
+Shifted from_middle_of_steepest(const Line& line, const Vec3& half) {
+  constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
+  double Vec3::*steepest = kAxes[0];
+  double most = -1;
+  for (double Vec3::*axis : kAxes) {
+    const double along = std::abs(line.direction.*axis) / (half.*axis);
+    if (along > most) most = along, steepest = axis;
+  }
+  const double by = -(line.origin.*steepest) / (line.direction.*steepest);
+  Shifted shifted{{at(line, by), line.direction}, by};
+  shifted.line.origin.*steepest = 0;
+  return shifted;
+}
+
 Line moved(const Line& line, const Vec3& by) {
   return {line.origin - by, line.direction};
 }
 
+/// Where the line enters: away from the segment, and where its inside is nearest at right angles to
+/// it and against the line, however thin the capsule is.
+Vec3 capsule_normal(const Line& line, double enter, const Vec3& axis, double half_length) {
+  const auto is_against = [&](const Vec3& normal) {
+    return largest(normal) > 0 && dot(normal, line.direction) <= kParallel;
+  };
+  const Vec3 point = at(line, enter);
+  const double along = dot(point, axis);
+  if (std::abs(along) > half_length) {
+    const Vec3 of_end = unit_or(point - axis * (along < 0 ? -half_length : half_length), {});
+    if (is_against(of_end)) return of_end;
+  }
+  const Vec3 of_tube = across(unit_or(across(point, axis), {}), axis);
+  return is_against(of_tube) ? of_tube : -across(line.direction, axis);
+}
+
 Stretch in_capsule(const Line& line, const Vec3& half_axis, double radius) {
   const Vec3 axis = unit_or(half_axis, {0, 0, 1});
+  const double half_length = length(half_axis);
   const Stretch ends =
       joined(in_ball(moved(line, half_axis), radius), in_ball(moved(line, -half_axis), radius));
-  const Stretch tube = common(in_tube(line, axis, radius), in_slab(line, axis, length(half_axis)));
-  return joined(ends, tube);
+  const Stretch tube = common(in_tube(line, axis, radius), in_slab(line, axis, half_length));
+  Stretch all = joined(ends, tube);
+  // Not that of the part that is met first: where parts meet rounding would choose the tube's
+  // discs.
+  if (!all.is_empty()) all.normal = capsule_normal(line, all.enter, axis, half_length);
+  return all;
 }
 
 Stretch in_cylinder(const Line& line, const Vec3& half) {
@@ -158,22 +211,37 @@ Stretch in_nappe(const Line& line) {
   return {first, second, {point.x, point.y, -point.z}};
 }
 
+/// In the coordinates of in_nappe(), of a point of the nappe: outward, and against the line. At the
+/// apex and next to it, where rounding leaves no side, that of the side that the line comes from.
+Vec3 nappe_normal(const Vec3& point, const Vec3& direction) {
+  const auto of_side = [](double x, double y) { return Vec3{x, y, -std::hypot(x, y)}; };
+  const Vec3 normal = of_side(point.x, point.y);
+  if (normal.z < 0 && dot(normal, direction) <= 0) return normal;
+  const double flat = std::hypot(direction.x, direction.y);
+  return flat > 0 ? of_side(-direction.x / flat, -direction.y / flat) : Vec3{0, 0, -1};
+}
+
 /// In coordinates in which it is x^2 + y^2 <= w^2, 0 <= w <= 1.
-Stretch in_cone(const Line& line, const Vec3& half) {
+Stretch in_cone(const Line& from_anywhere, const Vec3& half) {
+  const Shifted shifted = from_middle_of_steepest(from_anywhere, {half.x, half.x, half.z});
+  const Line& line = shifted.line;
   const auto scaled = [&](const Vec3& v, double w) {
     return Vec3{v.x / half.x, v.y / half.x, (w - v.z) / (2 * half.z)};
   };
   const Line own{scaled(line.origin, half.z), scaled(line.direction, 0)};
   Stretch side = in_nappe(own);
+  side.normal = nappe_normal(side.normal, own.direction);
   side.normal = {side.normal.x / half.x, side.normal.y / half.x, -side.normal.z / (2 * half.z)};
-  return common(side, in_slab(line, {0, 0, 1}, half.z));
+  return shifted.back(common(side, in_slab(line, {0, 0, 1}, half.z)));
 }
 
-Stretch in_ellipsoid(const Line& line, const Vec3& semi) {
+Stretch in_ellipsoid(const Line& from_anywhere, const Vec3& semi) {
+  const Shifted shifted = from_middle_of_steepest(from_anywhere, semi);
+  const Line& line = shifted.line;
   const auto scaled = [&](const Vec3& v) { return Vec3{v.x / semi.x, v.y / semi.y, v.z / semi.z}; };
   Stretch stretch = in_ball({scaled(line.origin), scaled(line.direction)}, 1);
   stretch.normal = scaled(stretch.normal);
-  return stretch;
+  return shifted.back(stretch);
 }
 
 Stretch in_box(const Line& line, const Vec3& half) {

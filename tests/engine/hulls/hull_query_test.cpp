@@ -65,7 +65,7 @@ Vector3d near_point(const HullOfSet& hull, RandomSource& source) {
 TEST(HullQuery, DistancesToBallsAreTheDefinitions) {
   RandomSource source(11);
   int touching = 0, apart = 0, open = 0;
-  for (int n = 0; n < 120; ++n) {
+  for (int n = 0; n < 100; ++n) {
     const HullOfSet hull(n, source);
     const RationalHull truth = truth_of(hull.points);
     if (truth.facets().empty()) continue;
@@ -93,7 +93,7 @@ TEST(HullQuery, DistancesToBallsAreTheDefinitions) {
     }
     ASSERT_FALSE(HasFailure());
   }
-  EXPECT_GT(apart, 200);
+  EXPECT_GT(apart, 150);
   EXPECT_GT(touching, 50);
   EXPECT_LT(open, (apart + touching) / 20);
 }
@@ -102,7 +102,7 @@ TEST(HullQuery, DistancesToBallsAreTheDefinitions) {
 TEST(HullQuery, ContactsWithAPlaneAreCornersBelowIt) {
   RandomSource source(12);
   int contacts = 0;
-  for (int n = 0; n < 300; ++n) {
+  for (int n = 0; n < 160; ++n) {
     SCOPED_TRACE(n);
     const HullOfSet hull(n, source);
     const RationalHull truth = truth_of(hull.points);
@@ -128,7 +128,7 @@ TEST(HullQuery, ContactsWithAPlaneAreCornersBelowIt) {
     }
     ASSERT_FALSE(HasFailure());
   }
-  EXPECT_GT(contacts, 600);
+  EXPECT_GT(contacts, 300);
 }
 
 /// What the two reach past each other along the normal.
@@ -140,7 +140,7 @@ double overlap(const HullOfSet& hull, const Vector3d& half, const Vector3d& midd
 TEST(HullQuery, ContactsWithABoxPartThem) {
   RandomSource source(13);
   int found_any = 0;
-  for (int n = 0; n < 400; ++n) {
+  for (int n = 0; n < 240; ++n) {
     SCOPED_TRACE(n);
     const HullOfSet hull(n, source);
     const RationalHull truth = truth_of(hull.points);
@@ -181,7 +181,7 @@ TEST(HullQuery, ContactsWithABoxPartThem) {
     }
     ASSERT_FALSE(HasFailure());
   }
-  EXPECT_GT(found_any, 200);
+  EXPECT_GT(found_any, 120);
 }
 
 /// No face that contacts rest on cuts the hull or leaves it, and none is further from it than said.
