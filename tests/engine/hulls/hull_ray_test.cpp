@@ -236,6 +236,41 @@ TEST(HullRay, SlabsOfSixteenPointsAreNotWider) {
   }
 }
 
+/// Where nothing is rounded before the hull is asked, there is no tolerance either.
+TEST(HullRay, ARayThatBeginsInAHullDoesSoHoweverThin) {
+  RandomSource source(6);
+  int inside = 0, outside = 0;
+  for (int n = 0; n < 60; ++n) {
+    std::vector<Vector3d> points = tests::hull_points(n % 2 == 0 ? HullSet::Slab : HullSet::Needle,
+                                                      tests::random_thinness(source), source);
+    points.resize(std::min<std::size_t>(points.size(), 5));
+    if (n % 3 == 0) tests::turn(points, source);
+    for (std::size_t i = points.size(); i-- > 0;)
+      points.push_back(-points[i]);  // so that the middle is 0
+    const auto hull = placed_hull(points, Pose::Identity());
+    if (!hull) continue;
+    for (int i = 0; i < 20; ++i) {
+      const auto any = [&] {
+        return points[static_cast<std::size_t>(
+            source.integer(0, static_cast<int>(points.size()) - 1))];
+      };
+      const double share = source.uniform(0, 1);
+      Vector3d origin = any() * share + any() * (1 - share);
+      if (i == 0) origin.setZero();
+      if (i % 4 == 1) origin = any();
+      const bool is_in = hull->truth.holds(tests::rational(origin));
+      const auto hit = cast_ray(hull->shape, hull->pose, {origin, source.vector(-1, 1)});
+      if (is_in) {  // one that begins outside may be at a distance that rounds to 0
+        EXPECT_TRUE(hit && hit->distance == 0) << n << " " << i;
+      }
+      (is_in ? inside : outside)++;
+    }
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(inside, 300);
+  EXPECT_GT(outside, 100);
+}
+
 TEST(HullRay, AWorldSaysTheSame) {
   RandomSource source(5);
   for (int n = 0; n < 40; ++n) {
