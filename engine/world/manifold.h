@@ -61,16 +61,16 @@ struct Manifold {
 /// leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a plane, along a line
 /// or in a point, offer their find_contacts().
 ///
-/// **Points.** Each point_a is on A's surface and each point_b on B's, to kTouchTolerance times the
-/// scale of the pair (their sizes and the distance of their middles) and the rounding of world
-/// coordinates. Of a convex shape and any other, point_a - point_b is depth times normal: along the
-/// normal, A ends at point_a and B begins at point_b, however deep the two are in each other. That
-/// holds to the same tolerance where faces, or edges that lie along each other, meet, and above a
-/// half-space. Where it is one point that meets something, it holds to 2^-18 of the smaller shape's
-/// size, or to what Work::penetration_failures says was not found, or, if a box meets a box or a
-/// triangle, to a twentieth of the depth: by so much the depth may be more than the least, which
-/// alone has two such points. Two meshes go through each other at their contacts: there point_a and
-/// point_b are one point, which is on both surfaces, and the depth is that of the curve.
+/// **Points.** Each point_a is on A's surface and each point_b on B's, however deep the two are, to
+/// 2^-32 of the scale of the pair (their sizes and the distance of their middles) and the rounding
+/// of world coordinates. Unless both are meshes, point_a - point_b is depth times normal: along the
+/// normal A ends at point_a, depth beyond point_b, where B begins. Where faces, or edges that lie
+/// along each other, meet, and above a half-space that holds to the same tolerance. Where one point
+/// of each meets, the two are where the shapes touch once they are parted: to 2^-17 of the smaller
+/// one's size, or 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth
+/// is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing if
+/// Work::penetration_failures counts the pair. Two meshes go through each other at their contacts:
+/// point_a and point_b are one point, on both surfaces, and the depth is that of the curve.
 ///
 /// Of all that is offered four remain: the deepest, and those that are far from all that remain. So
 /// that features persist, edges of two faces that are within a 256th of the smaller shape's size of

@@ -22,6 +22,9 @@ class BoxAxes {
   /// where one does, the points are the nearest ones of the two edges that meet.
   Penetration least_way() const;
 
+  /// What lengths are measured by: pair_scale() of the two.
+  double scale() const { return pair_scale(box_a_, box_b_); }
+
  private:
   const Core& box_a_;
   const Core& box_b_;

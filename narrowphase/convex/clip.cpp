@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze::narrowphase {
 namespace {
@@ -9,6 +10,28 @@ namespace {
 struct Plane {
   Vec3 on;
   Vec3 out;  // of any length
+};
+
+/// Where a plane cuts a polygon: along the line in which it meets the polygon's own plane.
+struct FaceCut {
+  Vec3 way;                                               // of any length
+  double from = std::numeric_limits<double>::infinity();  // of points in it, times `way`
+  double to = -std::numeric_limits<double>::infinity();
+
+  FaceCut(const ClippedFace& face, const double* height, const Vec3& along) : way(along) {
+    for (int i = 0; i < face.count; ++i) {
+      const int next = i + 1 == face.count ? 0 : i + 1;
+      if ((height[i] > 0) == (height[next] > 0)) continue;
+      const Vec3& point = face.corner[i].point;
+      const double share = height[i] / (height[i] - height[next]);
+      const double at = dot(point + (face.corner[next].point - point) * share, way);
+      from = std::min(from, at), to = std::max(to, at);
+    }
+  }
+  Vec3 nearest(const Vec3& point) const {
+    const double at = dot(point, way);
+    return point + way * ((std::clamp(at, from, to) - at) / dot(way, way));
+  }
 };
 
 /// Edges that lie in the plane, to so much, are not cut by it: their corners count as on it. Those
@@ -22,6 +45,7 @@ void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double
   const double limit = within * std::sqrt(square);
   const auto is_level = [&](int i) { return std::abs(height[i]) <= limit; };
   if (!(fall > 0.25 * square) || !(*std::min_element(height, height + n) < -limit)) return;
+  const FaceCut line(face, height, cross(normal, plane.out));
   bool lies[ClippedFace::kMostCorners] = {};
   for (int i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
     const int next = i + 1 == n ? 0 : i + 1;
@@ -30,7 +54,7 @@ void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double
   for (int i = 0; i < n; ++i) {
     if (!lies[i]) continue;
     Vec3& point = face.corner[i].point;
-    if (height[i] > 0) point = point - along * (height[i] / fall);
+    if (height[i] > 0) point = line.nearest(point - along * (height[i] / fall));
     height[i] = 0;
   }
 }
@@ -70,7 +94,8 @@ bool cut(ClippedFace& face, const Vec3& normal, const Plane& plane, std::uint32_
 
 }  // namespace
 
-ClippedFace clip(const ContactFace& face, const ContactFace& sides, double within) {
+ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& direction,
+                 double within) {
   ClippedFace faces[2];
   int now = 0;
   for (int i = 0; i < face.count; ++i)
@@ -79,7 +104,8 @@ ClippedFace clip(const ContactFace& face, const ContactFace& sides, double withi
   for (int i = 0; i < sides.count && sides.count > 1 && faces[now].count > 0; ++i) {
     const Vec3& from = sides.corner[i];
     const Vec3 edge = sides.corner[i + 1 == sides.count ? 0 : i + 1] - from;
-    const Vec3 out = sides.count == 2 ? -edge : cross(edge, sides.normal);
+    const Vec3 out =
+        sides.count == 2 ? direction * dot(edge, direction) - edge : cross(edge, direction);
     if (cut(faces[now], face.normal, {from, out}, ClippedFace::kEdge + sides.corner_id[i], within,
             is_closed, faces[1 - now])) {
       now = 1 - now;

@@ -23,13 +23,16 @@ struct ClippedFace {
 };
 
 /// The part of `face`, a polygon, segment or point, that lies between the planes through the edges
-/// of `sides` at right angles to its face; of a segment, the planes through its ends at right
-/// angles to it.
+/// of `sides` and along `direction`, on whose side its face is; of a segment, the planes through
+/// its ends that are as nearly at right angles to it as they can be. So what is left lies before
+/// or behind `sides`, as seen in that direction.
 /// Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
 ///
 /// An edge of the face whose ends are both `within` so much of a plane, metres, is not cut by it
-/// but lies in it: corners that stick out slide back along the face. So faces whose edges coincide
-/// keep their corners, and their names, however they jitter.
-ClippedFace clip(const ContactFace& face, const ContactFace& sides, double within);
+/// but lies in it: corners that stick out slide back along the face to the nearest point that the
+/// face has in the plane. So faces whose edges coincide keep their corners, and their names,
+/// however they jitter, and no point leaves the face.
+ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& direction,
+                 double within);
 
 }  // namespace graze::narrowphase

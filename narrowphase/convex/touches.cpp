@@ -2,6 +2,7 @@
 
 #include <graze/narrowphase/convex/clip.h>
 #include <graze/narrowphase/convex/closed_gap.h>
+#include <graze/narrowphase/convex/meeting_points.h>
 #include <graze/narrowphase/convex/touches.h>
 #include <initializer_list>
 
@@ -38,17 +39,6 @@ constexpr double kOuter = 0.9;
 
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
-
-double smaller_size(const Core& a, const Core& b) {
-  return std::min(a.reach + a.radius, b.reach + b.radius);
-}
-
-Core shifted(Core core, const Vec3& by) {
-  core.at = core.at + by;
-  for (Vec3& corner : core.corner)
-    corner = corner + by;
-  return core;
-}
 
 /// Takes a face's normal instead, if it costs no more depth: EPA comes only near it.
 void settle_on_faces(const Core& a, const Core& b, Penetration& way) {
@@ -109,47 +99,42 @@ struct Tolerances {
   double coinciding;
 };
 
-/// The clipped corners of `incident` that are behind `reference`, whose outward sense along the
-/// normal is `sign`: 1 if it is A's.
-void add_clipped(const ContactFace& incident, const ContactFace& reference, const Penetration& way,
+/// The clipped corners of the incident face that are behind the reference's, whose outward sense
+/// along the normal is `sign`: 1 if it is A's. What is clipped along the normal lies, where that
+/// leads, in both faces.
+void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetration& way,
                  double sign, const Tolerances& tolerance, std::vector<ContactPoint>& touches) {
-  const Vec3& normal = way.normal;
-  const ClippedFace clipped = clip(incident, reference, tolerance.coinciding);
-  const double facing = dot(reference.normal, normal) * sign;
+  const ContactFace& sides = reference.face;
+  const Vec3 out = way.normal * sign;
+  const ClippedFace clipped = clip(incident.face, sides, out, tolerance.coinciding);
+  const double facing = dot(sides.normal, out);
   for (int i = 0; i < clipped.count; ++i) {
     const ClippedFace::Corner& corner = clipped.corner[i];
-    const double depth = dot(reference.normal, reference.corner[0] - corner.point) / facing;
-    if (depth < -tolerance.touching) continue;
     ContactPoint touch;
-    const Vec3 met = corner.point + normal * (sign * depth);
+    touch.normal = way.normal;
+    touch.depth = dot(sides.normal, sides.corner[0] - corner.point) / facing;
+    const Vec3 met = corner.point + out * touch.depth;
     touch.point_a = sign > 0 ? met : corner.point;
     touch.point_b = sign > 0 ? corner.point : met;
-    // Faces that are not quite at right angles to the normal are not met where it leads.
-    touch.depth = std::clamp(depth, 0.0, std::max(way.depth, 0.0));
-    touch.normal = normal;
-    const std::uint64_t of_incident = feature(incident.id, corner.own);
-    const std::uint64_t of_reference =
-        feature(reference.id, corner.other != 0 ? corner.other : kWhole);
+    if (sides.count == 2 && !settle_between(incident, reference, sign, tolerance.touching, touch))
+      continue;
+    if (touch.depth < -tolerance.touching) continue;
+    touch.depth = std::clamp(touch.depth, 0.0, std::max(way.depth, 0.0));
+    const std::uint64_t of_incident = feature(incident.face.id, corner.own);
+    const std::uint64_t of_reference = feature(sides.id, corner.other != 0 ? corner.other : kWhole);
     touch.feature_a = sign > 0 ? of_reference : of_incident;
     touch.feature_b = sign > 0 ? of_incident : of_reference;
     touches.push_back(touch);
   }
 }
 
-/// Where the sets meet once B is moved out along the way, and a little further.
+/// One point of each, where the two meet once B is moved out along the way.
 void add_single(const Core& a, const Core& b, const Parting& parting,
                 std::vector<ContactPoint>& touches) {
   const Penetration& way = parting.way;
-  Vec3 on_a = way.point_a;
-  Vec3 on_b = way.point_b;
-  if (!parting.has_witnesses) {
-    constexpr double kClearance = 0x1p-20;
-    const Vec3 out = way.normal * (way.depth + kClearance * smaller_size(a, b));
-    const CoreGap gap = nearest(a, shifted(b, out));
-    on_a = gap.point_a + way.normal * a.radius;
-    on_b = gap.point_b - way.normal * b.radius - out;
-  }
-  touches.push_back({on_a, on_b, way.normal, way.depth, kPointFeature, kPointFeature});
+  const MeetingPoints met =
+      parting.has_witnesses ? MeetingPoints{way.point_a, way.point_b} : meeting_points(a, b, way);
+  touches.push_back({met.on_a, met.on_b, way.normal, way.depth, kPointFeature, kPointFeature});
 }
 
 }  // namespace
@@ -158,20 +143,32 @@ Parting part_boxes(const BoxAxes& boxes) {
   Parting parting;
   parting.way = boxes.least_way();
   parting.way.depth = std::max(parting.way.depth, 0.0);
-  parting.has_witnesses = parting.way.has_witnesses;
+  parting.has_witnesses =
+      parting.way.has_witnesses && lie_along(parting.way, kTouching * boxes.scale());
   return parting;
 }
+
+namespace {
+
+/// Whether the way between two cores is known: without radii they are proved to be apart along it,
+/// and with them it leads out as well as penetration() would tell.
+bool leads_apart(const CoreGap& gap, double radii) {
+  return gap.lower > (radii == 0 ? 0 : (1 - kDepthTolerance) * gap.upper);
+}
+
+}  // namespace
 
 Parting part(const Core& a, const Core& b, const CoreGap& gap) {
   Parting parting;
   Penetration& way = parting.way;
-  if (gap.upper > 0x1p-40 * pair_scale(a, b) || (a.radius + b.radius == 0 && gap.upper > 0)) {
-    const Vec3 between = unit_or(gap.point_b - gap.point_a, gap.normal);
-    way.normal = gap.lower > 0 ? gap.normal : between;
-    way.depth = std::max((a.radius + b.radius) - gap.upper, 0.0);
-    way.point_a = gap.point_a + between * a.radius;
-    way.point_b = gap.point_b - between * b.radius;
-    parting.has_witnesses = true;
+  const double radii = a.radius + b.radius;
+  if (leads_apart(gap, radii)) {
+    const bool is_settled = gap.verdict == GapVerdict::Apart;
+    way.normal = gap.normal;
+    way.depth = radii - (is_settled ? gap.upper : gap.lower);
+    way.point_a = gap.point_a + way.normal * a.radius;
+    way.point_b = gap.point_b - way.normal * b.radius;
+    parting.has_witnesses = is_settled;
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
     return part_boxes(BoxAxes(a, b));
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
@@ -202,10 +199,10 @@ void add_face_touches(const Core& a, const Core& b, const Penetration& way,
   const Tolerances tolerance{kTouching * pair_scale(a, b), kCoinciding * smaller_size(a, b)};
   switch (choose(face_a, face_b, a, b, normal)) {
     case Reference::A:
-      add_clipped(face_b, face_a, way, 1, tolerance, touches);
+      add_clipped({face_b, b}, {face_a, a}, way, 1, tolerance, touches);
       break;
     case Reference::B:
-      add_clipped(face_a, face_b, way, -1, tolerance, touches);
+      add_clipped({face_a, a}, {face_b, b}, way, -1, tolerance, touches);
       break;
     case Reference::None:
       break;

@@ -1,4 +1,5 @@
 #include <graze/narrowphase/convex/box_axes.h>
+#include <graze/narrowphase/convex/meeting_points.h>
 #include <graze/narrowphase/convex/segments.h>
 #include <graze/narrowphase/convex/triangle_parting.h>
 
@@ -11,6 +12,9 @@ namespace {
 // As of two boxes: edges at a smaller angle give no axis, and must gain a twentieth.
 constexpr double kParallel = 1e-6;
 constexpr double kEdgeGain = 0.95;
+
+// Points are one line along the normal to this share of the scale: kTouchTolerance of engine/world.
+constexpr double kTouching = 0x1p-34;
 
 double reach_of(const Core& box, const Vec3& direction) {
   return (std::abs(dot(box.axis[0], direction)) * box.half.x +
@@ -72,7 +76,7 @@ class BoxAndTriangle {
                                                   triangle_.corner[(edge_ + 1) % 3]);
     parting.way.point_a = met.point_a;
     parting.way.point_b = met.point_b;
-    parting.has_witnesses = true;
+    parting.has_witnesses = lie_along(parting.way, kTouching * pair_scale(box_, triangle_));
   }
 
   const Core& box_;

@@ -57,6 +57,9 @@ TEST_F(CliSimulate, ContactsAreListedOnRequest) {
   EXPECT_EQ(contact["b"], "ball");
   EXPECT_EQ(contact["points"].at(0)["depth"], 0.5);
   EXPECT_EQ(contact["points"].at(0)["normal"], Json::array({0.0, 0.0, 1.0}));
+  EXPECT_EQ(contact["points"].at(0)["point"].at(2), -0.25);
+  EXPECT_EQ(contact["points"].at(0)["point_a"].at(2), 0.0);
+  EXPECT_EQ(contact["points"].at(0)["point_b"].at(2), -0.5);
 }
 
 TEST_F(CliSimulate, ATableNamesThePairs) {

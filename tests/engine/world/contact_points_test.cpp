@@ -1,0 +1,255 @@
+// Where contacts stand: point_a on A's surface and point_b on B's, the depth apart along the
+// normal, and the point midway. Of every pair of kinds, in general position and in the positions
+// that scenes are made of: faces flush, edges that nearly coincide, equal shapes stacked,
+// concentric and deep.
+
+#include <graze/engine/world/manifold.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/engine/world/random_shapes.h"
+#include "tests/engine/world/surface_distance.h"
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using Eigen::Vector3d;
+using tests::at;
+using tests::outside_by;
+using tests::random_pose;
+using tests::random_shape;
+using tests::reach_along;
+using tests::size_of;
+using tests::Surface;
+
+struct Placed {
+  Shape shape;
+  Pose pose;
+};
+
+bool is_solid(const Shape& shape) {
+  return shape.kind() != ShapeKind::Mesh;
+}
+
+bool is_rounded(const Shape& shape) {
+  return shape.kind() == ShapeKind::Sphere || shape.kind() == ShapeKind::Capsule;
+}
+
+/// Shapes whose edges count against faces by a twentieth, if one of the two is a box.
+bool is_flat(const Shape& shape) {
+  return shape.kind() == ShapeKind::Box || shape.kind() == ShapeKind::Mesh;
+}
+
+/// The contact of a point that is of no corner, edge or face.
+bool is_single(const ContactFeature& feature) {
+  constexpr std::uint64_t kSingle = 0x30000;
+  return (feature.a & 0xffffffff) == kSingle && (feature.b & 0xfffffff) == kSingle;
+}
+
+/// What find_contacts() promises of every contact.
+void expect_on_both(const Placed& a, const Placed& b, const std::string& label) {
+  Work work;
+  const Manifold m = find_contacts(a.shape, a.pose, b.shape, b.pose, &work);
+  const Surface of_a(a.shape), of_b(b.shape);
+  const double size_a = size_of(a.shape), size_b = size_of(b.shape);
+  const double between = (a.pose.translation() - b.pose.translation()).norm();
+  const double bound = 0x1p-32 * (size_a + size_b + between) +
+                       0x1p-50 * (a.pose.translation().norm() + b.pose.translation().norm());
+  const bool is_of_boxes = is_flat(a.shape) && is_flat(b.shape);
+  const bool is_of_meshes = !is_solid(a.shape) && !is_solid(b.shape);
+  for (const ShapeContact& c : m) {
+    EXPECT_LE(of_a.distance(a.pose, c.point_a), bound)
+        << label << " feature " << std::hex << c.feature.a << " " << c.feature.b;
+    EXPECT_LE(of_b.distance(b.pose, c.point_b), bound)
+        << label << " feature " << std::hex << c.feature.a << " " << c.feature.b;
+    EXPECT_EQ(c.point, Vector3d(0.5 * (c.point_a + c.point_b))) << label;
+    EXPECT_NEAR(c.normal.norm(), 1, 1e-12) << label;
+    if (is_of_meshes) {
+      EXPECT_EQ(c.point_a, c.point_b) << label;
+      continue;
+    }
+    double allowed = bound;
+    if (is_single(c.feature)) {
+      allowed += 0x1p-17 * std::min(size_a, size_b) + (is_of_boxes ? 0.05 * c.depth : 0);
+      if (is_rounded(a.shape) || is_rounded(b.shape))
+        allowed += 0x1p-16 * (size_a + size_b + between);
+      if (work.penetration_failures != 0) allowed += c.depth;
+    }
+    EXPECT_LE((c.point_a - c.point_b - c.depth * c.normal).norm(), allowed)
+        << label << " feature " << std::hex << c.feature.a << " " << c.feature.b << " depth "
+        << c.depth;
+    // There A ends and B begins.
+    const Vector3d beyond = 1e-3 * std::min(size_a, size_b) * c.normal;
+    if (is_solid(a.shape)) {
+      EXPECT_GE(outside_by(a.shape, a.pose, c.point_a + beyond), -allowed) << label;
+    }
+    if (is_solid(b.shape)) {
+      EXPECT_GE(outside_by(b.shape, b.pose, c.point_b - beyond), -allowed) << label;
+    }
+  }
+}
+
+template <typename Check>
+void for_each_pair_of_kinds(Check&& check) {
+  for (const ShapeKind kind_a : kShapeKinds) {
+    for (const ShapeKind kind_b : kShapeKinds) {
+      if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) continue;
+      check(kind_a, kind_b, std::string(name_of(kind_a)) + "/" + name_of(kind_b) + " ");
+    }
+  }
+}
+
+void hunt_in_general_position(std::uint64_t seed, int count) {
+  RandomSource source(seed);
+  for_each_pair_of_kinds([&](ShapeKind kind_a, ShapeKind kind_b, const std::string& label) {
+    for (int n = 0; n < count && !testing::Test::HasFailure(); ++n) {
+      const Placed a{random_shape(kind_a, 1, source), random_pose(1, source)};
+      Placed b{random_shape(kind_b, 1, source), random_pose(1, source)};
+      const double away = source.uniform(0, 0.8) * (size_of(a.shape) + size_of(b.shape));
+      b.pose.translation() =
+          a.pose.translation() + source.vector(-1, 1).normalized() * away * source.uniform(0, 1);
+      expect_on_both(a, b, label + std::to_string(n));
+    }
+  });
+}
+
+/// Shapes of equal and of commensurable sizes, as parts of machines have them; and long ones.
+std::vector<Shape> standard_shapes(ShapeKind kind) {
+  const std::vector<Vector3d> cube{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                                   {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+  const std::vector<Vector3d> wedge{{-1, -1, -1}, {1.5, -1, -1}, {-1, 0.5, -1}, {-1, -1, 1}};
+  switch (kind) {
+    case ShapeKind::Sphere:
+      return {Sphere{{0, 0, 0}, 1}, Sphere{{0, 0, 0}, 0.25}};
+    case ShapeKind::Box:
+      return {Box{{1, 1, 1}}, Box{{1, 1, 1}}, Box{{2, 1, 0.5}}, Box{{0.1, 4, 0.1}}};
+    case ShapeKind::Capsule:
+      return {Capsule{1, 1}, Capsule{0.5, 1}, Capsule{0.1, 4}};
+    case ShapeKind::Cylinder:
+      return {Cylinder{1, 1}, Cylinder{0.5, 1}, Cylinder{0.1, 4}};
+    case ShapeKind::Cone:
+      return {Cone{1, 1}, Cone{0.5, 1}, Cone{0.1, 4}};
+    case ShapeKind::Ellipsoid:
+      return {Ellipsoid{{0, 0, 0}, {1, 1, 1}}, Ellipsoid{{0, 0, 0}, {1, 0.5, 0.25}}};
+    case ShapeKind::ConvexHull:
+      return {ConvexHull(cube), ConvexHull(wedge)};
+    case ShapeKind::HalfSpace:
+      return {HalfSpace{{0, 0, 1}, 0}};
+    default:
+      return {tests::make_box({1, 1, 1}), tests::make_sphere(1, 5, 8)};
+  }
+}
+
+Eigen::Matrix3d standard_turn(RandomSource& source) {
+  const auto quarter = [&] { return std::acos(0.0) * source.integer(0, 3); };
+  Eigen::Matrix3d turn;
+  turn = Eigen::AngleAxisd(quarter(), Vector3d::UnitX()) *
+         Eigen::AngleAxisd(quarter(), Vector3d::UnitY());
+  if (source.integer(0, 2) == 0) turn = turn * Eigen::AngleAxisd(0.7854, Vector3d::UnitZ());
+  return turn;
+}
+
+template <typename Item>
+Item any_of(const std::vector<Item>& items, RandomSource& source) {
+  return items[static_cast<std::size_t>(source.integer(0, static_cast<int>(items.size()) - 1))];
+}
+
+/// B beside A along an axis, a diagonal or nothing, that deep, a part of a 256th of its size off
+/// the line through both, and jittered.
+void hunt_in_special_position(std::uint64_t seed, int count) {
+  RandomSource source(seed);
+  const std::vector<double> depths{0, 1e-12, 1e-9, 1e-6, 1e-3, 0.05, 0.4};
+  const std::vector<double> jitters{0, 0, 1e-15, 1e-9, 1e-6, 1e-4, 3e-3, 0.015, 0.1};
+  const std::vector<double> shifts{0, 0, 1e-9, 1e-3, 0x1p-9, 0x1p-8, 0x1.8p-8, 0.3, 1};
+  for_each_pair_of_kinds([&](ShapeKind kind_a, ShapeKind kind_b, const std::string& label) {
+    const std::vector<Shape> all_a = standard_shapes(kind_a), all_b = standard_shapes(kind_b);
+    for (int n = 0; n < count && !testing::Test::HasFailure(); ++n) {
+      Placed a{any_of(all_a, source), at(0)};
+      Placed b{any_of(all_b, source), at(0)};
+      a.pose.linear() = standard_turn(source);
+      b.pose.linear() = standard_turn(source);
+      Vector3d way = source.integer(0, 4) == 0
+                         ? source.lattice_point(-1, 1)
+                         : Vector3d::Unit(static_cast<int>(source.integer(0, 2)));
+      const Vector3d shift = source.lattice_point(-1, 1) * any_of(shifts, source);
+      if (kind_a == ShapeKind::HalfSpace) way = a.pose.linear().col(2);
+      if (kind_b == ShapeKind::HalfSpace) way = -b.pose.linear().col(2);
+      if (way.norm() > 0) way.normalize();
+      if (way.norm() > 0 && source.integer(0, 9) != 0) {
+        const double reach = reach_along(a.shape, a.pose, way) + reach_along(b.shape, b.pose, -way);
+        b.pose.translation() = way * (reach - any_of(depths, source));
+      }
+      b.pose.translation() += shift - way * way.dot(shift);
+      const double jitter = any_of(jitters, source);
+      b.pose.translation() += source.vector(-jitter, jitter);
+      b.pose.linear() =
+          Eigen::AngleAxisd(source.uniform(-jitter, jitter), source.vector(-1, 1).normalized())
+              .toRotationMatrix() *
+          b.pose.linear();
+      if (source.integer(0, 1) == 0) {
+        const Pose world = random_pose(10, source);
+        a.pose = world * a.pose;
+        b.pose = world * b.pose;
+      }
+      expect_on_both(a, b, label + std::to_string(n));
+    }
+  });
+}
+
+TEST(ContactPoints, InGeneralPosition) {
+  hunt_in_general_position(51, 24);
+}
+
+TEST(ContactPoints, InSpecialPosition) {
+  hunt_in_special_position(52, 60);
+}
+
+TEST(ContactPointsSlow, InGeneralPosition) {
+  for (std::uint64_t seed = 1; seed < 40; ++seed)
+    hunt_in_general_position(seed << 8, 50);
+}
+
+TEST(ContactPointsSlow, InSpecialPosition) {
+  for (std::uint64_t seed = 1; seed < 40; ++seed)
+    hunt_in_special_position(seed << 8, 200);
+}
+
+/// Stacks of boxes that are nearly flush: what slides onto an edge is on both all the same.
+TEST(ContactPoints, OfBoxesThatAreNearlyFlush) {
+  RandomSource source(53);
+  for (int n = 0; n < 2000 && !HasFailure(); ++n) {
+    const double jitter = 0x1p-8 * source.uniform(0, 1.5) * source.uniform(0, 1);
+    const Placed a{Box{{0.5, 0.5, 0.5}}, random_pose(1, source)};
+    Placed b = a;
+    b.pose = a.pose * at(source.uniform(-jitter, jitter), source.uniform(-jitter, jitter),
+                         0.999 + source.uniform(-jitter, 0));
+    b.pose.rotate(
+        Eigen::AngleAxisd(source.uniform(-jitter, jitter), source.vector(-1, 1).normalized()));
+    expect_on_both(a, b, "boxes " + std::to_string(n));
+  }
+}
+
+/// A plate and a small box that stands on it a little aslant, poses as a robot's planner met them:
+/// two edges are the way out, and the faces beside them are within 8 degrees of it.
+TEST(ContactPoints, OfFacesThatAreNearlyAtRightAnglesToTheNormal) {
+  const Placed plate{Box{{0.23, 0.24, 0.005}}, at(-0.721, -0.772, 0.81)};
+  Placed box{Box{{0.0247605, 0.073, 0.03625}},
+             at(-0.42677133002999479, -0.76596851247746789, 0.80746731400091054)};
+  box.pose.linear() << 0.10758262492983037, -0.66248818500152129, -0.74130653817877357,
+      0.22682184885125473, -0.709614040775253474, 0.66708302483147863, -0.96797615037608542,
+      -0.23991106241273435, 0.07392465377049165;
+  const Manifold m = find_contacts(plate.shape, plate.pose, box.shape, box.pose);
+  EXPECT_FALSE(m.empty());
+  expect_on_both(plate, box, "plate/box");
+  expect_on_both(box, plate, "box/plate");
+}
+
+}  // namespace
+}  // namespace graze
