@@ -68,7 +68,8 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
   std::string out =
       "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</th>"
       "<th>touching</th><th>pose rounding</th><th>degenerate</th><th>containment</th><th>real</th>"
-      "<th>engine error</th><th>largest error, m</th><th>in ulp</th><th>median, us</th><th>total, "
+      "<th>engine error</th><th>not confirmed</th><th>largest error, m</th><th>in "
+      "ulp</th><th>median, us</th><th>total, "
       "ms</th></tr>\n";
   for (const EngineSummary& s : summaries) {
     out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td>",
@@ -76,8 +77,9 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
                        s.wrong == 0 ? "" : " class=\"bad\"", s.wrong);
     for (const std::size_t count : s.classes)
       out += fmt::format("<td>{}</td>", count);
-    out += fmt::format("<td>{:.3g}</td><td>{:.3g}</td><td>{:.1f}</td><td>{:.2f}</td></tr>\n",
-                       s.largest_error, s.largest_ulps, s.median_time, s.total_time / 1000);
+    out += fmt::format(
+        "<td>{}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.1f}</td><td>{:.2f}</td></tr>\n",
+        s.not_confirmed, s.largest_error, s.largest_ulps, s.median_time, s.total_time / 1000);
   }
   return out + "</table>\n";
 }

@@ -65,6 +65,7 @@ void expect_small(const Shape& shape) {
 
 TEST(ShrinkBodies, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
   const std::unique_ptr<Engine> engine = make_wrong_sign_engine("fcl");
+  const std::vector<EngineEntry> engines = all_engines();
   const std::vector<Shape> shapes = one_of_each_shape();
   RandomSource source(11);
   std::size_t found = 0;
@@ -85,7 +86,7 @@ TEST(ShrinkBodies, AWrongSignIsFoundClassifiedShrunkAndReplayed) {
       small.answered_by = engine->name();
       const Case back = parse_case(to_json(small), "memory");
       EXPECT_EQ(to_json(back), to_json(small)) << "another shape than was asked about";
-      const std::vector<Testimony> all = try_case(back, all_engines());
+      const std::vector<Testimony> all = try_case(back, engines);
       EXPECT_TRUE(all.front().is_recorded);
       EXPECT_EQ(all.front().judgement.verdict, Verdict::Wrong);
       EXPECT_EQ(all.front().judgement.error_class, ErrorClass::Real);

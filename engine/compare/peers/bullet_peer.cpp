@@ -221,6 +221,7 @@ class BulletShapes : public LoadedShapes {
 class BulletEngine : public Engine {
  public:
   CaseWitness name() const override { return {"bullet", std::to_string(btGetVersion())}; }
+  std::optional<std::vector<Ask>> questions() const override { return {{Ask::Any, Ask::Contacts}}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<BulletPair>(mesh_a, mesh_b);
   }

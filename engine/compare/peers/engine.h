@@ -110,6 +110,9 @@ class Engine {
   virtual ~Engine() = default;
   virtual CaseWitness name() const = 0;
 
+  /// Which questions about two meshes it knows, if it says so.
+  virtual std::optional<std::vector<Ask>> questions() const { return std::nullopt; }
+
   /// Builds what the engine needs for queries: its trees, for example. Throws Error if it refuses.
   virtual std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const = 0;
 

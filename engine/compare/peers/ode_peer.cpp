@@ -274,6 +274,7 @@ class OdeShapes : public LoadedShapes {
 class OdeEngine : public Engine {
  public:
   CaseWitness name() const override { return {"ode", dODE_VERSION}; }
+  std::optional<std::vector<Ask>> questions() const override { return {{Ask::Any, Ask::Contacts}}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     start_ode();
     return std::make_unique<OdePair>(mesh_a, mesh_b);

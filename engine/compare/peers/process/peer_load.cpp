@@ -21,20 +21,17 @@ void PeerPool::give_back(std::unique_ptr<PeerSession> session) {
   idle_.push_back(std::move(session));
 }
 
-CaseWitness PeerPool::witness() {
+PeerHello PeerPool::hello() {
   const std::lock_guard lock(mutex_);
-  if (!witness_) {
-    witness_ = CaseWitness{program_.name, ""};
-    try {
-      idle_.push_back(start());
-      witness_->version = idle_.back()->hello().witness.version;
-    } catch (const EngineFailure&) {  // told again when it is asked
-    } catch (const EngineMissingError&) {
-      witness_.reset();
-      throw;
-    }
+  if (hello_) return *hello_;
+  PeerHello hello{.witness = {program_.name, ""}};
+  try {
+    idle_.push_back(start());
+    hello = idle_.back()->hello();
+  } catch (const EngineFailure&) {  // told again when it is asked
   }
-  return *witness_;
+  hello_ = hello;
+  return hello;
 }
 
 PeerLoad::PeerLoad(std::shared_ptr<PeerPool> pool, std::string member, PeerHistory history)

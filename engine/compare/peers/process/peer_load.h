@@ -10,7 +10,7 @@
 
 namespace graze::compare {
 
-/// The processes of one engine that nobody uses, and who the engine is. Safe to use from many
+/// The processes of one engine that nobody uses, and what it says of itself. Safe to use from many
 /// threads.
 class PeerPool {
  public:
@@ -23,15 +23,15 @@ class PeerPool {
   std::unique_ptr<PeerSession> start() const { return std::make_unique<PeerSession>(program_); }
   void give_back(std::unique_ptr<PeerSession> session);
 
-  /// Asks once who the engine is. Throws EngineMissingError; of an engine that fails before it says
-  /// so the version is unknown.
-  CaseWitness witness();
+  /// What the engine says of itself, asked once. Throws EngineMissingError; of an engine that fails
+  /// before it says so nothing but its name is known.
+  PeerHello hello();
 
  private:
   PeerProgram program_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<PeerSession>> idle_;
-  std::optional<CaseWitness> witness_;
+  std::optional<PeerHello> hello_;
 };
 
 enum class PeerHistory {

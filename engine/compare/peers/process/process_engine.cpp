@@ -24,7 +24,8 @@ class PeerPair : public LoadedPair {
  public:
   PeerPair(std::shared_ptr<PeerPool> pool, PeerHistory history, const Mesh& mesh_a,
            const Mesh& mesh_b)
-      : mesh_a_(mesh_a),
+      : hello_(pool->hello()),
+        mesh_a_(mesh_a),
         mesh_b_(mesh_b),
         load_(std::move(pool), load_text(mesh_a, mesh_b), history) {}
 
@@ -38,7 +39,7 @@ class PeerPair : public LoadedPair {
     const bool is_asked = question.ask == Ask::Any || question.ask == Ask::Pairs ||
                           question.ask == Ask::Distance || question.ask == Ask::Within ||
                           question.ask == Ask::Contacts;
-    if (!question.is_plain() || !is_asked) return {};
+    if (!question.is_plain() || !is_asked || !hello_.may_know(question.ask)) return {};
     const Case query{.note = "",
                      .ask = question.ask,
                      .settings = question.settings,
@@ -57,6 +58,7 @@ class PeerPair : public LoadedPair {
   }
 
  private:
+  PeerHello hello_;
   Mesh mesh_a_;
   Mesh mesh_b_;
   mutable PeerLoad load_;
@@ -167,7 +169,7 @@ class ProcessEngine : public Engine {
   ProcessEngine(std::shared_ptr<PeerPool> pool, PeerHistory history)
       : pool_(std::move(pool)), history_(history) {}
 
-  CaseWitness name() const override { return pool_->witness(); }
+  CaseWitness name() const override { return pool_->hello().witness; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<PeerPair>(pool_, history_, mesh_a, mesh_b);
   }

@@ -4,6 +4,7 @@
 #include <graze/engine/compare/peers/process/shape_points.h>
 #include <graze/engine/mesh/io/source.h>
 
+#include <algorithm>
 #include <limits>
 #include <variant>
 
@@ -136,12 +137,22 @@ PeerHello read_hello(const JsonCursor& at) {
         .fail("is version " + std::to_string(version) + " of the protocol; this program speaks " +
               std::to_string(kPeerProtocol));
   }
-  at.require_keys({"graze_peer", "engine", "version", "alone"});
+  at.require_keys({"graze_peer", "engine", "version", "alone", "questions"});
   PeerHello hello;
   hello.witness.engine = mesh_io::printable(at.member("engine").text());
   if (at.has("version")) hello.witness.version = mesh_io::printable(at.member("version").text());
   hello.can_fork = at.has("alone") && at.member("alone").boolean();
+  if (!at.has("questions")) return hello;
+  const JsonCursor list = at.member("questions");
+  hello.questions.emplace();
+  for (std::size_t i = 0; i < list.size(); ++i)
+    hello.questions->push_back(list.item(i).text());
   return hello;
+}
+
+bool PeerHello::may_know(Ask ask) const {
+  return !questions ||
+         std::find(questions->begin(), questions->end(), name_of(ask)) != questions->end();
 }
 
 Shape read_shape(const JsonCursor& at) {

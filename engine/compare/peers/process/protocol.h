@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <graze/engine/cases/case.h>
 #include <graze/engine/cases/json_cursor.h>
@@ -24,6 +25,10 @@ using BodyPairs = std::span<const std::pair<std::size_t, std::size_t>>;
 struct PeerHello {
   CaseWitness witness;
   bool can_fork = false;  ///< knows "alone": answers as if nothing had been asked since it loaded
+  /// About two meshes; none: any question may be asked, and is refused.
+  std::optional<std::vector<std::string>> questions = {};
+
+  bool may_know(Ask ask) const;
 };
 
 // Requests are a line each, with its break. Numbers read back bit for bit.

@@ -59,9 +59,14 @@ class Server {
 
   void greet() const {
     const CaseWitness witness = engine_.name();
+    std::string questions;
+    if (const std::optional<std::vector<Ask>> known = engine_.questions()) {
+      questions = ",\"questions\":" +
+                  cases::json_list(*known, ",", [](Ask ask) { return json_string(name_of(ask)); });
+    }
     write_all(replies_, "{\"graze_peer\":" + std::to_string(kPeerProtocol) +
-                            ",\"engine\":" + json_string(witness.engine) +
-                            ",\"version\":" + json_string(witness.version) + ",\"alone\":true}\n");
+                            ",\"engine\":" + json_string(witness.engine) + ",\"version\":" +
+                            json_string(witness.version) + ",\"alone\":true" + questions + "}\n");
   }
 
   void answer(const std::string& line) {
