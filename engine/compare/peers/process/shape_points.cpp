@@ -2,8 +2,8 @@
 #include <graze/engine/compare/peers/process/shape_points.h>
 #include <graze/narrowphase/convex/hull.h>
 
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace graze::compare {
@@ -16,23 +16,56 @@ bool is_equal(const Vec3& a, const Vec3& b) {
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/// Its faces follow from these.
 bool is_same(const Hull& a, const Hull& b) {
-  if (!is_equal(a.middle, b.middle) || a.loops != b.loops) return false;
-  if (a.corners.size() != b.corners.size()) return false;
-  for (std::size_t i = 0; i < a.corners.size(); ++i) {
-    if (!is_equal(a.corners[i], b.corners[i])) return false;
-  }
-  return true;
+  return is_equal(a.middle, b.middle) && std::equal(a.corners.begin(), a.corners.end(),
+                                                    b.corners.begin(), b.corners.end(), is_equal);
 }
 
-/// The double next to `corner + middle`, or that itself, from which `middle` takes it back.
-double source_of(double corner, double middle) {
+/// The doubles next to `corner + middle` from which `middle` takes the corner back; at least one.
+std::vector<double> sources_of(double corner, double middle) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const double sum = corner + middle;
+  std::vector<double> sources;
   for (const double each : {sum, std::nextafter(sum, kFar), std::nextafter(sum, -kFar)})
-    if (each - middle == corner) return each;
-  return sum;
+    if (each - middle == corner) sources.push_back(each);
+  if (sources.empty()) sources.push_back(sum);
+  return sources;
 }
+
+/// One coordinate of all corners: the outermost ones make the middle, too.
+class AxisSources {
+ public:
+  AxisSources(const std::vector<Vec3>& corners, double Vec3::*axis, double middle)
+      : middle_(middle), least_(corners.front().*axis), largest_(least_) {
+    for (const Vec3& corner : corners) {
+      least_ = std::min(least_, corner.*axis);
+      largest_ = std::max(largest_, corner.*axis);
+    }
+    low_ = sources_of(least_, middle).front();
+    high_ = sources_of(largest_, middle).front();
+    for (const double low : sources_of(least_, middle)) {
+      for (const double high : sources_of(largest_, middle)) {
+        if (low * 0.5 + high * 0.5 != middle) continue;
+        low_ = low;
+        high_ = high;
+        return;
+      }
+    }
+  }
+
+  double of(double corner) const {
+    if (corner == least_) return low_;
+    return corner == largest_ ? high_ : sources_of(corner, middle_).front();
+  }
+
+ private:
+  double middle_;
+  double least_;
+  double largest_;
+  double low_;
+  double high_;
+};
 
 bool is_same(const HalfSpace& a, const HalfSpace& b) {
   return a.normal == b.normal && a.offset == b.offset;
@@ -42,12 +75,14 @@ bool is_same(const HalfSpace& a, const HalfSpace& b) {
 
 std::optional<std::vector<Eigen::Vector3d>> points_of(const ConvexHull& hull) {
   const Vec3& middle = hull.data().middle;
+  const std::vector<Vec3>& corners = hull.data().corners;
+  const AxisSources x(corners, &Vec3::x, middle.x);
+  const AxisSources y(corners, &Vec3::y, middle.y);
+  const AxisSources z(corners, &Vec3::z, middle.z);
   std::vector<Eigen::Vector3d> points;
-  points.reserve(hull.vertex_count());
-  for (const Vec3& corner : hull.data().corners) {
-    points.emplace_back(source_of(corner.x, middle.x), source_of(corner.y, middle.y),
-                        source_of(corner.z, middle.z));
-  }
+  points.reserve(corners.size());
+  for (const Vec3& corner : corners)
+    points.emplace_back(x.of(corner.x), y.of(corner.y), z.of(corner.z));
   try {
     if (is_same(ConvexHull(points).data(), hull.data())) return points;
   } catch (const Error&) {  // rounding has made it flat
