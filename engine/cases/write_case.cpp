@@ -2,7 +2,8 @@
 #include <graze/engine/cases/case_words.h>
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cases/write_case.h>
-#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/files/file_error.h>
+#include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/mesh_error.h>
 
 #include <cmath>
@@ -156,10 +157,8 @@ std::string to_json(const Case& query) {
 
 void write_case(const std::filesystem::path& path, const Case& query) {
   try {
-    mesh_io::OutputFile file(path);
-    file.append(to_json(query));
-    file.finish();
-  } catch (const MeshError& error) {
+    files::write_file(path, to_json(query));
+  } catch (const files::FileError& error) {
     throw CaseError(error.what());
   }
 }

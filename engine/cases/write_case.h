@@ -11,7 +11,8 @@ namespace graze {
 /// every machine. Every number is a hex float. Linear time.
 std::string to_json(const Case& query);
 
-/// Writes it to a file. Throws CaseError if that cannot be done.
+/// Writes it to a file, which appears whole or stays as it was (see write_voxels()). Throws
+/// CaseError if that cannot be done.
 void write_case(const std::filesystem::path& path, const Case& query);
 
 /// The parts of an answer as one JSON object.

@@ -1,6 +1,7 @@
 #include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/compare_run.h>
 #include <graze/engine/cli/count_argument.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/shell_word.h>
 #include <graze/engine/scenes/read_scene.h>
 
@@ -21,6 +22,14 @@ run in processes of their own (graze-peer), so that a crash of theirs is an engi
 that does not come within --timeout. What one of them gets wrong is asked again where nothing else was asked;
 if it is right then, it is "not confirmed", and counted, but not held against it.
 
+Shrinking starts from the guilty pair of triangles and, if the engine is right about these alone, from
+what is near it. It takes --shrink-seconds in all, and as much more as the question that is being asked
+then; each case is written before what takes long, and again as it gets smaller. The file of a case is named after
+what is compared, the engine, the question, the pose or the step, the class of the error, and a digest of the whole
+question: other questions have other names, and a run that is repeated writes the same ones. Cases of other runs stay
+in the folder, and the run says how many there are. A folder that cannot be written stops nothing: stderr says so
+once, and "written" is false.
+
 Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
 the referee once gave. A case that cannot be made smaller stays where it is.
@@ -32,9 +41,12 @@ called touching. What is not proved is not judged. Cases of such shapes hold the
 and hulls cut down to what the error needs.
 
 With --json each pose, or case, gives one line, and the last one is
-  {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],"cases":[{"file":...},...]}
+  {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],
+   "cases":[{"file":...,"written":true,"engine":"fcl","pose":3,"class":"real","least":false,"stopped":false},...]}
 
-of a folder with what the case is called:
+where "stopped" says that the time for shrinking was over, and "least" that no triangle of many can go;
+
+of a folder each line has what the case is called:
   {"case":3,"file":"odd.json","question":"any","answers":[{"engine":"recorded",...},...]}
 
 and of a scene each difference:
@@ -42,7 +54,7 @@ and of a scene each difference:
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and the median of its times, each beside what it was, within --time-tolerance.
---resume FILE keeps a
+Files appear whole or not at all; pipes and devices are written through. --resume FILE keeps a
 record of each pose, step or case as it is done, and goes on where a stopped run ended. Interrupted by ^C, a run
 with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
@@ -58,7 +70,7 @@ Examples:
 Exit codes:
   0  graze is right everywhere
   1  exact arithmetic found an answer of graze to be wrong, or --against found a regression
-  2  bad input, with one line on stderr
+  2  bad input, with one line on stderr, or a folder of --cases that could not be written
   130  interrupted, with --resume: what is done is recorded)";
 
 void add_pose_options(CLI::App& command, CompareOptions& options) {
@@ -94,20 +106,32 @@ void add_scene_options(CLI::App& command, CompareOptions& options) {
 void add_output_options(CLI::App& command, CompareOptions& options) {
   command
       .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(file_name());
   command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
       ->type_name("N")
       ->check(whole_number(0, 1'000'000));
-  command.add_option("--report", options.report, "also one self-contained page")->type_name("HTML");
-  command.add_option("--save", options.save, "write what was answered")->type_name("BASE");
+  command
+      .add_option("--shrink-seconds", options.shrink_seconds,
+                  "for shrinking all of them (default: 10; 0: as they were found)")
+      ->type_name("S")
+      ->check(finite_number(Sign::NotNegative));
+  command.add_option("--report", options.report, "also one self-contained page")
+      ->type_name("HTML")
+      ->check(file_name());
+  command.add_option("--save", options.save, "write what was answered")
+      ->type_name("BASE")
+      ->check(file_name());
   command.add_option("--against", options.against, "hold this run against a saved one")
-      ->type_name("BASE");
+      ->type_name("BASE")
+      ->check(file_name());
   command
       .add_option("--time-tolerance", options.time_tolerance,
                   "how much longer graze may take than in --against (default: 1.5)")
       ->type_name("RATIO");
   command.add_option("--resume", options.resume, "keep a record, and go on where it ends")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(file_name());
   command.add_option("--threads", options.threads, "0 (default): as many as processors")
       ->type_name("N")
       ->check(whole_number(0, kMaxThreads));

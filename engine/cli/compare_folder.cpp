@@ -2,6 +2,7 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/compare_folder.h>
 #include <graze/engine/cli/engine_field.h>
+#include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/recorded_run.h>
 #include <graze/engine/cli/replay_run.h>
 #include <graze/engine/cli/usage_error.h>
@@ -85,7 +86,9 @@ ExitCode run_compare_folder(const CompareOptions& options,
   for (WrongAnswer& wrong : findings.wrong) {
     const fs::path& file = files[wrong.place];
     wrong.where = findings.names[wrong.place];
-    wrong.name = file.stem().string();
+    wrong.name =
+        fmt::format("{}-{}-{}", name_part(file.stem().string()), name_part(wrong.answer->engine),
+                    name_of(job.cases[wrong.place].query.ask));
     wrong.origin = file.string();
     wrong.query = [&job, place = wrong.place] { return job.cases[place].query; };
   }

@@ -1,6 +1,8 @@
-#include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare_output.h>
+#include <graze/engine/cli/files/case_folder.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/html_report.h>
+#include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/simd_target.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/compare/run/trial.h>
@@ -8,6 +10,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -16,22 +21,33 @@ namespace graze::cli {
 namespace fs = std::filesystem;
 
 void check_places(const CompareOptions& options) {
-  for (const auto& [name, file] :
-       {std::pair{"--report", &options.report}, std::pair{"--save", &options.save},
-        std::pair{"--resume", &options.resume}}) {
-    if (file->empty()) continue;
-    const fs::path folder = fs::path(*file).parent_path();
+  const FilePlace report = {"--report", options.report};
+  const FilePlace save = {"--save", options.save};
+  const FilePlace resume = {"--resume", options.resume};
+  for (const FilePlace& place : {report, save, resume}) {
+    if (place.path.empty()) continue;
+    const fs::path folder = fs::path(place.path).parent_path();
     std::error_code ignored;
     if (!folder.empty() && !fs::is_directory(folder, ignored)) {
-      throw UsageError(fmt::format("{}: {}: there is no folder {}", name, mesh_io::printable(*file),
+      throw UsageError(fmt::format("{}: {}: there is no folder {}", place.name,
+                                   mesh_io::printable(place.path),
                                    mesh_io::printable(folder.string())));
     }
-    if (fs::is_directory(*file, ignored)) {
-      throw UsageError(fmt::format("{}: {}: is a folder", name, mesh_io::printable(*file)));
+    if (fs::is_directory(place.path, ignored)) {
+      throw UsageError(
+          fmt::format("{}: {}: is a folder", place.name, mesh_io::printable(place.path)));
     }
   }
+  const std::array<FilePlace, 3> inputs = {{{"A itself", options.mesh_a},
+                                            {"B itself", options.mesh_b},
+                                            {"the file of --poses", options.poses.value_or("")}}};
+  check_outputs(std::array{report, save, resume}, inputs);
+  // What a gate is held against may be what it saves for the next time: it is read before.
+  const FilePlace against = {"the file of --against", options.against};
+  check_outputs(std::array{report, resume}, {&against, 1});
   std::error_code ignored;
-  if (fs::exists(options.cases, ignored) && !fs::is_directory(options.cases, ignored)) {
+  if (!options.cases.empty() && fs::exists(options.cases, ignored) &&
+      !fs::is_directory(options.cases, ignored)) {
     throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": is no folder");
   }
 }
@@ -108,53 +124,91 @@ bool is_graze_wrong(std::span<const compare::WrongAnswer> wrong) {
   });
 }
 
-std::string text_of(const CompareFindings& findings, std::span<const WrittenCase> cases,
+std::string says_of(const compare::ShrunkCase& each) {
+  return each.query.answer ? compare::brief(*each.query.answer) : "nothing";
+}
+
+/// What became of the cases.
+struct KeptCases {
+  std::vector<WrittenCase> cases;
+  std::string folder;
+  std::size_t not_written = 0;
+  std::string failure;     ///< of the first of these
+  std::size_t others = 0;  ///< that were in the folder before
+};
+
+std::string row_of(const WrittenCase& each) {
+  const std::string remark =
+      each.shrunk.is_stopped ? "the time was over: see --shrink-seconds" : each.least;
+  return (each.is_written ? "shrunk: graze replay " : "shrunk, not written: ") +
+         mesh_io::printable(each.file) + (remark.empty() ? "" : " (" + remark + ")") + "\n";
+}
+
+std::string text_of(const CompareFindings& findings, const KeptCases& kept,
                     std::span<const compare::EngineEntry> engines) {
   std::string text;
   for (const compare::EngineEntry& entry : engines) {
     if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
   }
   text += findings.rows;
-  for (const WrittenCase& each : cases)
-    text += "shrunk: graze replay " + mesh_io::printable(each.file) +
-            (each.least.empty() ? "" : " (" + each.least + ")") + "\n";
+  for (const WrittenCase& each : kept.cases)
+    text += row_of(each);
+  if (kept.others > 0) {
+    text += fmt::format("{} also holds {} case{} of other runs\n", mesh_io::printable(kept.folder),
+                        kept.others, kept.others == 1 ? "" : "s");
+  }
   return text + findings.count + "\n" + summary_text(findings.summaries);
 }
 
-/// A case that cannot be made smaller stays in the file that it came from, if it came from one.
-std::vector<WrittenCase> write_cases(const CompareOptions& options,
-                                     std::span<const compare::EngineEntry> field,
-                                     const CompareFindings& findings) {
-  std::vector<WrittenCase> written;
-  if (options.cases.empty()) return written;
-  for (compare::ShrunkCase& each : compare::shrink_worst(findings.wrong, field, options.keep)) {
+/// Writes each case as soon as there is something to keep, and again as it gets smaller. A case
+/// that cannot be made smaller stays in the file that it came from, if it came from one.
+KeptCases keep_cases(const CompareOptions& options, std::span<const compare::EngineEntry> field,
+                     const CompareFindings& findings) {
+  KeptCases kept;
+  kept.folder = options.cases.empty() ? kDefaultCases : options.cases;
+  CaseFolder folder(kept.folder);
+  std::string name;  // of the case at hand; its digest is of all of it
+  std::size_t at_hand = findings.wrong.size();
+  bool is_written = false;
+  const auto write = [&](const compare::ShrunkCase& each) {
     const compare::WrongAnswer& from = findings.wrong[each.wrong];
-    const std::string says = each.query.answer ? compare::brief(*each.query.answer) : "nothing";
-    const auto add = [&](compare::ShrunkCase& shrunk, const std::string& file) {
-      const std::string least = compare::least_size(shrunk);
-      written.push_back({std::move(shrunk), from.place, from.where, file, says, least});
-    };
-    if (!each.is_smaller && !from.origin.empty()) {
-      add(each, from.origin);
-      continue;
+    if (each.wrong != at_hand) {
+      Case question = from.query();
+      question.answered_by = each.query.answered_by;
+      name = case_file_name(from.name, name_of(from.answer->judgement.error_class), question);
+      at_hand = each.wrong;
+      is_written = false;
     }
-    std::error_code error;
-    fs::create_directories(options.cases, error);
-    if (error) {
-      throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": " + error.message());
-    }
-    each.query.note = fmt::format("{}, {} {}: {} says {}, the truth is: {} ({})", findings.title,
-                                  findings.place, from.where, each.engine, says,
-                                  each.judgement.truth, name_of(each.judgement.error_class));
-    const fs::path file =
-        fs::path(options.cases) / fmt::format("{}-{}.json", each.engine, from.name);
-    // What is no answer is in no file: whoever replays the case sees it again.
+    if (!each.is_smaller && !from.origin.empty()) return;
     Case query = each.query;
+    query.note = fmt::format("{}, {} {}: {} says {}, the truth is: {} ({})", findings.title,
+                             findings.place, from.where, each.engine, says_of(each),
+                             each.judgement.truth, name_of(each.judgement.error_class));
+    // What is no answer is in no file: whoever replays the case sees it again.
     if (each.judgement.error_class == compare::ErrorClass::EngineError) query.answer.reset();
-    write_case(file, query);
-    add(each, file.string());
-  }
-  return written;
+    is_written = folder.write(name, query);
+  };
+  const auto keep = [&](compare::ShrunkCase each) {
+    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    const bool is_at_its_origin = !each.is_smaller && !from.origin.empty();
+    const std::string file = is_at_its_origin ? from.origin : folder.path(name).string();
+    const std::string says = says_of(each);
+    const std::string least = compare::least_size(each);
+    const bool is_there = is_at_its_origin || is_written;
+    kept.not_written += !is_there;
+    kept.cases.push_back({std::move(each), from.place, from.where, file, says, least, is_there});
+  };
+  Progress progress("cases shrunk:", std::min(findings.wrong.size(), options.keep),
+                    {.is_forced = options.has_progress, .has_rows = false});
+  compare::shrink_worst(findings.wrong, field,
+                        {.limit = options.keep,
+                         .time = std::chrono::duration<double>(options.shrink_seconds),
+                         .on_case = write,
+                         .on_done = keep,
+                         .on_progress = [&](std::size_t done) { progress.update(done); }});
+  if (kept.not_written > 0) kept.failure = folder.failure();
+  if (!kept.cases.empty()) kept.others = folder.count_others();
+  return kept;
 }
 
 std::vector<ReportFact> facts_of(const CompareOptions& options, const CompareFindings& findings,
@@ -184,7 +238,7 @@ std::vector<ReportFact> facts_of(const CompareOptions& options, const CompareFin
 ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
                   std::span<const compare::EngineEntry> field, const CompareFindings& findings,
                   Output& output) {
-  const std::vector<WrittenCase> cases = write_cases(options, field, findings);
+  const KeptCases kept = keep_cases(options, field, findings);
   if (!options.report.empty()) {
     write_report(options.report, {.mesh_a = options.mesh_a,
                                   .mesh_b = options.mesh_b,
@@ -194,15 +248,21 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .facts = facts_of(options, findings, field),
                                   .summaries = findings.summaries,
                                   .wrong = findings.wrong,
-                                  .cases = cases});
+                                  .cases = kept.cases});
   }
   const Regression regression = regression_of(options, findings);
   const std::string text =
-      options.is_json ? findings.json + summary_json(findings.summaries, cases, findings.place)
-                      : text_of(findings, cases, engines);
+      options.is_json ? findings.json + summary_json(findings.summaries, kept.cases, findings.place)
+                      : text_of(findings, kept, engines);
   output.write(text + regression.text);
   const bool is_bad = is_graze_wrong(findings.wrong) || regression.is_one;
-  return is_bad ? ExitCode::GrazeWrong : ExitCode::Answered;
+  if (kept.not_written > 0) {
+    std::fprintf(stderr, "graze: %zu case%s not written: %s\n", kept.not_written,
+                 kept.not_written == 1 ? "" : "s", kept.failure.c_str());
+  }
+  if (is_bad) return ExitCode::GrazeWrong;
+  const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // asked for by name
+  return is_missed ? ExitCode::BadInput : ExitCode::Answered;
 }
 
 }  // namespace graze::cli

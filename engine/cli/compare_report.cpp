@@ -193,9 +193,11 @@ std::string summary_json(std::span<const EngineSummary> summaries,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const WrittenCase& each = cases[i];
     out += fmt::format(
-        "{}{{\"file\":{},\"engine\":{},{}:{},\"class\":{},\"least\":{}}}", i == 0 ? "" : ",",
-        json_string(each.file), json_string(each.shrunk.engine), json_string(place), each.place,
-        json_string(name_of(each.shrunk.judgement.error_class)), !each.least.empty());
+        "{}{{\"file\":{},\"written\":{},\"engine\":{},{}:{},\"class\":{},\"least\":{},\"stopped\":{"
+        "}}}",
+        i == 0 ? "" : ",", json_string(each.file), each.is_written, json_string(each.shrunk.engine),
+        json_string(place), each.place, json_string(name_of(each.shrunk.judgement.error_class)),
+        !each.least.empty(), each.shrunk.is_stopped);
   }
   return out + "]}\n";
 }

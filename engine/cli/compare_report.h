@@ -45,6 +45,7 @@ struct WrittenCase {
   std::string file;
   std::string says = {};   ///< the engine's answer to the shrunk case, in a few characters
   std::string least = {};  ///< that it cannot be smaller, where it is more than two triangles
+  bool is_written = true;
 };
 
 /// A table of wrong answers one by one; `place` is "pose", "case".

@@ -2,6 +2,7 @@
 #include <graze/engine/cli/compare_run.h>
 #include <graze/engine/cli/compare_scene.h>
 #include <graze/engine/cli/engine_field.h>
+#include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/recorded_run.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/compare/run/comparison.h>
@@ -124,7 +125,10 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
                            .difference = run.difference,
                            .asked = recorded.head.parts};
   for (WrongAnswer& wrong : findings.wrong) {
-    wrong.name = options.query + "-" + wrong.where;
+    wrong.name =
+        fmt::format("{}-{}-{}-{}-pose{}", name_part(fs::path(options.mesh_a).stem().string()),
+                    name_part(fs::path(options.mesh_b).stem().string()),
+                    name_part(wrong.answer->engine), options.query, wrong.place);
     wrong.query = [&job, pose = wrong.place] { return case_of(job, pose); };
   }
   findings.rows = wrong_rows(findings.wrong, findings.place);

@@ -12,6 +12,9 @@
 
 namespace graze::cli {
 
+/// Where cases go if no folder is named. A run that finds it read-only goes on.
+inline constexpr const char* kDefaultCases = "graze-cases";
+
 /// The arguments of `graze compare` as they are given.
 struct CompareOptions {
   std::string mesh_a;  ///< or a folder of cases, or a scene
@@ -23,11 +26,11 @@ struct CompareOptions {
   std::size_t grazing = 0;
   std::optional<std::uint64_t> seed;
   std::string query = "any";
-  double clearance = -1;              ///< metres, of --query within
-  std::string engines;                ///< names with commas; empty: all
-  std::string cases = "graze-cases";  ///< where shrunk cases go, if there are any
-  std::size_t keep = 16;              ///< so many of them
-  std::string report;                 ///< an HTML file
+  double clearance = -1;  ///< metres, of --query within
+  std::string engines;    ///< names with commas; empty: all
+  std::string cases;      ///< where shrunk cases go; empty: the default folder
+  std::size_t keep = 16;  ///< so many of them
+  std::string report;     ///< an HTML file
   std::string save;
   std::string against;
   std::string resume;
@@ -40,7 +43,8 @@ struct CompareOptions {
   std::string mesh_folder = {};  ///< empty: that of the scene
   bool is_json = false;
   bool has_progress = false;
-  std::string command = {};  ///< the line that was typed, for the report
+  double shrink_seconds = 10;  ///< for all cases
+  std::string command = {};    ///< the line that was typed, for the report
 };
 
 /// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.

@@ -1,6 +1,7 @@
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cli/compare_scene.h>
 #include <graze/engine/cli/engine_field.h>
+#include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/recorded_run.h>
 #include <graze/engine/cli/table.h>
 #include <graze/engine/cli/usage_error.h>
@@ -39,20 +40,25 @@ std::string name_of_place(const Scene& scene, std::size_t step, const ScenePair&
   return fmt::format("{}: {}, {}", step, scene.bodies[pair.a].name, scene.bodies[pair.b].name);
 }
 
-std::vector<WrongAnswer> wrong_answers(const Scene& scene, std::span<const StepRecord> records) {
+std::vector<WrongAnswer> wrong_answers(const std::string& file, const Scene& scene,
+                                       std::span<const StepRecord> records) {
+  const std::string scene_name = name_part(std::filesystem::path(file).stem().string());
   std::vector<WrongAnswer> wrong;
   for (const StepRecord& record : records) {
     for (const compare::SceneDifference& difference : record.differences) {
       for (const AnswerRecord& answer : difference.answers) {
         if (!answer.is_wrong()) continue;
         const ScenePair& pair = difference.pair;
-        wrong.push_back({.place = record.place,
-                         .where = name_of_place(scene, record.place, pair),
-                         .name = fmt::format("step{}-{}-{}", record.place, pair.a, pair.b),
-                         .answer = &answer,
-                         .query = [&scene, pair, time = record.time] {
-                           return compare::case_of(scene, pair, time);
-                         }});
+        wrong.push_back(
+            {.place = record.place,
+             .where = name_of_place(scene, record.place, pair),
+             .name = fmt::format("{}-{}-any-step{}-{}-{}", scene_name, name_part(answer.engine),
+                                 record.place, name_part(scene.bodies[pair.a].name),
+                                 name_part(scene.bodies[pair.b].name)),
+             .answer = &answer,
+             .query = [&scene, pair, time = record.time] {
+               return compare::case_of(scene, pair, time);
+             }});
       }
     }
   }
@@ -167,7 +173,7 @@ ExitCode run_compare_scene(const CompareOptions& options,
       .place = "step",
       .rows = rows_of(scene, run.records),
       .summaries = summarise(run.records),
-      .wrong = wrong_answers(scene, run.records),
+      .wrong = wrong_answers(options.mesh_a, scene, run.records),
       .difference = run.difference,
       .asked = job.head.parts};
   for (const Place& place : places_of(run.records))

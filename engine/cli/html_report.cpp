@@ -1,7 +1,7 @@
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cli/html_report.h>
 #include <graze/engine/cli/shell_word.h>
-#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/files/output_file.h>
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -134,6 +134,8 @@ std::string case_section(const HtmlReportInput& input, const WrittenCase& each) 
                      each.says.empty() ? "nothing" : escaped(each.says),
                      escaped(shrunk.judgement.truth), size_of(shrunk.judgement),
                      each.least.empty() ? "" : std::string(" It ") + escaped(each.least) + ".");
+  if (shrunk.is_stopped) out += "<p>The time for shrinking was over before its end.</p>";
+  if (!each.is_written) return out + "<p>It could not be written.</p></div></div>\n";
   return out + fmt::format("<p><code>graze replay {}</code></p></div></div>\n",
                            escaped(shell_word(each.file)));
 }
@@ -173,9 +175,7 @@ std::string html_report(const HtmlReportInput& input) {
 }
 
 void write_report(const std::filesystem::path& path, const HtmlReportInput& input) {
-  mesh_io::OutputFile file(path);
-  file.append(html_report(input));
-  file.finish();
+  files::write_file(path, html_report(input));
 }
 
 }  // namespace graze::cli

@@ -31,7 +31,7 @@ struct HtmlReportInput {
 /// shrunk case a picture from two sides and the command that replays it.
 std::string html_report(const HtmlReportInput& input);
 
-/// Writes it to a file. Throws MeshError if that cannot be done.
+/// Writes it to a file. Throws FileError if that cannot be done.
 void write_report(const std::filesystem::path& path, const HtmlReportInput& input);
 
 /// The two shapes of a case as an SVG picture from two sides, each with a scale bar; empty if it

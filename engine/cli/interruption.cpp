@@ -6,6 +6,10 @@ namespace graze::cli {
 namespace {
 
 std::atomic<bool> requested = false;
+
+/// What a second signal does; written before the handler is there, and read by it alone.
+struct sigaction next = {};
+
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may use nothing else");
 
 }  // namespace
@@ -15,8 +19,12 @@ Interruption::Interruption() : before_() {
   sigaction(SIGINT, nullptr, &before_);
   if (before_.sa_handler == SIG_IGN) return;
   struct sigaction action = {};
-  action.sa_handler = [](int) { requested = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  next = before_;
+  action.sa_handler = [](int signal) {
+    requested = true;
+    sigaction(signal, &next, nullptr);
+  };
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
 }

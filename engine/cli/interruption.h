@@ -12,9 +12,9 @@ class Interrupted : public Error {
   using Error::Error;
 };
 
-/// While this lives the first SIGINT ends nothing, but can be asked about; a second one ends the
-/// program as ever. Where the signal is ignored, as in the background of a script, it stays so. One
-/// at a time.
+/// While this lives the first SIGINT ends nothing, but can be asked about; a second one does
+/// what it did before: it ends the program. Where the signal is ignored, as in the background of a
+/// script, it stays so. One at a time.
 class Interruption {
  public:
   Interruption();

@@ -1,6 +1,7 @@
 #include <graze/engine/cli/compare_command.h>
 #include <graze/engine/cli/contacts_command.h>
 #include <graze/engine/cli/explain_command.h>
+#include <graze/engine/cli/files/removal_on_signal.h>
 #include <graze/engine/cli/info_command.h>
 #include <graze/engine/cli/interruption.h>
 #include <graze/engine/cli/output.h>
@@ -117,5 +118,6 @@ ExitCode run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), not a death
+  graze::cli::remove_temporary_files_on_signals();
   return static_cast<int>(graze::cli::run({argv + 1, argv + argc}));
 }

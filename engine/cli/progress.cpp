@@ -20,7 +20,7 @@ Progress::Progress(std::string what, std::size_t total, const ProgressSettings& 
     : what_(std::move(what)), total_(total), next_report_(Clock::now() + kSilentStart) {
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   const bool shows_results = isatty(STDOUT_FILENO) != 0;
-  if (is_terminal && !shows_results) {
+  if (is_terminal && !(shows_results && settings.has_rows)) {
     style_ = Style::Rewritten;
   } else {
     style_ = settings.is_forced ? Style::Lines : Style::Silent;

@@ -9,11 +9,14 @@ namespace graze::cli {
 struct ProgressSettings {
   /// Report even if stderr is no terminal.
   bool is_forced = false;
+  /// Results are written row by row meanwhile: on a terminal they are the progress.
+  bool has_rows = true;
 };
 
 /// Says on stderr how far long work has come, once it takes more than two seconds: one line that is
 /// rewritten if stderr is a terminal, a line every few seconds if it is not and reports are forced,
-/// and otherwise nothing. On a terminal that shows the rows of results too, these are the progress.
+/// and otherwise nothing. On a terminal that shows the rows of results too, these are the progress,
+/// where there are any.
 class Progress {
  public:
   Progress(std::string what, std::size_t total, const ProgressSettings& settings);

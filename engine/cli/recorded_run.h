@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include <graze/engine/cli/interruption.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/compare/run/journal.h>
+#include <graze/engine/files/output_target.h>
 
 namespace graze::cli {
 
@@ -37,12 +37,12 @@ struct RecordedRun {
 /// Thrown through a job to end it.
 class Stop {};
 
-/// The records of an earlier run of the same job, if there was one.
+/// The records of an earlier run of the same job, if there was one: of a pipe or a device there is
+/// none, and the record of this run is written through.
 template <typename Record>
 std::vector<Record> resumed(const CompareOptions& options, const RecordedJob<Record>& job,
                             std::span<const compare::EngineEntry> engines) {
-  std::error_code ignored;
-  if (options.resume.empty() || !std::filesystem::exists(options.resume, ignored)) return {};
+  if (options.resume.empty() || !files::find_output_target(options.resume).old) return {};
   compare::Journal<Record> journal = compare::read_journal(options.resume, job.head, job.read);
   check_resumed(options, journal.start, engines);
   return std::move(journal.records);
@@ -85,7 +85,8 @@ RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJo
     journal = compare::start_journal(options.resume, job.head, engines, lines_of(records));
   }
   {
-    Progress progress(job.head.unit + ":", job.head.places, {.is_forced = options.has_progress});
+    Progress progress(job.head.unit + ":", job.head.places,
+                      {.is_forced = options.has_progress, .has_rows = false});
     std::optional<Interruption> interruption;
     if (journal) interruption.emplace();  // without a record there is nothing to go on with
     try {

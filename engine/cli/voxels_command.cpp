@@ -1,4 +1,5 @@
 #include <graze/engine/cli/count_argument.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/progress.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
@@ -10,10 +11,8 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 
 namespace graze::cli {
 namespace {
@@ -25,6 +24,8 @@ or as binary doubles to a PLY file, by the name's ending. Every voxel is decided
 coordinates that are written: a triangle on a face touches the voxels on both sides. With --solid,
 voxels inside the mesh are written too, by the even-odd rule; the mesh must be closed (see graze
 info). Lengths are in the unit of the file, taken as metres.
+The file appears whole or not at all: whatever fails, or ends the command, an old one stays as it
+was. Pipes and devices are written through.
 
 With --json there is one line:
   {"mesh":...,"file":...,"fill":"surface","counts":[64,50,49],"edge":...,"origin":[x,y,z],
@@ -55,10 +56,9 @@ struct VoxelsOptions {
 /// Refuses what would be found out only after the work is done, or destroy the mesh.
 void check_file(const VoxelsOptions& options) {
   mesh_io::voxel_format_of(options.file);
-  std::error_code ignored;  // of files that do not exist
-  if (std::filesystem::equivalent(options.file, options.mesh, ignored)) {
-    throw UsageError("-o: " + mesh_io::printable(options.file) + " is the mesh itself");
-  }
+  const FilePlace output = {"-o", options.file};
+  const FilePlace input = {"the mesh itself", options.mesh};
+  check_outputs({&output, 1}, {&input, 1});
 }
 
 VoxelSettings settings_of(const VoxelsOptions& options) {
@@ -70,7 +70,8 @@ VoxelSettings settings_of(const VoxelsOptions& options) {
 
 /// The mesh's errors name its file.
 Voxels find(const VoxelsOptions& options, const Mesh& mesh, VoxelSettings settings, Work& work) {
-  Progress progress("percent of the voxels:", 100, {.is_forced = options.has_progress});
+  Progress progress("percent of the voxels:", 100,
+                    {.is_forced = options.has_progress, .has_rows = false});
   settings.on_progress = [&](std::size_t done, std::size_t total) {
     progress.update(100 * done / total);
   };
@@ -82,7 +83,8 @@ Voxels find(const VoxelsOptions& options, const Mesh& mesh, VoxelSettings settin
 }
 
 void write(const VoxelsOptions& options, const Voxels& voxels) {
-  Progress progress("percent of the file:", 100, {.is_forced = options.has_progress});
+  Progress progress("percent of the file:", 100,
+                    {.is_forced = options.has_progress, .has_rows = false});
   write_voxels(options.file, voxels, {.on_progress = [&](std::uint64_t done, std::uint64_t total) {
                  progress.update(100 * done / total);
                }});

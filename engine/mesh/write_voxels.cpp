@@ -1,7 +1,9 @@
-#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/files/file_error.h>
+#include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/io/source.h>
 #include <graze/engine/mesh/io/voxel_corners.h>
 #include <graze/engine/mesh/io/voxel_format.h>
+#include <graze/engine/mesh/mesh_error.h>
 #include <graze/engine/mesh/write_voxels.h>
 #include <iterator>
 #include <string>
@@ -92,13 +94,17 @@ void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
   check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
   const mesh_io::VoxelCorners corners(voxels);
   check_count(path, corners.size(), kMaxCorners, "corners");
-  mesh_io::OutputFile file(path);
-  const mesh_io::BoxCounts counts{corners.size(), std::size(kQuads) * voxels.size()};
-  const auto boxes = format.begin(file, voxels.grid, counts);
-  ReportingBoxFile reporting(*boxes, counts, settings);
-  corners.for_each([&](const auto& planes) { reporting.add_corner(planes); });
-  add_quads(voxels, corners, reporting);
-  file.finish();
+  try {
+    files::OutputFile file(path);
+    const mesh_io::BoxCounts counts{corners.size(), std::size(kQuads) * voxels.size()};
+    const auto boxes = format.begin(file, voxels.grid, counts);
+    ReportingBoxFile reporting(*boxes, counts, settings);
+    corners.for_each([&](const auto& planes) { reporting.add_corner(planes); });
+    add_quads(voxels, corners, reporting);
+    file.finish();
+  } catch (const files::FileError& error) {
+    throw MeshError(error.what());
+  }
 }
 
 }  // namespace graze

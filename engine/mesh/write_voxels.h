@@ -13,7 +13,7 @@ inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
 
 struct VoxelWriteSettings {
   /// If set, called now and then with how many of how many corners and quads are written. What it
-  /// throws ends the writing, and the file is removed.
+  /// throws ends the writing, and what was there before stays.
   std::function<void(std::uint64_t done, std::uint64_t total)> on_progress = {};
 };
 
@@ -24,9 +24,11 @@ struct VoxelWriteSettings {
 /// triangles a voxel.
 ///
 /// Throws MeshError, naming the file, for another ending, for more voxels or corners than a mesh
-/// can have, or if the file cannot be written; what was written of it is then removed. Throws
-/// InputError for no voxels, a grid that check() refuses, and voxels that are not in ascending
-/// order, each once, and within the grid. Memory is a fraction of that of the voxels.
+/// can have, or if the file cannot be written. A regular file is written beside its place and then
+/// takes it in one step: whatever fails, an old file stays as it was. What a link leads to is
+/// replaced, and the link stays; pipes and devices are written through. Throws InputError for no
+/// voxels, a grid that check() refuses, and voxels that are not in ascending order, each once, and
+/// within the grid. Memory is a fraction of that of the voxels.
 void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
                   const VoxelWriteSettings& settings = {});
 

@@ -30,7 +30,7 @@ endforeach()
 
 file(GLOB_RECURSE installed RELATIVE ${PREFIX} ${PREFIX}/*)
 foreach(file IN LISTS installed)
-  if(file MATCHES "mesh_data\\.h|query_results\\.h|expansion\\.h|sah_sweep\\.h|engine/(cli|compare|package)/|mesh/io/|\\.cpp$|README")
+  if(file MATCHES "mesh_data\\.h|query_results\\.h|expansion\\.h|sah_sweep\\.h|engine/(cli|compare|files|package)/|mesh/io/|\\.cpp$|README")
     message(SEND_ERROR "private, but installed: ${file}")
   endif()
   if(file MATCHES "\\.cmake$")

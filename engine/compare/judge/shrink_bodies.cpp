@@ -137,7 +137,10 @@ class BodyShrinking {
 
 Case shrink_bodies(const Case& query, const StillWrong& is_still_wrong) {
   BodyShrinking shrinking(query, is_still_wrong);
-  if (shrinking.settle()) shrinking.shrink();
+  try {
+    if (shrinking.settle()) shrinking.shrink();
+  } catch (const ShrinkingStopped&) {  // the best so far is true
+  }
   return shrinking.take();
 }
 

@@ -1,30 +1,32 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/compare/run/line_file.h>
+#include <graze/engine/files/file_error.h>
 #include <graze/engine/mesh/io/source.h>
 
-#include <system_error>
+#include <fstream>
 
 namespace graze::compare {
 
-LineFile::LineFile(const std::filesystem::path& path, std::span<const std::string> lines)
-    : name_(mesh_io::printable(path.string())) {
-  // Beside the old file, which is lost only when the new one is there.
-  std::filesystem::path fresh = path;
-  fresh += ".new";
-  file_.open(fresh, std::ios::binary | std::ios::trunc);
-  for (const std::string& line : lines)
-    file_ << line << '\n';
-  std::error_code error;
-  if (file_.flush()) std::filesystem::rename(fresh, path, error);
-  if (file_ && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(fresh, ignored);
-  throw CaseError(name_ + ": cannot be written");
+LineFile::LineFile(const std::filesystem::path& path, std::span<const std::string> lines) {
+  try {
+    file_ = std::make_unique<files::OutputFile>(path);
+    for (const std::string& line : lines) {
+      file_->append(line);
+      file_->append("\n");
+    }
+    file_->publish();
+  } catch (const files::FileError& error) {
+    throw CaseError(error.what());
+  }
 }
 
 void LineFile::add(const std::string& line) {
-  file_ << line << '\n';
-  if (!file_.flush()) throw CaseError(name_ + ": cannot be written");
+  try {
+    file_->append(line + '\n');
+    file_->flush();
+  } catch (const files::FileError& error) {
+    throw CaseError(error.what());
+  }
 }
 
 void read_lines(const std::filesystem::path& path,

@@ -1,26 +1,26 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
 #include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/files/output_file.h>
 
 namespace graze::compare {
 
-/// A file that grows by a line at a time, each flushed, so that nothing is lost when a run is
-/// stopped.
+/// A file that grows by a line at a time, each handed to the system, so that nothing is lost when a
+/// run is stopped. A pipe or a device is written through.
 class LineFile {
  public:
-  /// Puts these lines in the place of what was there. Throws CaseError.
+  /// Puts these lines in the place of what was there, in one step. Throws CaseError.
   LineFile(const std::filesystem::path& path, std::span<const std::string> lines);
   void add(const std::string& line);
 
  private:
-  std::string name_;
-  std::ofstream file_;
+  std::unique_ptr<files::OutputFile> file_;
 };
 
 /// Calls `on_line` with each line's JSON and its number, from 1. Throws CaseError, naming file and

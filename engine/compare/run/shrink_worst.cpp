@@ -7,12 +7,18 @@
 #include <graze/engine/compare/run/trial.h>
 
 #include <algorithm>
+#include <chrono>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 namespace graze::compare {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Beyond what a clock can count is for ever.
+constexpr double kMostSeconds = 1e8;
 
 auto rank_of(const WrongAnswer& wrong) {
   const AnswerRecord& answer = *wrong.answer;
@@ -34,7 +40,13 @@ std::optional<TrianglePair> culprit_of(const Case& query, const AnswerRecord& an
   return is_there ? culprit : std::nullopt;
 }
 
+std::size_t triangle_count(const Case& query) {
+  const std::optional<MeshCase> meshes = as_meshes(query);
+  return meshes ? meshes->a.mesh.triangles().size() + meshes->b.mesh.triangles().size() : 0;
+}
+
 bool is_same_query(const Case& a, const Case& b) {
+  if (triangle_count(a) != triangle_count(b)) return false;  // without writing thousands of them
   const auto question_of = [](Case query) {
     query.note.clear();
     query.answer.reset();
@@ -43,32 +55,104 @@ bool is_same_query(const Case& a, const Case& b) {
   return question_of(a) == question_of(b);
 }
 
-/// Wrong for the same reason: rounding coordinates could make a real error of one of touching.
-ShrunkCase shrink_one(const WrongAnswer& wrong, const Engine& engine) {
-  const AnswerRecord& answer = *wrong.answer;
-  const CaseWitness witness = {answer.engine, engine.name().version};
-  const auto judged = [&](const Case& query) {
-    const Utterance said = hear([&] { return ask(engine, query); }, "");
+/// One wrong answer on its way to a case, which may be looked at all the time.
+class OneShrinking {
+ public:
+  OneShrinking(const WrongAnswer& wrong, std::size_t index, const Engine& engine,
+               Clock::time_point deadline, const ShrinkWorstSettings& settings)
+      : answer_(*wrong.answer),
+        engine_(engine),
+        deadline_(deadline),
+        settings_(settings),
+        whole_(wrong.query()),
+        best_{answer_.engine, index, whole_, answer_.judgement, false} {
+    best_.query.answer.reset();
+    best_.query.answered_by = {answer_.engine, engine.name().version};
+  }
+
+  ShrunkCase run(const std::function<void()>& on_question) {
+    if (settings_.time.count() <= 0) {
+      keep_whole();
+      best_.is_stopped = true;
+    } else {
+      shrink(whole_, culprit_of(whole_, answer_),
+             [&](const Case& smaller) {
+               on_question();
+               return is_still_wrong(smaller);
+             },
+             {.before_search = [&] { keep_whole(); }});
+      if (!is_shown_ && !best_.is_stopped) look_again();
+    }
+    tell();
+    return std::move(best_);
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kTellInterval{500};
+
+  Judgement judged(const Case& query) {
+    const Utterance said = hear([&] { return ask(engine_, query); }, "");
+    said_ = said.answer;
     if (!said.fault.empty()) return engine_error(said.fault);
-    return said.answer ? Judge(query).judge(*said.answer, witness, asking(engine)) : Judgement();
-  };
-  const StillWrong is_still_wrong = [&](const Case& smaller) {
+    return said.answer ? Judge(query).judge(*said.answer, best_.query.answered_by, asking(engine_))
+                       : Judgement();
+  }
+
+  /// Wrong for the same reason: rounding coordinates could make a real error one of touching.
+  bool is_still_wrong(const Case& smaller) {
+    const bool is_bound = is_shown_ || is_searching_;
+    if (is_bound && Clock::now() >= deadline_) {
+      best_.is_stopped = true;
+      throw ShrinkingStopped();
+    }
     try {
       const Judgement judgement = judged(smaller);
-      return judgement.verdict == Verdict::Wrong &&
-             is_same_kind(judgement.error_class, answer.judgement.error_class);
+      const bool is_wrong = judgement.verdict == Verdict::Wrong &&
+                            is_same_kind(judgement.error_class, answer_.judgement.error_class);
+      if (!is_wrong) return false;
+      best_.judgement = judgement;
     } catch (const Error&) {  // of graze's meshes: no such query
       return false;
     }
-  };
-  const Case query = wrong.query();
-  Case small = shrink(query, culprit_of(query, answer), is_still_wrong);
-  const bool is_smaller = !is_same_query(small, query);
-  small.answer = hear([&] { return ask(engine, small); }, "").answer;
-  small.answered_by = witness;
-  const Judgement judgement = judged(small);
-  return {answer.engine, 0, std::move(small), judgement, is_smaller};
-}
+    const CaseWitness witness = best_.query.answered_by;
+    best_.query = smaller;
+    best_.query.answer = said_;
+    best_.query.answered_by = witness;
+    is_shown_ = true;
+    if (Clock::now() >= next_told_) tell();
+    return true;
+  }
+
+  /// The whole query, before anything that may take long.
+  void keep_whole() {
+    is_searching_ = true;
+    best_.query.answer = hear([&] { return ask(engine_, whole_); }, "").answer;
+    tell();
+  }
+
+  /// Nothing smaller shows it: perhaps the whole does no longer either.
+  void look_again() {
+    best_.judgement = judged(whole_);
+    best_.query.answer = said_;
+  }
+
+  void tell() {
+    best_.is_smaller = is_shown_ && !is_same_query(best_.query, whole_);
+    if (settings_.on_case) settings_.on_case(best_);
+    next_told_ = Clock::now() + kTellInterval;
+  }
+
+  const AnswerRecord& answer_;
+  const Engine& engine_;
+  Clock::time_point deadline_;
+  const ShrinkWorstSettings& settings_;
+  Case whole_;
+  ShrunkCase best_;
+  std::optional<CaseAnswer> said_;  ///< to the last question
+  bool is_shown_ = false;           ///< by something smaller, or shorter
+  bool is_searching_ = false;
+  Clock::time_point next_told_ = {};
+};
 
 }  // namespace
 
@@ -77,31 +161,41 @@ std::string least_size(const ShrunkCase& shrunk) {
   if (!meshes) return "";
   const std::size_t count_a = meshes->a.mesh.triangles().size();
   const std::size_t count_b = meshes->b.mesh.triangles().size();
-  if (count_a + count_b <= 2) return "";
+  if (count_a + count_b <= 2 || shrunk.is_stopped) return "";
   return std::string("cannot be shrunk further: ") + std::to_string(count_a) + " and " +
          std::to_string(count_b) + " triangles, and without any one of them " + shrunk.engine +
          " is not wrong like this";
 }
 
-std::vector<ShrunkCase> shrink_worst(std::span<const WrongAnswer> wrong,
-                                     std::span<const EngineEntry> engines, std::size_t limit) {
-  std::vector<std::size_t> order(wrong.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(rank_of(wrong[a]), a) < std::pair(rank_of(wrong[b]), b);
-  });
-  std::vector<ShrunkCase> shrunk;
-  for (const std::size_t i : order) {
-    if (shrunk.size() == limit) break;
+void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntry> engines,
+                  const ShrinkWorstSettings& settings) {
+  const auto engine_of = [&](std::size_t i) -> const Engine* {
     const auto entry = std::find_if(
         engines.begin(), engines.end(),
         [&](const EngineEntry& candidate) { return candidate.name == wrong[i].answer->engine; });
-    if (entry == engines.end() || entry->engine == nullptr) continue;
-    shrunk.push_back(shrink_one(wrong[i], *entry->engine));
-    shrunk.back().wrong = i;
+    return entry == engines.end() ? nullptr : entry->engine.get();
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    if (engine_of(i) != nullptr) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(rank_of(wrong[a]), a) < std::pair(rank_of(wrong[b]), b);
+  });
+  order.resize(std::min(order.size(), settings.limit));
+
+  using Seconds = std::chrono::duration<double>;
+  const Clock::time_point start = Clock::now();
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    const Clock::time_point now = Clock::now();
+    const Seconds left = settings.time - Seconds(now - start);
+    const Seconds share = std::min(left / (order.size() - n), Seconds(kMostSeconds));
+    OneShrinking one(wrong[order[n]], order[n], *engine_of(order[n]),
+                     now + std::chrono::duration_cast<Clock::duration>(share), settings);
+    ShrunkCase shrunk = one.run([&] {
+      if (settings.on_progress) settings.on_progress(n);
+    });
+    if (settings.on_done) settings.on_done(std::move(shrunk));
   }
-  return shrunk;
 }
 
 }  // namespace graze::compare

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -15,7 +16,7 @@ namespace graze::compare {
 struct WrongAnswer {
   std::size_t place = 0;                 ///< the pose, the step or the case
   std::string where;                     ///< the same for people: "7", "3: gear, pinion"
-  std::string name;                      ///< the same in the name of a file: "any-7", "step3-0-2"
+  std::string name;                      ///< in the name of a file: "bolt-nut-fcl-any-pose7"
   const AnswerRecord* answer = nullptr;  ///< refers to a record
   std::function<Case()> query = {};
   std::string origin = {};  ///< the file that the query came from, if it came from one
@@ -27,17 +28,35 @@ struct ShrunkCase {
   std::size_t wrong = 0;  ///< index into the list that it was made from
   Case query;             ///< with the engine's wrong answer
   Judgement judgement;
-  bool is_smaller = true;  ///< than the query, or shorter; if not, it is the query
+  bool is_smaller = true;   ///< than the query, or shorter; if not, it is the query
+  bool is_stopped = false;  ///< the time was over before it was known to be the least
+};
+
+struct ShrinkWorstSettings {
+  std::size_t limit = 16;                  ///< so many cases
+  std::chrono::duration<double> time{10};  ///< for all of them; 0: they are left as they are
+
+  /// Called with each case as soon as there is anything to keep: its guilty pair of triangles, or
+  /// all of it before what may take long; then as it gets smaller, now and then, and at its end.
+  std::function<void(const ShrunkCase&)> on_case = {};
+
+  /// Called with each case at its end, after on_case.
+  std::function<void(ShrunkCase)> on_done = {};
+
+  /// Called before each question with how many cases are done.
+  std::function<void(std::size_t done)> on_progress = {};
 };
 
 /// Of two meshes that are more than a triangle each: that each triangle is needed, in words. Some
-/// engines are wrong only about surfaces of several.
+/// engines are wrong only about surfaces of several. Empty if the time was over before.
 std::string least_size(const ShrunkCase& shrunk);
 
-/// Shrinks the `limit` worst: those of graze first, then by their class, then in the order of
-/// places. Of engines that are not in the list ("world", recorded answers) nothing can be asked.
-/// What cannot be shown again is left as it is.
-std::vector<ShrunkCase> shrink_worst(std::span<const WrongAnswer> wrong,
-                                     std::span<const EngineEntry> engines, std::size_t limit);
+/// Shrinks the worst: those of graze first, then by their class, then in the order of places. Of
+/// engines that are not in the list ("world", recorded answers) nothing can be asked. What cannot
+/// be shown again is left as it is. Each case has an equal share of the time that is left; the two
+/// triangles alone are always tried, and a question that is asked is waited for, so that a case may
+/// take one question longer than its share.
+void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntry> engines,
+                  const ShrinkWorstSettings& settings = {});
 
 }  // namespace graze::compare

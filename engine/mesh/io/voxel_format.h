@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/engine/mesh/io/output_file.h>
+#include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/voxels.h>
 #include <array>
 #include <cstdint>
@@ -29,13 +29,15 @@ class BoxFile {
 };
 
 /// Begins a file. What it refers to must outlive it.
-std::unique_ptr<BoxFile> begin_obj(OutputFile& file, const VoxelGrid& grid, BoxCounts counts);
-std::unique_ptr<BoxFile> begin_ply(OutputFile& file, const VoxelGrid& grid, BoxCounts counts);
+std::unique_ptr<BoxFile> begin_obj(files::OutputFile& file, const VoxelGrid& grid,
+                                   BoxCounts counts);
+std::unique_ptr<BoxFile> begin_ply(files::OutputFile& file, const VoxelGrid& grid,
+                                   BoxCounts counts);
 
 /// A kind of file for voxels: its names end with `extension`, in upper or lower case.
 struct VoxelFormat {
   std::string_view extension;
-  std::unique_ptr<BoxFile> (*begin)(OutputFile&, const VoxelGrid&, BoxCounts);
+  std::unique_ptr<BoxFile> (*begin)(files::OutputFile&, const VoxelGrid&, BoxCounts);
 };
 
 /// Throws MeshError, naming the file, if its name ends like none.

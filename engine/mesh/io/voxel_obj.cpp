@@ -16,7 +16,7 @@ std::string text_of(double value) {
 
 class ObjBoxFile : public BoxFile {
  public:
-  ObjBoxFile(OutputFile& file, const VoxelGrid& grid) : file_(file) {
+  ObjBoxFile(files::OutputFile& file, const VoxelGrid& grid) : file_(file) {
     for (int axis = 0; axis < 3; ++axis) {
       for (std::uint32_t i = 0; i <= grid.counts[axis]; ++i)
         planes_[axis].push_back(' ' + text_of(grid.plane(axis, i)));
@@ -43,13 +43,13 @@ class ObjBoxFile : public BoxFile {
   }
 
  private:
-  OutputFile& file_;
+  files::OutputFile& file_;
   std::array<std::vector<std::string>, 3> planes_;  ///< as text, which corners repeat
 };
 
 }  // namespace
 
-std::unique_ptr<BoxFile> begin_obj(OutputFile& file, const VoxelGrid& grid, BoxCounts) {
+std::unique_ptr<BoxFile> begin_obj(files::OutputFile& file, const VoxelGrid& grid, BoxCounts) {
   return std::make_unique<ObjBoxFile>(file, grid);
 }
 

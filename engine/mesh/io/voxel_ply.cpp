@@ -15,7 +15,8 @@ char* put(char* at, Bits bits) {
 
 class PlyBoxFile : public BoxFile {
  public:
-  PlyBoxFile(OutputFile& file, const VoxelGrid& grid, BoxCounts counts) : file_(file), grid_(grid) {
+  PlyBoxFile(files::OutputFile& file, const VoxelGrid& grid, BoxCounts counts)
+      : file_(file), grid_(grid) {
     file_.append("ply\nformat binary_little_endian 1.0\ncomment voxels, metres\nelement vertex " +
                  std::to_string(counts.corners) +
                  "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
@@ -40,13 +41,14 @@ class PlyBoxFile : public BoxFile {
   }
 
  private:
-  OutputFile& file_;
+  files::OutputFile& file_;
   const VoxelGrid& grid_;
 };
 
 }  // namespace
 
-std::unique_ptr<BoxFile> begin_ply(OutputFile& file, const VoxelGrid& grid, BoxCounts counts) {
+std::unique_ptr<BoxFile> begin_ply(files::OutputFile& file, const VoxelGrid& grid,
+                                   BoxCounts counts) {
   return std::make_unique<PlyBoxFile>(file, grid, counts);
 }
 

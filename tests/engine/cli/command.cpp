@@ -39,10 +39,11 @@ CommandResult run(const std::filesystem::path& folder, const std::string& progra
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), kWrite, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kWrite, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // SIGINT ends it as it would from a terminal, also where whoever runs the tests ignores it.
+  // They end it as they would from a terminal, also where whoever runs the tests ignores them.
   sigset_t interrupt;
   sigemptyset(&interrupt);
-  sigaddset(&interrupt, SIGINT);
+  for (const int signal : {SIGINT, SIGHUP, SIGQUIT, SIGTERM})
+    sigaddset(&interrupt, signal);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setsigdefault(&attributes, &interrupt);
@@ -69,7 +70,7 @@ CommandResult run_graze(const std::filesystem::path& folder,
 
 CommandResult interrupt_graze(const std::filesystem::path& folder,
                               const std::vector<std::string>& arguments,
-                              const std::function<bool()>& is_time) {
+                              const std::function<bool()>& is_time, int signal) {
   return run(folder, GRAZE_COMMAND, arguments, [&](pid_t child) {
     siginfo_t ended = {};
     while (!is_time()) {
@@ -78,7 +79,7 @@ CommandResult interrupt_graze(const std::filesystem::path& folder,
       if (ended.si_pid == child) return;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    kill(child, SIGINT);
+    kill(child, signal);
   });
 }
 

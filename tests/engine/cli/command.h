@@ -2,6 +2,7 @@
 
 // Runs the graze command as its users do.
 
+#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -19,11 +20,11 @@ struct CommandResult {
 CommandResult run_graze(const std::filesystem::path& folder,
                         const std::vector<std::string>& arguments);
 
-/// Starts the command, and sends it SIGINT as soon as `is_time` says so, of which it is asked again
-/// and again while the command runs.
+/// Starts the command, and sends it a signal as soon as `is_time` says so, of which it is asked
+/// again and again while the command runs.
 CommandResult interrupt_graze(const std::filesystem::path& folder,
                               const std::vector<std::string>& arguments,
-                              const std::function<bool()>& is_time);
+                              const std::function<bool()>& is_time, int signal = SIGINT);
 
 /// Runs a line of shell in `folder`, in which $GRAZE is the command.
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line);

@@ -129,6 +129,12 @@ TEST(WriteVoxels, ProgressReachesItsTotal) {
   EXPECT_THROW(write_voxels(directory.path("b.ply"), voxels, {.on_progress = stop}),
                std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(directory.path("b.ply")));
+  const auto size = std::filesystem::file_size(directory.path("a.ply"));
+  EXPECT_THROW(write_voxels(directory.path("a.ply"), voxels, {.on_progress = stop}),
+               std::runtime_error);
+  EXPECT_EQ(std::filesystem::file_size(directory.path("a.ply")), size) << "the old one stays";
+  const std::filesystem::directory_iterator files(directory.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "and nothing else";
 }
 
 class WriteVoxelsErrors : public testing::Test {
