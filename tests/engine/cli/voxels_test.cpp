@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/engine/cli/command_test.h"
+#include "tests/files/devices.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
@@ -119,8 +120,10 @@ TEST_F(CliVoxels, BadFilesAreRefused) {
 }
 
 TEST_F(CliVoxels, AFullDiskIsBadInput) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  std::filesystem::create_symlink("/dev/full", folder_ / "full.ply");
+  const TemporaryDirectory devices;
+  const std::string full = spare_device(Device::Full, devices.path());
+  if (full.empty()) GTEST_SKIP() << "no device to try it on";
+  std::filesystem::create_symlink(full, folder_ / "full.ply");
   expect_refusal({"voxels", "torus.off", "--resolution", "8", "-o", "full.ply"},
                  "graze: full.ply: cannot be written: No space left on device");
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/engine/cli/command_test.h"
+#include "tests/files/devices.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
@@ -96,15 +97,18 @@ TEST_F(CliFiles, ASignalLeavesTheOldFileAndNothingElse) {
 }
 
 TEST_F(CliFiles, DevicesAreNeverReplaced) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  fs::create_symlink("/dev/full", folder_ / "full");
+  const TemporaryDirectory devices;
+  const std::string full = spare_device(Device::Full, devices.path());
+  const std::string null = spare_device(Device::Null, devices.path());
+  if (full.empty() || null.empty()) GTEST_SKIP() << "no device to try it on";
+  fs::create_symlink(full, folder_ / "full");
   for (const std::string option : {"--save", "--report", "--resume"}) {
-    for (const std::string file : {"/dev/full", "full"}) {
+    for (const std::string& file : {full, std::string("full")}) {
       expect_refused({option, file}, file + ": cannot be written: No space left on device");
-      EXPECT_TRUE(fs::is_character_file("/dev/full"));
+      EXPECT_TRUE(fs::is_character_file(full));
     }
-    EXPECT_EQ(compare({option, "/dev/null"}).exit_code, 0) << option;
-    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(compare({option, null}).exit_code, 0) << option;
+    EXPECT_TRUE(fs::is_character_file(null));
   }
   EXPECT_EQ(names(), Names{"full"});
 }
@@ -149,7 +153,11 @@ TEST_F(CliFiles, NamesThatCannotBeMeantAreRefusedBeforeTheWork) {
                  "--report: folder/../new is the file of --save, too");
   expect_refused({"--save", "new", "--resume", "./new"},
                  "--save: new is the file of --resume, too");
-  EXPECT_EQ(compare({"--save", "/dev/null", "--report", "/dev/null"}).exit_code, 0);
+  const TemporaryDirectory devices;
+  const std::string null = spare_device(Device::Null, devices.path());
+  if (!null.empty()) {
+    EXPECT_EQ(compare({"--save", null, "--report", null}).exit_code, 0);
+  }
   EXPECT_EQ(names(), (Names{"folder", "file"}));
   EXPECT_EQ(read("file"), "old");
   const CommandResult same =

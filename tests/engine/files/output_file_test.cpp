@@ -17,6 +17,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/files/devices.h"
 #include "tests/files/temporary_directory.h"
 
 namespace graze::files {
@@ -186,15 +187,18 @@ TEST_F(OutputFiles, AnotherNameOfTheOldFileKeepsItsContent) {
 }
 
 TEST_F(OutputFiles, DevicesStayDevices) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  fs::create_symlink("/dev/full", path("full"));
-  for (const std::string& name : {std::string("/dev/full"), path("full")}) {
+  const tests::TemporaryDirectory devices;
+  const std::string full = tests::spare_device(tests::Device::Full, devices.path());
+  const std::string null = tests::spare_device(tests::Device::Null, devices.path());
+  if (full.empty() || null.empty()) GTEST_SKIP() << "no device to try it on";
+  fs::create_symlink(full, path("full"));
+  for (const std::string& name : {full, path("full")}) {
     EXPECT_EQ(error_of([&] { write_file(name, "x"); }),
               name + ": cannot be written: No space left on device");
-    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+    EXPECT_TRUE(fs::is_character_file(full));
   }
-  write_file("/dev/null", "x");
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  write_file(null, "x");
+  EXPECT_TRUE(fs::is_character_file(null));
   EXPECT_EQ(names(), Names{"full"});
 }
 
@@ -272,7 +276,7 @@ TEST_F(OutputFiles, ACheckCreatesNothingAndOpensNothing) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   directory_.write("file", "old");
   for (const std::string& name :
-       {path("pipe"), path("file"), path("new"), std::string("/dev/null")})
+       {path("pipe"), path("file"), path("new"), std::string("/proc/self/fd/2")})
     EXPECT_EQ(error_of([&] { check_output(name); }), "") << name;
   EXPECT_EQ(names(), (Names{"pipe", "file"}));
 }
