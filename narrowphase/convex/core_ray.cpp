@@ -130,6 +130,16 @@ Shifted from_middle_of_steepest(const Line& line, const Vec3& half) {
   return shifted;
 }
 
+/// The line's stretch in a shape, which need not be taken from elsewhere if it is not thin: then
+/// what is rounded moves faces by some u times the inverse of this.
+template <typename InShape>
+Stretch in_maybe_thin(const Line& line, const Vec3& half, InShape&& in_shape) {
+  constexpr double kThin = 0.015625;
+  if (half.x > kThin && half.y > kThin && half.z > kThin) return in_shape(line);
+  const Shifted shifted = from_middle_of_steepest(line, half);
+  return shifted.back(in_shape(shifted.line));
+}
+
 Line moved(const Line& line, const Vec3& by) {
   return {line.origin - by, line.direction};
 }
@@ -138,15 +148,16 @@ Line moved(const Line& line, const Vec3& by) {
 /// it and against the line, however thin the capsule is.
 Vec3 capsule_normal(const Line& line, double enter, const Vec3& axis, double half_length) {
   const auto is_against = [&](const Vec3& normal) {
-    return largest(normal) > 0 && dot(normal, line.direction) <= kParallel;
+    const double size = largest(normal);
+    return size > 0 && dot(normal, line.direction) <= kParallel * size;
   };
   const Vec3 point = at(line, enter);
   const double along = dot(point, axis);
   if (std::abs(along) > half_length) {
-    const Vec3 of_end = unit_or(point - axis * (along < 0 ? -half_length : half_length), {});
+    const Vec3 of_end = point - axis * (along < 0 ? -half_length : half_length);
     if (is_against(of_end)) return of_end;
   }
-  const Vec3 of_tube = across(unit_or(across(point, axis), {}), axis);
+  const Vec3 of_tube = across(across(point, axis), axis);  // the second takes what the first left
   return is_against(of_tube) ? of_tube : -across(line.direction, axis);
 }
 
@@ -214,34 +225,31 @@ Stretch in_nappe(const Line& line) {
 /// In the coordinates of in_nappe(), of a point of the nappe: outward, and against the line. At the
 /// apex and next to it, where rounding leaves no side, that of the side that the line comes from.
 Vec3 nappe_normal(const Vec3& point, const Vec3& direction) {
-  const auto of_side = [](double x, double y) { return Vec3{x, y, -std::hypot(x, y)}; };
+  const auto of_side = [](double x, double y) { return Vec3{x, y, -std::sqrt(x * x + y * y)}; };
   const Vec3 normal = of_side(point.x, point.y);
   if (normal.z < 0 && dot(normal, direction) <= 0) return normal;
-  const double flat = std::hypot(direction.x, direction.y);
-  return flat > 0 ? of_side(-direction.x / flat, -direction.y / flat) : Vec3{0, 0, -1};
+  const Vec3 of_near_side = of_side(-direction.x, -direction.y);
+  return of_near_side.z < 0 ? of_near_side : Vec3{0, 0, -1};
 }
 
 /// In coordinates in which it is x^2 + y^2 <= w^2, 0 <= w <= 1.
-Stretch in_cone(const Line& from_anywhere, const Vec3& half) {
-  const Shifted shifted = from_middle_of_steepest(from_anywhere, {half.x, half.x, half.z});
-  const Line& line = shifted.line;
+Stretch in_cone(const Line& line, const Vec3& half) {
   const auto scaled = [&](const Vec3& v, double w) {
     return Vec3{v.x / half.x, v.y / half.x, (w - v.z) / (2 * half.z)};
   };
   const Line own{scaled(line.origin, half.z), scaled(line.direction, 0)};
   Stretch side = in_nappe(own);
+  if (side.is_empty()) return Stretch::nothing();
   side.normal = nappe_normal(side.normal, own.direction);
   side.normal = {side.normal.x / half.x, side.normal.y / half.x, -side.normal.z / (2 * half.z)};
-  return shifted.back(common(side, in_slab(line, {0, 0, 1}, half.z)));
+  return common(side, in_slab(line, {0, 0, 1}, half.z));
 }
 
-Stretch in_ellipsoid(const Line& from_anywhere, const Vec3& semi) {
-  const Shifted shifted = from_middle_of_steepest(from_anywhere, semi);
-  const Line& line = shifted.line;
+Stretch in_ellipsoid(const Line& line, const Vec3& semi) {
   const auto scaled = [&](const Vec3& v) { return Vec3{v.x / semi.x, v.y / semi.y, v.z / semi.z}; };
   Stretch stretch = in_ball({scaled(line.origin), scaled(line.direction)}, 1);
   stretch.normal = scaled(stretch.normal);
-  return shifted.back(stretch);
+  return stretch;
 }
 
 Stretch in_box(const Line& line, const Vec3& half) {
@@ -284,9 +292,10 @@ Stretch in_own(const Core& core, const Line& line, double size) {
     case CoreKind::Cylinder:
       return in_cylinder(line, half);
     case CoreKind::Cone:
-      return in_cone(line, half);
+      return in_maybe_thin(line, {half.x, half.x, half.z},
+                           [&](const Line& near) { return in_cone(near, half); });
     case CoreKind::Ellipsoid:
-      return in_ellipsoid(line, half);
+      return in_maybe_thin(line, half, [&](const Line& near) { return in_ellipsoid(near, half); });
     default:
       return Stretch::nothing();
   }

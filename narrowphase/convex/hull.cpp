@@ -166,6 +166,25 @@ Vec3 normal_of(const std::vector<Vec3>& p, const std::vector<Index>& loop) {
   return {normal.data()[0], normal.data()[1], normal.data()[2]};
 }
 
+/// Which face each edge leads to.
+void add_neighbours(Hull& hull) {
+  std::map<std::pair<Index, Index>, Index> owner;
+  const auto edge = [&](const Hull::Face& face, Index i) {
+    const Index next = i + 1 == face.count ? 0 : i + 1;
+    return std::pair(hull.loops[face.first + i], hull.loops[face.first + next]);
+  };
+  for (Index f = 0; f < hull.faces.size(); ++f) {
+    for (Index i = 0; i < hull.faces[f].count; ++i)
+      owner[edge(hull.faces[f], i)] = f;
+  }
+  for (const Hull::Face& face : hull.faces) {
+    for (Index i = 0; i < face.count; ++i) {
+      const auto [from, to] = edge(face, i);
+      hull.beyond.push_back(owner.at({to, from}));
+    }
+  }
+}
+
 void add_faces(const std::vector<Vec3>& p, const std::vector<Corners>& triangles,
                const std::map<Index, Index>& renamed, Hull& hull) {
   FaceBuilder builder(p, triangles);
@@ -203,6 +222,7 @@ HullDefect build_hull(const std::vector<Vec3>& points, Hull& hull) {
   }
   centre(hull);
   add_faces(points, triangles, renamed, hull);
+  add_neighbours(hull);
   for (Hull::Face& face : hull.faces)
     face.offset = dot(face.normal, hull.corners[hull.loops[face.first]]);
   add_contact_faces(hull);

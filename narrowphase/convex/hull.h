@@ -24,6 +24,7 @@ struct Hull {
   std::vector<Vec3> exact_corners;  ///< the same as the points that they were
   std::vector<Face> faces;
   std::vector<std::uint32_t> loops;
+  std::vector<std::uint32_t> beyond;  ///< the face beyond the edge from a loop's corner to its next
 
   /// What bodies rest on: convex polygons of corners (contact_faces.h).
   std::vector<Face> contact_faces;

@@ -46,9 +46,9 @@ class RayAtHull {
     if (!cut_by_planes()) return std::nullopt;
     if (start_ == HullRayStart::Here && !is_surely_outside_ && begins_inside())
       return HullRayHit{0, {}};
-    if (last_ != nullptr && passes(*last_, Stages::Rounded)) return hit(*last_);
+    if (const Hull::Face* face = walk_from(last_)) return hit(*face);
     for (const Hull::Face& face : hull_.faces) {
-      if (!may_be_entered(face) || !passes(face, Stages::All)) continue;
+      if (!may_be_entered(face) || !passes(face)) continue;
       // The line enters here, so that a ray that begins outside and behind this plane is past it.
       if (start_ == HullRayStart::Here && side_of_origin(face) != Sign::Negative)
         return std::nullopt;
@@ -58,8 +58,6 @@ class RayAtHull {
   }
 
  private:
-  enum class Stages { Rounded, All };
-
   double room(const Hull::Face& face) const { return face.offset - dot(face.normal, origin_); }
 
   /// Keeps of [enter_, exit_] what may be in the hull: false if that is surely nothing.
@@ -104,28 +102,59 @@ class RayAtHull {
     return std::min(to_plane - enter_ * slope, to_plane - exit_ * slope) <= 2 * room_error_;
   }
 
-  /// Whether the line goes from outside through the closed face; of the rounded stage alone, if
-  /// that is sure.
-  bool passes(const Hull::Face& face, Stages stages) const {
-    bool is_through = false;
-    std::uint32_t from = hull_.loops[face.first + face.count - 1];
+  /// The face through whose inside the line surely comes from outside: from one to the next over
+  /// edges that the line passes beyond. Null where a rounded sign is not sure, or after many steps:
+  /// where faces are nearly in line the first is a bad guess, and rounding may lead in a circle.
+  const Hull::Face* walk_from(const Hull::Face* face) const {
+    constexpr int kMostSteps = 64;
+    for (int step = 0; step < kMostSteps && face != nullptr; ++step) {
+      const Hull::Face* next = next_towards_line(*face);
+      if (next == face) return face;
+      face = next;
+    }
+    return nullptr;
+  }
+
+  const Hull::Face* next_towards_line(const Hull::Face& face) const {
+    bool is_sure = true;
     for (std::uint32_t i = 0; i < face.count; ++i) {
-      const std::uint32_t to = hull_.loops[face.first + i];
-      const Sign side = side_of_edge(from, to, stages);
+      const auto [from, to] = edge(face, i);
+      const double volume = volume_beside(from, to);
+      if (volume > edge_error_) return &hull_.faces[hull_.beyond[face.first + i]];
+      is_sure &= volume < -edge_error_;
+    }
+    return is_sure ? &face : nullptr;
+  }
+
+  /// Whether the line goes from outside through the closed face.
+  bool passes(const Hull::Face& face) const {
+    bool is_through = false;
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+      const auto [from, to] = edge(face, i);
+      const Sign side = side_of_edge(from, to);
       if (side == Sign::Positive) return false;
-      if (side == Sign::Zero && stages == Stages::Rounded) return false;
       is_through |= side == Sign::Negative;
-      from = to;
     }
     return is_through;
   }
 
-  /// Zero of the rounded stage alone is: not sure.
-  Sign side_of_edge(std::uint32_t from, std::uint32_t to, Stages stages) const {
+  struct Edge {
+    std::uint32_t from, to;
+  };
+  Edge edge(const Hull::Face& face, std::uint32_t i) const {
+    const std::uint32_t next = i + 1 == face.count ? 0 : i + 1;
+    return {hull_.loops[face.first + i], hull_.loops[face.first + next]};
+  }
+
+  double volume_beside(std::uint32_t from, std::uint32_t to) const {
     const Vec3 p = hull_.corners[from] - origin_, q = hull_.corners[to] - origin_;
-    const double volume = dot(cross(p, q), direction_);
+    return dot(cross(p, q), direction_);
+  }
+
+  Sign side_of_edge(std::uint32_t from, std::uint32_t to) const {
+    const double volume = volume_beside(from, to);
     if (std::abs(volume) > edge_error_) return volume > 0 ? Sign::Positive : Sign::Negative;
-    return stages == Stages::All ? exact_.side_of_edge(from, to) : Sign::Zero;
+    return exact_.side_of_edge(from, to);
   }
 
   HullRayHit hit(const Hull::Face& face) const {

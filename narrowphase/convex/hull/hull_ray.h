@@ -26,8 +26,9 @@ struct HullRayHit {
 /// length, the origin within ten reaches.
 ///
 /// Half-spaces that hold the hull whatever was rounded say that most rays miss. Of others the face
-/// whose plane is entered last is mostly met inside all of its edges, surely. Else all faces that
-/// may be the one are asked, in integers where a rounded sign is not sure. O(f).
+/// whose plane is entered last, or one that is few edges away, is mostly met inside all of its
+/// edges, surely. Else all faces that may be the one are asked, in integers where a rounded sign is
+/// not sure. O(f).
 std::optional<HullRayHit> cast_ray(const Hull& hull, const Vec3& origin, const Vec3& direction,
                                    HullRayStart start);
 
