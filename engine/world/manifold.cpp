@@ -11,6 +11,7 @@ namespace {
 
 using enum PairMethod;
 using narrowphase::ContactPoint;
+using narrowphase::Vec3;
 
 void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
@@ -54,24 +55,23 @@ void make_unique(Manifold& manifold) {
 
 Manifold manifold_of(Touches& touches, bool is_mirrored) {
   narrowphase::reduce(touches.list, 4);
+  const Vec3 origin = to_vec3(touches.origin);
   Manifold manifold;
   for (const ContactPoint& touch : touches.list) {
     ShapeContact& contact = manifold.contacts[manifold.count++];
-    contact.point_a = to_eigen(touch.point_a + to_vec3(touches.origin));
-    contact.point_b = to_eigen(touch.point_b + to_vec3(touches.origin));
-    contact.point = to_eigen((to_vec3(contact.point_a) + to_vec3(contact.point_b)) * 0.5);
-    contact.normal = to_eigen(touch.normal);
+    const Vec3 on_a = (is_mirrored ? touch.point_b : touch.point_a) + origin;
+    const Vec3 on_b = (is_mirrored ? touch.point_a : touch.point_b) + origin;
+    contact.point = to_eigen((on_a + on_b) * 0.5);
+    contact.point_a = to_eigen(on_a);
+    contact.point_b = to_eigen(on_b);
+    contact.normal = to_eigen(is_mirrored ? -touch.normal : touch.normal);
     contact.depth = touch.depth;
     contact.feature = {touch.feature_a, touch.feature_b};
   }
   make_unique(manifold);
   if (!is_mirrored) return manifold;
-  for (std::size_t i = 0; i < manifold.count; ++i) {
-    ShapeContact& contact = manifold.contacts[i];
-    std::swap(contact.point_a, contact.point_b);
-    contact.normal = to_eigen(-to_vec3(contact.normal));
-    std::swap(contact.feature.a, contact.feature.b);
-  }
+  for (std::size_t i = 0; i < manifold.count; ++i)
+    std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
   return manifold;
 }
 

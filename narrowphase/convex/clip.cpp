@@ -22,15 +22,16 @@ struct FaceCut {
     for (int i = 0; i < face.count; ++i) {
       const int next = i + 1 == face.count ? 0 : i + 1;
       if ((height[i] > 0) == (height[next] > 0)) continue;
-      const Vec3& point = face.corner[i].point;
-      const double share = height[i] / (height[i] - height[next]);
-      const double at = dot(point + (face.corner[next].point - point) * share, way);
-      from = std::min(from, at), to = std::max(to, at);
+      const double at = dot(face.corner[i].point, way);
+      const double run = dot(face.corner[next].point, way) - at;
+      const double found = at + run * (height[i] / (height[i] - height[next]));
+      from = std::min(from, found), to = std::max(to, found);
     }
   }
   Vec3 nearest(const Vec3& point) const {
     const double at = dot(point, way);
-    return point + way * ((std::clamp(at, from, to) - at) / dot(way, way));
+    if (at >= from && at <= to) return point;
+    return point + way * (((at < from ? from : to) - at) / dot(way, way));
   }
 };
 
@@ -45,17 +46,24 @@ void lay_edges(ClippedFace& face, const Vec3& normal, const Plane& plane, double
   const double limit = within * std::sqrt(square);
   const auto is_level = [&](int i) { return std::abs(height[i]) <= limit; };
   if (!(fall > 0.25 * square) || !(*std::min_element(height, height + n) < -limit)) return;
-  const FaceCut line(face, height, cross(normal, plane.out));
   bool lies[ClippedFace::kMostCorners] = {};
   for (int i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
     const int next = i + 1 == n ? 0 : i + 1;
     if (is_level(i) && is_level(next)) lies[i] = lies[next] = true;
   }
+  const auto sticks_out = [&](int i) { return lies[i] && height[i] > 0; };
+  int first = 0;
+  while (first < n && !sticks_out(first))
+    ++first;
+  if (first < n) {
+    const FaceCut line(face, height, cross(normal, plane.out));
+    for (int i = first; i < n; ++i) {
+      Vec3& point = face.corner[i].point;
+      if (sticks_out(i)) point = line.nearest(point - along * (height[i] / fall));
+    }
+  }
   for (int i = 0; i < n; ++i) {
-    if (!lies[i]) continue;
-    Vec3& point = face.corner[i].point;
-    if (height[i] > 0) point = line.nearest(point - along * (height[i] / fall));
-    height[i] = 0;
+    if (lies[i]) height[i] = 0;
   }
 }
 

@@ -25,9 +25,57 @@ std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3&
   return start - out * hit->distance;
 }
 
-double radius_of(const Core& core) {
-  return core.kind == CoreKind::Segment ? core.radius : core.half.x;
-}
+/// The side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
+class RoundSide {
+ public:
+  RoundSide(const FaceOf& of, const Vec3& normal)
+      : from_(of.face.corner[0]), line_(of.face.corner[1] - from_) {
+    const Vec3& axis = of.core.axis[2];
+    radial_ = unit_or(of.face.normal - axis * dot(of.face.normal, axis), of.face.normal);
+    low_ = of.core.kind == CoreKind::Segment ? of.core.radius : of.core.half.x;
+    high_ = of.core.kind == CoreKind::Cone ? 0 : low_;
+    across_ = unit_or(cross(normal, line_), normal);
+    ahead_ = cross(across_, normal);
+  }
+
+  double middle_radius() const { return 0.5 * (low_ + high_); }
+  const Vec3& across() const { return across_; }
+  double off(const Vec3& point) const { return dot(across_, point - from_); }
+
+  /// Where the surface is on the line through a point along the normal, or as near as it has an end
+  /// across that line; false if the line passes the side. So far off its own line a round section
+  /// is lower by its drop, which on a side that leans is another section's. A cylinder's or a
+  /// capsule's is as round; of a cone the third is nearly the same.
+  bool end_beside(const Vec3& point, Vec3& end) const {
+    const Vec3 way = point - from_;
+    const double off = dot(across_, way);
+    const double run = dot(line_, ahead_);
+    double share = dot(way, ahead_) / run;
+    double drop = 0;
+    for (int i = low_ == high_ ? 1 : 3; i >= 0; --i) {
+      share = std::clamp(share, 0.0, 1.0);
+      if (i > 0 || low_ != high_) {
+        const double radius = low_ + (high_ - low_) * share;
+        if (!(std::abs(off) < radius)) return false;
+        drop = off * off / (radius + std::sqrt(radius * radius - off * off));
+      }
+      if (i > 0) share = dot(way + radial_ * drop, ahead_) / run;
+    }
+    end = from_ + line_ * share + across_ * off - radial_ * drop;
+    return true;
+  }
+
+  /// How far a point is from the line through another along the normal, in the side's direction.
+  double ahead(const Vec3& end, const Vec3& point) const { return dot(end - point, ahead_); }
+  Vec3 moved(const Vec3& point, double ahead) const { return point + ahead_ * ahead; }
+
+ private:
+  Vec3 from_, line_;
+  Vec3 radial_;
+  double low_, high_;  // radii at the ends
+  Vec3 across_;        // unit, at right angles to the normal and the line
+  Vec3 ahead_;         // unit, at right angles to the normal, nearly along the line
+};
 
 }  // namespace
 
@@ -73,18 +121,23 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& wa
 
 bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
                     ContactPoint& touch) {
-  const Vec3 line = reference.face.corner[1] - reference.face.corner[0];
-  const Vec3 across = unit_or(cross(touch.normal, line), touch.normal);
-  const double off = dot(across, touch.point_a - reference.face.corner[0]);
+  const RoundSide met_side(reference, touch.normal), own_side(incident, touch.normal);
+  const double off = met_side.off(touch.point_a);
   if (!(std::abs(off) > touching)) return true;
-  const double radius = radius_of(incident.core);
-  const double share = radius / (radius + radius_of(reference.core));
-  const Vec3 point = touch.point_a - across * (off * share);
-  const std::optional<Vec3> met = end_on_line(reference.core, point, touch.normal * sign);
-  const std::optional<Vec3> own = end_on_line(incident.core, point, -(touch.normal * sign));
-  if (!met || !own) return false;
-  touch.point_a = sign > 0 ? *met : *own;
-  touch.point_b = sign > 0 ? *own : *met;
+  const double radius = own_side.middle_radius();
+  const double share = radius / (radius + met_side.middle_radius());
+  Vec3 point = touch.point_a - met_side.across() * (off * share);
+  Vec3 met, own;
+  for (int i = 0; i < 3; ++i) {
+    if (!met_side.end_beside(point, met) || !own_side.end_beside(point, own)) return false;
+    // Past the end of a side that leans both step back.
+    const double of_met = met_side.ahead(met, point), of_own = met_side.ahead(own, point);
+    const double most = std::abs(of_met) > std::abs(of_own) ? of_met : of_own;
+    if (!(std::abs(most) > touching)) break;
+    point = met_side.moved(point, most);
+  }
+  touch.point_a = sign > 0 ? met : own;
+  touch.point_b = sign > 0 ? own : met;
   touch.depth = dot(touch.point_a - touch.point_b, touch.normal);
   return true;
 }
