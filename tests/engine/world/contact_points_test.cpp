@@ -236,9 +236,11 @@ TEST(ContactPoints, OfBoxesThatAreNearlyFlush) {
   }
 }
 
-/// A plate and a small box that stands on it a little aslant, poses as a robot's planner met them:
-/// two edges are the way out, and the faces beside them are within 8 degrees of it.
-TEST(ContactPoints, OfFacesThatAreNearlyAtRightAnglesToTheNormal) {
+/// A thin plate and a small box aslant in its rim, poses as a robot's planner met them. Two edges
+/// would part them sooner than the rim's face does, but by less than a twentieth: so the box's
+/// deepest corner is not over that face, and half the depth from the contact between, along the
+/// normal, there is neither surface, by 0.09 mm.
+TEST(ContactPoints, OfABoxThatIsDeepestBesideAFace) {
   const Placed plate{Box{{0.23, 0.24, 0.005}}, at(-0.721, -0.772, 0.81)};
   Placed box{Box{{0.0247605, 0.073, 0.03625}},
              at(-0.42677133002999479, -0.76596851247746789, 0.80746731400091054)};
@@ -246,7 +248,10 @@ TEST(ContactPoints, OfFacesThatAreNearlyAtRightAnglesToTheNormal) {
       0.22682184885125473, -0.709614040775253474, 0.66708302483147863, -0.96797615037608542,
       -0.23991106241273435, 0.07392465377049165;
   const Manifold m = find_contacts(plate.shape, plate.pose, box.shape, box.pose);
-  EXPECT_FALSE(m.empty());
+  ASSERT_FALSE(m.empty());
+  const Vector3d apart = m[0].point_a - m[0].point_b;
+  EXPECT_GT(apart.cross(m[0].normal).norm(), 1e-5);
+  EXPECT_NEAR(apart.dot(m[0].normal), m[0].depth, 0.05 * m[0].depth);
   expect_on_both(plate, box, "plate/box");
   expect_on_both(box, plate, "box/plate");
 }
