@@ -41,7 +41,8 @@ Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengt
 
 Exit codes:
   0  an answer was given, whatever it is
-  1  with --check, compare or replay: exact arithmetic found an answer of graze to be wrong
+  1  with --check, compare or replay: exact arithmetic found an answer of graze to be wrong, or one that
+     replay --fail-on names
   2  bad input, with one line on stderr
   130  compare --resume was interrupted; stderr says how to go on)";
 

@@ -44,6 +44,13 @@ int own_descriptor(const fs::path& path) {
   return end.ec == std::errc() && end.ptr == name.data() + name.size() ? number : -1;
 }
 
+/// In a folder such as /tmp a file of somebody else may be written, but not replaced.
+bool is_another_users(const struct stat& file, const struct stat& folder) {
+  const uid_t user = geteuid();
+  return (folder.st_mode & S_ISVTX) != 0 && user != 0 && user != file.st_uid &&
+         user != folder.st_uid;
+}
+
 OutputTarget target_of_process(const fs::path& given, const fs::path& path) {
   struct stat status = {};
   if (stat(path.c_str(), &status) != 0) fail_to_write(given, errno);
@@ -96,6 +103,7 @@ void check_output(const fs::path& given) {
   if (stat(folder.c_str(), &status) != 0) fail_to_write(given, errno);
   if (!S_ISDIR(status.st_mode)) fail_to_write(given, ENOTDIR);
   if (access(folder.c_str(), W_OK | X_OK) != 0) fail_to_write(given, errno);
+  if (target.old && is_another_users(*target.old, status)) fail_to_write(given, EPERM);
 }
 
 }  // namespace graze::files

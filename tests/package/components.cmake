@@ -4,7 +4,6 @@ cmake_minimum_required(VERSION 3.25)
 # try_components(says arguments...): what find_package(graze arguments...) says, or the components found.
 function(try_components says)
   list(JOIN ARGN " " arguments)
-  file(REMOVE_RECURSE ${BUILD})
   file(WRITE ${BUILD}/source/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
 project(components LANGUAGES CXX)
 find_package(graze ${arguments})
@@ -19,7 +18,7 @@ foreach(component bvh narrowphase engine cases scenes physics)
 endforeach()
 ")
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${BUILD}/source -B ${BUILD}/build -G ${GENERATOR}
-                          -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${PREFIX}
+                          -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${PREFIX} -U graze_DIR
                   RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " said "${said}")
   set(${says} "${result}: ${said}" PARENT_SCOPE)
@@ -31,6 +30,7 @@ function(expect text pattern)
   endif()
 endfunction()
 
+file(REMOVE_RECURSE ${BUILD})
 set(floors "has bvh has narrowphase has engine")
 set(all "${floors}")
 set(listed "bvh, narrowphase, engine")

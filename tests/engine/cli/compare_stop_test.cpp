@@ -86,6 +86,23 @@ TEST_F(CliStop, AllThreadsFinishWhatTheyHaveBegun) {
   EXPECT_EQ(asked_, 60 - static_cast<int>(done));
 }
 
+/// What is to be done at the end of the program is done at the second signal, not forgotten.
+TEST_F(CliStop, ASecondSignalDoesWhatItDidBefore) {
+  static volatile std::sig_atomic_t ends = 0;
+  std::signal(SIGINT, [](int) { ends = ends + 1; });
+  {
+    const Interruption interruption;
+    std::raise(SIGINT);
+    EXPECT_TRUE(Interruption::is_requested());
+    EXPECT_EQ(ends, 0);
+    std::raise(SIGINT);
+    EXPECT_EQ(ends, 1);
+  }
+  std::raise(SIGINT);
+  EXPECT_EQ(ends, 2) << "and afterwards";
+  std::signal(SIGINT, SIG_DFL);
+}
+
 TEST_F(CliStop, TheLastPoseIsTooLateToStop) {
   options_.threads = 1;
   EXPECT_EQ(stopped(interrupted_at(12)), "");

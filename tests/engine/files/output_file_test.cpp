@@ -296,6 +296,28 @@ TEST_F(OutputFiles, WithoutPermissionNothingIsReplaced) {
   EXPECT_EQ(read("file"), "old");
 }
 
+/// Anybody may write such a file, and its owner alone replaces it: that shows before the work.
+TEST_F(OutputFiles, AFileOfAnotherUserInASharedFolderIsRefusedBeforehand) {
+  const tests::TemporaryDirectory shared;
+  if (geteuid() != 0) GTEST_SKIP() << "needs two users";
+  chmod(shared.path().c_str(), 01777);
+  shared.write("file", "old");
+  chmod(shared.path("file").c_str(), 0666);
+  const pid_t child = fork();
+  if (child == 0) {
+    const bool is_changed = setegid(65534) == 0 && seteuid(65534) == 0;
+    const std::string expected =
+        shared.path("file") + ": cannot be written: Operation not permitted";
+    const bool is_refused = error_of([&] { check_output(shared.path("file")); }) == expected &&
+                            error_of([&] { write_file(shared.path("file"), "x"); }) == expected;
+    _exit(is_changed && is_refused ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(fs::file_size(shared.path("file")), 3u);
+}
+
 /// The first is a child's who dies, as a handler that runs in it would; its parent's files stay.
 TEST_F(OutputFiles, SignalHandlersRemoveThoseOfTheirProcess) {
   OutputFile a(path("a"));
