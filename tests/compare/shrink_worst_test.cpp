@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -201,6 +202,29 @@ TEST(ShrinkStopped, WhatIsFoundUntilThenIsTheResult) {
     const MeshCase meshes = *as_meshes(small);
     EXPECT_EQ(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), smallest);
   }
+}
+
+/// Of the largest doubles a rounding of fewer digits is infinite: that is no number to offer.
+TEST(ShrinkStopped, TheLargestNumbersStayFinite) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const auto mesh = [](double x) {
+    return CaseMesh(Mesh(std::vector<Eigen::Vector3d>{{x, 0, 0}, {0, 1, 0}, {-x, 0, 1}},
+                         std::vector<TriangleIndices>{{0, 1, 2}}),
+                    Pose::Identity());
+  };
+  const Case query{.note = "",
+                   .ask = Ask::Any,
+                   .settings = {},
+                   .a = mesh(kLargest),
+                   .b = mesh(1),
+                   .answer = std::nullopt,
+                   .answered_by = {}};
+  const auto reaches = [](const Case& smaller, double x) {
+    return as_meshes(smaller)->a.mesh.bounds().max.x() >= x;
+  };
+  const Case small = shrink(query, TrianglePair{0, 0},
+                            [&](const Case& smaller) { return reaches(smaller, kLargest / 2); });
+  EXPECT_TRUE(reaches(small, kLargest / 2));
 }
 
 }  // namespace

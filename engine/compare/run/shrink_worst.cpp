@@ -17,6 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Most cases take next to no time: one that takes long may have a quarter of what is left.
+constexpr std::size_t kMostSharers = 4;
+
 /// Beyond what a clock can count is for ever.
 constexpr double kMostSeconds = 1e8;
 
@@ -188,7 +191,8 @@ void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntr
   for (std::size_t n = 0; n < order.size(); ++n) {
     const Clock::time_point now = Clock::now();
     const Seconds left = settings.time - Seconds(now - start);
-    const Seconds share = std::min(left / (order.size() - n), Seconds(kMostSeconds));
+    const std::size_t sharers = std::min(order.size() - n, kMostSharers);
+    const Seconds share = std::min(left / sharers, Seconds(kMostSeconds));
     OneShrinking one(wrong[order[n]], order[n], *engine_of(order[n]),
                      now + std::chrono::duration_cast<Clock::duration>(share), settings);
     ShrunkCase shrunk = one.run([&] {
