@@ -1,3 +1,4 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/reductions.h>
 #include <graze/engine/compare/judge/shape_numbers.h>
 #include <graze/engine/compare/judge/shrink.h>
@@ -135,7 +136,11 @@ class Shrinking {
       const auto list = mesh.mesh.vertices();
       std::vector<Eigen::Vector3d> vertices(list.begin(), list.end());
       vertices[corner % 3][axis] = coarse;
-      mesh = CaseMesh(Mesh(vertices, mesh.mesh.triangles()), mesh.pose);
+      try {
+        mesh = CaseMesh(Mesh(vertices, mesh.mesh.triangles()), mesh.pose);
+      } catch (const Error&) {  // what is no mesh is none to try
+        return false;
+      }
       return try_case(std::move(candidate));
     });
   }

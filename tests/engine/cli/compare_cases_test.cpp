@@ -22,7 +22,6 @@ class CliCompareCases : public CliCompare {
     options_.query = "pairs";
     options_.keep = 100;
     options_.threads = 1;
-    options_.shrink_seconds = 1000;
   }
 
   std::set<std::string> names() const {
