@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -84,7 +85,11 @@ class OneShrinking {
                return is_still_wrong(smaller);
              },
              {.before_search = [&] { keep_whole(); }});
-      if (!is_shown_ && !best_.is_stopped) look_again();
+      if (is_shown_) {
+        confirm_alone();
+      } else if (!best_.is_stopped) {
+        look_again();
+      }
     }
     tell();
     return std::move(best_);
@@ -93,8 +98,8 @@ class OneShrinking {
  private:
   static constexpr std::chrono::milliseconds kTellInterval{500};
 
-  Judgement judged(const Case& query) {
-    const Utterance said = hear([&] { return ask(engine_, query); }, "");
+  Judgement judged(const Case& query, const Engine& asked) {
+    const Utterance said = hear([&] { return ask(asked, query); }, "");
     said_ = said.answer;
     if (!said.fault.empty()) return engine_error(said.fault);
     return said.answer ? Judge(query).judge(*said.answer, best_.query.answered_by, asking(engine_))
@@ -109,7 +114,7 @@ class OneShrinking {
       throw ShrinkingStopped();
     }
     try {
-      const Judgement judgement = judged(smaller);
+      const Judgement judgement = judged(smaller, engine_);
       const bool is_wrong = judgement.verdict == Verdict::Wrong &&
                             is_same_kind(judgement.error_class, answer_.judgement.error_class);
       if (!is_wrong) return false;
@@ -129,13 +134,29 @@ class OneShrinking {
   /// The whole query, before anything that may take long.
   void keep_whole() {
     is_searching_ = true;
-    best_.query.answer = hear([&] { return ask(engine_, whole_); }, "").answer;
+    best_.query.answer = hear([&] { return ask(alone(), whole_); }, "").answer;
     tell();
+  }
+
+  /// Hundreds of smaller queries were asked one after the other; what is left of them is asked
+  /// alone. If the engine is right there, the whole query is the case.
+  void confirm_alone() {
+    const Judgement judgement = judged(best_.query, alone());
+    if (judgement.verdict == Verdict::Wrong) {
+      best_.judgement = judgement;
+      best_.query.answer = said_;
+      return;
+    }
+    is_shown_ = false;
+    const CaseWitness witness = best_.query.answered_by;
+    best_.query = whole_;
+    best_.query.answered_by = witness;
+    look_again();
   }
 
   /// Nothing smaller shows it: perhaps the whole does no longer either.
   void look_again() {
-    best_.judgement = judged(whole_);
+    best_.judgement = judged(whole_, alone());
     best_.query.answer = said_;
   }
 
@@ -145,8 +166,11 @@ class OneShrinking {
     next_told_ = Clock::now() + kTellInterval;
   }
 
+  const Engine& alone() const { return alone_ ? *alone_ : engine_; }
+
   const AnswerRecord& answer_;
   const Engine& engine_;
+  std::unique_ptr<Engine> alone_ = engine_.alone();  ///< null: the engine is like that
   Clock::time_point deadline_;
   const ShrinkWorstSettings& settings_;
   Case whole_;
