@@ -3,6 +3,7 @@
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/html_report.h>
 #include <graze/engine/cli/progress.h>
+#include <graze/engine/cli/shell_word.h>
 #include <graze/engine/cli/simd_target.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/compare/run/trial.h>
@@ -141,7 +142,7 @@ std::string row_of(const WrittenCase& each) {
   const std::string remark =
       each.shrunk.is_stopped ? "the time was over: see --shrink-seconds" : each.least;
   return (each.is_written ? "shrunk: graze replay " : "shrunk, not written: ") +
-         mesh_io::printable(each.file) + (remark.empty() ? "" : " (" + remark + ")") + "\n";
+         shell_word(each.file) + (remark.empty() ? "" : " (" + remark + ")") + "\n";
 }
 
 std::string text_of(const CompareFindings& findings, const KeptCases& kept,

@@ -9,6 +9,7 @@
 #include <graze/engine/cli/pose_arguments.h>
 #include <graze/engine/cli/replay_command.h>
 #include <graze/engine/cli/simulate_command.h>
+#include <graze/engine/cli/standard_streams.h>
 #include <graze/engine/cli/usage_error.h>
 #include <graze/engine/cli/voxels_command.h>
 #include <graze/engine/mesh/io/source.h>
@@ -118,6 +119,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
 }  // namespace graze::cli
 
 int main(int argc, char** argv) {
+  graze::cli::reserve_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), not a death
   graze::cli::remove_temporary_files_on_signals();
   return static_cast<int>(graze::cli::run({argv + 1, argv + argc}));

@@ -16,7 +16,8 @@ Indices all_indices(std::size_t count);
 /// 28(2), 2002), while what is left still does; one stays at least. Whether any could go.
 bool take_away(Indices& indices, const std::function<bool(const Indices&)>& still_does);
 
-/// Offers shorter numbers in the place of this one, the shortest first, until one will do.
+/// Offers shorter numbers in the place of this one, finite ones, the shortest first, until one will
+/// do.
 void shorten(double value, const std::function<bool(double)>& will_do);
 
 }  // namespace graze::compare
