@@ -1,11 +1,13 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <cmath>
 #include <string>
 
 namespace graze {
 
 void check_box(const Aabb& box, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < 3; ++i) {
     const double low = box.min.data()[i];
     const double high = box.max.data()[i];

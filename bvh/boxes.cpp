@@ -1,5 +1,6 @@
 #include <graze/bvh/boxes.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/point_pairs.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -72,11 +73,13 @@ Aabb checked_bounds(std::span<const Aabb> boxes) {
   const Seen all = tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, boxes.size(), kGrain), Seen(boxes[0]),
       [&](const tbb::blocked_range<std::size_t>& range, Seen seen) {
+        const StandardArithmetic arithmetic;
         for (std::size_t i = range.begin(); i < range.end(); ++i)
           seen.add(boxes[i]);
         return seen;
       },
       [](Seen a, const Seen& b) {
+        const StandardArithmetic arithmetic;
         a.add(b);
         return a;
       });

@@ -1,4 +1,5 @@
 #include <graze/bvh/build_nodes.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/graft.h>
 #include <graze/bvh/subtree.h>
 #include <graze/bvh/top_split.h>
@@ -23,6 +24,7 @@ std::vector<Node> build_nodes(References references, int depth, const BuildSetti
     if (top.nodes[i].is_leaf()) subtrees[top.nodes[i].first].at = i;
   }
   tbb::parallel_for(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
+    const StandardArithmetic arithmetic;
     const Part& part = top.parts[i];
     subtrees[i].nodes = build_subtree(all, part, settings);
     subtrees[i].first_primitive = static_cast<std::uint32_t>(part.begin);

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/kdop.h>
 #include <cmath>
 #include <string>
@@ -6,6 +7,7 @@
 namespace graze {
 
 void check_kdop(const KDop<18>& kdop, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     if (!std::isfinite(kdop.min[i]) || !std::isfinite(kdop.max[i])) {
       throw InputError(std::string(what) + ": slab " + std::to_string(i) + " is not finite");

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/obb.h>
 #include <cmath>
 #include <string>
@@ -6,6 +7,7 @@
 namespace graze {
 
 void check_box(const Obb& box, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   check_rigid(box.pose, what);
   for (int i = 0; i < 3; ++i) {
     const double half = box.half_extents.data()[i];

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/pose.h>
 #include <graze/bvh/rigid.h>
 
@@ -9,6 +10,7 @@
 namespace graze {
 
 double rotation_deviation(const Pose& pose) {
+  const bvh::StandardArithmetic arithmetic;
   return bvh::RotationError(pose).largest();
 }
 
@@ -38,6 +40,7 @@ namespace {
 }  // namespace
 
 double check_rigid(const Pose& pose, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   const bvh::RotationError error(pose);
   const double* m = pose.data();
   // 0 if and only if all are finite.

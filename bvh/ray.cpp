@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/ray.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 namespace graze {
 
 void check_ray(const Ray& ray, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   bool is_zero = true;
   for (int k = 0; k < 3; ++k) {
     if (!std::isfinite(ray.origin.data()[k])) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
 #include <tbb/parallel_for.h>
@@ -48,6 +49,7 @@ References references_made(std::size_t count, const BoxOf& box_of) {
   constexpr std::size_t kGrain = 4096;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
+                      const StandardArithmetic arithmetic;
                       for (std::size_t i = range.begin(); i < range.end(); ++i)
                         references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
                     });
@@ -61,6 +63,7 @@ References references_made(std::span<const std::uint32_t> primitives, const BoxO
   constexpr std::size_t kGrain = 4096;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, primitives.size(), kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
+                      const StandardArithmetic arithmetic;
                       for (std::size_t i = range.begin(); i < range.end(); ++i)
                         references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
                     });

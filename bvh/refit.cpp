@@ -1,5 +1,6 @@
 #include <graze/bvh/boxes.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/node_lanes.h>
 #include <graze/bvh/refit.h>
 #include <graze/bvh/refit_references.h>
@@ -26,6 +27,7 @@ void refit(Tree& tree, std::span<const Reference> references, const LocalFrame& 
   tree.frame = frame;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) {
+                      const StandardArithmetic arithmetic;
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
                       }

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/sphere.h>
 #include <cmath>
 #include <string>
@@ -6,6 +7,7 @@
 namespace graze {
 
 void check_sphere(const Sphere& sphere, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(sphere.centre.data()[i])) {
       throw InputError(std::string(what) + ": coordinate " + "xyz"[i] +

@@ -45,7 +45,10 @@ class ToLocal {
     const IntLanes bits = std::bit_cast<IntLanes>(nearest);
     const IntLanes one = {1, 1, 1, 1};
     const IntLanes is_zero = nearest == all_lanes(0);
-    return std::bit_cast<Lanes>(chosen(is_zero, one, bits + ((bits >> 31) | one)));
+    // Unsigned, because the bits of -0 have no predecessor: those lanes are not chosen.
+    using Bits = std::uint32_t __attribute__((vector_size(16)));
+    const Bits next = std::bit_cast<Bits>(bits) + std::bit_cast<Bits>((bits >> 31) | one);
+    return std::bit_cast<Lanes>(chosen(is_zero, one, std::bit_cast<IntLanes>(next)));
   }
 
   PointPairs centre_;

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/node_lanes.h>
 #include <graze/bvh/split.h>
 #include <graze/bvh/top_split.h>
@@ -25,6 +26,7 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
   tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
   while (!level.empty()) {
     tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) {
+      const StandardArithmetic arithmetic;
       Open& open = level[i];
       if (open.part.size() <= part_size) return;
       open.verdict = split(references, open.part, settings, open.sides);

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/io/source.h>
 #include <graze/engine/pose_text.h>
 
@@ -63,6 +64,7 @@ double parse_number(std::string_view field, std::size_t number, const std::strin
 }  // namespace
 
 Pose parse_pose(std::string_view text, const std::string& place) {
+  const bvh::StandardArithmetic arithmetic;
   const std::vector<std::string_view> fields = split(text, place);
   Pose pose = Pose::Identity();
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -79,6 +81,7 @@ Pose parse_pose(std::string_view text, const std::string& place) {
 }
 
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
+  const bvh::StandardArithmetic arithmetic;
   const std::string name = mesh_io::printable(path.string());
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
@@ -104,6 +107,7 @@ std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
 }
 
 std::vector<Pose> load_poses(const std::filesystem::path& path) {
+  const bvh::StandardArithmetic arithmetic;
   std::vector<Pose> poses;
   for (const PoseLine& line : load_pose_lines(path))
     poses.push_back(line.pose);

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <string>
@@ -10,6 +11,7 @@ bool crosses(const Triangle& triangle_a, const Triangle& triangle_b) {
 }
 
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch) {
+  const bvh::StandardArithmetic arithmetic;
   return narrowphase::decide(triangle_a, triangle_b, touch).is_hit;
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/finite.h>
 #include <graze/narrowphase/triangle_box.h>
 
@@ -29,10 +30,12 @@ Decision decide(const Triangle& triangle, const Aabb& box) {
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   return narrowphase::decide(triangle, box).is_hit;
 }
 
 bool intersects(const Triangle& triangle, const Obb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "box");
   narrowphase::check_finite(triangle, "triangle");
   Aabb local;
@@ -42,7 +45,7 @@ bool intersects(const Triangle& triangle, const Obb& box) {
   }
   const Triangle framed = narrowphase::into_frame(triangle, box.pose);
   narrowphase::check_finite(framed, "triangle in the frame of the box");
-  return intersects(framed, local);
+  return narrowphase::decide(framed, local).is_hit;
 }
 
 }  // namespace graze

@@ -1,8 +1,10 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 namespace graze {
 
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b) {
+  const bvh::StandardArithmetic arithmetic;
   return narrowphase::decide(triangle_a, triangle_b).is_hit;
 }
 

@@ -21,6 +21,7 @@
 #include <tbb/parallel_invoke.h>
 #endif
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <cstddef>
 
 namespace graze::bvh {
@@ -39,14 +40,20 @@ template <typename Work>
 void fork_each(std::size_t count, const Work& work) {
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < count; ++i)
-    threads.emplace_back([&work, i] { work(i); });
+    threads.emplace_back([&work, i] {
+      const StandardArithmetic arithmetic;
+      work(i);
+    });
   for (std::thread& thread : threads)
     thread.join();
 }
 
 template <typename First, typename Second>
 void fork_both(const First& first, const Second& second) {
-  std::thread thread(first);
+  std::thread thread([&first] {
+    const StandardArithmetic arithmetic;
+    first();
+  });
   second();
   thread.join();
 }
@@ -55,12 +62,23 @@ void fork_both(const First& first, const Second& second) {
 
 template <typename Work>
 void fork_each(std::size_t count, const Work& work) {
-  tbb::parallel_for(std::size_t{0}, count, work);
+  tbb::parallel_for(std::size_t{0}, count, [&work](std::size_t i) {
+    const StandardArithmetic arithmetic;
+    work(i);
+  });
 }
 
 template <typename First, typename Second>
 void fork_both(const First& first, const Second& second) {
-  tbb::parallel_invoke(first, second);
+  tbb::parallel_invoke(
+      [&first] {
+        const StandardArithmetic arithmetic;
+        first();
+      },
+      [&second] {
+        const StandardArithmetic arithmetic;
+        second();
+      });
 }
 
 #endif

@@ -32,10 +32,15 @@ class Workers {
   /// Runs work that forks.
   template <typename Work>
   void run(const Work& work) const {
+    // An arena may hand the work to another thread.
+    const auto computed = [&work] {
+      const StandardArithmetic arithmetic;
+      work();
+    };
     if (arena_ == nullptr) {
-      tbb::task_arena(1).execute(work);
+      tbb::task_arena(1).execute(computed);
     } else {
-      arena_->execute(work);
+      arena_->execute(computed);
     }
   }
 

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/aabb_fit.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <cmath>
 #include <string>
 
@@ -21,6 +22,7 @@ namespace {
 }  // namespace
 
 Aabb fit_aabb(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   if (points.empty()) refuse(points);
   const double* first = points.front().data();
   double low[3] = {first[0], first[1], first[2]};
@@ -39,6 +41,7 @@ Aabb fit_aabb(std::span<const Eigen::Vector3d> points) {
 }
 
 Aabb merged(const Aabb& box_a, const Aabb& box_b) {
+  const bvh::StandardArithmetic arithmetic;
   return {box_a.min.cwiseMin(box_b.min), box_a.max.cwiseMax(box_b.max)};
 }
 

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/aabb_fit.h>
 #include <graze/bvh/fit/kdop_fit.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,7 @@ void refuse_overflow(const KDop<18>& kdop) {
 }  // namespace
 
 KDop<18> fit_kdop(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const Aabb box = fit_aabb(points);
   double low[kSums];
   double high[kSums];
@@ -117,6 +119,7 @@ KDop<18> fit_kdop(std::span<const Eigen::Vector3d> points) {
 }
 
 KDop<18> merged(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
+  const bvh::StandardArithmetic arithmetic;
   KDop<18> kdop;
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     kdop.min[i] = std::min(kdop_a.min[i], kdop_b.min[i]);

@@ -3,6 +3,7 @@
 #include <graze/bvh/fit/moments.h>
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/smallest_rectangle.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 
 #include <vector>
 
@@ -50,11 +51,13 @@ Axes refined(Axes axes, const LocalPoints& points) {
 }  // namespace
 
 Obb covariance_box(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const LocalPoints local(points);
   return box_along(bvh::principal_axes(bvh::covariance(local)), local, points);
 }
 
 Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const LocalPoints local(points);
   const Axes axes = bvh::ditetrahedron_axes(local);
   const bool is_better = half_surface(extents_along(axes, local)) <
@@ -63,6 +66,7 @@ Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points) {
 }
 
 Obb tight_box(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const LocalPoints local(points);
   Axes best = Axes::Identity();
   double least = padded_volume(extents_along(best, local));

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/obb_fit.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,7 @@ double margin(const Obb& box_a, const Obb& box_b, const Obb& fitted) {
 }  // namespace
 
 Obb merged(const Obb& box_a, const Obb& box_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box_a, "first box");
   check_box(box_b, "second box");
   std::array<Eigen::Vector3d, 16> corners;

@@ -3,6 +3,7 @@
 #include <graze/bvh/fit/local_points.h>
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/fit/support_ball.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 
 #include <algorithm>
 #include <array>
@@ -113,6 +114,7 @@ Eigen::Vector3d minimal_centre(const LocalPoints& points, std::span<const Extrem
 }  // namespace
 
 Sphere ritter_sphere(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const LocalPoints local(points);
   if (local.is_single()) return {points.front(), 0};
   return to_sphere(
@@ -120,6 +122,7 @@ Sphere ritter_sphere(std::span<const Eigen::Vector3d> points) {
 }
 
 Sphere minimal_sphere(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   const LocalPoints local(points);
   if (local.is_single()) return {points.front(), 0};
   const std::vector<ExtremalPair> extremal = bvh::extremal_pairs(local, kCoordinateAxes);

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/sphere_fit.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/local_frame.h>
 
 #include <algorithm>
@@ -59,6 +60,7 @@ class MergeUnit {
 }  // namespace
 
 Sphere merged(const Sphere& sphere_a, const Sphere& sphere_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere_a, "first sphere");
   check_sphere(sphere_b, "second sphere");
   const bool is_a_larger = sphere_a.radius >= sphere_b.radius;

@@ -1,4 +1,5 @@
 #include <graze/bvh/decayed_nodes.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/graft.h>
 #include <graze/bvh/node_lanes.h>
 #include <graze/bvh/top_split.h>
@@ -36,6 +37,7 @@ std::vector<Node> split_into(std::vector<TreeletPart>& parts, References referen
 /// The box of each part where its primitives are now.
 void fit_parts(WideTop& top, const CornerSource& source, const LocalFrame& frame, Places order) {
   tbb::parallel_for(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
+    const StandardArithmetic arithmetic;
     TreeletPart& part = top.parts[i];
     part.box = float_box(source.bounds(frame, order.subspan(part.first, part.count)));
   });

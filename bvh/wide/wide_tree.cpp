@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/wide/treelet_build.h>
 #include <graze/bvh/wide/treelet_refit.h>
 #include <graze/bvh/wide/wide_tree.h>
@@ -80,6 +81,7 @@ TreeletCounts WideTree::build_all() const {
   std::atomic<std::uint64_t> built = 0;
   std::atomic<std::uint64_t> refitted = 0;
   tbb::parallel_for(std::size_t{1}, treelet_count_, [&](std::size_t i) {
+    const StandardArithmetic arithmetic;
     TreeletCounts one;
     entered(static_cast<std::uint32_t>(i), one);
     built += one.built;

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case_intersection.h>
 
 #include <algorithm>
@@ -37,6 +38,7 @@ CaseIntersection in_parts(const MeshIntersection& whole) {
 }
 
 bool is_same(const CaseIntersection& a, const CaseIntersection& b) {
+  const bvh::StandardArithmetic arithmetic;
   return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
                     is_same_point) &&
          a.curves == b.curves && a.patches == b.patches && a.touching_points == b.touching_points;

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case.h>
 #include <graze/engine/cases/case_words.h>
 
@@ -50,6 +51,7 @@ bool is_same(const std::optional<CaseIntersection>& a, const std::optional<CaseI
 }  // namespace
 
 bool is_same(const CaseAnswer& a, const CaseAnswer& b) {
+  const bvh::StandardArithmetic arithmetic;
   return a.says == b.says && a.pairs == b.pairs && a.triangles == b.triangles &&
          a.distance == b.distance && a.lower_bound == b.lower_bound &&
          a.is_converged == b.is_converged && is_same(a.normal, b.normal) &&

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case_words.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/read_parts.h>
@@ -139,6 +140,7 @@ std::string place_of(const std::filesystem::path& path) {
 }  // namespace
 
 Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseSettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   const cases::JsonValue tree = cases::parse_json(bytes, name);
   const JsonCursor root(tree, name);
   // The version first: a later one may have other keys.
@@ -180,6 +182,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
 }
 
 Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   const std::string name = place_of(path);
   std::string bytes;
   try {

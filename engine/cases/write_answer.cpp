@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case_words.h>
 #include <graze/engine/cases/json_text.h>
 #include <graze/engine/cases/write_case.h>
@@ -167,10 +168,12 @@ std::string answer_text(const CaseAnswer& answer, const NumberText& numbers) {
 }  // namespace
 
 std::string to_json(const CaseAnswer& answer) {
+  const bvh::StandardArithmetic arithmetic;
   return answer_text(answer, {cases::json_number});
 }
 
 std::string to_plain_json(const CaseAnswer& answer) {
+  const bvh::StandardArithmetic arithmetic;
   return answer_text(answer, {cases::json_plain_number});
 }
 

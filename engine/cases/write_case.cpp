@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/cases/case_words.h>
 #include <graze/engine/cases/json_text.h>
@@ -139,6 +140,7 @@ bool is_one_mesh(const Case& query) {
 }  // namespace
 
 std::string to_json(const Case& query) {
+  const bvh::StandardArithmetic arithmetic;
   std::string out = "{\n  \"graze_case\": " + std::to_string(cases::kCaseVersion);
   if (!query.note.empty()) out += std::string(",\n  \"note\": ") + json_string(query.note);
   out += std::string(",\n  \"question\": ") + json_string(name_of(query.ask));

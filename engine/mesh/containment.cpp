@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/query_results.h>
@@ -29,6 +30,7 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
 }  // namespace
 
 bool contains(const Mesh& mesh, const Eigen::Vector3d& point, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_point(point);
   check_closed(mesh, "the mesh");
   if (!is_within(mesh.bounds(), point)) return false;

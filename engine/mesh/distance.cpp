@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/wide/wide_distance_walk.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/distance_parts.h>
@@ -193,6 +194,7 @@ MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> h
 
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                       const DistanceSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   return find_distance(WideQuery(mesh_a, mesh_b, counted.work()), settings.hint, counted.work());
@@ -222,6 +224,7 @@ std::optional<TrianglePair> find_within(const WideQuery& query, double clearance
 
 bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
             const DistanceSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_clearance(clearance);
   CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);

@@ -2,6 +2,7 @@
 #include <graze/bvh/fit/measure.h>
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/sphere_fit.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/local_frame.h>
 #include <graze/engine/mesh/fit.h>
 
@@ -50,18 +51,22 @@ bool is_ratio(double numerator, double denominator) {
 }  // namespace
 
 Sphere bounding_sphere(const Mesh& mesh) {
+  const bvh::StandardArithmetic arithmetic;
   return minimal_sphere(used_vertices(mesh));
 }
 
 Obb bounding_obb(const Mesh& mesh) {
+  const bvh::StandardArithmetic arithmetic;
   return tight_box(used_vertices(mesh));
 }
 
 KDop<18> bounding_kdop(const Mesh& mesh) {
+  const bvh::StandardArithmetic arithmetic;
   return fit_kdop(used_vertices(mesh));
 }
 
 double signed_volume(const Mesh& mesh) {
+  const bvh::StandardArithmetic arithmetic;
   const bvh::LocalFrame frame = bvh::LocalFrame::around(mesh.bounds());
   const Eigen::Vector3d centre(frame.centre[0], frame.centre[1], frame.centre[2]);
   const double scale = std::ldexp(1.0, -frame.exponent);
@@ -78,6 +83,7 @@ double signed_volume(const Mesh& mesh) {
 }
 
 MeshFit measure_fit(const Mesh& mesh) {
+  const bvh::StandardArithmetic arithmetic;
   const Sphere sphere = bounding_sphere(mesh);
   const Obb obb = bounding_obb(mesh);
   const KDop<18> kdop = bounding_kdop(mesh);

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/io/format.h>
 #include <graze/engine/mesh/load_mesh.h>
@@ -26,6 +27,7 @@ const Format& format_of(const std::filesystem::path& path, const std::string& na
 }  // namespace
 
 Mesh load_mesh(const std::filesystem::path& path) {
+  const bvh::StandardArithmetic arithmetic;
   const std::string name = mesh_io::printable(path.string());
   mesh_io::require_regular_file(path, name);
   const Format& format = format_of(path, name);

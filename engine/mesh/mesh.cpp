@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <algorithm>
@@ -64,6 +65,7 @@ Aabb bounds_of(std::span<const Eigen::Vector3d> vertices,
 template <typename Indices>
 std::shared_ptr<const Mesh::Data> Mesh::make(std::span<const Eigen::Vector3d> vertices,
                                              std::span<const Indices> triangles) {
+  const bvh::StandardArithmetic arithmetic;
   check_vertices(vertices);
   auto data = std::make_shared<Data>();
   data->shared_triangles = std::make_shared<const std::vector<TriangleIndices>>(
@@ -81,6 +83,7 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vec
     : data_(make(vertices, triangles)) {}
 
 Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
+  const bvh::StandardArithmetic arithmetic;
   if (vertices.size() != data_->vertices.size()) {
     throw MeshError("deformed: " + std::to_string(vertices.size()) + " vertices for a mesh of " +
                     std::to_string(data_->vertices.size()));

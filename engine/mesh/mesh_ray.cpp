@@ -6,6 +6,7 @@
 // |R^T (o - P)|, as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing + 256 u
 // (r + |o - P|) covers all.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/ray_slabs.h>
 #include <graze/bvh/traverse_ray.h>
 #include <graze/engine/mesh/mesh_ray.h>
@@ -121,6 +122,7 @@ bool is_before(const RayHit& s, const RayHit& t) {
 }  // namespace
 
 std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   std::optional<RayHit> first;
   for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
@@ -131,6 +133,7 @@ std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* wor
 }
 
 std::vector<RayHit> cast_ray_all(const PlacedMesh& mesh, const Ray& ray, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   std::vector<RayHit> hits;
   for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {

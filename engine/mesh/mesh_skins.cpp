@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/skins/fit_skins.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <graze/engine/work.h>
@@ -22,6 +23,7 @@ template <typename Skin, typename Fit>
 void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
   const bvh::Tree& tree = mesh.tree(work);
   std::call_once(skin.flag, [&] {
+    const bvh::StandardArithmetic arithmetic;
     tbb::this_task_arena::isolate([&] {
       const bvh::Hulls hulls(tree, corners_of(mesh.vertices(), mesh.triangles()), 3);
       skin.volumes = fit(tree, hulls);

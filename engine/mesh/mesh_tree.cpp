@@ -1,4 +1,5 @@
 #include <graze/bvh/build_references.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/refit_references.h>
 #include <graze/bvh/to_local.h>
 #include <graze/engine/mesh/mesh_data.h>
@@ -59,6 +60,7 @@ std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
 
 const bvh::Tree& Mesh::tree(Work* work) const {
   std::call_once(data_->tree_flag, [&] {
+    const bvh::StandardArithmetic arithmetic;
     // Isolated, because a thread that waits for the parallel build would otherwise take up any
     // task, such as another query on this mesh, which would wait for the flag that this thread
     // holds.

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/to_local.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <graze/engine/work.h>
@@ -80,6 +81,7 @@ const bvh::WideTree& Mesh::wide_tree(Work* work) const {
   // Each query asks: call_once() takes longer to say that there is nothing to do.
   if (data_->is_wide_made.load(std::memory_order_acquire)) return *data_->wide;
   std::call_once(data_->wide_flag, [&] {
+    const bvh::StandardArithmetic arithmetic;
     data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
     const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();
     // Isolated, as the building of the tree is.

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse_pair.h>
 #include <graze/engine/mesh/candidates.h>
 #include <graze/engine/mesh/crossing_pairs.h>
@@ -90,6 +91,7 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) 
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_interior(settings);
   if (settings.interior == Interior::Solid) {
     check_closed(mesh_a.mesh, "mesh A");
@@ -109,6 +111,7 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QueryS
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const PairSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   check_threads(settings.threads);
   TrianglePairs found;

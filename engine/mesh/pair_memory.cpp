@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
@@ -207,6 +208,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                 const QuerySettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   require_wide(settings.volume);
   narrowphase::check_touch(settings.touch);
   check_interior(settings);
@@ -223,6 +225,7 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& 
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   PairMemory& memory, const PairSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   require_wide(settings.volume);
   narrowphase::check_touch(settings.touch);
   check_threads(settings.threads);

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance_parts.h>
 #include <graze/engine/mesh/distance_reach.h>
 #include <graze/engine/mesh/pair_memory.h>
@@ -144,6 +145,7 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, Remembered
 
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                       const DistanceSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   Remembered& remembered = recall(memory, mesh_a, mesh_b);
@@ -161,6 +163,7 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
 
 bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_clearance(clearance);
   check_hint(settings, mesh_a.mesh, mesh_b.mesh);
   Remembered& remembered = recall(memory, mesh_a, mesh_b);

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/parallel_pairs.h>
 #include <graze/engine/mesh/shared_walk.h>
 #include <graze/engine/mesh/sort_pairs.h>
@@ -31,6 +32,7 @@ class ParallelPairs {
       shares_.resize(thread_count(threads_) - 1);
       run_in_arena(threads_, [&] {
         group_.run_and_wait([&] {
+          const bvh::StandardArithmetic arithmetic;
           wake(0);
           walk_in_turns(first_, shared_.begin(), candidates, found);
         });
@@ -66,6 +68,7 @@ class ParallelPairs {
   }
 
   void help(std::size_t index) {
+    const bvh::StandardArithmetic arithmetic;
     bvh::WidePairWalk walk = first_.another();
     SharedWalk::Turn turn = shared_.take(walk);
     if (!turn) return;

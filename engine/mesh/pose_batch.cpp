@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/threads.h>
@@ -48,6 +49,7 @@ void answer_all(const PlacedMesh& a, const MeshInPoses& b, const BatchSettings& 
 std::vector<bool> intersects(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings, const BatchSettings& batch,
                              Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   // Bits of one word are no place for many threads to write to.
   std::vector<char> answers;
   answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
@@ -59,6 +61,7 @@ std::vector<bool> intersects(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b
 std::vector<TrianglePairs> find_triangle_pairs(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                                                const PairSettings& settings,
                                                const BatchSettings& batch, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   std::vector<TrianglePairs> answers;
   answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
     return find_triangle_pairs(mesh_a, b, settings, &own);
@@ -69,6 +72,7 @@ std::vector<TrianglePairs> find_triangle_pairs(const PlacedMesh& mesh_a, const M
 std::vector<MeshDistance> distance(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                                    const DistanceSettings& settings, const BatchSettings& batch,
                                    Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   std::vector<MeshDistance> answers;
   answer_all(mesh_a, mesh_b, batch, work, answers,
              [&](const PlacedMesh& b, Work& own) { return distance(mesh_a, b, settings, &own); });

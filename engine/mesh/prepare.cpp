@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/wide/wide_tree.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/wide_counts.h>
@@ -6,6 +7,7 @@
 namespace graze {
 
 void prepare(const Mesh& mesh, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   const bvh::WideTree& tree = mesh.wide_tree(work);
   bvh::TreeletCounts counts;
   // Isolated: a thread that waits here must not take up a task of the caller's own loop.

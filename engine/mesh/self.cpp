@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse_self.h>
 #include <graze/engine/mesh/node_volumes.h>
 #include <graze/engine/mesh/query_policies.h>
@@ -133,6 +134,7 @@ bool self_intersects(const Mesh& mesh, Work* work) {
 }
 
 bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   require_touch_included(settings, "self_intersects");
   require_surface(settings, "self_intersects");
   CountedWork counted(work);
@@ -142,6 +144,7 @@ bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work
 }
 
 TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   TrianglePairs found;
   found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {

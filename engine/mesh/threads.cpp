@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/threads.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -13,13 +14,17 @@ void check_threads(int threads) {
 }
 
 void run_in_arena(int threads, const std::function<void()>& body) {
+  const auto computed = [&] {
+    const bvh::StandardArithmetic arithmetic;
+    body();
+  };
   if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
-    tbb::this_task_arena::isolate(body);
+    tbb::this_task_arena::isolate(computed);
   } else {
     // An arena of its own keeps other work out, as isolation does. To make one takes a tenth of a
     // short query's time.
     tbb::task_arena arena(threads);
-    arena.execute(body);
+    arena.execute(computed);
   }
 }
 
@@ -34,6 +39,7 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
+          const bvh::StandardArithmetic arithmetic;
           for (std::size_t i = range.begin(); i < range.end(); ++i)
             part(i);
         },

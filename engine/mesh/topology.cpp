@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/mesh_data.h>
 #include <graze/narrowphase/adjacent_triangles.h>
 
@@ -100,12 +101,16 @@ Topology topology_of(std::span<const TriangleIndices> triangles,
 }  // namespace
 
 std::span<const std::uint32_t> Mesh::welded() const {
-  std::call_once(data_->welded_flag, [&] { data_->welded = weld(data_->vertices); });
+  std::call_once(data_->welded_flag, [&] {
+    const bvh::StandardArithmetic arithmetic;
+    data_->welded = weld(data_->vertices);
+  });
   return data_->welded;
 }
 
 const Topology& Mesh::topology() const {
   std::call_once(data_->topology_flag, [&] {
+    const bvh::StandardArithmetic arithmetic;
     std::vector<std::uint32_t> component_vertices;
     Topology topology = topology_of(data_->triangles, welded(), component_vertices);
     for (std::size_t i = 0; i < data_->triangles.size(); ++i) {

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/voxel_grid.h>
 
 #include <algorithm>
@@ -68,6 +69,7 @@ std::uint32_t smallest_count(const VoxelGrid& grid, const Aabb& bounds, int axis
 }  // namespace
 
 VoxelGrid VoxelGrid::over(const Aabb& bounds, std::uint32_t resolution) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(bounds, "voxel grid: bounds");
   if (resolution < 1 || resolution > kMaxResolution) {
     throw InputError("resolution: " + std::to_string(resolution) + " is not from 1 to " +
@@ -91,6 +93,7 @@ double VoxelGrid::plane(int axis, std::uint32_t index) const {
 }
 
 Aabb VoxelGrid::box(const Voxel& voxel) const {
+  const bvh::StandardArithmetic arithmetic;
   const std::uint32_t index[3] = {voxel.i, voxel.j, voxel.k};
   Aabb box;
   for (int axis = 0; axis < 3; ++axis) {

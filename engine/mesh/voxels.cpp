@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/voxel_descent.h>
@@ -27,8 +28,8 @@ constexpr std::uint64_t kMinTaskSize = 512;
 /// Counts parts as they are done, one thread at a time.
 class PartsDone {
  public:
-  PartsDone(const VoxelSettings& settings, std::size_t total)
-      : settings_(settings), total_(total) {}
+  PartsDone(const VoxelSettings& settings, std::uint64_t users_control_word, std::size_t total)
+      : settings_(settings), users_control_word_(users_control_word), total_(total) {}
 
   /// A part with so many voxels. Throws InputError if they become too many.
   void add(std::uint64_t voxels) {
@@ -42,12 +43,16 @@ class PartsDone {
                        std::to_string(settings_.max_voxels) + " voxels");
     }
     ++done_;
-    if (settings_.on_progress) settings_.on_progress(done_, total_);
+    if (settings_.on_progress) {
+      const bvh::UserArithmetic users(users_control_word_);
+      settings_.on_progress(done_, total_);
+    }
     is_over_ = false;
   }
 
  private:
   const VoxelSettings& settings_;
+  std::uint64_t users_control_word_;
   std::size_t total_;
   std::size_t done_ = 0;
   std::uint64_t voxels_ = 0;
@@ -85,16 +90,18 @@ VoxelTask whole_grid(const Mesh& mesh, const VoxelGrid& grid, VoxelFill fill, Wo
 }
 
 std::vector<VoxelRun> sorted_runs(const VoxelScene& scene, const VoxelTask& whole,
-                                  const VoxelSettings& settings, Work& work) {
+                                  const VoxelSettings& settings, std::uint64_t users_control_word,
+                                  Work& work) {
   VoxelDescent top(scene);
   std::vector<VoxelTask> tasks;
   top.split(whole, std::max(whole.block.size() / kTaskCount, kMinTaskSize), tasks);
 
   tbb::enumerable_thread_specific<VoxelDescent> descents([&] { return VoxelDescent(scene); });
-  PartsDone done(settings, tasks.size() + 1);
+  PartsDone done(settings, users_control_word, tasks.size() + 1);
   done.add(count_voxels(top.runs()));
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
                     [&](const tbb::blocked_range<std::size_t>& range) {
+                      const bvh::StandardArithmetic arithmetic;
                       VoxelDescent& descent = descents.local();
                       for (std::size_t i = range.begin(); i < range.end(); ++i) {
                         const std::size_t before = descent.runs().size();
@@ -127,16 +134,19 @@ std::vector<Voxel> expanded(const std::vector<VoxelRun>& runs) {
 }  // namespace
 
 Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   const int threads = arena_size(settings);
   Voxels result{VoxelGrid::over(mesh.bounds(), settings.resolution), {}};
   if (settings.fill == VoxelFill::Solid) check_closed(mesh, "the mesh");
   CountedWork counted(work);
+  const std::uint64_t users_control_word = bvh::users_control_word();
   tbb::task_arena(threads).execute([&] {
+    const bvh::StandardArithmetic in_arena;  // where another thread may be
     const bvh::Tree& tree = mesh.tree(&counted.work());
     const VoxelPlanes planes(result.grid, tree.frame, mesh.bounds());
     const VoxelTask whole = whole_grid(mesh, result.grid, settings.fill, counted.work());
-    result.voxels =
-        expanded(sorted_runs({mesh, tree, planes, settings.fill}, whole, settings, counted.work()));
+    result.voxels = expanded(sorted_runs({mesh, tree, planes, settings.fill}, whole, settings,
+                                         users_control_word, counted.work()));
   });
   return result;
 }

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/io/source.h>
@@ -66,7 +67,9 @@ class ReportingBoxFile {
   void count() {
     ++done_;
     const bool is_due = done_ % kInterval == 0 || done_ == total_;
-    if (is_due && settings_.on_progress) settings_.on_progress(done_, total_);
+    if (!is_due || !settings_.on_progress) return;
+    const bvh::UserArithmetic users;
+    settings_.on_progress(done_, total_);
   }
 
   mesh_io::BoxFile& boxes_;
@@ -89,6 +92,7 @@ void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
 
 void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
                   const VoxelWriteSettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
   check_voxels(voxels);
   check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/scenes/body_path.h>
 #include <graze/engine/scenes/turn.h>
 
@@ -50,6 +51,7 @@ Pose pose_on(const SteadyPath& path, const Pose& start, double time) {
 }  // namespace
 
 Pose pose_at(const BodyPath& path, const Pose& start, double time) {
+  const bvh::StandardArithmetic arithmetic;
   if (const auto* keys = std::get_if<KeyPath>(&path)) return pose_on(*keys, time);
   if (const auto* steady = std::get_if<SteadyPath>(&path)) return pose_on(*steady, start, time);
   return start;

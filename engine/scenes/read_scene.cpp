@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/io/source.h>
@@ -82,6 +83,7 @@ Scene scene_of(const JsonCursor& root, scenes::MeshFiles& files) {
 
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   const std::string printable = mesh_io::printable(name);
   try {
     const cases::JsonValue tree = cases::parse_json(bytes, printable);
@@ -93,6 +95,7 @@ Scene parse_scene(std::string_view bytes, const std::string& name,
 }
 
 Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   const std::string name = path.string();
   ReadSceneSettings here = settings;
   if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <graze/bvh/error.h>
@@ -20,6 +21,7 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
     : scene_(scene),
       step_(settings.step == 0 ? scene.step : settings.step),
       world_(settings.world) {
+  const bvh::StandardArithmetic arithmetic;
   if (!(step_ > 0) || !std::isfinite(step_)) {
     throw InputError("the step of a simulation is not a positive number of seconds");
   }
@@ -37,12 +39,14 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
 }
 
 WorldUpdate Simulation::advance() {
+  const bvh::StandardArithmetic arithmetic;
   ++count_;
   if (count_ > 1) move_bodies();
   return world_.update();
 }
 
 void Simulation::move_bodies() {
+  const bvh::StandardArithmetic arithmetic;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     const SceneBody& body = scene_.bodies[i];
     if (std::holds_alternative<std::monostate>(body.path)) continue;
@@ -59,6 +63,7 @@ void Simulation::move_bodies() {
 // Positions between keys lie between theirs, and a steady path leads away from its start or
 // nowhere.
 void check_paths(const Scene& scene, double end) {
+  const bvh::StandardArithmetic arithmetic;
   for (const SceneBody& body : scene.bodies) {
     try {
       bounds_of(scene.shapes[body.shape].shape, pose_at(body, end));

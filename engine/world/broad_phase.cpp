@@ -1,4 +1,5 @@
 #include <graze/bvh/box_set/overlap_tracker.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
 
@@ -88,6 +89,7 @@ BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 BoxId BroadPhase::add(const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "add");
   const std::uint32_t index = state_->ids.take();
   state_->unsettle();
@@ -96,6 +98,7 @@ BoxId BroadPhase::add(const Aabb& box) {
 }
 
 void BroadPhase::move(BoxId id, const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   state_->check(id, "move");
   check_box(box, "move");
   state_->unsettle();
@@ -103,6 +106,7 @@ void BroadPhase::move(BoxId id, const Aabb& box) {
 }
 
 void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   if (ids.size() != boxes.size()) {
     throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
@@ -144,6 +148,7 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
 }
 
 void BroadPhase::remove(BoxId id) {
+  const bvh::StandardArithmetic arithmetic;
   state_->check(id, "remove");
   state_->unsettle();
   state_->tracker.erase(id.index);
@@ -151,6 +156,7 @@ void BroadPhase::remove(BoxId id) {
 }
 
 void BroadPhase::update() {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   ++state.work.updates;
   const bool has_changed = state.tracker.update();
@@ -173,6 +179,7 @@ bool BroadPhase::contains(BoxId id) const {
 }
 
 Aabb BroadPhase::box(BoxId id) const {
+  const bvh::StandardArithmetic arithmetic;
   state_->check(id, "box");
   return bvh::box_of_keys(state_->box(id.index));
 }
@@ -193,19 +200,23 @@ std::span<const BoxPair> BroadPhase::sorted_pairs() {
 }
 
 std::span<const BoxPair> BroadPhase::begun() {
+  const bvh::StandardArithmetic arithmetic;
   return state_->tracker.begun();
 }
 
 std::span<const BoxPair> BroadPhase::ended() {
+  const bvh::StandardArithmetic arithmetic;
   return state_->tracker.ended();
 }
 
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "find_overlapping");
   state_->settled().find_overlapping(bvh::ordered_box(box), indices);
 }
 
 void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
+  const bvh::StandardArithmetic arithmetic;
   check_ray(ray, "visit_along");
   const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
   const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
@@ -213,7 +224,11 @@ void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
     return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
   };
   double limit = limit_for(ray.max_distance);
-  const auto look = [&](std::uint32_t index) { return limit_for(visit(index)); };
+  const auto visited = [&](std::uint32_t index) {
+    const bvh::UserArithmetic users;
+    return visit(index);
+  };
+  const auto look = [&](std::uint32_t index) { return limit_for(visited(index)); };
   state_->settled().walk_along(slabs, limit, std::cref(look));
 }
 

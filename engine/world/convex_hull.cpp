@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/shape.h>
 #include <graze/narrowphase/convex/hull.h>
@@ -38,6 +39,7 @@ void check_size(const std::vector<narrowphase::Vec3>& points) {
 }  // namespace
 
 ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
+  const bvh::StandardArithmetic arithmetic;
   if (points.empty()) throw InputError("convex hull: no points");
   std::vector<narrowphase::Vec3> copied;
   copied.reserve(points.size());
@@ -63,6 +65,7 @@ std::size_t ConvexHull::vertex_count() const {
 }
 
 Eigen::Vector3d ConvexHull::vertex(std::size_t index) const {
+  const bvh::StandardArithmetic arithmetic;
   const narrowphase::Vec3 corner = hull_->corners.at(index) + hull_->middle;
   return {corner.x, corner.y, corner.z};
 }

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/world/contact_questions.h>
 #include <graze/engine/world/manifold.h>
@@ -104,6 +105,7 @@ Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& wor
 
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};

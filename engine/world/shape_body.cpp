@@ -1,5 +1,6 @@
 // What a world asks of a Shape, answered by the table of all pairs.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/pair_input.h>
@@ -8,10 +9,12 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/shape_work.h>
+#include <graze/engine/world/users_shape.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <typeinfo>
 #include <utility>
 
 namespace graze {
@@ -66,15 +69,23 @@ class ShapeBody final : public BodyShape {
   Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
 
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    const bvh::StandardArithmetic arithmetic;
     const Shape* shape = other.shape();
-    if (shape == nullptr) return other.touches(other_pose, *this, pose);
+    if (shape == nullptr) {
+      const bvh::UserArithmetic users;
+      return other.touches(other_pose, *this, pose);
+    }
     return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
   }
 
   Manifold contacts(const Pose& pose, const BodyShape& other,
                     const Pose& other_pose) const override {
+    const bvh::StandardArithmetic arithmetic;
     const Shape* shape = other.shape();
-    if (shape == nullptr) return mirrored(other.contacts(other_pose, *this, pose));
+    if (shape == nullptr) {
+      const bvh::UserArithmetic users;
+      return mirrored(other.contacts(other_pose, *this, pose));
+    }
     // No finite translation parts two half-spaces: they touch, and have no contact.
     if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
     return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
@@ -82,8 +93,10 @@ class ShapeBody final : public BodyShape {
 
   std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
                                const Pose& other_pose) const override {
+    const bvh::StandardArithmetic arithmetic;
     const Shape* shape = other.shape();
     if (shape == nullptr) {
+      const bvh::UserArithmetic users;
       std::optional<Manifold> found = other.meet(other_pose, *this, pose);
       if (found) found = mirrored(*found);
       return found;
@@ -104,6 +117,7 @@ class ShapeBody final : public BodyShape {
   // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
   // as much as the door lets in: see bounds_of().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    const bvh::StandardArithmetic arithmetic;
     const Shape* shape = other.shape();
     if (shape == nullptr) return 0;
     const PairMethod method = pair_method(shape_.kind(), shape->kind());
@@ -177,7 +191,12 @@ double BodyShape::reach() const {
   return std::numeric_limits<double>::infinity();
 }
 
+bool is_users_shape(const BodyShape& shape) {
+  return typeid(shape) != typeid(ShapeBody);
+}
+
 std::shared_ptr<const BodyShape> share(const Shape& shape) {
+  const bvh::StandardArithmetic arithmetic;
   return std::make_shared<ShapeBody>(shape);
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/next_double.h>
 #include <graze/engine/world/placed_core.h>
@@ -115,6 +116,7 @@ Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
 }  // namespace
 
 double check_pose(const Pose& pose, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   const double deviation = check_rigid(pose, what);
   for (int i = 0; i < 3; ++i) {
     if (std::abs(pose.data()[12 + i]) <= kLargestLength) continue;
@@ -125,6 +127,7 @@ double check_pose(const Pose& pose, const char* what) {
 }
 
 Aabb bounds_of(const Shape& shape, const Pose& pose) {
+  const bvh::StandardArithmetic arithmetic;
   const double deviation = check_pose(pose, "pose");
   if (const auto* half_space = shape.as<HalfSpace>())
     return bounds_of_half_space(*half_space, pose);
@@ -135,6 +138,7 @@ Aabb bounds_of(const Shape& shape, const Pose& pose) {
 
 // A difference of doubles is no less than the least double, and as exact as that.
 BoxGap gap_between(const Aabb& a, const Aabb& b) {
+  const bvh::StandardArithmetic arithmetic;
   BoxGap most;
   for (int i = 0; i < 3; ++i) {
     const double after = b.min.data()[i] - a.max.data()[i];

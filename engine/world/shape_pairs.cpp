@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/obb.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
@@ -211,6 +212,7 @@ bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) 
 
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
   return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
@@ -218,6 +220,7 @@ bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, 
 
 ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_poses(pose_a, pose_b);
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/ray_slabs.h>
 #include <graze/engine/world/placed_core.h>
 #include <graze/engine/world/shape_bounds.h>
@@ -30,6 +31,7 @@ std::optional<CoreRayHit> cast_at_plane(const HalfSpace& half_space, const Pose&
 }  // namespace
 
 std::optional<RayHit> cast_ray(const Shape& shape, const Pose& pose, const Ray& ray, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   check_ray(ray, "ray");
   check_pose(pose, "pose");
   if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMesh{*mesh, pose}, ray, work);

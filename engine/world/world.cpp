@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/world_state.h>
@@ -12,8 +13,8 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
   return static_cast<std::uint64_t>(s) << 32 | t;
 }
 
-Aabb bounds_of(const BodyShape& shape, const Pose& pose, const char* what) {
-  Aabb box = shape.bounds(pose);
+Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const char* what) {
+  const Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
   check_box(box, what);
   return box;
 }
@@ -73,8 +74,8 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   check_rigid(pose, what);
-  places.push_back(bounds_of(*mover.shape, pose, what));
-  reaches.push_back(mover.shape->reach());
+  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
+  reaches.push_back(mover.ask([](const BodyShape& shape) { return shape.reach(); }));
   boxes_to_move.push_back(broad.id(mover.box));
 }
 
@@ -92,8 +93,8 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
 
 /// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
 /// a shape of a user's own may throw.
-const Mesh* World::State::prepared_mesh(const BodyShape& shape) const {
-  const Shape* known = shape.shape();
+const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
+  const Shape* known = ask_shape(is_users, [&] { return shape.shape(); });
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
   if (mesh != nullptr && !settings.skip_unused_trees) {
     prepare(*mesh);
@@ -106,6 +107,7 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
                               const Mesh* mesh) {
   const bool is_unbuilt = unbuilt.add(mesh);
   drop_shape(index);
+  all.bodies[index].is_users = is_users_shape(*shape);
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
   all.ways[index].has_unbuilt_tree = is_unbuilt;
@@ -131,12 +133,14 @@ World& World::operator=(World&&) noexcept = default;
 
 BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
                   const BodySettings& settings) {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   state.check_is_free("add");
   if (shape == nullptr) throw InputError("add: no shape");
   check_rigid(pose, "add");
-  const Aabb box = bounds_of(*shape, pose, "add");
-  const Mesh* mesh = state.prepared_mesh(*shape);
+  const bool is_users = is_users_shape(*shape);
+  const Aabb box = bounds_of(*shape, is_users, pose, "add");
+  const Mesh* mesh = state.prepared_mesh(*shape, is_users);
   const std::uint32_t index = state.all.ids.take();
   if (index >= state.all.bodies.size())
     state.all.bodies.emplace_back(), state.all.ways.emplace_back();
@@ -175,12 +179,14 @@ void World::remove(BodyId id) {
 }
 
 void World::move(BodyId id, const Pose& pose) {
+  const bvh::StandardArithmetic arithmetic;
   state_->begin_move();
   state_->prepare_move(id, pose, "move");
   state_->move_prepared({&id, 1}, {&pose, 1});
 }
 
 void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   if (ids.size() != poses.size()) {
     throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
@@ -200,11 +206,13 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
 }
 
 void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   Bodies::Body& body = state.body(id, "set_shape");
   if (shape == nullptr) throw InputError("set_shape: no shape");
-  const Aabb box = bounds_of(*shape, body.pose, "set_shape");
-  const Mesh* mesh = state.prepared_mesh(*shape);
+  const bool is_users = is_users_shape(*shape);
+  const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
+  const Mesh* mesh = state.prepared_mesh(*shape, is_users);
   state.broad.move(state.broad.id(body.box), box);
   state.take_shape(id.index, std::move(shape), mesh);
   body.is_awake = true;
@@ -213,6 +221,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
 }
 
 void World::set_shape(BodyId id, const Shape& shape) {
+  const bvh::StandardArithmetic arithmetic;
   set_shape(id, share(shape));
 }
 

@@ -1,5 +1,6 @@
 // Where bodies that touch meet: found when asked for, from the poses alone.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/world_state.h>
 
 #include <algorithm>
@@ -16,7 +17,8 @@ void World::State::check_is_settled(const char* what) const {
 BodyContact World::State::contact_of(const BodyPair& pair) const {
   const Bodies::Body& a = all.bodies[pair.a.index];
   const Bodies::Body& b = all.bodies[pair.b.index];
-  return {pair, a.shape->contacts(a.pose, *b.shape, b.pose)};
+  return {pair,
+          a.ask([&](const BodyShape& shape) { return shape.contacts(a.pose, *b.shape, b.pose); })};
 }
 
 /// Whether the two touch; if so, and if anyone asks, their contacts are found in the same go.
@@ -24,8 +26,9 @@ bool World::State::test(BoxPair pair) {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
   if (!settings.contacts || !all.are_solid(pair.a, pair.b))
-    return a.shape->touches(a.pose, *b.shape, b.pose);
-  const std::optional<Manifold> manifold = a.shape->meet(a.pose, *b.shape, b.pose);
+    return a.ask([&](const BodyShape& shape) { return shape.touches(a.pose, *b.shape, b.pose); });
+  const std::optional<Manifold> manifold =
+      a.ask([&](const BodyShape& shape) { return shape.meet(a.pose, *b.shape, b.pose); });
   if (manifold) found.add(all.id_pair(pair), *manifold);
   return manifold.has_value();
 }
@@ -48,6 +51,7 @@ void World::State::sort_contacts() {
 }
 
 std::vector<BodyContact> World::contacts() const {
+  const bvh::StandardArithmetic arithmetic;
   state_->check_is_settled("contacts");
   std::vector<BodyContact> contacts;
   for (const BodyPair& pair : pairs()) {

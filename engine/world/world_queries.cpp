@@ -1,5 +1,6 @@
 // Which bodies are at or near a shape that is none of them.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/world_state.h>
 
@@ -80,6 +81,7 @@ bool World::State::asks_for_any(const BodyQuerySettings& query) const {
 }
 
 std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "find_in_box");
   std::vector<BodyId> bodies;
   for (const std::uint32_t index : state_->find_bodies(box, settings))
@@ -89,6 +91,7 @@ std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings&
 
 std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
                                          const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   const State& state = *state_;
   const std::shared_ptr<const BodyShape> asked = share(shape);
   std::vector<BodyId> touching;
@@ -101,6 +104,7 @@ std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
 
 std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pose, double clearance,
                                              const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   if (!(clearance >= 0 && clearance <= kLargest))
     throw InputError("find_within: the clearance is not finite or negative");
   const State& state = *state_;
@@ -117,6 +121,7 @@ std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pos
 // is in a box that is grown by its distance.
 std::optional<BodyDistance> World::find_closest(const Shape& shape, const Pose& pose,
                                                 const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   const State& state = *state_;
   const Aabb own = bounds_of(shape, pose);
   std::optional<BodyDistance> best;

@@ -1,5 +1,6 @@
 // Which bodies a ray meets.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/world_state.h>
 
 #include <algorithm>
@@ -22,17 +23,20 @@ void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
                                 OnHit&& on_hit) const {
   Ray shorter = ray;
   const auto look = [&](std::uint32_t box) {
+    const bvh::StandardArithmetic arithmetic;  // as the user of the broad phase that the world is
     const std::uint32_t index = body_of_box[box];
     const Bodies::Body& body = all.bodies[index];
     if (!is_asked_for(index, query)) return shorter.max_distance;
-    if (const auto hit = body.shape->cast_ray(body.pose, shorter))
-      shorter.max_distance = on_hit(BodyRayHit{all.id(index), *hit});
+    const auto hit =
+        body.ask([&](const BodyShape& shape) { return shape.cast_ray(body.pose, shorter); });
+    if (hit) shorter.max_distance = on_hit(BodyRayHit{all.id(index), *hit});
     return shorter.max_distance;
   };
   broad.visit_along(ray, std::cref(look));  // a reference: nothing is allocated
 }
 
 std::optional<BodyRayHit> World::cast_ray(const Ray& ray, const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   check_ray(ray, "cast_ray");
   std::optional<BodyRayHit> first;
   state_->for_each_hit(ray, settings, [&](const BodyRayHit& hit) {
@@ -44,6 +48,7 @@ std::optional<BodyRayHit> World::cast_ray(const Ray& ray, const BodyQuerySetting
 
 std::vector<BodyRayHit> World::cast_ray_all(const Ray& ray,
                                             const BodyQuerySettings& settings) const {
+  const bvh::StandardArithmetic arithmetic;
   check_ray(ray, "cast_ray_all");
   std::vector<BodyRayHit> hits;
   state_->for_each_hit(ray, settings, [&](const BodyRayHit& hit) {

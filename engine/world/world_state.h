@@ -5,6 +5,7 @@
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
 #include <graze/engine/world/unbuilt_trees.h>
+#include <graze/engine/world/users_shape.h>
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
@@ -25,6 +26,12 @@ struct Bodies {
     Motion motion = Motion::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
+    bool is_users = false;  // the shape's class is
+    /// What `question(shape)` says, computed as its author does.
+    template <typename Question>
+    auto ask(const Question& question) const {
+      return ask_shape(is_users, [&] { return question(*shape); });
+    }
     bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
   };
 
@@ -176,7 +183,7 @@ struct World::State {
   void begin_move();
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
-  const Mesh* prepared_mesh(const BodyShape& shape) const;
+  const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
   void look_for_tree(std::uint32_t index);

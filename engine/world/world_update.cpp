@@ -1,6 +1,7 @@
 // What an update of a world does: which pairs are candidates now, and which of those in which
 // something changed touch.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/quick_gap.h>
 #include <graze/engine/world/shape_work.h>
 #include <graze/engine/world/world_state.h>
@@ -84,7 +85,9 @@ bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
       excluded.contains(static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b))) {
     return false;
   }
-  return !pair_filter || pair_filter(id(std::min(a, b)), id(std::max(a, b)));
+  if (!pair_filter) return true;
+  const bvh::UserArithmetic users;
+  return pair_filter(id(std::min(a, b)), id(std::max(a, b)));
 }
 
 void Candidates::add(BoxPair pair) {
@@ -276,7 +279,8 @@ void World::State::test_pairs_at_rest() {
     const Bodies::Body& b = all.bodies[pair.b];
     if (is_due(pair) || (!all.is_up(pair.a) && !all.is_up(pair.b))) continue;
     ++work.shape_tests;
-    note_answer(at, a.shape->touches(a.pose, *b.shape, b.pose));
+    note_answer(
+        at, a.ask([&](const BodyShape& shape) { return shape.touches(a.pose, *b.shape, b.pose); }));
     look_for_tree(pair.a), look_for_tree(pair.b);
   }
 }
@@ -311,7 +315,8 @@ void World::State::learn_gap(std::uint32_t at) {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
   if (!separation.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
-  const double gap = a.shape->gap(a.pose, *b.shape, b.pose);
+  const double gap =
+      a.ask([&](const BodyShape& shape) { return shape.gap(a.pose, *b.shape, b.pose); });
   separation.set_gap(gap, all.ways[pair.a].path, all.ways[pair.b].path);
   ++work.gaps_measured;
 }
@@ -353,6 +358,7 @@ void World::State::list_changes() {
 // Filters and shapes of a user's own may throw. What had begun and ended until then is told by the
 // next update, which looks at everything anew.
 WorldUpdate World::update() {
+  const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
   state.check_is_free("update");
   if (state.is_cut_short) {
@@ -383,13 +389,15 @@ WorldSnapshot World::snapshot() const {
 }
 
 void World::restore(const WorldSnapshot& snapshot) {
+  const bvh::StandardArithmetic arithmetic;
   state_->check_is_free("restore");
   auto fresh = std::make_unique<State>(state_->settings);
   fresh->all = snapshot.state_->all;
   for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
     if (!fresh->all.ids.is_live(index)) continue;
     const Bodies::Body& body = fresh->all.bodies[index];
-    fresh->insert_box(index, body.shape->bounds(body.pose));
+    fresh->insert_box(index,
+                      body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
     fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
   }
   fresh->broad.update();

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/distance_stages.h>
 #include <graze/narrowphase/derived/witness.h>
@@ -69,6 +70,7 @@ TriangleDistance distance_exactly(const Triangle& triangle_a, const Triangle& tr
 }  // namespace narrowphase
 
 TriangleDistance distance(const Triangle& triangle_a, const Triangle& triangle_b) {
+  const bvh::StandardArithmetic arithmetic;
   return narrowphase::decide_distance(triangle_a, triangle_b).result;
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/triangle_intersection.h>
 #include <graze/narrowphase/finite.h>
@@ -15,6 +16,7 @@ IntersectionKind kind_of(int count) {
 }  // namespace
 
 TriangleIntersection intersection(const Triangle& triangle_a, const Triangle& triangle_b) {
+  const bvh::StandardArithmetic arithmetic;
   narrowphase::check_finite(triangle_a, "triangle A");
   narrowphase::check_finite(triangle_b, "triangle B");
   const narrowphase::OrderedTriangles triangles = narrowphase::ordered(triangle_a, triangle_b);

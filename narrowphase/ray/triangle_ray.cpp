@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/sign_of_products.h>
 #include <graze/narrowphase/finite.h>
 #include <graze/narrowphase/ray/ray_stages.h>
@@ -76,6 +77,7 @@ std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedR
 }  // namespace narrowphase
 
 std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const Ray& ray) {
+  const bvh::StandardArithmetic arithmetic;
   narrowphase::check_finite(triangle, "triangle");
   check_ray(ray, "ray");
   narrowphase::Stage stage;

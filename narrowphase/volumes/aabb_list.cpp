@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/aabb_list.h>
 #include <graze/narrowphase/volumes/batch_sizes.h>
 #include <graze/narrowphase/volumes/kdop_kernels.h>
@@ -21,6 +22,7 @@ Aabb AabbList::operator[](std::size_t index) const {
 }
 
 void AabbList::add(const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
   rows_.add(row_of(box));
 }
@@ -31,12 +33,14 @@ AabbArray AabbList::view() const {
 }
 
 void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "box");
   narrowphase::check_hits(hits, boxes.size());
   narrowphase::find_overlaps(row_of(box), boxes.rows().rows(), hits.size(), hits.data());
 }
 
 void overlaps(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
   narrowphase::check_hits(hits, boxes_a.size());
   narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),

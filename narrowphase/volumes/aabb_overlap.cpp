@@ -1,8 +1,10 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/aabb_overlap.h>
 
 namespace graze {
 
 bool overlaps(const Aabb& box_a, const Aabb& box_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box_a, "box a");
   check_box(box_b, "box b");
   bool is_hit = true;

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/contains.h>
 #include <cmath>
@@ -43,6 +44,7 @@ bool is_in_slab(const KDop<18>& kdop, int slab, const double* point) {
 }  // namespace
 
 bool contains(const Aabb& box, const Eigen::Vector3d& point) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "box");
   check_point(point, "point");
   bool is_inside = true;
@@ -53,6 +55,7 @@ bool contains(const Aabb& box, const Eigen::Vector3d& point) {
 }
 
 bool contains(const Aabb& outer, const Aabb& inner) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(outer, "outer box");
   check_box(inner, "inner box");
   bool is_inside = true;
@@ -64,6 +67,7 @@ bool contains(const Aabb& outer, const Aabb& inner) {
 }
 
 bool contains(const Obb& box, const Eigen::Vector3d& point) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "box");
   check_point(point, "point");
   const Eigen::Vector3d local = narrowphase::point_into_frame(point, box.pose);
@@ -75,6 +79,7 @@ bool contains(const Obb& box, const Eigen::Vector3d& point) {
 }
 
 bool contains(const KDop<18>& kdop, const Eigen::Vector3d& point) {
+  const bvh::StandardArithmetic arithmetic;
   check_kdop(kdop, "k-DOP");
   check_point(point, "point");
   bool is_inside = true;

@@ -3,6 +3,7 @@
 // centre: they touch if sum (e_i / a_i)^2 <= 1. Along an axis with a_i = 0 the way must be 0.
 
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/exact_vector.h>
 #include <graze/narrowphase/volumes/ellipsoid_box.h>
 #include <graze/narrowphase/volumes/sphere_distance.h>
@@ -66,6 +67,7 @@ Decision decide(const Ellipsoid& ellipsoid, const Aabb& box) {
 }  // namespace narrowphase
 
 void check_ellipsoid(const Ellipsoid& ellipsoid, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(ellipsoid.centre.data()[i])) {
       throw InputError(std::string(what) + ": coordinate " + "xyz"[i] +
@@ -80,6 +82,7 @@ void check_ellipsoid(const Ellipsoid& ellipsoid, const char* what) {
 }
 
 bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_ellipsoid(ellipsoid, "ellipsoid");
   check_box(box, "box");
   return narrowphase::decide(ellipsoid, box).is_hit;

@@ -1,8 +1,10 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/kdop_overlap.h>
 
 namespace graze {
 
 bool overlaps(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_kdop(kdop_a, "k-DOP a");
   check_kdop(kdop_b, "k-DOP b");
   bool is_hit = true;

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/separating_axes.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
@@ -100,12 +101,14 @@ bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
 }  // namespace narrowphase
 
 bool overlaps(const Obb& box_a, const Obb& box_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box_a, "box a");
   check_box(box_b, "box b");
   return narrowphase::may_overlap(narrowphase::row_of(box_a), narrowphase::row_of(box_b));
 }
 
 bool overlaps(const Aabb& aligned, const Obb& oriented) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(aligned, "aligned box");
   check_box(oriented, "oriented box");
   return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented));

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_kernels.h>
@@ -68,6 +69,7 @@ void settle(std::span<std::uint8_t> hits, const DecideOne& decide_one) {
 }  // namespace
 
 void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere, "sphere");
   narrowphase::check_lengths(spheres, "spheres");
   check_hits(hits, spheres.size());
@@ -79,6 +81,7 @@ void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::u
 
 void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
               std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   narrowphase::check_lengths(spheres_a, "spheres a");
   narrowphase::check_lengths(spheres_b, "spheres b");
   if (spheres_a.size() != spheres_b.size()) {
@@ -94,6 +97,7 @@ void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
 }
 
 void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere, "sphere");
   narrowphase::check_lengths(boxes, "boxes");
   check_hits(hits, boxes.size());
@@ -103,6 +107,7 @@ void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8
 }
 
 void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   check_box(box, "box");
   narrowphase::check_lengths(spheres, "spheres");
   check_hits(hits, spheres.size());
@@ -112,6 +117,7 @@ void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_
 }
 
 void overlaps(const SphereArray& spheres, const AabbArray& boxes, std::span<std::uint8_t> hits) {
+  const bvh::StandardArithmetic arithmetic;
   narrowphase::check_lengths(spheres, "spheres");
   narrowphase::check_lengths(boxes, "boxes");
   if (spheres.size() != boxes.size()) {

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 
@@ -12,6 +13,7 @@ Decision decide(const Sphere& sphere, const Aabb& box) {
 }  // namespace narrowphase
 
 bool overlaps(const Sphere& sphere, const Aabb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere, "sphere");
   check_box(box, "box");
   return narrowphase::decide(sphere, box).is_hit;
@@ -22,6 +24,7 @@ bool overlaps(const Aabb& box, const Sphere& sphere) {
 }
 
 bool overlaps(const Sphere& sphere, const Obb& box) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere, "sphere");
   check_box(box, "box");
   Aabb local;

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/sphere_distance.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 #include <cmath>
@@ -27,12 +28,14 @@ Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point) {
 }  // namespace narrowphase
 
 bool overlaps(const Sphere& sphere_a, const Sphere& sphere_b) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere_a, "sphere a");
   check_sphere(sphere_b, "sphere b");
   return narrowphase::decide(sphere_a, sphere_b).is_hit;
 }
 
 bool contains(const Sphere& sphere, const Eigen::Vector3d& point) {
+  const bvh::StandardArithmetic arithmetic;
   check_sphere(sphere, "sphere");
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(point.data()[i])) {

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 namespace graze {
@@ -12,6 +13,7 @@ Decision decide(const Triangle& triangle, const Sphere& sphere) {
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Sphere& sphere) {
+  const bvh::StandardArithmetic arithmetic;
   return narrowphase::decide(triangle, sphere).is_hit;
 }
 

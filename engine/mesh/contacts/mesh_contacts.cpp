@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/contacts/contact_normal.h>
 #include <graze/engine/mesh/contacts/inner_parts.h>
 #include <graze/engine/mesh/contacts/last_contact.h>
@@ -130,6 +131,7 @@ class ContactQuery {
 
 MeshContacts find_contacts(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                            const ContactSettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   ContactQuery query(mesh_a, mesh_b, settings.volume, counted.work());
   MeshContacts result;

@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/contacts/cell_complex.h>
 #include <graze/engine/mesh/contacts/curves.h>
 #include <graze/engine/mesh/contacts/disjoint_sets.h>
@@ -83,6 +84,7 @@ void add_touching_points(const CellComplex& complex, MeshIntersection& result) {
 
 MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                    const QuerySettings& settings, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   require_touch_included(settings, "find_intersection");
   require_surface(settings, "find_intersection");
   CellComplex complex = contacts::intersect_cells(mesh_a, mesh_b, settings.volume, work);

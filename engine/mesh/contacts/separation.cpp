@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/contacts/last_contact.h>
 #include <graze/engine/mesh/contacts/mesh_contacts.h>
 #include <graze/engine/mesh/contacts/middle.h>
@@ -59,6 +60,7 @@ std::vector<Eigen::Vector3d> candidates(const PlacedMesh& a, const PlacedMesh& b
 
 Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const Eigen::Vector3d& direction, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A");
   check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B");
@@ -68,6 +70,7 @@ Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& me
 }
 
 Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
+  const bvh::StandardArithmetic arithmetic;
   CountedWork counted(work);
   if (!intersects(mesh_a, mesh_b, &counted.work())) return separation_of(0, {1, 0, 0}, mesh_b.pose);
   double shortest = kInfinity;

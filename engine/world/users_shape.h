@@ -1,0 +1,21 @@
+#pragma once
+
+// Shapes of a user's own. Private to engine/world.
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/body.h>
+
+namespace graze {
+
+/// False for what share() makes.
+bool is_users_shape(const BodyShape& shape);
+
+/// What `question()`, which asks the shape, says: of a user's own computed the user's way.
+template <typename Question>
+auto ask_shape(bool is_users, const Question& question) {
+  if (!is_users) return question();
+  const bvh::UserArithmetic users;
+  return question();
+}
+
+}  // namespace graze

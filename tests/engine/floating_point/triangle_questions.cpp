@@ -1,0 +1,82 @@
+#include "tests/engine/floating_point/questions.h"
+
+namespace graze::tests {
+namespace {
+
+void add_distance(Words& words, const TriangleDistance& found) {
+  words.add(found.distance), words.add(found.point_a), words.add(found.point_b);
+}
+
+}  // namespace
+
+std::vector<Question> triangle_questions() {
+  return {
+      {"intersects(Triangle, Triangle)",
+       [](const Inputs& in, Words& words) {
+         words.add(intersects(in.triangle_a, in.triangle_b));
+         for (const Triangle& triangle : in.triangles)
+           words.add(intersects(in.triangle_a, triangle));
+       }},
+      {"crosses",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           words.add(crosses(in.triangle_a, triangle));
+       }},
+      {"intersects(Triangle, Triangle, Touch)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           words.add(intersects(in.triangle_b, triangle, Touch::Include));
+       }},
+      {"intersects(Triangle, Aabb)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           words.add(intersects(triangle, in.box_a));
+       }},
+      {"intersects(Triangle, Obb)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           words.add(intersects(triangle, in.obb_a));
+       }},
+      {"intersects(Triangle, Sphere)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           words.add(intersects(triangle, in.ball_a));
+       }},
+      {"distance(Triangle, Triangle)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles)
+           add_distance(words, distance(in.triangle_a, triangle));
+       }},
+      {"intersection(Triangle, Triangle)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles) {
+           for (const Eigen::Vector3d& corner : intersection(in.triangle_a, triangle))
+             words.add(corner);
+         }
+       }},
+      {"cast_ray(Triangle)",
+       [](const Inputs& in, Words& words) {
+         for (const Triangle& triangle : in.triangles) {
+           const std::optional<TriangleRayHit> hit = cast_ray(triangle, in.ray);
+           words.add(hit.has_value());
+           if (hit) words.add(hit->distance), words.add(hit->point), words.add(hit->normal);
+         }
+       }},
+      {"volumes around triangles",
+       [](const Inputs& in, Words& words) {
+         words.add(fit_aabb(in.triangles)), words.add(ritter_sphere(in.triangles));
+         words.add(minimal_sphere(in.triangles)), words.add(fit_kdop(in.triangles));
+         words.add(ditetrahedron_box(in.triangles)), words.add(tight_box(in.triangles));
+         words.add(covariance_box(in.triangles));
+       }},
+      {"volumes around points",
+       [](const Inputs& in, Words& words) {
+         words.add(fit_aabb(in.vertices_a)), words.add(ritter_sphere(in.vertices_a));
+         words.add(minimal_sphere(in.vertices_a)), words.add(fit_kdop(in.vertices_a));
+         words.add(ditetrahedron_box(in.vertices_a)), words.add(tight_box(in.vertices_a));
+         words.add(covariance_box(in.vertices_a));
+       }},
+  };
+}
+
+}  // namespace graze::tests
