@@ -8,10 +8,15 @@
 
 namespace graze::tests {
 
+/// Whether an answer is worked out by the thread that asks, or may be handed to oneTBB as well,
+/// which ThreadSanitizer cannot follow (tests/README.md).
+enum class WorkedOutBy { Asker, OneTbbToo };
+
 /// Something that can be the first that is ever asked of two meshes. The answer in all its bits.
 struct FirstQuestion {
   const char* name;
   Digest (*ask)(const Mesh& a, const Mesh& b);
+  WorkedOutBy by = WorkedOutBy::Asker;
 };
 
 /// Every kind of query, and all that a mesh computes when first asked for it. For closed meshes of
