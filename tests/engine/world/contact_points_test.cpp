@@ -236,6 +236,27 @@ TEST(ContactPoints, OfBoxesThatAreNearlyFlush) {
   }
 }
 
+/// The edges whose product is the way out pass each other beyond an end of the one, as another such
+/// way is a little shorter: the points of these edges that are nearest would be a fifth of the
+/// depth beside each other.
+TEST(ContactPoints, OfEdgesThatPassBeyondAnEnd) {
+  Placed cube{Box{{1, 1, 1}}, at(0)};
+  cube.pose.linear() << -0x1.411c544904c05p-1, 0x1.8e63b908956c4p-1, 0x1.1d31867b561cp-5,
+      0x1.b61db44db96b1p-3, 0x1.08681b90929bfp-3, 0x1.efc28e9670479p-1, 0x1.7f73ae049966p-1,
+      0x1.3abd104cde2f6p-1, -0x1.faba52bc4bc7bp-3;
+  Placed rod{Box{{0.1, 4, 0.1}}, at(0)};
+  cube.pose.translation() =
+      Vector3d(-0x1.39e00ddf8312p+3, 0x1.f3f8fc9d3b0d4p+2, -0x1.0fa9053ce82f5p+3);
+  rod.pose.linear() << -0x1.0d7adde886f28p-3, 0x1.fb82750614c04p-1, 0x1.912d30c04da66p-7,
+      -0x1.46e51fc0f853bp-2, -0x1.f6a1959e575e4p-6, -0x1.e4f4b3db46a3dp-1, -0x1.e082a655a2fc3p-1,
+      -0x1.07400b6a7facdp-3, 0x1.48295fe3b9086p-2;
+  rod.pose.translation() =
+      Vector3d(-0x1.3c49fa35dd0eep+3, 0x1.b2f513fd2edfdp+2, -0x1.0a1ae94dd40fap+3);
+  ASSERT_FALSE(find_contacts(cube.shape, cube.pose, rod.shape, rod.pose).empty());
+  expect_on_both(cube, rod, "cube/rod");
+  expect_on_both(rod, cube, "rod/cube");
+}
+
 /// A thin plate and a small box aslant in its rim, poses as a robot's planner met them. Two edges
 /// would part them sooner than the rim's face does, but by less than a twentieth: so the box's
 /// deepest corner is not over that face, and half the depth from the contact between, along the
