@@ -35,8 +35,8 @@ class RayInFrame {
              const narrowphase::PreparedRay& ray)
       : per_metre_(std::ldexp(1.0, -frame.exponent)), length_(ray.scaled.length) {
     const double* m = placed.pose.data();  // column-major 4x4
-    const Eigen::Vector3d centre =
-        place(placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
+    const Eigen::Vector3d centre = narrowphase::place(
+        placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
     double way[3], origin[3], direction[3];
     for (int i = 0; i < 3; ++i)
       way[i] = ray.ray.origin.data()[i] - centre.data()[i];
@@ -103,8 +103,8 @@ void for_each_hit(const PlacedMesh& placed, const Ray& ray, Work& work, OnHit&& 
       const std::uint32_t index = tree.primitives[i];
       narrowphase::Stage stage;
       ++work.triangle_tests;
-      const auto found =
-          narrowphase::cast_ray(place(placed.pose, placed.mesh.triangle(index)), prepared, stage);
+      const auto found = narrowphase::cast_ray(
+          narrowphase::place(placed.pose, placed.mesh.triangle(index)), prepared, stage);
       work.exact_tests += stage == narrowphase::Stage::Exact;
       if (!found) continue;
       const double wanted = on_hit(RayHit{found->distance, found->point, found->normal, index});

@@ -62,10 +62,11 @@ void for_each_pair(const PlacedMesh& a, const PlacedMesh& b, const PairSettings&
   const auto collect = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t index_a = tree_a.primitives[i];
-      const Triangle triangle_a = place(a.pose, a.mesh.triangle(index_a));
+      const Triangle triangle_a = narrowphase::place(a.pose, a.mesh.triangle(index_a));
       for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
         const std::uint32_t index_b = tree_b.primitives[j];
-        candidates.add({index_a, index_b}, triangle_a, place(b.pose, b.mesh.triangle(index_b)));
+        candidates.add({index_a, index_b}, triangle_a,
+                       narrowphase::place(b.pose, b.mesh.triangle(index_b)));
         if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
           return bvh::Walk::Stop;
       }

@@ -32,8 +32,8 @@ Aabb placed_bounds(const PlacedMesh& placed) {
   const double* m = placed.pose.data();  // column-major 4x4
   const std::array<double, 3> reach = placed_reach(placed.pose, bounds);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(bounds);
-  const Eigen::Vector3d centre =
-      place(placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
+  const Eigen::Vector3d centre = narrowphase::place(
+      placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
   Aabb box;
   for (int i = 0; i < 3; ++i) {
     double half = 32 * kUnitRoundoff * reach[i] + 0x1p-1060;
@@ -103,7 +103,7 @@ bool is_moved_point_enclosed(const PlacedMesh& placed, const Eigen::Vector3d& po
   const Way way = way_out(bounds, point);
   const FramedRay ray(ray_from(point, way, bounds), Pose::Identity());
   const auto triangle_at = [&](std::uint32_t index) {
-    return place(placed.pose, placed.mesh.triangle(index));
+    return narrowphase::place(placed.pose, placed.mesh.triangle(index));
   };
   return is_odd_along(placed, ray, triangle_at, point, way, work);
 }
@@ -123,7 +123,8 @@ bool is_moved_centre_enclosed(const PlacedMesh& placed, const Obb& box, Work& wo
   const Eigen::Vector3d end(reach, 0, 0);
   const FramedRay ray({-end, end}, box.pose);
   const auto triangle_at = [&](std::uint32_t index) {
-    return narrowphase::into_frame(place(placed.pose, placed.mesh.triangle(index)), box.pose);
+    return narrowphase::into_frame(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
+                                   box.pose);
   };
   return is_odd_along(placed, ray, triangle_at, origin, way, work);
 }

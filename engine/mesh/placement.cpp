@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placement_check.h>
 
@@ -7,6 +8,8 @@
 #include <string>
 
 namespace graze {
+
+namespace narrowphase {
 
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
   const double* m = pose.data();  // column-major 4x4
@@ -22,6 +25,18 @@ Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
 
 Triangle place(const Pose& pose, const Triangle& triangle) {
   return {place(pose, triangle.a), place(pose, triangle.b), place(pose, triangle.c)};
+}
+
+}  // namespace narrowphase
+
+Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
+  const bvh::StandardArithmetic arithmetic;
+  return narrowphase::place(pose, point);
+}
+
+Triangle place(const Pose& pose, const Triangle& triangle) {
+  const bvh::StandardArithmetic arithmetic;
+  return narrowphase::place(pose, triangle);
 }
 
 std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {

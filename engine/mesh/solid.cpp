@@ -13,7 +13,7 @@ namespace {
 bool is_any_part_inside(const PlacedMesh& inner, const PlacedMesh& outer, Work& work) {
   const std::span<const std::uint32_t> parts = inner.mesh.component_vertices();
   return std::any_of(parts.begin(), parts.end(), [&](std::uint32_t vertex) {
-    const Eigen::Vector3d point = place(inner.pose, inner.mesh.vertices()[vertex]);
+    const Eigen::Vector3d point = narrowphase::place(inner.pose, inner.mesh.vertices()[vertex]);
     return is_moved_point_enclosed(outer, point, work);
   });
 }

@@ -139,7 +139,8 @@ void for_each_triangle(const PlacedMesh& placed, const FramedVolume& asked, Volu
   const auto test_leaf = [&](const bvh::Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const std::uint32_t index = tree.primitives[i];
-      if (!meet(place(placed.pose, placed.mesh.triangle(index)), asked, work)) continue;
+      if (!meet(narrowphase::place(placed.pose, placed.mesh.triangle(index)), asked, work))
+        continue;
       if (on_triangle(index) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;

@@ -89,6 +89,7 @@ VoxelGrid VoxelGrid::over(const Aabb& bounds, std::uint32_t resolution) {
 }
 
 double VoxelGrid::plane(int axis, std::uint32_t index) const {
+  const bvh::StandardArithmetic arithmetic;
   return origin.data()[axis] + index * edge;
 }
 
@@ -104,6 +105,7 @@ Aabb VoxelGrid::box(const Voxel& voxel) const {
 }
 
 void VoxelGrid::check() const {
+  const bvh::StandardArithmetic arithmetic;
   for (int axis = 0; axis < 3; ++axis) {
     const std::string along = std::string("along ") + "xyz"[axis];
     if (counts[axis] < 1 || counts[axis] > kMaxResolution) {

@@ -22,7 +22,7 @@ struct PlacedTriangles {
 
   Triangle operator[](std::uint32_t index) const {
     const TriangleIndices& t = triangles[index];
-    return place(pose, {vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+    return narrowphase::place(pose, {vertices[t[0]], vertices[t[1]], vertices[t[2]]});
   }
 
   // Large meshes are not in the cache, and where a triangle's corners stand is known last.

@@ -166,7 +166,7 @@ class ExactVolume {
       box_ = Aabb{-box->half_extents, box->half_extents};
     } else {
       const auto& sphere = *s.shape.as<Sphere>();
-      ball_ = Sphere{place(s.pose, sphere.centre), sphere.radius};
+      ball_ = Sphere{narrowphase::place(s.pose, sphere.centre), sphere.radius};
     }
   }
 
@@ -196,7 +196,7 @@ void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches&
   MeshDescent descent(mesh, core, touches.origin, work);
   TriangleTouches found(core, touches, work);
   descent.for_each_near([&](std::uint32_t index) {
-    const Triangle placed = place(mesh.pose, mesh.mesh.triangle(index));
+    const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
     if (volume.meets(placed, work)) found.offer(index, core_of(placed, touches.origin));
     return bvh::Walk::Continue;
   });
@@ -220,7 +220,8 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
     for (const std::uint32_t index : triangle) {
       if (is_seen[index]) continue;
       is_seen[index] = true;
-      const Vec3 point = to_vec3(place(b.pose, mesh.vertices()[index])) - to_vec3(touches.origin);
+      const Vec3 point =
+          to_vec3(narrowphase::place(b.pose, mesh.vertices()[index])) - to_vec3(touches.origin);
       const double height = dot(plane.normal, point) - plane.offset;
       const double depth = std::max(-height, 0.0);
       const Vec3 foot = point - plane.normal * height;

@@ -26,7 +26,7 @@ class SideOf {
 
   Side operator()(std::uint32_t index) const {
     Side side;
-    const Triangle placed = place(mesh_.pose, mesh_.mesh.triangle(index));
+    const Triangle placed = narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index));
     const Eigen::Vector3d* corners[] = {&placed.a, &placed.b, &placed.c};
     for (int i = 0; i < 3; ++i) {
       side.corner[i] = to_vec3(*corners[i]) - origin_;

@@ -112,7 +112,7 @@ bool MeshDescent::is_beyond(double bound, double limit) const {
 
 Core MeshDescent::triangle(std::uint32_t index) const {
   ++work_.triangle_tests;
-  return core_of(place(mesh_.pose, mesh_.mesh.triangle(index)), origin_);
+  return core_of(narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index)), origin_);
 }
 
 }  // namespace graze

@@ -241,7 +241,7 @@ class InnerFinder {
   }
 
   Vec3 placed(std::uint32_t vertex) const {
-    return to_vec3(place(mesh_.pose, mesh_.mesh.vertices()[vertex])) - origin_;
+    return to_vec3(narrowphase::place(mesh_.pose, mesh_.mesh.vertices()[vertex])) - origin_;
   }
 
   const PlacedMesh& mesh_;

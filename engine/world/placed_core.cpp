@@ -94,9 +94,11 @@ bool is_convex_core(ShapeKind kind) {
 }
 
 Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose) {
-  if (const auto* sphere = shape.as<Sphere>()) return place(pose, sphere->centre);
-  if (const auto* ellipsoid = shape.as<Ellipsoid>()) return place(pose, ellipsoid->centre);
-  if (const auto* hull = shape.as<ConvexHull>()) return place(pose, to_eigen(hull->data().middle));
+  if (const auto* sphere = shape.as<Sphere>()) return narrowphase::place(pose, sphere->centre);
+  if (const auto* ellipsoid = shape.as<Ellipsoid>())
+    return narrowphase::place(pose, ellipsoid->centre);
+  if (const auto* hull = shape.as<ConvexHull>())
+    return narrowphase::place(pose, to_eigen(hull->data().middle));
   const double* m = pose.data();
   return {m[12], m[13], m[14]};
 }

@@ -108,7 +108,7 @@ Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Triangle t = place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
+      const Triangle t = narrowphase::place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
       for (const Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) {
         const Vec3 point = to_vec3(*corner) - to_vec3(origin);
         const double height = dot(plane.normal, point) - plane.offset;

@@ -41,7 +41,7 @@ constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods{{
 
 Sphere placed_sphere(const PlacedShape& s) {
   const auto& sphere = *s.shape.as<Sphere>();
-  return {place(s.pose, sphere.centre), sphere.radius};
+  return {narrowphase::place(s.pose, sphere.centre), sphere.radius};
 }
 
 Obb placed_box(const PlacedShape& s) {

@@ -173,7 +173,7 @@ class Search {
 
  private:
   Eigen::Vector3d placed(std::uint32_t vertex) const {
-    return place(side_.own_mesh.pose, side_.own_mesh.mesh.vertices()[vertex]);
+    return narrowphase::place(side_.own_mesh.pose, side_.own_mesh.mesh.vertices()[vertex]);
   }
 
   void find_shores() {

@@ -56,7 +56,7 @@ class OpenedTree {
       leaf.triangles = static_cast<std::uint32_t>(triangles_.size()) + 1;
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Triangle triangle = placed_.mesh.triangle(tree_.primitives[i]);
-        triangles_.emplace_back(place(placed_.pose, triangle), per_metre_);
+        triangles_.emplace_back(narrowphase::place(placed_.pose, triangle), per_metre_);
       }
     }
     return {triangles_.data() + (leaf.triangles - 1), node.count};

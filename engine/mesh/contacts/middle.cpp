@@ -8,7 +8,7 @@ Eigen::Vector3d middle_of(const PlacedMesh& placed) {
   Eigen::Vector3d middle;
   for (int k = 0; k < 3; ++k)
     middle.data()[k] = 0.5 * box.min.data()[k] + 0.5 * box.max.data()[k];
-  return place(placed.pose, middle);
+  return narrowphase::place(placed.pose, middle);
 }
 
 }  // namespace graze::contacts

@@ -15,7 +15,7 @@ bool is_lower(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
 
 /// Without negative zeros, so that equal positions are equal bit for bit.
 Eigen::Vector3d placed_corner(const PlacedMesh& placed, std::uint32_t vertex) {
-  Eigen::Vector3d p = place(placed.pose, placed.mesh.vertices()[vertex]);
+  Eigen::Vector3d p = narrowphase::place(placed.pose, placed.mesh.vertices()[vertex]);
   for (int k = 0; k < 3; ++k)
     p.data()[k] += 0.0;
   return p;

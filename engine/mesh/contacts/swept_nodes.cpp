@@ -33,8 +33,8 @@ double half_size(const bvh::FloatBox& box) {
 
 SweptNodes::Frame::Frame(const PlacedMesh& placed, const SweepUnits& units) {
   const bvh::LocalFrame& frame = placed.mesh.tree().frame;
-  const Eigen::Vector3d origin =
-      place(placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
+  const Eigen::Vector3d origin = narrowphase::place(
+      placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
   for (int k = 0; k < 3; ++k) {
     centre[k] = origin.data()[k] * units.per_metre;
     for (int i = 0; i < 3; ++i)

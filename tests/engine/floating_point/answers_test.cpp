@@ -79,7 +79,7 @@ TEST(UsersArithmetic, WouldChangeAnswersWithoutTheDoor) {
   const auto answers = [](const Inputs& in) {
     Words words;
     for (const Triangle& a : in.triangles) {
-      words.add(place(in.pose_b, a).a);
+      words.add(narrowphase::place(in.pose_b, a).a);
       for (const Triangle& b : in.triangles)
         words.add(narrowphase::decide(a, b).is_hit);
     }

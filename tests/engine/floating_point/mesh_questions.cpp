@@ -1,5 +1,6 @@
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree.h>
+#include <graze/engine/mesh/placement.h>
 
 #include <cstddef>
 #include <span>
@@ -206,6 +207,12 @@ Question tree_question() {
 std::vector<Question> mesh_questions(int threads) {
   return {
       {"pairs by each volume", ask_by_volumes},
+      {"place",
+       [](const Inputs& in, Words& words) {
+         for (const Eigen::Vector3d& vertex : in.vertices_a)
+           words.add(place(in.pose_b, vertex));
+         words.add(place(in.pose_b, in.triangle_a).c);
+       }},
       pairs_by_threads(threads),
       {"distance",
        [](const Inputs& in, Words& words) {

@@ -18,6 +18,7 @@ int main() {
   print("placed", client::place_points());
   print("triangles", client::test_triangles());
   print("meshes", client::query_meshes());
+  print("denormal", client::query_denormal());
   print("refused", client::offer_bad_values());
   std::printf("\n");
 }

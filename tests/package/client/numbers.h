@@ -13,6 +13,14 @@
 
 namespace client {
 
+/// number * 2^exponent. Where denormal numbers may be flushed to zero, these are made bit by bit.
+inline double scaled(int number, int exponent) {
+  if (exponent > -1000) return std::ldexp(number, exponent);
+  const bool is_negative = number < 0;
+  const auto size = static_cast<std::uint64_t>(is_negative ? -number : number);
+  return std::bit_cast<double>(std::uint64_t{is_negative} << 63 | size << (exponent + 1074));
+}
+
 /// SplitMix64: Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
 class Random {
  public:
@@ -30,9 +38,9 @@ class Random {
 
   /// A point of the lattice [-range, range]^3 times 2^exponent.
   Eigen::Vector3d point(int range, int exponent) {
-    const double x = std::ldexp(integer(range), exponent);
-    const double y = std::ldexp(integer(range), exponent);
-    const double z = std::ldexp(integer(range), exponent);
+    const double x = scaled(integer(range), exponent);
+    const double y = scaled(integer(range), exponent);
+    const double z = scaled(integer(range), exponent);
     return {x, y, z};
   }
 

@@ -22,6 +22,10 @@ Answers test_triangles();
 /// nearly touch.
 Answers query_meshes();
 
+/// Meshes, volumes, boxes that move and batches whose coordinates are all denormal, by one thread
+/// and by all.
+Answers query_denormal();
+
 /// Values that must be refused are refused: what was thrown for each.
 Answers offer_bad_values();
 
