@@ -41,11 +41,16 @@ struct Manifold {
 
 /// Where two placed shapes meet; empty exactly when intersects() is false.
 ///
-/// **Convex shapes.** All contacts share one normal. Moving B by the greatest depth along it parts
-/// the two, to 1e-4 of how far the contacts are spread, but for rounding. That depth is the least
-/// there is to kDepthTolerance (1e-6) of the smaller shape's size; for two boxes to a twentieth,
-/// where two edges would be nearer than a face is; and if Work::penetration_failures counts the
-/// pair, to what was found. A cylinder's cap and a cone's base count as octagons.
+/// **Convex shapes.** All contacts share one normal. Let the tolerance be 1e-6 of the smaller size
+/// and kTouchTolerance of the scale (shape_pairs.h). By how much the two reach past each other
+/// along the normal is the least over all directions to that tolerance: proved, unless
+/// Work::penetration_failures counts the pair; then it parts the two, and how near it is to the
+/// least nobody knows. Of two boxes it is to a twentieth and the tolerance, as a face is taken
+/// where two edges would be nearer by less. For poses that are no rotations to more than rounding,
+/// add by how much they deviate, of the scale. The greatest depth of the contacts is that width, to
+/// the tolerance or 1e-4 of how far the contacts are spread, whichever is more: moving B by as much
+/// along the normal parts them. So a motion by d changes that width by at most d and the tolerance.
+/// A cylinder's cap and a cone's base count as octagons.
 ///
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
 /// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the
@@ -76,8 +81,10 @@ struct Manifold {
 /// that features persist, edges of two faces that are within a 256th of the smaller shape's size of
 /// each other count as one, which no answer of yes or no depends on: where such an edge ends the
 /// common area, its corners slide along their face onto that end, and keep their names.
-/// Swapping A and B mirrors the result. Throws as intersects() does, and UnsupportedPairError for
-/// two half-spaces that intersect: no finite translation parts them.
+/// Swapping A and B mirrors the result, bit for bit: normals turn round, and features change
+/// places. Of equal shapes in equal poses there is nothing to mirror, as the swapped question is
+/// the same one: then the result is the same, too. Throws as intersects() does, and
+/// UnsupportedPairError for two half-spaces that intersect: no finite translation parts them.
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work = nullptr);
 

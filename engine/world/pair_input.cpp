@@ -5,6 +5,7 @@
 #include <graze/narrowphase/convex/hull.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace graze {
@@ -20,6 +21,9 @@ namespace {
 int order(const double* a, const double* b, int count) {
   for (int i = 0; i < count; ++i) {
     if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+    // Zeros of either sign are one number, but not the same bits in what is computed from them.
+    const bool is_negative = std::signbit(a[i]);
+    if (is_negative != std::signbit(b[i])) return is_negative ? -1 : 1;
   }
   return 0;
 }
@@ -129,7 +133,11 @@ void check_poses(const Pose& pose_a, const Pose& pose_b) {
 SetGap gap_of_sets(const Core& a, const Core& b, double limit) {
   const double radii = a.radius + b.radius;
   const double slack = 0x1p-46 * pair_scale(a, b);  // not less than any gap.slack
-  const CoreGap gap = narrowphase::nearest(a, b, {.apart_beyond = limit + radii + slack});
+  return set_gap(a, b, narrowphase::nearest(a, b, {.apart_beyond = limit + radii + slack}));
+}
+
+SetGap set_gap(const Core& a, const Core& b, const CoreGap& gap) {
+  const double radii = a.radius + b.radius;
   SetGap result{};
   result.lower = std::max(gap.lower - radii - gap.slack, 0.0);
   result.is_apart = result.lower > 0;
@@ -138,6 +146,7 @@ SetGap gap_of_sets(const Core& a, const Core& b, double limit) {
   result.status = is_open ? PairStatus::NotConverged : PairStatus::Converged;
   result.normal = gap.normal;
   if (result.is_apart) {
+    result.normal = narrowphase::settled_normal(a, b, gap);
     result.distance = gap.upper - radii;
     result.point_a = between(gap, a.radius);
     result.point_b = between(gap, gap.upper - b.radius);

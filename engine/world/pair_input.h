@@ -50,6 +50,9 @@ struct SetGap {
 /// Sets that are further apart than `limit`, metres, need no more than that proved.
 SetGap gap_of_sets(const narrowphase::Core& a, const narrowphase::Core& b,
                    double limit = std::numeric_limits<double>::infinity());
+/// As gap_of_sets(), of a gap that was found otherwise.
+SetGap set_gap(const narrowphase::Core& a, const narrowphase::Core& b,
+               const narrowphase::CoreGap& gap);
 bool are_apart(const narrowphase::Core& a, const narrowphase::Core& b, PairStatus& status);
 
 }  // namespace graze

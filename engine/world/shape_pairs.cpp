@@ -143,17 +143,6 @@ ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Wor
           to_eigen(way),  PairStatus::Converged};
 }
 
-/// What an exact test decides is beyond what the distance's own rounding says.
-ShapeDistance agreeing(ShapeDistance found, bool is_hit) {
-  if (is_hit) {
-    found.distance = 0;
-    found.lower_bound = 0;
-  } else if (!(found.distance > 0)) {
-    found.distance = std::numeric_limits<double>::denorm_min();
-  }
-  return found;
-}
-
 bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
   return intersect_in_boxes(a, b, work) &&
          (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
@@ -163,9 +152,11 @@ bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
 ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
+      return distance_of_spheres(a, b, intersect_placed(a, b, work), work);
     case ExactSphereBox:
+      return distance_of_sphere_and_box(a, b, intersect_placed(a, b, work), work);
     case BoxAxes:
-      return agreeing(distance_of_cores(a, b, work), intersect_placed(a, b, work));
+      return distance_of_boxes(a, b, intersect_placed(a, b, work), work);
     case ClosedForm:
     case Cores:
       return distance_of_cores(a, b, work);
@@ -185,7 +176,8 @@ ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
-/// Two that only a tolerance brings together, and that their boxes part.
+/// Two that only a tolerance brings together, or that a test parts by no more than rounding, and
+/// that their boxes part.
 ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
   const double sign = boxes.is_a_below ? 1 : -1;
   Eigen::Vector3d normal(0, 0, 0);
@@ -195,6 +187,14 @@ ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
   found.point_b.data()[boxes.axis] += sign * (0.5 * boxes.gap);
   found.normal = normal;
   return found;
+}
+
+ShapeDistance distance_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  ShapeDistance found = distance_in_order(a, b, work);
+  const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
+  if (!is_none || lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind()))) return found;
+  const BoxGap boxes = gap_of_boxes(a, b);
+  return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
 }  // namespace
@@ -225,12 +225,8 @@ ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& sh
   CountedWork counted(work);
   const PlacedShape a{shape_a, pose_a};
   const PlacedShape b{shape_b, pose_b};
-  ShapeDistance found = is_swapped(a, b) ? mirrored(distance_in_order(b, a, counted.work()))
-                                         : distance_in_order(a, b, counted.work());
-  const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
-  if (!is_none || lies_in_boxes(pair_method(shape_a.kind(), shape_b.kind()))) return found;
-  const BoxGap boxes = gap_of_boxes(a, b);
-  return boxes.gap == 0 ? found : parted(found, boxes);
+  return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
+                          : distance_in_boxes(a, b, counted.work());
 }
 
 }  // namespace graze

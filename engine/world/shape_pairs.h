@@ -26,40 +26,59 @@ enum class PairMethod {
 /// unsupported: no finite translation parts them.
 PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b);
 
+// Sizes and scales, metres, in which tolerances are stated. The middle of a shape is the centre of
+// a sphere or an ellipsoid, the centre of the box around a hull's corners, and the origin of its
+// frame for all others. Its size is the distance of its farthest point from its middle. The
+// **scale** of a pair of convex shapes is the sum of both sizes and of the distance of their
+// middles; of a mesh it is that of the triangle that is met, its middle being a corner; a
+// half-space has no size, and its middle is the nearest point of its plane.
+
 /// Whether a search ended with an answer that is proved to its tolerance.
 enum class PairStatus {
-  Converged,
-  NotConverged,  ///< neither "apart" nor "touching" was proved: read as a hit (law 11)
+  Converged,     ///< the distance is off by at most kTouchTolerance times the scale
+  NotConverged,  ///< a search ended with bounds further apart than that. What they say still holds:
+                 ///< the true distance is no less than `lower_bound`, and no more than that of the
+                 ///< points, if that is not 0. If `lower_bound` is 0 nothing proves the two apart,
+                 ///< and a caller who must not miss a hit reads it as one, as intersects() does
+                 ///< (law 11)
 };
 
 /// How far apart two placed shapes are, metres, and where, in the world's frame.
 struct ShapeDistance {
-  double distance;          ///< of the two points; 0 if and only if the shapes intersect
+  double distance;          ///< of the two points; 0 if and only if intersects() says so
   double lower_bound;       ///< proved: the true distance is not less. For skipping
   Eigen::Vector3d point_a;  ///< nearest points; of intersecting shapes one that is in both, but
   Eigen::Vector3d point_b;  ///< for meshes in which it is near the surface that is met
   Eigen::Vector3d normal;   ///< unit, from A to B; of convex shapes that are apart, the planes at
-                            ///< right angles to it that support both are lower_bound apart
+                            ///< right angles to it that support both are no nearer to each other
+                            ///< than lower_bound, but for 2^-46 of the scale
   PairStatus status;
 };
+// Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
+// greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
+// points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh
+// and a sphere or a box: apart, by the exact test, and by less than the distance's rounding.
 
 // All questions: shapes in poses in the world's frame. Convex shapes and half-spaces are solid;
 // meshes are surfaces. Swapping A and B gives the same booleans and mirrored results, bit for bit
-// (law 4). Throw PoseError for a pose that is refused by law 10 or moves a shape beyond
-// kLargestLength.
+// (law 4): points change places and normals turn round. One case is left out, as no rule could tell
+// A from B: of equal shapes in equal poses, all their numbers the same bits, the swapped question
+// is the same one and so is its answer, normal and all. Throw PoseError for a pose that is refused
+// by law 10 or moves a shape beyond kLargestLength.
 
 /// False only if the closed shapes share no point. Exact for spheres among themselves and with
 /// boxes and meshes, for boxes with meshes, and mesh/mesh. For all others "apart" alone is sure
-/// (law 11): shapes that are apart by less than kTouchTolerance times the scale of the pair (their
-/// sizes and the distance of their middles) may come out as intersecting, and a search that does
-/// not end counts as a hit and in Work::convex_failures; but never shapes whose boxes, as a World
-/// sees them, share no point.
+/// (law 11): shapes that are apart by less than kTouchTolerance times the scale of the pair may
+/// come out as intersecting, and a search that does not end counts as a hit and in
+/// Work::convex_failures; but never shapes whose boxes, as a World sees them, share no point.
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work = nullptr);
 
-/// The distance is off by at most 2^-34 of the scale of the pair where the status is Converged;
-/// lower_bound holds whatever the status is. Two half-spaces are apart only where their normals are
-/// exactly opposite.
+/// The distance is off by at most kTouchTolerance times the scale of the pair where the status is
+/// Converged; lower_bound holds whatever the status is. Two spheres, a sphere and a box and two
+/// boxes that their tests find apart by less than rounding are measured again, in twice the
+/// precision or by all their features, so that their distance is above 0 and that of the points.
+/// Two half-spaces are apart only where their normals are exactly opposite.
 ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work = nullptr);
 

@@ -56,7 +56,12 @@ class Alignment {
     const bool has_cone = a_.kind == CoreKind::Cone || b_.kind == CoreKind::Cone;
     is_turned_ = of_a != Axes::All && of_b != Axes::All;
     if (has_cone && !is_turned_) return std::nullopt;
-    choose_frame(of_a < of_b ? b_ : a_);
+    if (of_a < of_b) {
+      choose_frame(b_, a_);
+    } else {
+      choose_frame(a_, b_);
+    }
+    if (has_cone && !(is_about_last(a_, of_a) && is_about_last(b_, of_b))) return std::nullopt;
     off_ = deviation(a_, of_a) * a_.reach + deviation(b_, of_b) * b_.reach;
     if (!is_off_by_little()) return std::nullopt;
     if (of_a == Axes::None && of_b == Axes::None) {
@@ -69,11 +74,24 @@ class Alignment {
  private:
   bool is_off_by_little() const { return 2 * off_ <= tolerance_; }
 
-  void choose_frame(const Core& core) {
+  /// About the core's axis; of two bodies of revolution towards the other's middle, or, if that is
+  /// not aside, along the other's axis if that is.
+  void choose_frame(const Core& core, const Core& other) {
     frame_ = frame_about(core.axis[2], core.axis[0]);
     if (!is_turned_) return;
-    const Vec3 aside = between_ - frame_.axis[2] * dot(between_, frame_.axis[2]);
-    if (4 * length(aside) > tolerance_) frame_ = frame_about(core.axis[2], aside);
+    const auto across = [&](const Vec3& v) { return v - frame_.axis[2] * dot(v, frame_.axis[2]); };
+    const Vec3 aside = across(between_);
+    const Vec3 axis = axes_of(other) == Axes::Last ? across(other.axis[2]) : Vec3{};
+    if (4 * length(aside) > tolerance_) {
+      frame_ = frame_about(core.axis[2], aside);
+    } else if (length(axis) > 0.5) {
+      frame_ = frame_about(core.axis[2], axis);
+    }
+  }
+
+  /// Whether the core is turned about the frame's last axis, or about any.
+  bool is_about_last(const Core& core, Axes axes) const {
+    return axes == Axes::None || nearest_axis(core.axis[2]) == 2;
   }
 
   /// Of the frame's axes the one along which a direction points most.
@@ -136,9 +154,14 @@ class Alignment {
       offer(direction);
     if (a_.kind == CoreKind::Cone) offer(aside * (2 * a_.half.z) + a_.axis[2] * a_.half.x);
     if (b_.kind == CoreKind::Cone) offer(aside * (2 * b_.half.z) - b_.axis[2] * b_.half.x);
-    // The middle must lie inside the difference of the cores.
-    if (!(best_->depth - (a_.radius + b_.radius) >= 0)) return std::nullopt;
+    // The middle must lie inside the difference of the polygons.
+    if (!(best_->depth - (rounding_of(a_) + rounding_of(b_)) >= 0)) return std::nullopt;
     return found_if_sure();
+  }
+
+  /// The radius around a polygon, of which a ball has nothing else.
+  static double rounding_of(const Core& core) {
+    return core.radius + (is_ball(core) ? core.half.x : 0);
   }
 
   void offer(const Vec3& direction) {
@@ -149,6 +172,7 @@ class Alignment {
   std::optional<Penetration> found_if_sure() {
     if (!is_off_by_little()) return std::nullopt;
     best_->source = PenetrationSource::Formula;
+    best_->lower = best_->depth - 2 * off_;
     return best_;
   }
 

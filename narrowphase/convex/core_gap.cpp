@@ -16,8 +16,13 @@ constexpr double kRelativeSlack = 128 * 0x1p-53;
 // Bounds that are closer than this to each other, relative to the gap, are one.
 constexpr double kRelativeGoal = 0x1p-46;
 
-/// Whether the bounds are close enough for curved cores that close in slowly.
-constexpr double kRelativeTolerance = 0x1p-34;
+/// Whether the bounds are close enough for curved cores that close in slowly, as a share of what
+/// users call the scale of a pair: 2^-34, less what rounding takes off the bounds of sets.
+constexpr double kRelativeTolerance = 0x1p-34 * (1 - 0x1p-8);
+
+// When looking across faces ends: after so many rounds, or when one gains less than this share.
+constexpr int kMostRounds = 16;
+constexpr double kWorthwhile = 0x1p-4;
 
 class Search {
  public:
@@ -27,6 +32,8 @@ class Search {
     int exponent = 0;
     std::frexp(scale_, &exponent);
     to_units_ = std::ldexp(1.0, -exponent);
+    const double sizes = (a.reach + b.reach) + (a.radius + b.radius);
+    extent_units_ = (sizes + length(b.at - a.at)) * to_units_;
     slack_units_ = slack_ * to_units_;
   }
 
@@ -40,20 +47,23 @@ class Search {
       if (!(upper_ > slack_units_)) return touching();
       look_along(unit_or(-nearest_.direction, {1, 0, 0}));
       if (is_enough() || !(upper_ - lower_ > kRelativeGoal * upper_ + slack_units_)) break;
-      const DifferenceSimplex before = simplex_;
-      if (!is_repeated()) {
-        add_candidate();
-        NearestPoint next;
-        if (reduce_to_nearest(simplex_, next) == OriginSide::Inside) return touching();
-        if (dot(next.point, next.point) < upper_ * upper_) {
-          nearest_ = next;
+      switch (step_to_candidate()) {
+        case Step::Inside:
+          return touching();
+        case Step::Nearer:
           is_flat_ = false;
           continue;
-        }
-        simplex_ = before;
+        case Step::None:
+          break;
       }
       // No progress. The normal of a flat face may point anywhere: the point itself may do better.
-      if (is_flat_) break;
+      if (is_flat_) {
+        if (is_known()) break;
+        const Step found = look_across_faces();
+        if (found == Step::Inside) return touching();
+        if (found == Step::None) break;
+        continue;
+      }
       is_flat_ = true;
       nearest_.direction = nearest_.point;
     }
@@ -61,6 +71,50 @@ class Search {
   }
 
  private:
+  enum class Step { Inside, Nearer, None };
+
+  /// Takes the candidate in if that brings the nearest point nearer.
+  Step step_to_candidate() {
+    if (is_repeated()) return Step::None;
+    const DifferenceSimplex before = simplex_;
+    add_candidate();
+    NearestPoint next;
+    if (reduce_to_nearest(simplex_, next) == OriginSide::Inside) return Step::Inside;
+    if (dot(next.point, next.point) < upper_ * upper_) {
+      nearest_ = next;
+      return Step::Nearer;
+    }
+    simplex_ = before;
+    return Step::None;
+  }
+
+  /// Where a gap is small a direction that is off by an angle leaves the nearest point farther by
+  /// the square of the angle alone, which may be less than rounding, while the bound of the planes
+  /// is off by the angle. So the faces that the candidate makes with the simplex tell the direction
+  /// when its point does not: their normals are asked until the bound stays, or one leads nearer.
+  Step look_across_faces() {
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double before = lower_;
+      const Vec3 apex = candidate_;
+      Vec3 best = candidate_, best_a = candidate_a_, best_b = candidate_b_;
+      for (int i = 0; i < simplex_.count; ++i) {
+        for (int j = i + 1; j < simplex_.count; ++j) {
+          const Vec3& p = simplex_.point[i];
+          const Vec3 normal = unit_or(cross(simplex_.point[j] - p, apex - p), {});
+          if (!(largest(normal) > 0)) continue;
+          const double bound = lower_;
+          look_along(dot(normal, p) > 0 ? -normal : normal);
+          if (lower_ > bound) best = candidate_, best_a = candidate_a_, best_b = candidate_b_;
+          const Step step = step_to_candidate();
+          if (step != Step::None) return step;
+        }
+      }
+      if (is_enough() || !(lower_ - before > kWorthwhile * (upper_ - lower_))) break;
+      candidate_ = best, candidate_a_ = best_a, candidate_b_ = best_b;
+    }
+    return Step::None;
+  }
+
   /// Evaluates the support along a direction from A to B, in units, and returns how far apart its
   /// two planes are.
   double bound_along(const Vec3& toward) {
@@ -95,6 +149,8 @@ class Search {
            (goal_.near_enough >= 0 && upper_ <= goal_.near_enough * to_units_);
   }
 
+  bool is_known() const { return upper_ - lower_ <= kRelativeTolerance * extent_units_; }
+
   CoreGap filled(GapVerdict verdict) const {
     CoreGap gap{};
     gap.verdict = verdict;
@@ -117,8 +173,7 @@ class Search {
   }
 
   CoreGap finish() const {
-    const bool is_known = upper_ - lower_ <= kRelativeTolerance;
-    const bool is_open = !is_known && !is_enough();
+    const bool is_open = !is_known() && !is_enough();
     if (lower_ > 0) return filled(is_open ? GapVerdict::NotReached : GapVerdict::Apart);
     return filled(is_open ? GapVerdict::NotReached : GapVerdict::Touching);
   }
@@ -129,6 +184,7 @@ class Search {
   double scale_;
   double slack_;
   double to_units_;
+  double extent_units_;  // the sizes of both and the distance of their middles
   double slack_units_;
   DifferenceSimplex simplex_;
   Vec3 candidate_;

@@ -55,12 +55,17 @@ Penetration along(const Core& a, const Core& b, const Vec3& unit_direction) {
   return result;
 }
 
-Penetration penetration(const Core& a, const Core& b) {
+double depth_tolerance(const Core& a, const Core& b) {
   const double size_a = a.reach + a.radius;
   const double size_b = b.reach + b.radius;
-  const double tolerance = kDepthTolerance * (size_a < size_b ? size_a : size_b);
+  return kDepthTolerance * (size_a < size_b ? size_a : size_b) + kDepthRounding * pair_scale(a, b);
+}
+
+Penetration penetration(const Core& a, const Core& b) {
+  const double tolerance = depth_tolerance(a, b);
   if (is_thin(a) && is_thin(b)) {
     Penetration result = out_of_plane(a, b);
+    result.lower = a.radius + b.radius;
     result.is_open = !(result.depth - (a.radius + b.radius) <= tolerance);
     return result;
   }
@@ -71,6 +76,7 @@ Penetration penetration(const Core& a, const Core& b) {
   if (found.is_closed && largest(found.normal) > 0) {
     Penetration result = along(a, b, found.normal);
     result.source = PenetrationSource::Expansion;
+    result.lower = found.lower;
     return result;
   }
   Penetration result = best_of_fixed(a, b);
@@ -84,6 +90,7 @@ Penetration penetration(const Core& a, const Core& b) {
   if (const std::optional<Vec3> direction = ask_ccd(a, b)) {
     offer(*direction, PenetrationSource::Ccd);
   }
+  result.lower = found.lower;
   // The polytope may be torn and its best plane still be good enough.
   result.is_open = !(result.depth - found.lower <= tolerance);
   return result;

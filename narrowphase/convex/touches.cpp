@@ -1,12 +1,10 @@
-#include <graze/narrowphase/convex/box_axes.h>
-
 #include <graze/narrowphase/convex/clip.h>
 #include <graze/narrowphase/convex/closed_gap.h>
 #include <graze/narrowphase/convex/meeting_points.h>
 #include <graze/narrowphase/convex/touches.h>
-#include <initializer_list>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <span>
 
@@ -20,6 +18,11 @@ constexpr double kSameDepth = 1e-6;
 // Points of a clipped face that are this share of the scale short of touching still touch: what
 // kTouchTolerance of engine/world allows a hit to be.
 constexpr double kTouching = 0x1p-34;
+
+// What gaps and their normals are known to, as a share of the scale; a normal's own error is that
+// of the points over the gap, so that of gaps below kWellKnown it is looked at.
+constexpr double kRoundingOfGaps = 0x1p-40;
+constexpr double kWellKnown = 0x1p-10;
 
 // A face takes part if its normal is within 8 degrees of the contact's.
 constexpr double kFacing = 0.99;
@@ -40,17 +43,19 @@ constexpr double kOuter = 0.9;
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
 
-/// Takes a face's normal instead, if it costs no more depth: EPA comes only near it.
+/// Takes a face's normal instead, if it costs no more depth, or none that is not allowed: the
+/// polytope comes only near it.
 void settle_on_faces(const Core& a, const Core& b, Penetration& way) {
-  const double allowance = kSameDepth * smaller_size(a, b);
+  const double allowance = depth_tolerance(a, b);
   const Vec3 found = way.normal;
-  double limit = way.depth + allowance;
+  double limit = way.is_open ? way.depth : way.lower + allowance;
   for (const Vec3& normal : {face_along(a, found).normal, -face_along(b, -found).normal}) {
     if (dot(normal, found) < kFacing) continue;
     Penetration settled = along(a, b, normal);
     if (settled.depth > limit || settled.depth < 0) continue;
     settled.source = way.source;
     settled.is_open = way.is_open;
+    settled.lower = way.lower;
     way = settled;
     limit = settled.depth - allowance;  // the second face must be better than the first
   }
@@ -150,10 +155,24 @@ Parting part_boxes(const BoxAxes& boxes) {
 
 namespace {
 
-/// Whether the way between two cores is known: without radii they are proved to be apart along it,
-/// and with them it leads out as well as penetration() would tell.
-bool leads_apart(const CoreGap& gap, double radii) {
-  return gap.lower > (radii == 0 ? 0 : (1 - kDepthTolerance) * gap.upper);
+/// Along the way between cores that are apart, or nearly so. False if that is not the least way to
+/// depth_tolerance().
+bool part_along_gap(const Core& a, const Core& b, const CoreGap& gap, Parting& parting) {
+  const double radii = a.radius + b.radius;
+  const double scale = pair_scale(a, b);
+  if (!(gap.upper > kRoundingOfGaps * scale || (radii == 0 && gap.upper > 0))) return false;
+  const Vec3 between = unit_or(gap.point_b - gap.point_a, gap.normal);
+  Penetration& way = parting.way;
+  way.normal = gap.lower > 0 ? gap.normal : between;
+  way.depth = radii - gap.upper;  // which is no more than the least
+  // Planes at right angles to the normal are as far apart as the bound says, which is then enough.
+  if (gap.upper - gap.lower <= kRoundingOfGaps * scale && gap.upper > kWellKnown * scale)
+    return true;
+  if (gap.lower > 0) way.normal = settled_normal(a, b, gap);
+  const double along_normal = along(a, b, way.normal).depth;
+  if (along_normal - way.depth > depth_tolerance(a, b)) return false;
+  if (along_normal - way.depth > kRoundingOfGaps * scale) way.depth = along_normal;
+  return true;
 }
 
 }  // namespace
@@ -161,15 +180,14 @@ bool leads_apart(const CoreGap& gap, double radii) {
 Parting part(const Core& a, const Core& b, const CoreGap& gap) {
   Parting parting;
   Penetration& way = parting.way;
-  const double radii = a.radius + b.radius;
-  if (leads_apart(gap, radii)) {
-    const bool is_settled = gap.verdict == GapVerdict::Apart;
-    way.normal = gap.normal;
-    way.depth = radii - (is_settled ? gap.upper : gap.lower);
+  if (part_along_gap(a, b, gap, parting)) {
+    way.depth = std::max(way.depth, 0.0);
     way.point_a = gap.point_a + way.normal * a.radius;
     way.point_b = gap.point_b - way.normal * b.radius;
-    parting.has_witnesses = is_settled;
-  } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
+    parting.has_witnesses = gap.verdict == GapVerdict::Apart;
+    return parting;
+  }
+  if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
     return part_boxes(BoxAxes(a, b));
   } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
     way = nearest_face(a, b);
@@ -179,7 +197,11 @@ Parting part(const Core& a, const Core& b, const CoreGap& gap) {
   } else {
     way = penetration(a, b);
     parting.is_asked = true;
-    parting.is_failed = way.is_open;
+    // Between points and segments no polytope proves that the cores meet: the gap tells how nearly.
+    const double least = a.radius + b.radius - gap.upper;
+    const bool is_unproved =
+        way.source == PenetrationSource::Fixed && way.depth - least > depth_tolerance(a, b);
+    parting.is_failed = way.is_open || is_unproved;
     settle_on_faces(a, b, way);
   }
   way.depth = std::max(way.depth, 0.0);

@@ -1,0 +1,256 @@
+// Shapes along the same axes, at right angles, concentric, equal and just touching: every promise
+// about a pair, of every pair of kinds, against oracles that share nothing with the solvers.
+
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/engine/special_poses/pair_laws.h"
+#include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+using Eigen::Vector3d;
+using tests::PairLawCounts;
+using tests::PlacedPair;
+using tests::SpecialPlace;
+
+constexpr std::size_t kConvexKinds = 7;
+
+/// Every pair of convex kinds under every right turn, once for each place and each shape.
+template <typename OnPair>
+void for_each_special(std::size_t shapes, OnPair&& on_pair) {
+  for (std::size_t i = 0; i < kConvexKinds; ++i) {
+    for (std::size_t j = i; j < kConvexKinds; ++j) {
+      for (std::size_t turn = 0; turn < tests::kRightTurns; ++turn) {
+        for (const SpecialPlace place :
+             {SpecialPlace::Concentric, SpecialPlace::Offset, SpecialPlace::Touching}) {
+          for (std::size_t n = 0; n < shapes; ++n) {
+            const std::size_t index = turn + 31 * n + 5 * i + 11 * j;
+            on_pair(special_pair(kShapeKinds[i], kShapeKinds[j], turn, place, index));
+          }
+        }
+      }
+    }
+  }
+}
+
+void expect_kept(const PlacedPair& pair, PairLawCounts& counts) {
+  const std::string broken = broken_law(pair, {.directions = 300}, counts);
+  EXPECT_EQ(broken, "") << text_of(pair);
+}
+
+TEST(SpecialPoses, KeepEveryPromise) {
+  PairLawCounts counts;
+  for_each_special(1, [&](const PlacedPair& pair) {
+    if (!testing::Test::HasFailure()) expect_kept(pair, counts);
+  });
+  EXPECT_EQ(counts.pairs, 28u * 24 * 3);
+  EXPECT_GT(counts.depths, counts.hits * 9 / 10);
+  RecordProperty("hits", static_cast<int>(counts.hits));
+  RecordProperty("unproved", static_cast<int>(counts.unproved));
+}
+
+TEST(SpecialPoses, DrawnAtRandomKeepEveryPromise) {
+  PairLawCounts counts;
+  RandomSource source(71);
+  for (int n = 0; n < 2000 && !HasFailure(); ++n)
+    expect_kept(tests::drawn_pair(source), counts);
+  EXPECT_GT(counts.depths, 700u);
+  EXPECT_GT(counts.pairs - counts.hits, 200u);
+}
+
+Pose at(double x, double y, double z) {
+  Pose pose = Pose::Identity();
+  pose.translation() = Vector3d(x, y, z);
+  return pose;
+}
+
+/// With the shape's axis along x.
+Pose lying(double x, double y, double z) {
+  Pose pose = at(x, y, z);
+  pose.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  return pose;
+}
+
+double depth_of(const PlacedPair& pair, Work* work = nullptr) {
+  const Manifold found = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, work);
+  return found.empty() ? 0 : found[0].depth;
+}
+
+/// By how much the two reach past each other along the normal of their contacts.
+double width_of(const PlacedPair& pair, Work* work) {
+  const Manifold found = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, work);
+  return found.empty() ? 0 : std::max(width_along(pair, found[0].normal), 0.0);
+}
+
+// What the depth of cones at right angles to their partner once was: the height or the diameter.
+TEST(SpecialPoses, ConesAtRightAnglesPartByTheirSides) {
+  const double root = std::sqrt(5.0);
+  const Shape cone = Cone{1, 1};
+  const auto expect_depth = [](const PlacedPair& pair, double expected) {
+    Work work;
+    EXPECT_NEAR(depth_of(pair, &work), expected, 2e-6) << text_of(pair);
+    EXPECT_EQ(work.penetration_failures, 0u) << text_of(pair);
+  };
+  // Along the normal (2 sin(t), 1) / root of a side: the cone reaches 1 / root.
+  const PlacedPair of_cylinder{Cylinder{1, 1}, cone, at(0, 0, 0), lying(0, 0, 0)};
+  expect_depth(of_cylinder, least_width(of_cylinder, 5000).width);
+  EXPECT_LT(depth_of(of_cylinder), 1.4473);
+  const PlacedPair of_capsule{Capsule{1, 1}, cone, at(0, 0, 0), lying(0, 0, 0)};
+  expect_depth(of_capsule, least_width(of_capsule, 5000).width);
+  EXPECT_LT(depth_of(of_capsule), 1.4473);
+  const PlacedPair of_cones{cone, cone, at(0, 0, 0), lying(0, 0, 0)};
+  expect_depth(of_cones, least_width(of_cones, 5000).width);
+  EXPECT_LE(depth_of(of_cones), 4 / root + 2e-6);
+}
+
+TEST(SpecialPoses, DepthsAreContinuous) {
+  constexpr double kMotion = 1e-9;
+  RandomSource source(73);
+  int moved = 0;
+  const auto expect_continuous = [&](const PlacedPair& pair) {
+    if (pair.a.kind() == ShapeKind::Box && pair.b.kind() == ShapeKind::Box) return;
+    Work before_work, after_work;
+    const double before = width_of(pair, &before_work);
+    PlacedPair other = pair;
+    other.pose_b.translation() += source.vector(-1, 1).normalized() * kMotion;
+    const double after = width_of(other, &after_work);
+    if (before_work.penetration_failures + after_work.penetration_failures > 0) return;
+    ++moved;
+    const double size =
+        std::min(tests::size_about_middle(pair.a), tests::size_about_middle(pair.b));
+    const double most = kMotion + 1e-6 * size + kTouchTolerance * scale_of(pair);
+    EXPECT_LE(std::abs(after - before), most) << text_of(pair);
+  };
+  for_each_special(1, [&](const PlacedPair& pair) { expect_continuous(pair); });
+  EXPECT_GT(moved, 1500);
+}
+
+// Half-spaces: the depth is that of the lowest point, whatever the shape.
+TEST(SpecialPoses, DepthsInHalfSpacesAreThoseOfTheLowestPoint) {
+  for (std::size_t i = 0; i < kConvexKinds; ++i) {
+    for (std::size_t turn = 0; turn < tests::kRightTurns; ++turn) {
+      PlacedPair pair =
+          special_pair(kShapeKinds[i], kShapeKinds[i], turn, SpecialPlace::Offset, turn);
+      pair.a = HalfSpace{{0, 0, 1}, 0};
+      const double expected = std::max(width_along(pair, Vector3d(0, 0, 1)), 0.0);
+      EXPECT_NEAR(depth_of(pair), expected, 1e-14) << text_of(pair);
+    }
+  }
+}
+
+// No rule could tell A from B: the swapped question is the same one.
+TEST(SpecialPoses, EqualShapesInEqualPosesHaveOneAnswer) {
+  PairLawCounts counts;
+  for (const ShapeKind kind : kShapeKinds) {
+    if (kind == ShapeKind::HalfSpace || kind == ShapeKind::Mesh) continue;
+    for (std::size_t turn = 0; turn < tests::kRightTurns; ++turn) {
+      PlacedPair pair = special_pair(kind, kind, turn, SpecialPlace::Offset, 7 * turn);
+      pair.a = pair.b;
+      pair.pose_a = pair.pose_b;
+      expect_kept(pair, counts);
+      // A zero of another sign is another pose, so that there is something to mirror.
+      pair.pose_a.linear() += Eigen::Matrix3d::Zero();
+      pair.pose_b.linear() = -(-pair.pose_a.linear() + Eigen::Matrix3d::Zero());
+      expect_kept(pair, counts);
+    }
+  }
+}
+
+// The ways between their axes are off by rounding over 3.5e-7, planes must not be.
+TEST(SpecialPoses, ThinCapsulesThatNearlyTouchHavePlanesAsFarApartAsTheirBound) {
+  PairLawCounts counts;
+  RandomSource source(74);
+  for (int n = 0; n < 3000; ++n) {
+    PlacedPair pair{Capsule{1e-9, 1}, Capsule{1e-9, 0.7}, at(0, 0, 0), at(0, 0, 0)};
+    const double angle = n % 3 == 0 ? 0 : std::pow(10.0, source.uniform(-14, 0));
+    pair.pose_b.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitX()));
+    pair.pose_b.translation() =
+        Vector3d(std::pow(10.0, source.uniform(-8, -2)), 0, source.uniform(-1.5, 1.5));
+    const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
+    pair.pose_a.prerotate(turn);
+    pair.pose_b.prerotate(turn);
+    expect_kept(pair, counts);
+  }
+  EXPECT_EQ(counts.unconverged, 0u);
+}
+
+// Their axes pass by each other at 1e-5 of their length, at 3e-6 of an angle: less than the way
+// between the nearest points of either can tell, and no axes that meet.
+TEST(SpecialPoses, CapsulesWhoseAxesNearlyMeetPartByTheirAxes) {
+  Pose first, second;
+  first.matrix() << 0.78996858295500849, -0.096171323396700453, 0.60555818424011276, 0,
+      -0.36153809757984268, -0.87072719935884235, 0.33335318851790646, 0, 0.49521696451394237,
+      -0.48227089986109878, -0.72261672912046715, 0, 0, 0, 0, 1;
+  second.matrix() << 0.096171507833465134, -0.78997135910224714, -0.60555453336523346,
+      0.75694773030014095, 0.87072224602239812, 0.361541759791978, -0.33336215473300179,
+      0.41669148564738306, 0.4822798060905597, -0.4952098623055356, 0.72261565227483449,
+      -0.90327091140058391, 0, 0, 0, 1;
+  PairLawCounts counts;
+  expect_kept({Capsule{1, 0.25}, Capsule{1, 1}, first, second}, counts);
+  EXPECT_EQ(counts.unproved, 0u);
+  RandomSource source(76);
+  for (int n = 0; n < 2000; ++n) {
+    PlacedPair pair{Capsule{1, 0.5}, Capsule{0.7, 1}, at(0, 0, 0), at(0, 0, 0)};
+    pair.pose_b.rotate(
+        Eigen::AngleAxisd(std::pow(10.0, source.uniform(-8, -2)), Vector3d::UnitX()));
+    pair.pose_b.translation() =
+        Vector3d(std::pow(10.0, source.uniform(-9, -2)), 0, source.uniform(-1.4, 1.4));
+    const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
+    pair.pose_a.prerotate(turn);
+    pair.pose_b.prerotate(turn);
+    expect_kept(pair, counts);
+  }
+}
+
+// Turned boxes that are apart by less than GJK can tell have the distance that they have.
+TEST(SpecialPoses, BoxesThatAllButTouchHaveADistance) {
+  RandomSource source(75);
+  int apart = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const double gap = std::pow(10.0, source.uniform(-15, -9));
+    PlacedPair pair{Box{{1, 0.5, 0.75}}, Box{{0.25, 1, 0.5}}, at(0, 0, 0),
+                    at(1.25 + gap, source.uniform(-1, 1), source.uniform(-1, 1))};
+    const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
+    pair.pose_a.prerotate(turn);
+    pair.pose_b.prerotate(turn);
+    const ShapeDistance found = distance(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    EXPECT_EQ(found.status, PairStatus::Converged) << n;
+    EXPECT_NEAR(found.distance, found.distance > 0 ? gap : 0, 4e-15) << n;
+    if (found.distance > 0) {
+      ++apart;
+      EXPECT_GT(found.distance, 1e-300) << n;
+    } else {
+      EXPECT_LT(gap, 3e-13) << n;  // what the separating axis test says of its slack
+    }
+  }
+  EXPECT_GT(apart, 500);
+}
+
+TEST(SpecialPoses, BallsThatAllButTouchHaveADistance) {
+  for (const double gap : {0x1p-52, 0x1p-50, 0x1p-45, 0x1p-40}) {
+    const PlacedPair balls{Sphere{{0, 0, 0}, 0.5}, Sphere{{0, 0, 0}, 1}, at(0, 0, 0),
+                           at(1.5 + gap, 0, 0)};
+    EXPECT_EQ(distance(balls.a, balls.pose_a, balls.b, balls.pose_b).distance, gap);
+    const PlacedPair box{Sphere{{0, 0, 0}, 0.5}, Box{{1, 1, 1}}, at(0, 0, 0),
+                         at(1.5 + gap, 0.25, 0)};
+    EXPECT_EQ(distance(box.a, box.pose_a, box.b, box.pose_b).distance, gap);
+  }
+}
+
+TEST(SpecialPosesSlow, DrawnAtRandomKeepEveryPromise) {
+  PairLawCounts counts;
+  RandomSource source(72);
+  for (int n = 0; n < 300000 && !HasFailure(); ++n)
+    expect_kept(tests::drawn_pair(source), counts);
+}
+
+}  // namespace
+}  // namespace graze
