@@ -150,8 +150,10 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                      {"agreed", 8},
                      {"right", 7},
                      {"wrong", 7},
+                     {"not judged", 10},
                      {"touching", 8},
                      {"pose rounding", 13},
+                     {"coplanar", 8},
                      {"degenerate", 10},
                      {"containment", 11},
                      {"real", 6},
@@ -161,8 +163,12 @@ std::string summary_text(std::span<const EngineSummary> summaries) {
                      {"median (us)", 11}});
   std::string out = table.header();
   for (const EngineSummary& s : summaries) {
-    std::vector<std::string> row = {s.engine, std::to_string(s.answers), std::to_string(s.agreed),
-                                    std::to_string(s.right), std::to_string(s.wrong)};
+    std::vector<std::string> row = {s.engine,
+                                    std::to_string(s.answers),
+                                    std::to_string(s.agreed),
+                                    std::to_string(s.right),
+                                    std::to_string(s.wrong),
+                                    std::to_string(s.not_judged)};
     for (const std::size_t count : s.classes)
       row.push_back(std::to_string(count));
     row.push_back(std::to_string(s.not_confirmed));
@@ -180,13 +186,14 @@ std::string summary_json(std::span<const EngineSummary> summaries,
     const EngineSummary& s = summaries[i];
     out += fmt::format(
         "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{}"
-        ",\"touching\":{},\"pose_rounding\":{},\"degenerate\":{},\"containment\":{},\"real\":{},"
+        ",\"touching\":{},\"pose_rounding\":{},\"coplanar\":{},\"degenerate\":{},\"containment\":{}"
+        ",\"real\":{},"
         "\"engine_error\":{}"
         ",\"not_confirmed\":{},\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},"
         "\"total_us\":{:.3f}}}",
         i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
         s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4], s.classes[5],
-        s.not_confirmed, json_plain_or_infinite(s.largest_error),
+        s.classes[6], s.not_confirmed, json_plain_or_infinite(s.largest_error),
         json_plain_or_infinite(s.largest_ulps), s.median_time, s.total_time);
   }
   out += "],\"cases\":[";

@@ -66,15 +66,17 @@ std::string escaped(const std::string& text) {
 
 std::string summary_table(std::span<const EngineSummary> summaries) {
   std::string out =
-      "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</th>"
-      "<th>touching</th><th>pose rounding</th><th>degenerate</th><th>containment</th><th>real</th>"
+      "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</"
+      "th><th>not judged</th>"
+      "<th>touching</th><th>pose "
+      "rounding</th><th>coplanar</th><th>degenerate</th><th>containment</th><th>real</th>"
       "<th>engine error</th><th>not confirmed</th><th>largest error, m</th><th>in "
       "ulp</th><th>median, us</th><th>total, "
       "ms</th></tr>\n";
   for (const EngineSummary& s : summaries) {
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td>",
+    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td>",
                        escaped(s.engine), s.answers, s.agreed, s.right,
-                       s.wrong == 0 ? "" : " class=\"bad\"", s.wrong);
+                       s.wrong == 0 ? "" : " class=\"bad\"", s.wrong, s.not_judged);
     for (const std::size_t count : s.classes)
       out += fmt::format("<td>{}</td>", count);
     out += fmt::format(

@@ -11,15 +11,17 @@ namespace {
 constexpr const char* kReplayFooter = R"(
 A case is a query in a file, bit for bit (data/README.md, data/case.schema.json). Each is put to graze
 and to every other engine that this command was built with, and the referee, exact arithmetic that shares
-no formula with graze, says who is right: about any, pairs, distance, within, of contacts and intersections
-whether there are any, and of a separation whether it separates. The answer that stands in the file is judged
-too, by itself. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
+no formula with graze, says who is right. An answer is "right" only if every part of it was judged; else, if
+nothing in it is wrong, it is "not judged", and the truth names what was not: normals and depths of contacts
+of what is not convex, how an intersection is joined, questions of a mesh about itself. The answer that stands in
+the file is judged too, by itself. "changed" is an answer of graze other than the one that graze or the referee once gave: that is
 right where a bug was fixed since. Most other engines have no query for rays, intersections and separations.
 
-Wrong answers have a class: touching (by no more than 64 ulp), pose rounding (as little, and right
-without poses), degenerate (a triangle without area), containment (one mesh inside the other), real. Other engines
-run in processes of their own: a crash, or no answer within --timeout, is an engine error, and what they get wrong
-is asked again alone: if it is right then, it is "not confirmed".
+Wrong answers have a class, the first that fits: degenerate (a triangle without area); by no more than
+64 ulp: coplanar (one plane holds both triangles), pose rounding (right without poses), touching; beyond
+that: containment (one mesh inside the other), real. Other engines run in processes of their own: a crash, or
+no answer within --timeout, is an engine error, and what they get wrong is asked again alone: if it is right
+then, it is "not confirmed".
 
 With --json each case gives one line, with plain numbers that read back as the same doubles:
   {"case":FILE,"question":"any","testimonies":[{"engine":"graze","version":"0.1.0","recorded":false,

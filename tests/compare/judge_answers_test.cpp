@@ -65,19 +65,20 @@ TEST_F(JudgeAnswers, ATranslationMustSeparate) {
   const Case query = asking(Ask::Separation);
   const auto verdict = [&](const Eigen::Vector3d& translation) {
     CaseAnswer answer;
-    answer.distance = translation.norm();
+    answer.distance = translation.stableNorm();
     answer.translation = translation;
     return judged(query, answer);
   };
-  EXPECT_EQ(verdict({0.75, 0, 0}).verdict, Verdict::Right);
-  EXPECT_EQ(verdict({0.75, 0, 0}).truth, "apart after it, length not judged");
+  EXPECT_EQ(verdict({0.5 + 0x1p-50, 0, 0}).verdict, Verdict::Right);
+  EXPECT_EQ(verdict({0.75, 0, 0}).verdict, Verdict::NotJudged) << "more than is needed";
+  EXPECT_EQ(verdict({0.75, 0, 0}).truth, "apart after it; not judged: its length");
   EXPECT_EQ(verdict({0.5, 0, 0}).verdict, Verdict::Wrong) << "they touch";
-  EXPECT_EQ(verdict({0.5, 0, 0}).error_class, ErrorClass::Touching);
+  EXPECT_EQ(verdict({0.5, 0, 0}).error_class, ErrorClass::Coplanar) << "face on face";
   const Judgement deep = verdict({0.25, 0, 0});
   EXPECT_EQ(deep.verdict, Verdict::Wrong);
   EXPECT_EQ(deep.error_class, ErrorClass::Real);
   EXPECT_EQ(deep.error, 0.25);
-  EXPECT_EQ(verdict({1.7e308, 0, 0}).verdict, Verdict::Right) << "far, and still within range";
+  EXPECT_EQ(verdict({1.7e308, 0, 0}).truth, verdict({0.75, 0, 0}).truth) << "still within range";
   const Case graze = asking(Ask::Separation, {.direction = Eigen::Vector3d(0, 0, 3)});
   EXPECT_EQ(judged(graze, answer_case(graze)).verdict, Verdict::Right);
 }
@@ -94,8 +95,8 @@ TEST_F(JudgeAnswers, ATranslationOutOfRangeIsNotJudged) {
 TEST_F(JudgeAnswers, AnIntersectionIsEmptyOrNot) {
   const Case query = asking(Ask::Intersection);
   const CaseAnswer found = answer_case(query);
-  EXPECT_EQ(judged(query, found).verdict, Verdict::Right);
-  EXPECT_EQ(judged(query, found).truth, "hit, its parts not judged");
+  EXPECT_EQ(judged(query, found).verdict, Verdict::NotJudged);
+  EXPECT_EQ(judged(query, found).truth, "hit; not judged: features, and how its parts are joined");
   CaseAnswer none;
   none.intersection.emplace();
   EXPECT_EQ(judged(query, none).verdict, Verdict::Wrong);

@@ -174,7 +174,9 @@ TEST(JudgeDistances, ANegativeOneClaimsATouch) {
   const Triangle crossing{{1, 1, -1}, {1, 1, 2}, {1, 2, 5}};
   const Triangle above = moved(kFlat, way(0, 0, 3));
   for (const double claimed : {-1.0, -0.25, -7e5}) {
-    EXPECT_EQ(judged_distance(kFlat, crossing, claimed).verdict, Verdict::Right);
+    EXPECT_EQ(judged_distance(kFlat, crossing, claimed).verdict,
+              claimed == -1 ? Verdict::Right : Verdict::NotJudged)
+        << "how deep has many definitions";
     const Judgement wrong = judged_distance(kFlat, above, claimed);
     EXPECT_EQ(wrong.verdict, Verdict::Wrong);
     EXPECT_EQ(wrong.error, 3) << "the gap, not the difference";
@@ -213,13 +215,13 @@ TEST(JudgeClasses, AMissedHitIsAsLargeAsTheWayOut) {
   EXPECT_EQ(judged(cube_at(0), cube_at(0), false).error, 2) << "one and the same cube";
   EXPECT_EQ(judged(cube_at(0), cube_at(1.75, 0.125), false).error, 0.25);
   const Judgement face = judged(cube_at(0), cube_at(2), false);
-  EXPECT_EQ(face.error_class, ErrorClass::Touching);
+  EXPECT_EQ(face.error_class, ErrorClass::Coplanar);
   EXPECT_EQ(face.error, 0);
   const Judgement deeper = judged(cube_at(0), cube_at(2 - 0x1p-50), false);
-  EXPECT_EQ(deeper.error_class, ErrorClass::Touching);
+  EXPECT_EQ(deeper.error_class, ErrorClass::Coplanar) << "the sides of cubes in line";
   EXPECT_EQ(deeper.error, 0x1p-50);
   EXPECT_EQ(judged(cube_at(0), cube_at(2 - 0x1p-40), false).error_class, ErrorClass::Real);
-  EXPECT_EQ(judged(cube_at(0), cube_at(2, 2), false).error_class, ErrorClass::Touching) << "edges";
+  EXPECT_EQ(judged(cube_at(0), cube_at(2, 2), false).error_class, ErrorClass::Coplanar) << "edges";
 }
 
 /// A floor and a wall in one mesh: out of the corner leads a way that no triangle is normal to.
@@ -234,7 +236,7 @@ TEST(JudgeClasses, ACornerIsLeftAwayFromBothFaces) {
                                                  {-3, 3, -1}},
                     std::vector<TriangleIndices>{{0, 1, 2}, {1, 3, 2}, {4, 5, 6}, {5, 7, 6}});
   const Judgement missed = judged(CaseMesh(corner, Pose::Identity()), cube_at(0), false);
-  EXPECT_EQ(missed.error_class, ErrorClass::Touching);
+  EXPECT_EQ(missed.error_class, ErrorClass::Coplanar) << "face on face";
   EXPECT_EQ(missed.error, 0);
 }
 
@@ -471,7 +473,7 @@ TEST(JudgeWitnesses, ContactsThatNoDefinitionAllows) {
   };
   const Judgement right = judgement({1, 0, 0}, 0.5);
   EXPECT_EQ(right.verdict, Verdict::Right);
-  EXPECT_EQ(right.truth, "hit, depths not judged");
+  EXPECT_EQ(right.truth, "hit");
   EXPECT_EQ(judgement({1, 0, 0}, 7).verdict, Verdict::Wrong);
   EXPECT_EQ(judgement({1, 0, 0}, 7).error, 3.5) << "3.5 m are the longest way out along x";
   EXPECT_EQ(judgement({0, 1, 0}, 0.5).error, 0.5)
@@ -482,7 +484,7 @@ TEST(JudgeWitnesses, ContactsThatNoDefinitionAllows) {
     if (entry.engine == nullptr) continue;
     const std::optional<CaseAnswer> answer = ask(*entry.engine, query);
     if (!answer) continue;
-    EXPECT_EQ(judge.judge(*answer, entry.engine->name()).verdict, Verdict::Right) << entry.name;
+    EXPECT_NE(judge.judge(*answer, entry.engine->name()).verdict, Verdict::Wrong) << entry.name;
   }
 }
 

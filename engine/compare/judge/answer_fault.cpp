@@ -1,5 +1,6 @@
 #include <graze/engine/compare/judge/answer_fault.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -75,17 +76,48 @@ bool has_asked_part(const Case& query, const CaseAnswer& answer) {
   }
 }
 
+bool is_finite(const CaseContact& c) {
+  return c.point.allFinite() && c.point_a.allFinite() && c.point_b.allFinite() &&
+         c.normal.allFinite() && std::isfinite(c.depth);
+}
+
+bool is_finite(const CaseShapeContact& c) {
+  if (c.point_a && !c.point_a->allFinite()) return false;
+  if (c.point_b && !c.point_b->allFinite()) return false;
+  return c.point.allFinite() && c.normal.allFinite() && std::isfinite(c.depth);
+}
+
+bool is_finite(const RayHit& hit) {
+  return hit.point.allFinite() && hit.normal.allFinite() && !std::isnan(hit.distance);
+}
+
+bool is_finite(const Eigen::Vector3d& point) {
+  return point.allFinite();
+}
+
+bool is_finite(const IntersectionPoint& point) {
+  return point.position.allFinite();
+}
+
+template <typename List>
+bool are_finite(const List& list) {
+  return std::all_of(list.begin(), list.end(), [](const auto& part) { return is_finite(part); });
+}
+
 Fault fault_of_numbers(const CaseAnswer& answer) {
-  if (answer.distance && std::isnan(*answer.distance)) return "a distance that is no number";
-  for (const auto* point : {&answer.point_a, &answer.point_b, &answer.translation}) {
+  for (const std::optional<double>* length : {&answer.distance, &answer.lower_bound}) {
+    if (*length && std::isnan(**length)) return "a distance that is no number";
+  }
+  for (const auto* point :
+       {&answer.point_a, &answer.point_b, &answer.translation, &answer.normal}) {
     if (*point && !(*point)->allFinite()) return "a point that is not finite";
   }
-  if (!answer.contacts) return std::nullopt;
-  for (const CaseContact& c : *answer.contacts) {
-    const bool is_finite = c.point.allFinite() && c.point_a.allFinite() && c.point_b.allFinite() &&
-                           c.normal.allFinite() && std::isfinite(c.depth);
-    if (!is_finite) return "a contact that is not finite";
-  }
+  if (answer.contacts && !are_finite(*answer.contacts)) return "a contact that is not finite";
+  if (answer.manifold && !are_finite(*answer.manifold)) return "a contact that is not finite";
+  if (answer.hits && !are_finite(*answer.hits)) return "a hit that is not finite";
+  if (answer.corners && !are_finite(*answer.corners)) return "a corner that is not finite";
+  if (answer.intersection && !are_finite(answer.intersection->points))
+    return "a point that is not finite";
   return std::nullopt;
 }
 

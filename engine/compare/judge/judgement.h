@@ -15,21 +15,26 @@ enum class Verdict {
   NotConfirmed,  ///< wrong once: asked again alone, the engine said something else
 };
 
-/// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse.
+/// Why an answer is wrong, as far as exact arithmetic can tell; the later ones are worse. Which of
+/// several that fit is said: class_of_pair() has the order, the same for every question.
 enum class ErrorClass {
   Touching,      ///< the shapes touch, or miss each other, by no more than kTouchUlps
   PoseRounding,  ///< as small, and right if no pose had to be rounded
-  Degenerate,    ///< a triangle of exactly zero area takes part
-  Containment,   ///< surfaces only were asked for: one mesh lies inside the other
+  Coplanar,      ///< as small, and one plane holds both triangles that show it best, exactly
+  Degenerate,    ///< one of the two that show it best has exactly no area
+  Containment,   ///< more than kTouchUlps apart, and one closed mesh lies inside the other
   Real,          ///< none of these: a plain error
   EngineError,   ///< no answer to what was asked: triangles that are not there, no numbers, a throw
 };
+
+inline constexpr std::size_t kErrorClasses = static_cast<std::size_t>(ErrorClass::EngineError) + 1;
 
 /// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some
 /// twenty operations a coordinate, each off by half an ulp, and the square roots of their sums.
 inline constexpr double kTouchUlps = 64;
 
-/// What the referee says of one answer.
+/// What the referee says of one answer. Right only if every part of it has been judged: what is not
+/// wrong, as far as it could be judged, is NotJudged, and the truth names what was not.
 struct Judgement {
   Verdict verdict = Verdict::NotJudged;
   std::string truth;  ///< in words: "hit", "apart by 3.2e-17 m", "12 pairs"

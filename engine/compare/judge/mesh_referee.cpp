@@ -1,4 +1,5 @@
 #include <graze/engine/compare/judge/mesh_referee.h>
+#include <graze/engine/compare/judge/parts/rational_crossing.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/mesh/placement.h>
@@ -19,14 +20,18 @@ std::vector<Triangle> placed_triangles(const PlacedMesh& mesh) {
 
 }  // namespace
 
-MeshReferee::MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b)
-    : triangles_a_(placed_triangles(mesh_a)),
+MeshReferee::MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Touch touch)
+    : touch_(touch),
+      triangles_a_(placed_triangles(mesh_a)),
       triangles_b_(placed_triangles(mesh_b)),
       tree_a_(triangles_a_),
       tree_b_(triangles_b_) {}
 
 bool MeshReferee::is_hit(const TrianglePair& pair) const {
-  return referee_intersects(triangles_a_[pair.a], triangles_b_[pair.b]);
+  const Triangle& a = triangles_a_[pair.a];
+  const Triangle& b = triangles_b_[pair.b];
+  if (!referee_intersects(a, b)) return false;
+  return touch_ == Touch::Include || do_cross(exactly(a), exactly(b));
 }
 
 std::optional<TrianglePair> MeshReferee::find_hit() const {

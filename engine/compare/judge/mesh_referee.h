@@ -8,6 +8,7 @@
 #include <graze/engine/compare/judge/box_tree.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/narrowphase/touch.h>
 
 namespace graze::compare {
 
@@ -15,7 +16,8 @@ namespace graze::compare {
 /// rationals. Slow, and right.
 class MeshReferee {
  public:
-  MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+  /// With Touch::Exclude a hit is a pair that crosses.
+  MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Touch touch = Touch::Include);
 
   /// A pair that shares a point, if there is one.
   std::optional<TrianglePair> find_hit() const;
@@ -27,7 +29,7 @@ class MeshReferee {
     mpq_class square;  ///< of the distance, m^2
     TrianglePair pair;
   };
-  /// The least distance. A pair that is near, if one is known, saves time.
+  /// The least distance, 0 if a pair is a hit. A pair that is near, if one is known, saves time.
   Gap find_gap(const std::optional<TrianglePair>& hint = std::nullopt) const;
 
   bool is_hit(const TrianglePair& pair) const;
@@ -37,6 +39,7 @@ class MeshReferee {
   const Triangle& triangle_b(std::uint32_t index) const { return triangles_b_[index]; }
 
  private:
+  Touch touch_;
   std::vector<Triangle> triangles_a_;
   std::vector<Triangle> triangles_b_;
   BoxTree tree_a_;

@@ -1,5 +1,6 @@
 #include <graze/engine/compare/judge/box_tree.h>
 #include <graze/engine/compare/judge/pair_error.h>
+#include <graze/engine/compare/judge/parts/rational_crossing.h>
 #include <graze/engine/compare/judge/rational_triangle.h>
 #include <graze/engine/mesh/placement.h>
 
@@ -18,20 +19,6 @@ double largest(const Triangle& t) {
 
 bool moves(const Pose& pose) {
   return pose.matrix() != Pose::Identity().matrix();
-}
-
-/// Whether placing has changed the answer: the real numbers of the poses say otherwise, or the
-/// engine itself does once it has nothing to place.
-bool is_due_to_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
-                       bool is_hit, const JudgeSettings& settings) {
-  if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
-  const Triangle a = mesh_a.mesh.triangle(pair.a);
-  const Triangle b = mesh_b.mesh.triangle(pair.b);
-  const mpq_class gap = squared_distance(placed_without_rounding(mesh_a.pose, a),
-                                         placed_without_rounding(mesh_b.pose, b));
-  if ((gap == 0) != is_hit) return true;
-  if (!settings.ask_again) return false;
-  return settings.ask_again(place(mesh_a.pose, a), place(mesh_b.pose, b)) == is_hit;
 }
 
 /// Triangles whose boxes hold the placed ones with and without law 1's rounding: six operations,
@@ -65,14 +52,39 @@ bool is_hit_by_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
   return is_apart;
 }
 
+bool is_due_to_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
+                       bool is_hit, const JudgeSettings& settings) {
+  if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
+  const Triangle a = mesh_a.mesh.triangle(pair.a);
+  const Triangle b = mesh_b.mesh.triangle(pair.b);
+  const mpq_class gap = squared_distance(placed_without_rounding(mesh_a.pose, a),
+                                         placed_without_rounding(mesh_b.pose, b));
+  if ((gap == 0) != is_hit) return true;
+  if (!settings.ask_again) return false;
+  return settings.ask_again(place(mesh_a.pose, a), place(mesh_b.pose, b)) == is_hit;
+}
+
 double ulp_of(const Triangle& triangle_a, const Triangle& triangle_b) {
   const double value = std::max(largest(triangle_a), largest(triangle_b));
   const double next = std::nextafter(value, std::numeric_limits<double>::infinity());
   return std::isfinite(next) ? next - value : value - std::nextafter(value, 0.0);
 }
 
+ErrorClass class_of_pair(const RationalTriangle& a, const RationalTriangle& b, double ulps,
+                         const std::function<bool()>& is_due_to_placing,
+                         const std::function<bool()>& is_containment) {
+  if (has_no_area(a) || has_no_area(b)) return ErrorClass::Degenerate;
+  if (ulps <= kTouchUlps) {
+    if (are_coplanar(a, b)) return ErrorClass::Coplanar;
+    return is_due_to_placing && is_due_to_placing() ? ErrorClass::PoseRounding
+                                                    : ErrorClass::Touching;
+  }
+  return is_containment && is_containment() ? ErrorClass::Containment : ErrorClass::Real;
+}
+
 PairError pair_error(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
-                     bool is_hit, const JudgeSettings& settings) {
+                     bool is_hit, const JudgeSettings& settings,
+                     const std::function<bool()>& is_containment) {
   const Triangle a = place(mesh_a.pose, mesh_a.mesh.triangle(pair.a));
   const Triangle b = place(mesh_b.pose, mesh_b.mesh.triangle(pair.b));
   const RationalTriangle exact_a = exactly(a);
@@ -81,13 +93,9 @@ PairError pair_error(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const T
   result.error =
       rounded_root(is_hit ? squared_depth(exact_a, exact_b) : squared_distance(exact_a, exact_b));
   result.ulps = result.error / ulp_of(a, b);
-  if (has_no_area(exact_a) || has_no_area(exact_b)) {
-    result.error_class = ErrorClass::Degenerate;
-  } else if (result.ulps <= kTouchUlps) {
-    result.error_class = is_due_to_placing(mesh_a, mesh_b, pair, is_hit, settings)
-                             ? ErrorClass::PoseRounding
-                             : ErrorClass::Touching;
-  }
+  result.error_class = class_of_pair(
+      exact_a, exact_b, result.ulps,
+      [&] { return is_due_to_placing(mesh_a, mesh_b, pair, is_hit, settings); }, is_containment);
   return result;
 }
 

@@ -130,10 +130,10 @@ struct ShapeJudge::Truth {
   Truth(const PlacedBody& the_a, const PlacedBody& the_b) : a(the_a), b(the_b) {
     query = case_of(a, b);
     if (query) judge.emplace(*query);
-    if (is_of_meshes()) return;
-    scale = scale_of(a, b);
     ulp = std::nextafter(largest_coordinate(a, b), std::numeric_limits<double>::infinity()) -
           largest_coordinate(a, b);
+    if (is_of_meshes()) return;
+    scale = scale_of(a, b);
     if (query) {
       CaseAnswer yes;
       yes.says = true;
@@ -159,7 +159,9 @@ struct ShapeJudge::Truth {
     const bool is_proved_apart = gap > slack;
     const double outside = std::max(outside_by(a.shape, a.pose, found.point_a),
                                     outside_by(b.shape, b.pose, found.point_b));
-    has_ended = found.status == PairStatus::Converged;
+    Work work;
+    intersects(a.shape, a.pose, b.shape, b.pose, &work);
+    has_ended = work.convex_failures == 0;
     // A plane that parts them by less than it is sure of leaves both possible.
     const bool is_proved_hit =
         found.distance == 0 && outside <= kTouchTolerance * scale + slack && gap <= 0;
@@ -180,7 +182,7 @@ struct ShapeJudge::Truth {
   std::optional<Judge> judge;
   std::optional<bool> is_hit;  // none: not proved
   double size = 0;             // metres, of the gap or the depth
-  bool has_ended = true;       // the library's search for the distance
+  bool has_ended = true;       // the library's search for the answer
   double scale = 1;
   double ulp = 1;
 };
@@ -188,6 +190,10 @@ struct ShapeJudge::Truth {
 ShapeJudge::ShapeJudge(const PlacedBody& a, const PlacedBody& b)
     : truth_(std::make_unique<Truth>(a, b)) {}
 ShapeJudge::~ShapeJudge() = default;
+
+double ShapeJudge::ulp() const {
+  return truth_->ulp;
+}
 
 const std::optional<Case>& ShapeJudge::as_case() const {
   return truth_->query;

@@ -40,6 +40,9 @@ class ShapeJudge {
   /// does not end, where law 11 says so.
   Judgement judge(bool says, const CaseWitness& witness, const JudgeSettings& settings = {}) const;
 
+  /// From the largest coordinate that a proof computes with to the next double.
+  double ulp() const;
+
   /// The question as a case, if there is one: of meshes, boxes and balls.
   const std::optional<Case>& as_case() const;
 

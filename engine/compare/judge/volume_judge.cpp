@@ -1,12 +1,12 @@
 #include <graze/engine/compare/judge/box_tree.h>
 #include <graze/engine/compare/judge/in_metres.h>
 #include <graze/engine/compare/judge/pair_error.h>
+#include <graze/engine/compare/judge/parts/inside_judge.h>
 #include <graze/engine/compare/judge/rational_box.h>
 #include <graze/engine/compare/judge/volume_error.h>
 #include <graze/engine/compare/judge/volume_judge.h>
 #include <graze/engine/compare/judge/volume_referee.h>
 #include <graze/engine/compare/judge/way_out.h>
-#include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
 
@@ -65,10 +65,14 @@ class SurfaceAndVolume {
                              });
     judgement.truth = in_metres("apart by", least);
     add_error(judgement, nearest);
+    if (judgement.error_class == ErrorClass::Real && is_volume_enclosed().value_or(false))
+      judgement.error_class = ErrorClass::Containment;
+  }
+
+  /// Where no triangle meets the volume: whether a closed mesh encloses it.
+  std::optional<bool> is_volume_enclosed() const {
     const auto* mesh = std::get_if<CaseMesh>(&query_.a);
-    if (mesh == nullptr || !mesh->mesh.topology().is_closed) return;
-    const Eigen::Vector3d local = mesh->pose.inverse() * centre_of_volume();
-    if (contains(mesh->mesh, local)) judgement.error_class = ErrorClass::Containment;
+    return mesh == nullptr ? std::nullopt : is_volume_inside(*mesh, volume_);
   }
 
   /// Of the triangle that shows it worst: so much at least. Of a box all triangles may merely touch
@@ -120,12 +124,6 @@ class SurfaceAndVolume {
   Triangle in_frame(const Triangle& t) const {
     const auto* box = std::get_if<Obb>(&volume_);
     return box == nullptr ? t : narrowphase::into_frame(t, box->pose);
-  }
-
-  Eigen::Vector3d centre_of_volume() const {
-    if (const auto* box = std::get_if<Aabb>(&volume_)) return box->min / 2 + box->max / 2;
-    if (const auto* box = std::get_if<Obb>(&volume_)) return box->pose.translation();
-    return std::get<Sphere>(volume_).centre;
   }
 
   /// As a triangle whose box is that of the volume, in its frame, a little larger.
@@ -187,14 +185,48 @@ Judgement judge_list(const SurfaceAndVolume& shapes, const std::vector<std::uint
   return judgement;
 }
 
+/// Any triangles do, if they meet the volume and are as many as the limit lets pass.
+Judgement judge_cut_list(const SurfaceAndVolume& shapes,
+                         const std::vector<std::uint32_t>& triangles, std::size_t limit) {
+  const std::vector<std::uint32_t>& hits = shapes.hits();
+  const std::size_t count = std::min(limit, hits.size());
+  std::vector<std::uint32_t> wrong;
+  std::set_difference(triangles.begin(), triangles.end(), hits.begin(), hits.end(),
+                      std::back_inserter(wrong));
+  if (wrong.empty() && triangles.size() != count) {
+    std::set_difference(hits.begin(), hits.end(), triangles.begin(), triangles.end(),
+                        std::back_inserter(wrong));
+  }
+  Judgement judgement;
+  judgement.truth = std::to_string(count) + " of " + std::to_string(hits.size()) +
+                    (hits.size() == 1 ? " triangle" : " triangles");
+  const bool is_right = wrong.empty() && triangles.size() == count;
+  judgement.verdict = is_right ? Verdict::Right : Verdict::Wrong;
+  judgement.wrong_pairs = wrong.size();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxExamined); ++i)
+    shapes.add_error(judgement, wrong[i]);
+  return judgement;
+}
+
 Judgement judge_surface(const Case& query, const CaseAnswer& answer) {
   const SurfaceAndVolume shapes(query);
-  if (query.ask == Ask::Pairs && answer.triangles && !query.settings.limit) {
-    return judge_list(shapes, *answer.triangles);
+  if (query.ask == Ask::Pairs && answer.triangles) {
+    return query.settings.limit ? judge_cut_list(shapes, *answer.triangles, *query.settings.limit)
+                                : judge_list(shapes, *answer.triangles);
   }
   Judgement judgement;
   if (query.ask != Ask::Any || !answer.says) return judgement;
   const bool is_hit = !shapes.hits().empty();
+  if (!is_hit && query.settings.interior == Interior::Solid) {
+    const std::optional<bool> is_inside = shapes.is_volume_enclosed();
+    if (!is_inside) return judgement;
+    if (*is_inside) {
+      shapes.add_gap(judgement);
+      judgement.truth = "inside, " + judgement.truth;
+      judgement.verdict = *answer.says ? Verdict::Right : Verdict::Wrong;
+      return judgement;
+    }
+  }
   judgement.truth = is_hit ? "hit" : "apart";
   judgement.verdict = is_hit == *answer.says ? Verdict::Right : Verdict::Wrong;
   if (judgement.verdict == Verdict::Right) return judgement;

@@ -14,14 +14,12 @@ struct WitnessFault {
   double error;  ///< metres
 };
 
-/// Whether the points of a distance lie on the placed surfaces and are as far apart as is said,
-/// within kTouchUlps of the largest coordinate. Nothing if all is well, or no points are named.
-std::optional<WitnessFault> fault_of_distance(const MeshReferee& referee, const CaseAnswer& answer);
-
-/// What no definition of a contact allows: a normal that is no unit vector, a depth along it beyond
-/// that by which a plane parts the meshes on either side, two points that are less far apart along
-/// the normal than it is deep. Engines that compute in float are granted a part in 1e5 of the size.
-/// What is left, such as which of the possible depths is meant, is not judged.
-std::optional<WitnessFault> fault_of_contacts(const MeshReferee& referee, const CaseAnswer& answer);
+/// Whether the points of a distance lie on the placed surfaces, those of the
+/// pair if one is named, and are as far apart as is said, within kTouchUlps of the largest
+/// coordinate; and whether the pair that is named is as near as any, within `tolerance`. Nothing if
+/// all is well, or nothing is named.
+std::optional<WitnessFault> fault_of_distance(const MeshReferee& referee,
+                                              const MeshReferee::Gap& nearest,
+                                              const CaseAnswer& answer, double tolerance);
 
 }  // namespace graze::compare

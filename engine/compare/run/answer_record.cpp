@@ -17,9 +17,10 @@ using cases::JsonCursor;
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged,
                                   Verdict::NotConfirmed};
-constexpr std::array kClasses = {ErrorClass::Touching,   ErrorClass::PoseRounding,
-                                 ErrorClass::Degenerate, ErrorClass::Containment,
-                                 ErrorClass::Real,       ErrorClass::EngineError};
+constexpr std::array kClasses = {ErrorClass::Touching,    ErrorClass::PoseRounding,
+                                 ErrorClass::Coplanar,    ErrorClass::Degenerate,
+                                 ErrorClass::Containment, ErrorClass::Real,
+                                 ErrorClass::EngineError};
 
 template <typename List>
 auto named(const JsonCursor& at, const List& list) {

@@ -30,9 +30,11 @@ auto rank_of(const WrongAnswer& wrong) {
                     wrong.place, answer.engine);
 }
 
-/// Errors of rounding are of one kind: without its poses one of placing becomes one of touching.
-bool is_same_kind(ErrorClass a, ErrorClass b) {
-  return a == b || (a <= ErrorClass::PoseRounding && b <= ErrorClass::PoseRounding);
+/// A smaller query shows the same error: of the same class, and no larger. A gap that grows while
+/// coordinates get shorter would be another error.
+bool is_same_error(const Judgement& smaller, const Judgement& before) {
+  return smaller.verdict == Verdict::Wrong && smaller.error_class == before.error_class &&
+         !(smaller.error > before.error);
 }
 
 /// A record from a file may name triangles that the meshes do not have.
@@ -115,9 +117,7 @@ class OneShrinking {
     }
     try {
       const Judgement judgement = judged(smaller, engine_);
-      const bool is_wrong = judgement.verdict == Verdict::Wrong &&
-                            is_same_kind(judgement.error_class, answer_.judgement.error_class);
-      if (!is_wrong) return false;
+      if (!is_same_error(judgement, answer_.judgement)) return false;
       best_.judgement = judgement;
     } catch (const Error&) {  // of graze's meshes: no such query
       return false;

@@ -96,9 +96,12 @@ TEST_F(CliReplay, WhatIsWrongTodayIsOne) {
 
 /// Nobody says which of the two answers is right.
 TEST_F(CliReplay, AChangeThatNobodyJudgesIsAFailure) {
-  Case query = to_case_contains(tests::make_box({1, 1, 1}), Eigen::Vector3d(0, 0, 0), false);
+  const CaseMesh cube(tests::make_box({1, 1, 1}), Pose::Identity());
+  Case query = to_case(cube, cube, true);
+  query.ask = Ask::SelfAny;  // about which nothing is judged
+  query.b.reset();
   query.answered_by = {"graze", "0.0.9"};
-  directory_.write("contains.json", to_json(query));
+  directory_.write("self.json", to_json(query));
   EXPECT_EQ(replay({}), ExitCode::GrazeWrong);
   expect_summary("1 case, graze wrong in 0, changed in 1");
 }
