@@ -1,4 +1,5 @@
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <cmath>
@@ -6,8 +7,9 @@
 
 namespace graze {
 
+namespace bvh {
+
 void check_box(const Aabb& box, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < 3; ++i) {
     const double low = box.min.data()[i];
     const double high = box.max.data()[i];
@@ -18,6 +20,13 @@ void check_box(const Aabb& box, const char* what) {
       throw InputError(std::string(what) + ": minimum exceeds maximum in coordinate " + "xyz"[i]);
     }
   }
+}
+
+}  // namespace bvh
+
+void check_box(const Aabb& box, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
+  bvh::check_box(box, what);
 }
 
 }  // namespace graze

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/kdop.h>
@@ -6,8 +7,9 @@
 
 namespace graze {
 
+namespace bvh {
+
 void check_kdop(const KDop<18>& kdop, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     if (!std::isfinite(kdop.min[i]) || !std::isfinite(kdop.max[i])) {
       throw InputError(std::string(what) + ": slab " + std::to_string(i) + " is not finite");
@@ -17,6 +19,13 @@ void check_kdop(const KDop<18>& kdop, const char* what) {
                        std::to_string(i));
     }
   }
+}
+
+}  // namespace bvh
+
+void check_kdop(const KDop<18>& kdop, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
+  bvh::check_kdop(kdop, what);
 }
 
 }  // namespace graze

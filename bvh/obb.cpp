@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/obb.h>
@@ -6,9 +7,10 @@
 
 namespace graze {
 
+namespace bvh {
+
 void check_box(const Obb& box, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  check_rigid(box.pose, what);
+  bvh::check_rigid(box.pose, what);
   for (int i = 0; i < 3; ++i) {
     const double half = box.half_extents.data()[i];
     if (!(half >= 0) || !std::isfinite(half)) {
@@ -16,6 +18,13 @@ void check_box(const Obb& box, const char* what) {
                        " is negative or not finite");
     }
   }
+}
+
+}  // namespace bvh
+
+void check_box(const Obb& box, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
+  bvh::check_box(box, what);
 }
 
 }  // namespace graze

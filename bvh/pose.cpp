@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/pose.h>
@@ -39,14 +40,22 @@ namespace {
 
 }  // namespace
 
+namespace bvh {
+
 double check_rigid(const Pose& pose, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
   const bvh::RotationError error(pose);
   const double* m = pose.data();
   // 0 if and only if all are finite.
   const double infinite = (m[12] - m[12]) + (m[13] - m[13]) + (m[14] - m[14]);
   if (!(bvh::is_rigid(pose, error) && infinite == 0)) throw_not_rigid(pose, error.largest(), what);
   return error.largest();
+}
+
+}  // namespace bvh
+
+double check_rigid(const Pose& pose, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
+  return bvh::check_rigid(pose, what);
 }
 
 }  // namespace graze

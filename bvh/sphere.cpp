@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/sphere.h>
@@ -6,8 +7,9 @@
 
 namespace graze {
 
+namespace bvh {
+
 void check_sphere(const Sphere& sphere, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(sphere.centre.data()[i])) {
       throw InputError(std::string(what) + ": coordinate " + "xyz"[i] +
@@ -17,6 +19,13 @@ void check_sphere(const Sphere& sphere, const char* what) {
   if (!(sphere.radius >= 0) || !std::isfinite(sphere.radius)) {
     throw InputError(std::string(what) + ": the radius is negative or not finite");
   }
+}
+
+}  // namespace bvh
+
+void check_sphere(const Sphere& sphere, const char* what) {
+  const bvh::StandardArithmetic arithmetic;
+  bvh::check_sphere(sphere, what);
 }
 
 }  // namespace graze

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/finite.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -36,7 +37,7 @@ bool intersects(const Triangle& triangle, const Aabb& box) {
 
 bool intersects(const Triangle& triangle, const Obb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   narrowphase::check_finite(triangle, "triangle");
   Aabb local;
   for (int i = 0; i < 3; ++i) {

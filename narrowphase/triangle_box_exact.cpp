@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/narrowphase/coordinates.h>
 #include <graze/narrowphase/corners.h>
 #include <graze/narrowphase/finite.h>
@@ -90,7 +91,7 @@ bool meet_exactly(const Corners<Number>& triangle, const BoxCorners<Number>& box
 
 bool intersects_exactly(const Triangle& triangle, const Aabb& box) {
   check_finite(triangle, "triangle");
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   const double* corners = coordinates(triangle);
   const double* const points[5] = {corners, corners + 3, corners + 6, box.min.data(),
                                    box.max.data()};

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/placement.h>
@@ -67,7 +68,7 @@ namespace {
 double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
   const bvh::RotationError error(pose);
   if (is_surely_placeable(pose, error, sum_of_sizes(bounds))) return error.largest();
-  const double deviation = check_rigid(pose, what);
+  const double deviation = bvh::check_rigid(pose, what);
   const std::array<double, 3> reach = placed_reach(pose, bounds);
   for (const double most : reach) {
     if (!std::isfinite(most)) throw_overflow(reach, what);

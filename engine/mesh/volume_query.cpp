@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/skins/skin_of_one.h>
@@ -33,12 +34,12 @@ struct FramedVolume {
 };
 
 FramedVolume framed(const Aabb& box) {
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   return {.kind = FramedVolume::Kind::AxisAligned, .box = box};
 }
 
 FramedVolume framed(const Obb& box) {
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   FramedVolume result{.kind = FramedVolume::Kind::Oriented,
                       .box = {-box.half_extents, box.half_extents},
                       .frame = box.pose,
@@ -48,7 +49,7 @@ FramedVolume framed(const Obb& box) {
 
 /// What of the ball's box lies beyond the range of double is of no interest: no vertex does.
 FramedVolume framed(const Sphere& ball) {
-  check_sphere(ball, "sphere");
+  bvh::check_sphere(ball, "sphere");
   constexpr double kLargest = std::numeric_limits<double>::max();
   FramedVolume result{.kind = FramedVolume::Kind::Ball, .box = {}, .ball = ball};
   for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,5 @@
 #include <graze/bvh/box_set/overlap_tracker.h>
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/id_table.h>
@@ -90,7 +91,7 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 BoxId BroadPhase::add(const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "add");
+  bvh::check_box(box, "add");
   const std::uint32_t index = state_->ids.take();
   state_->unsettle();
   state_->tracker.insert(index, box);
@@ -100,7 +101,7 @@ BoxId BroadPhase::add(const Aabb& box) {
 void BroadPhase::move(BoxId id, const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
   state_->check(id, "move");
-  check_box(box, "move");
+  bvh::check_box(box, "move");
   state_->unsettle();
   state_->tracker.move(id.index, box);
 }
@@ -130,7 +131,7 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
   for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
     const std::string what = "move, element " + std::to_string(i);
     state.check(ids[i], what.c_str());
-    check_box(boxes[i], what.c_str());
+    bvh::check_box(boxes[i], what.c_str());
   }
   if (ids.empty()) return;
   state.unsettle();
@@ -211,7 +212,7 @@ std::span<const BoxPair> BroadPhase::ended() {
 
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "find_overlapping");
+  bvh::check_box(box, "find_overlapping");
   state_->settled().find_overlapping(bvh::ordered_box(box), indices);
 }
 

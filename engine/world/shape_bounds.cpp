@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/next_double.h>
@@ -117,7 +118,7 @@ Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
 
 double check_pose(const Pose& pose, const char* what) {
   const bvh::StandardArithmetic arithmetic;
-  const double deviation = check_rigid(pose, what);
+  const double deviation = bvh::check_rigid(pose, what);
   for (int i = 0; i < 3; ++i) {
     if (std::abs(pose.data()[12 + i]) <= kLargestLength) continue;
     throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +

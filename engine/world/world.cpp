@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
@@ -15,7 +16,7 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
 
 Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const char* what) {
   const Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
-  check_box(box, what);
+  bvh::check_box(box, what);
   return box;
 }
 
@@ -73,7 +74,7 @@ void World::State::begin_move() {
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
-  check_rigid(pose, what);
+  bvh::check_rigid(pose, what);
   places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
   reaches.push_back(mover.ask([](const BodyShape& shape) { return shape.reach(); }));
   boxes_to_move.push_back(broad.id(mover.box));
@@ -137,7 +138,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   State& state = *state_;
   state.check_is_free("add");
   if (shape == nullptr) throw InputError("add: no shape");
-  check_rigid(pose, "add");
+  bvh::check_rigid(pose, "add");
   const bool is_users = is_users_shape(*shape);
   const Aabb box = bounds_of(*shape, is_users, pose, "add");
   const Mesh* mesh = state.prepared_mesh(*shape, is_users);

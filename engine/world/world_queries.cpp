@@ -1,5 +1,6 @@
 // Which bodies are at or near a shape that is none of them.
 
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/world_state.h>
@@ -82,7 +83,7 @@ bool World::State::asks_for_any(const BodyQuerySettings& query) const {
 
 std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings& settings) const {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "find_in_box");
+  bvh::check_box(box, "find_in_box");
   std::vector<BodyId> bodies;
   for (const std::uint32_t index : state_->find_bodies(box, settings))
     bodies.push_back(state_->all.id(index));

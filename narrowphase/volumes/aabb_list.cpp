@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/aabb_list.h>
 #include <graze/narrowphase/volumes/batch_sizes.h>
@@ -23,7 +24,7 @@ Aabb AabbList::operator[](std::size_t index) const {
 
 void AabbList::add(const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+  bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
   rows_.add(row_of(box));
 }
 
@@ -34,7 +35,7 @@ AabbArray AabbList::view() const {
 
 void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   narrowphase::check_hits(hits, boxes.size());
   narrowphase::find_overlaps(row_of(box), boxes.rows().rows(), hits.size(), hits.data());
 }

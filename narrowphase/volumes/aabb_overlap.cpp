@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/aabb_overlap.h>
 
@@ -5,8 +6,8 @@ namespace graze {
 
 bool overlaps(const Aabb& box_a, const Aabb& box_b) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box_a, "box a");
-  check_box(box_b, "box b");
+  bvh::check_box(box_a, "box a");
+  bvh::check_box(box_b, "box b");
   bool is_hit = true;
   for (int i = 0; i < 3; ++i) {
     is_hit &= box_a.min.data()[i] <= box_b.max.data()[i];

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -45,7 +46,7 @@ bool is_in_slab(const KDop<18>& kdop, int slab, const double* point) {
 
 bool contains(const Aabb& box, const Eigen::Vector3d& point) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   check_point(point, "point");
   bool is_inside = true;
   for (int i = 0; i < 3; ++i) {
@@ -56,8 +57,8 @@ bool contains(const Aabb& box, const Eigen::Vector3d& point) {
 
 bool contains(const Aabb& outer, const Aabb& inner) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(outer, "outer box");
-  check_box(inner, "inner box");
+  bvh::check_box(outer, "outer box");
+  bvh::check_box(inner, "inner box");
   bool is_inside = true;
   for (int i = 0; i < 3; ++i) {
     is_inside &= outer.min.data()[i] <= inner.min.data()[i];
@@ -68,7 +69,7 @@ bool contains(const Aabb& outer, const Aabb& inner) {
 
 bool contains(const Obb& box, const Eigen::Vector3d& point) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   check_point(point, "point");
   const Eigen::Vector3d local = narrowphase::point_into_frame(point, box.pose);
   check_point(local, "point in the frame of the box");
@@ -80,7 +81,7 @@ bool contains(const Obb& box, const Eigen::Vector3d& point) {
 
 bool contains(const KDop<18>& kdop, const Eigen::Vector3d& point) {
   const bvh::StandardArithmetic arithmetic;
-  check_kdop(kdop, "k-DOP");
+  bvh::check_kdop(kdop, "k-DOP");
   check_point(point, "point");
   bool is_inside = true;
   for (int slab = 0; slab < KDop<18>::kSlabs; ++slab)

@@ -2,6 +2,7 @@
 // a box, whose point nearest to the centre is still found axis by axis, with the way e_i from the
 // centre: they touch if sum (e_i / a_i)^2 <= 1. Along an axis with a_i = 0 the way must be 0.
 
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/exact_vector.h>
@@ -84,7 +85,7 @@ void check_ellipsoid(const Ellipsoid& ellipsoid, const char* what) {
 bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
   check_ellipsoid(ellipsoid, "ellipsoid");
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   return narrowphase::decide(ellipsoid, box).is_hit;
 }
 

@@ -4,6 +4,7 @@
 // hollow or not; the nearest is that of the solid box while the centre is outside, and on the
 // nearest face otherwise.
 
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/exact_vector.h>
 #include <graze/narrowphase/volumes/hollow_overlap.h>
@@ -132,8 +133,8 @@ Decision decide(const HollowSphere& hollow, const HollowAabb& hollow_box) {
 
 bool overlaps(const Sphere& sphere, const HollowAabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
-  check_box(box.box, "box");
+  bvh::check_sphere(sphere, "sphere");
+  bvh::check_box(box.box, "box");
   return narrowphase::decide(sphere, box).is_hit;
 }
 
@@ -143,8 +144,8 @@ bool overlaps(const HollowAabb& box, const Sphere& sphere) {
 
 bool overlaps(const HollowSphere& sphere, const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere.sphere, "sphere");
-  check_box(box, "box");
+  bvh::check_sphere(sphere.sphere, "sphere");
+  bvh::check_box(box, "box");
   return narrowphase::decide(sphere, box).is_hit;
 }
 
@@ -154,8 +155,8 @@ bool overlaps(const Aabb& box, const HollowSphere& sphere) {
 
 bool overlaps(const HollowSphere& sphere, const HollowAabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere.sphere, "sphere");
-  check_box(box.box, "box");
+  bvh::check_sphere(sphere.sphere, "sphere");
+  bvh::check_box(box.box, "box");
   return narrowphase::decide(sphere, box).is_hit;
 }
 

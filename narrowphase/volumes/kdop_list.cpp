@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/batch_sizes.h>
 #include <graze/narrowphase/volumes/kdop_kernels.h>
@@ -28,13 +29,13 @@ KDop<18> KDopList::operator[](std::size_t index) const {
 
 void KDopList::add(const KDop<18>& kdop) {
   const bvh::StandardArithmetic arithmetic;
-  check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
+  bvh::check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
   rows_.add(row_of(kdop));
 }
 
 void overlaps(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_kdop(kdop, "k-DOP");
+  bvh::check_kdop(kdop, "k-DOP");
   narrowphase::check_hits(hits, kdops.size());
   narrowphase::find_overlaps(row_of(kdop), kdops.rows().rows(), hits.size(), hits.data());
 }

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/kdop_overlap.h>
 
@@ -5,8 +6,8 @@ namespace graze {
 
 bool overlaps(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
   const bvh::StandardArithmetic arithmetic;
-  check_kdop(kdop_a, "k-DOP a");
-  check_kdop(kdop_b, "k-DOP b");
+  bvh::check_kdop(kdop_a, "k-DOP a");
+  bvh::check_kdop(kdop_b, "k-DOP b");
   bool is_hit = true;
   for (int i = 0; i < KDop<18>::kSlabs; ++i) {
     is_hit &= kdop_a.min[i] <= kdop_b.max[i];

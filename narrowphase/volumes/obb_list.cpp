@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/batch_sizes.h>
 #include <graze/narrowphase/volumes/obb_kernels.h>
@@ -12,13 +13,13 @@ Obb ObbList::operator[](std::size_t index) const {
 
 void ObbList::add(const Obb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+  bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
   rows_.add(narrowphase::row_of(box));
 }
 
 void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   narrowphase::check_hits(hits, boxes.size());
   narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows().rows(), hits.size(),
                              hits.data());

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/separating_axes.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
@@ -102,15 +103,15 @@ bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
 
 bool overlaps(const Obb& box_a, const Obb& box_b) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box_a, "box a");
-  check_box(box_b, "box b");
+  bvh::check_box(box_a, "box a");
+  bvh::check_box(box_b, "box b");
   return narrowphase::may_overlap(narrowphase::row_of(box_a), narrowphase::row_of(box_b));
 }
 
 bool overlaps(const Aabb& aligned, const Obb& oriented) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(aligned, "aligned box");
-  check_box(oriented, "oriented box");
+  bvh::check_box(aligned, "aligned box");
+  bvh::check_box(oriented, "oriented box");
   return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented));
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
@@ -45,13 +46,13 @@ std::string name_of(const char* array, std::size_t index) {
 
 Sphere checked(const SphereArray& spheres, std::size_t index, const char* name) {
   Sphere sphere = narrowphase::element(spheres, index);
-  check_sphere(sphere, name_of(name, index).c_str());
+  bvh::check_sphere(sphere, name_of(name, index).c_str());
   return sphere;
 }
 
 Aabb checked(const AabbArray& boxes, std::size_t index, const char* name) {
   Aabb box = narrowphase::element(boxes, index);
-  check_box(box, name_of(name, index).c_str());
+  bvh::check_box(box, name_of(name, index).c_str());
   return box;
 }
 
@@ -70,7 +71,7 @@ void settle(std::span<std::uint8_t> hits, const DecideOne& decide_one) {
 
 void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
+  bvh::check_sphere(sphere, "sphere");
   narrowphase::check_lengths(spheres, "spheres");
   check_hits(hits, spheres.size());
   narrowphase::judge_one_sphere(rows(sphere), rows(spheres), hits.size(), hits.data());
@@ -98,7 +99,7 @@ void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
 
 void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
+  bvh::check_sphere(sphere, "sphere");
   narrowphase::check_lengths(boxes, "boxes");
   check_hits(hits, boxes.size());
   narrowphase::judge_sphere_and_boxes(rows(sphere), rows(boxes), hits.size(), hits.data());
@@ -108,7 +109,7 @@ void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8
 
 void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_t> hits) {
   const bvh::StandardArithmetic arithmetic;
-  check_box(box, "box");
+  bvh::check_box(box, "box");
   narrowphase::check_lengths(spheres, "spheres");
   check_hits(hits, spheres.size());
   narrowphase::judge_box_and_spheres(rows(box), rows(spheres), hits.size(), hits.data());

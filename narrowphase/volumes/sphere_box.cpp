@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
@@ -14,8 +15,8 @@ Decision decide(const Sphere& sphere, const Aabb& box) {
 
 bool overlaps(const Sphere& sphere, const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
-  check_box(box, "box");
+  bvh::check_sphere(sphere, "sphere");
+  bvh::check_box(box, "box");
   return narrowphase::decide(sphere, box).is_hit;
 }
 
@@ -25,15 +26,15 @@ bool overlaps(const Aabb& box, const Sphere& sphere) {
 
 bool overlaps(const Sphere& sphere, const Obb& box) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
-  check_box(box, "box");
+  bvh::check_sphere(sphere, "sphere");
+  bvh::check_box(box, "box");
   Aabb local;
   for (int i = 0; i < 3; ++i) {
     local.min.data()[i] = -box.half_extents.data()[i];
     local.max.data()[i] = box.half_extents.data()[i];
   }
   const Sphere framed{narrowphase::point_into_frame(sphere.centre, box.pose), sphere.radius};
-  check_sphere(framed, "sphere in the frame of the box");
+  bvh::check_sphere(framed, "sphere in the frame of the box");
   return narrowphase::decide(framed, local).is_hit;
 }
 

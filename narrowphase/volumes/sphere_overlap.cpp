@@ -1,3 +1,4 @@
+#include <graze/bvh/checks.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/volumes/sphere_distance.h>
@@ -29,14 +30,14 @@ Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point) {
 
 bool overlaps(const Sphere& sphere_a, const Sphere& sphere_b) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere_a, "sphere a");
-  check_sphere(sphere_b, "sphere b");
+  bvh::check_sphere(sphere_a, "sphere a");
+  bvh::check_sphere(sphere_b, "sphere b");
   return narrowphase::decide(sphere_a, sphere_b).is_hit;
 }
 
 bool contains(const Sphere& sphere, const Eigen::Vector3d& point) {
   const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere, "sphere");
+  bvh::check_sphere(sphere, "sphere");
   for (int i = 0; i < 3; ++i) {
     if (!std::isfinite(point.data()[i])) {
       throw InputError(std::string("point: coordinate ") + "xyz"[i] + " is not finite");

@@ -3,6 +3,7 @@
 // Which one is nearest need not be known: whatever feature has a point within the radius proves a
 // hit, and if there is a hit, the nearest feature proves it. Without area the face is its edges.
 
+#include <graze/bvh/checks.h>
 #include <graze/narrowphase/exact_vector.h>
 #include <graze/narrowphase/finite.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
@@ -73,7 +74,7 @@ bool has_face_within(const Centred& t) {
 
 bool intersects_exactly(const Triangle& triangle, const Sphere& sphere) {
   check_finite(triangle, "triangle");
-  check_sphere(sphere, "sphere");
+  bvh::check_sphere(sphere, "sphere");
   const Centred t = centred(triangle, sphere);
   return has_vertex_within(t) || has_edge_within(t) || has_face_within(t);
 }
