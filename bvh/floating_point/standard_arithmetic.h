@@ -13,7 +13,7 @@ namespace graze::bvh {
 /// meanwhile stay on record, as after any arithmetic.
 ///
 /// Every door of the library makes one, and every task that another thread may take. Where all is
-/// as it should be that is one word read and compared: less than a nanosecond.
+/// as it should be that is one word read and compared: some two nanoseconds.
 class StandardArithmetic {
  public:
   StandardArithmetic() noexcept {
