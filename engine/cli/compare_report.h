@@ -21,8 +21,9 @@ struct EngineSummary {
   std::size_t not_judged = 0;
   std::size_t not_confirmed = 0;  ///< wrong, but not when it was asked again alone
   std::size_t wrong = 0;
-  std::array<std::size_t, compare::kErrorClasses> classes{};  ///< of the wrong ones, by ErrorClass
-  double largest_error = 0;                                   ///< metres
+  std::array<std::size_t, compare::kErrorClasses.size()>
+      classes{};             ///< of the wrong ones, by ErrorClass
+  double largest_error = 0;  ///< metres
   double largest_ulps = 0;
   double median_time = 0;  ///< microseconds
   double total_time = 0;

@@ -31,7 +31,8 @@ names it says "fails":true.
 
 Only graze fails a replay by itself. --fail-on ENGINE adds the wrong answers of an engine, those that it gives
 now and those that a case records of it; --fail-on recorded those that cases record, whoever gave them. With
-:CLASS only errors of that class count: touching, pose-rounding, degenerate, containment, real, engine-error.
+:CLASS only errors of that class count: touching, pose-rounding, coplanar, degenerate, containment, real,
+engine-error.
 
 Examples:
   graze replay odd.json

@@ -258,7 +258,9 @@ TEST(Shrinking, KeepsTheClassAndLetsNoErrorGrow) {
     wrong.answer = &record;
     wrong.query = [&] { return query; };
     const std::vector<WrongAnswer> all = {wrong};
-    const std::vector<ShrunkCase> shrunk = shrink_worst(all, engines, 1);
+    std::vector<ShrunkCase> shrunk;
+    shrink_worst(all, engines,
+                 {.on_done = [&](ShrunkCase each) { shrunk.push_back(std::move(each)); }});
     ASSERT_EQ(shrunk.size(), 1u);
     EXPECT_EQ(name_of(shrunk[0].judgement.error_class), name_of(record.judgement.error_class));
     EXPECT_LE(shrunk[0].judgement.error, record.judgement.error);

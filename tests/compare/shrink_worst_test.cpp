@@ -69,6 +69,7 @@ class ShrinkWorst : public testing::Test {
     answer_.brief = "no";
     answer_.judgement.verdict = Verdict::Wrong;
     answer_.judgement.error_class = ErrorClass::Real;
+    answer_.judgement.error = 1;  // metres: what would undo the hit is less
     const TrianglePairs hits = find_triangle_pairs({torus_}, {torus_, pose_}, {.limit = 1});
     answer_.judgement.culprit = hits.pairs.front();
   }

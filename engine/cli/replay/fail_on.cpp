@@ -3,7 +3,6 @@
 #include <graze/engine/mesh/io/source.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 
@@ -14,9 +13,6 @@ using compare::EngineEntry;
 using compare::ErrorClass;
 
 constexpr const char* kRecorded = "recorded";
-constexpr std::array kClasses = {ErrorClass::Touching,   ErrorClass::PoseRounding,
-                                 ErrorClass::Degenerate, ErrorClass::Containment,
-                                 ErrorClass::Real,       ErrorClass::EngineError};
 
 std::string hyphenated(std::string_view name) {
   std::string out(name);
@@ -26,7 +22,7 @@ std::string hyphenated(std::string_view name) {
 
 ErrorClass class_named(std::string_view name) {
   std::string known;
-  for (const ErrorClass each : kClasses) {
+  for (const ErrorClass each : compare::kErrorClasses) {
     const std::string its = hyphenated(name_of(each));
     if (hyphenated(name) == its) return each;
     known += (known.empty() ? "" : ", ") + its;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,7 +28,10 @@ enum class ErrorClass {
   EngineError,   ///< no answer to what was asked: triangles that are not there, no numbers, a throw
 };
 
-inline constexpr std::size_t kErrorClasses = static_cast<std::size_t>(ErrorClass::EngineError) + 1;
+inline constexpr std::array kErrorClasses = {ErrorClass::Touching,    ErrorClass::PoseRounding,
+                                             ErrorClass::Coplanar,    ErrorClass::Degenerate,
+                                             ErrorClass::Containment, ErrorClass::Real,
+                                             ErrorClass::EngineError};
 
 /// Beyond this many ulp of the largest coordinate an error is no longer one of rounding: some
 /// twenty operations a coordinate, each off by half an ulp, and the square roots of their sums.

@@ -17,10 +17,6 @@ using cases::JsonCursor;
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array kVerdicts = {Verdict::Right, Verdict::Wrong, Verdict::NotJudged,
                                   Verdict::NotConfirmed};
-constexpr std::array kClasses = {ErrorClass::Touching,    ErrorClass::PoseRounding,
-                                 ErrorClass::Coplanar,    ErrorClass::Degenerate,
-                                 ErrorClass::Containment, ErrorClass::Real,
-                                 ErrorClass::EngineError};
 
 template <typename List>
 auto named(const JsonCursor& at, const List& list) {
@@ -67,7 +63,7 @@ AnswerRecord read_answer(const JsonCursor& at) {
   judgement.verdict = named(at.member("verdict"), kVerdicts);
   judgement.truth = at.member("truth").text();
   if (!answer.is_wrong()) return answer;
-  judgement.error_class = named(at.member("class"), kClasses);
+  judgement.error_class = named(at.member("class"), kErrorClasses);
   judgement.error = at.member("error").number_or_infinite();
   judgement.ulps = at.member("ulps").number_or_infinite();
   judgement.wrong_pairs = at.member("wrong_pairs").index(kMaxIndex);
