@@ -247,9 +247,10 @@ TEST_F(CliReplayFailOn, WhatCanNeverFailIsRefused) {
   engines_.push_back({"coal", nullptr});
   EXPECT_EQ(refusal_of("newton"),
             "--fail-on: there is no engine \"newton\", but recorded, graze, bullet, fcl, ode");
-  EXPECT_EQ(refusal_of("fcl:plain"),
-            "--fail-on: there is no class \"plain\", but touching, pose-rounding, coplanar, degenerate, "
-            "containment, real, engine-error");
+  EXPECT_EQ(
+      refusal_of("fcl:plain"),
+      "--fail-on: there is no class \"plain\", but touching, pose-rounding, coplanar, degenerate, "
+      "containment, real, engine-error");
   EXPECT_EQ(refusal_of("coal"), "--fail-on: coal was not found when this command was built");
   EXPECT_NE(refusal_of(""), "");
   EXPECT_EQ(refusal_of(":real"), refusal_of("")) << "no engine";

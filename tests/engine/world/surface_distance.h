@@ -17,8 +17,8 @@ class Surface {
  public:
   explicit Surface(const Shape& shape);
 
-  /// Metres, not negative. Of an ellipsoid to first order beside it, to a ten-thousandth; far from it
-  /// no less than it is. Takes the pose for a rotation.
+  /// Metres, not negative. Of an ellipsoid to first order beside it, to a ten-thousandth; far from
+  /// it no less than it is. Takes the pose for a rotation.
   double distance(const Pose& pose, const Eigen::Vector3d& point) const;
 
  private:
