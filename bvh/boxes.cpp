@@ -1,9 +1,8 @@
 #include <graze/bvh/boxes.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/point_pairs.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <bit>
 #include <cmath>
@@ -70,7 +69,7 @@ void name_invalid(std::span<const Aabb> boxes) {
 Aabb checked_bounds(std::span<const Aabb> boxes) {
   if (boxes.empty()) throw InputError("tree: no boxes");
   if (boxes.size() > 0x7fffffff) throw InputError("tree: more than 2^31 - 1 boxes");
-  const Seen all = tbb::parallel_reduce(
+  const Seen all = reduce_in_parallel(
       tbb::blocked_range<std::size_t>(0, boxes.size(), kGrain), Seen(boxes[0]),
       [&](const tbb::blocked_range<std::size_t>& range, Seen seen) {
         const StandardArithmetic arithmetic;

@@ -1,9 +1,9 @@
 #include <graze/bvh/build_nodes.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/graft.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/subtree.h>
 #include <graze/bvh/top_split.h>
-#include <tbb/parallel_for.h>
 
 #include <utility>
 
@@ -23,7 +23,7 @@ std::vector<Node> build_nodes(References references, int depth, const BuildSetti
   for (std::size_t i = 0; i < top.nodes.size(); ++i) {
     if (top.nodes[i].is_leaf()) subtrees[top.nodes[i].first].at = i;
   }
-  tbb::parallel_for(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
+  for_in_parallel(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
     const StandardArithmetic arithmetic;
     const Part& part = top.parts[i];
     subtrees[i].nodes = build_subtree(all, part, settings);

@@ -4,8 +4,8 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/graft.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/refit_references.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <string>
@@ -72,7 +72,7 @@ std::size_t refit_and_rebuild(Tree& tree, std::vector<float>& costs,
   if (decayed.empty()) return 0;
   const std::vector<Range> ranges = ranges_of(tree);
   std::vector<Graft> grafts(decayed.size());
-  tbb::parallel_for(std::size_t{0}, decayed.size(), [&](std::size_t i) {
+  for_in_parallel(std::size_t{0}, decayed.size(), [&](std::size_t i) {
     const StandardArithmetic arithmetic;
     grafts[i] = built_anew(tree, decayed[i], ranges[decayed[i].node], references, settings.build);
   });

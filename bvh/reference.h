@@ -4,7 +4,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/lanes.h>
 #include <graze/bvh/local_frame.h>
-#include <tbb/parallel_for.h>
+#include <graze/bvh/parallel.h>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -47,12 +47,12 @@ template <typename BoxOf>
 References references_made(std::size_t count, const BoxOf& box_of) {
   References references(count);
   constexpr std::size_t kGrain = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      const StandardArithmetic arithmetic;
-                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
-                    });
+  for_in_parallel(tbb::blocked_range<std::size_t>(0, count, kGrain),
+                  [&](const tbb::blocked_range<std::size_t>& range) {
+                    const StandardArithmetic arithmetic;
+                    for (std::size_t i = range.begin(); i < range.end(); ++i)
+                      references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
+                  });
   return references;
 }
 
@@ -61,12 +61,12 @@ template <typename BoxOf>
 References references_made(std::span<const std::uint32_t> primitives, const BoxOf& box_of) {
   References references(primitives.size());
   constexpr std::size_t kGrain = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, primitives.size(), kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      const StandardArithmetic arithmetic;
-                      for (std::size_t i = range.begin(); i < range.end(); ++i)
-                        references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
-                    });
+  for_in_parallel(tbb::blocked_range<std::size_t>(0, primitives.size(), kGrain),
+                  [&](const tbb::blocked_range<std::size_t>& range) {
+                    const StandardArithmetic arithmetic;
+                    for (std::size_t i = range.begin(); i < range.end(); ++i)
+                      references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
+                  });
   return references;
 }
 

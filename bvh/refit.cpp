@@ -2,9 +2,9 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/node_lanes.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/refit.h>
 #include <graze/bvh/refit_references.h>
-#include <tbb/parallel_for.h>
 
 #include <string>
 
@@ -25,13 +25,13 @@ void fit_leaf(Node& leaf, std::span<const Reference> references) {
 
 void refit(Tree& tree, std::span<const Reference> references, const LocalFrame& frame) {
   tree.frame = frame;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      const StandardArithmetic arithmetic;
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
-                      }
-                    });
+  for_in_parallel(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
+                  [&](const tbb::blocked_range<std::size_t>& range) {
+                    const StandardArithmetic arithmetic;
+                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                      if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
+                    }
+                  });
   // Children stand behind their parents.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     Node& node = tree.nodes[i];

@@ -1,8 +1,8 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/node_lanes.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/split.h>
 #include <graze/bvh/top_split.h>
-#include <tbb/parallel_for.h>
 
 namespace graze::bvh {
 namespace {
@@ -25,7 +25,7 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
   std::vector<Open> level{{0, part_of(references, 0, references.size(), depth), Verdict::Leaf, {}}};
   tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
   while (!level.empty()) {
-    tbb::parallel_for(std::size_t{0}, level.size(), [&](std::size_t i) {
+    for_in_parallel(std::size_t{0}, level.size(), [&](std::size_t i) {
       const StandardArithmetic arithmetic;
       Open& open = level[i];
       if (open.part.size() <= part_size) return;

@@ -1,6 +1,7 @@
 #include <graze/bvh/box_set/box_set.h>
 
 #include <algorithm>
+#include <new>
 
 namespace graze::bvh {
 namespace {
@@ -33,10 +34,10 @@ constexpr double kWorthMoving = 0.75;
 
 constexpr std::size_t kGrowthShare = 32;
 
-/// Grows by a small share where a vector would double what it holds.
+/// One in `share` of what it holds is added to what it is asked to hold.
 template <typename T>
-void make_room_in(std::vector<T>& of, std::size_t count) {
-  if (of.size() + count > of.capacity()) of.reserve(of.size() + of.size() / kGrowthShare + count);
+void make_room_in(std::vector<T>& of, std::size_t count, std::size_t share) {
+  if (of.size() + count > of.capacity()) of.reserve(of.size() + of.size() / share + count);
 }
 
 }  // namespace
@@ -74,29 +75,52 @@ TreeView BoxSet::view(int layer) const {
 }
 
 /// Before the first sort memory doubles, and the sort gives back what is too much.
-void BoxSet::make_room(std::size_t lanes) {
-  if (sorts_ == 0) return;
-  make_room_in(high_, lanes / kLanes);
-  make_room_in(low_, lanes / kLanes);
-  make_room_in(owner_, lanes);
+void BoxSet::reserve(std::size_t boxes, std::uint32_t owner_limit) {
+  const std::size_t share = sorts_ == 0 ? 1 : kGrowthShare;
+  if (owner_limit > place_.size()) {
+    make_room_in(place_, owner_limit - place_.size(), share);
+    place_.resize(owner_limit, kNobody);
+  }
+  if (layers_.empty()) layers_.emplace_back();
+  Layer& last = layers_.back();
+  const std::size_t blocks = (newcomers_ + boxes + kLanes - 1) / kLanes;
+  if (blocks <= last.block_count) return;
+  const std::size_t more = blocks - last.block_count;
+  make_room_in(high_, more, share);
+  make_room_in(low_, more, share);
+  make_room_in(owner_, more * kLanes, share);
+  last.reserve(static_cast<std::uint32_t>(blocks));
 }
 
+bool BoxSet::has_room_for_one() {
+  try {
+    reserve(1, 0);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
+/// Where there is no memory to note one, all are.
 void BoxSet::touch(std::uint32_t block) {
   if (all_touched_) return;
-  touched_.push_back(block);
-  all_touched_ = touched_.size() > high_.size() / kTouchedShare + kLanes;
+  try {
+    touched_.push_back(block);
+    all_touched_ = touched_.size() > high_.size() / kTouchedShare + kLanes;
+  } catch (const std::bad_alloc&) {
+    all_touched_ = true;
+  }
 }
 
 void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
+  reserve(1, owner + 1);
   if (!fill_hole(owner, box)) append(owner, box);
 }
 
-/// To the last layer.
+/// To the last layer, where there is room.
 void BoxSet::append(std::uint32_t owner, const OrderedBox& box) {
-  if (layers_.empty()) layers_.emplace_back();
   Layer& last = layers_.back();
   if (newcomers_ % kLanes == 0) {
-    make_room(kLanes);
     high_.push_back(empty_block());
     low_.emplace_back();
     owner_.resize(owner_.size() + kLanes, kNobody);
@@ -108,10 +132,6 @@ void BoxSet::append(std::uint32_t owner, const OrderedBox& box) {
 
 /// An empty lane becomes the owner's.
 void BoxSet::take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box) {
-  if (owner >= place_.size()) {
-    if (sorts_ != 0) make_room_in(place_, owner + std::size_t{1} - place_.size());
-    place_.resize(owner + std::size_t{1}, kNobody);
-  }
   place_[owner] = place;
   owner_[place] = owner;
   set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), box);
@@ -159,7 +179,7 @@ void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
   if (is_asked && leaves_neighbours(layers_[layer], block, box)) {
     erase(owner);
     if (fill_hole(owner, box)) return;
-    if (layer + 1 != layers_.size()) {
+    if (layer + 1 != layers_.size() && has_room_for_one()) {
       append(owner, box);
       return;
     }
@@ -173,9 +193,9 @@ void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
 
 void BoxSet::refit() {
   if (all_touched_) {
+    refit_every_layer();
     all_touched_ = false;
     touched_.clear();
-    refit_every_layer();
     move_strays();
   }
   refit_touched();
@@ -280,6 +300,7 @@ bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
     return false;
   const std::uint32_t owner = owner_[block * kLanes + best];
   const OrderedBox box = this->box(owner);
+  reserve(1, 0);
   erase(owner);
   append(owner, box);
   return true;

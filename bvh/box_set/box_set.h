@@ -19,6 +19,10 @@ namespace graze::bvh {
 /// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
 ///
 /// After insert(), move(), erase() or set_all() call refit() before finding anything.
+///
+/// What throws for want of memory has lost no box: insert() has not happened, and what puts boxes
+/// in order can be asked for again. move() and erase() throw nothing: where there is no memory for
+/// what saves time later, they do without.
 class BoxSet {
  public:
   /// `threads` share the work; no result depends on their number.
@@ -38,6 +42,9 @@ class BoxSet {
   void prefetch(std::uint32_t place) const;
   /// All owners so far are below this.
   std::uint32_t owner_limit() const { return static_cast<std::uint32_t>(place_.size()); }
+
+  /// Memory for so many more boxes, of owners below the limit: insert() will throw nothing.
+  void reserve(std::size_t boxes, std::uint32_t owner_limit);
 
   void insert(std::uint32_t owner, const OrderedBox& box);
   void move(std::uint32_t owner, const OrderedBox& box);
@@ -117,6 +124,11 @@ class BoxSet {
   struct SortSpace {
     std::vector<KdItem> items;
     std::vector<std::uint32_t> starts;  // of the layers' items, and the end
+    std::vector<std::uint8_t> layer_of_class;
+    std::vector<Layer> layers;
+    std::vector<Block> high;
+    std::vector<LowBlock> low;
+    std::vector<std::uint32_t> owner;
   };
 
   /// A block of the level above those of boxes, below which a hole was filled.
@@ -137,7 +149,7 @@ class BoxSet {
   void append(std::uint32_t owner, const OrderedBox& box);
   bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
   bool fill_hole(std::uint32_t owner, const OrderedBox& box);
-  void make_room(std::size_t lanes);
+  bool has_room_for_one();
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
   std::uint64_t find_below(std::span<const BlockPair> tasks, PairBuffer& out) const;
@@ -155,8 +167,9 @@ class BoxSet {
   std::vector<KdItem> sample_centres(const double* origin) const;
   std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
                                           const double* origin) const;
-  void collect_items(SortSpace& space);
-  void place_items(const SortSpace& space);
+  void collect_items(SortSpace& space) const;
+  void make_room_for_items(SortSpace& space) const;
+  void place_items(SortSpace& space);
   void move_ranked(std::span<const Aabb> boxes);
   void move_named(std::span<const Aabb> boxes);
   template <typename InputOf>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <new>
 
 namespace graze::bvh {
 namespace {
@@ -85,9 +86,15 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   const std::uint32_t leaf = block * kLanes + choice.lane;
   const double usual = layer.sorted_girth[leaf] + girth(spanned(empty_block(), 0, box), 0);
   if (choice.girth > kWidened * usual) return false;
-  --holes_;
-  if (!layer.is_filled[block]) filled_.push_back({number, block});
+  if (!layer.is_filled[block]) {
+    try {
+      filled_.push_back({number, block});
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+  }
   layer.is_filled[block] = true;
+  --holes_;
   take(empty_place(layer.first_block + leaf), owner, box);
   if (empty_place(layer.first_block + leaf) == kNobody) layer.note_filled(leaf);
   return true;

@@ -41,6 +41,17 @@ void Layer::reshape(std::uint32_t first, std::uint32_t count) {
   needs_refit_of_all |= top != old_top;
 }
 
+void Layer::reserve(std::uint32_t count) {
+  std::uint32_t below = count;
+  int level = 0;
+  for (bool is_root = count == 0; !is_root;) {
+    is_root = below == 1;
+    below = (below + kLanes - 1) >> kLaneBits;
+    std::vector<Block>& blocks = upper[++level];
+    if (below > blocks.capacity()) blocks.reserve(std::max<std::size_t>(below, 2 * blocks.size()));
+  }
+}
+
 void Layer::refit_all(const Block* boxes) {
   clear_above_boxes();
   refit_above(0, boxes);

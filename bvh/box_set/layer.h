@@ -23,6 +23,9 @@ struct Layer {
   /// Makes the levels fit `count` blocks from `first` on; new lanes are empty.
   void reshape(std::uint32_t first, std::uint32_t count);
 
+  /// Memory for so many blocks: reshape() to no more of them throws nothing.
+  void reserve(std::uint32_t count);
+
   /// The tree over the blocks, with what belongs to them; all three begin with the first block.
   TreeView view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const;
 

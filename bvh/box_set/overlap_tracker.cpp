@@ -2,6 +2,7 @@
 #include <graze/bvh/box_set/sorted_pairs.h>
 
 #include <algorithm>
+#include <new>
 
 namespace graze::bvh {
 namespace {
@@ -26,19 +27,28 @@ std::size_t OverlapTracker::most_changes() const {
   return kAlwaysFew + set_.size() / kFewShare;
 }
 
-/// Before the owner's box changes.
+/// Before the owner's box changes. What there is no memory to note is not noted, as if it were one
+/// of many.
 void OverlapTracker::note(std::uint32_t owner) {
   if (have_many_changed_) return;
+  try {
+    note_one(owner);
+  } catch (const std::bad_alloc&) {
+    note_many();
+  }
+}
+
+void OverlapTracker::note_one(std::uint32_t owner) {
   if (owner >= is_changed_.size()) is_changed_.resize(owner + std::size_t{1});
   if (is_changed_[owner]) return;
   if (are_many(changed_.size() + 1)) {
     note_many();
     return;
   }
-  is_changed_[owner] = true;
   if (changed_.size() == changed_.capacity())
     changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
   changed_.push_back({set_.contains(owner) ? set_.box(owner) : no_box(), set_.place(owner), owner});
+  is_changed_[owner] = true;
 }
 
 /// From here to the next update nobody asks what was where.
@@ -67,9 +77,11 @@ void OverlapTracker::erase(std::uint32_t owner) {
   wait({Verb::Erase, owner, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
 }
 
-/// Changes are made in the order in which they came.
+/// Changes are made in the order in which they came. What waits cannot fail any more: each takes at
+/// most one new place.
 void OverlapTracker::wait(const Waiting& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
+  if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.owner + 1);
   waiting_[waiting_count_++] = change;
   const std::uint32_t place = set_.place(change.owner);
   if (place != kNobody) set_.prefetch(place);
@@ -98,17 +110,15 @@ bool OverlapTracker::update() {
   end_waiting();
   begun_.clear();
   ended_.clear();
-  is_difference_sorted_ = true;
-  if (!have_many_changed_ && changed_.empty()) {
-    has_difference_ = true;
-    return false;
-  }
+  is_difference_sorted_ = has_difference_ = true;
+  if (!have_many_changed_ && changed_.empty()) return false;
   // What came from afar has its neighbours elsewhere than what was looked up before it.
   if (are_many(changed_.size() + set_.arrivals())) note_many();
-  if (have_many_changed_) {
-    search_all();
-  } else {
-    search_movers();
+  try {
+    have_many_changed_ ? search_all() : search_movers();
+  } catch (...) {
+    begun_.clear(), ended_.clear();
+    throw;
   }
   forget_changes();
   return true;
@@ -117,11 +127,11 @@ bool OverlapTracker::update() {
 void OverlapTracker::search_all() {
   set_.refit();
   set_.sort_if_worthwhile();
+  set_.find_all_pairs(before_);
   std::swap(pairs_, before_);
   std::swap(rows_, rows_before_);
   is_before_grouped_ = is_grouped_;
   is_grouped_ = is_sorted_ = false;
-  set_.find_all_pairs(pairs_);
   index_.reset();
   has_difference_ = false;
   ++searches_for_all_;
@@ -199,7 +209,9 @@ void OverlapTracker::end_pairs_of_movers() {
   }
 }
 
+/// All of it, or nothing.
 void OverlapTracker::edit_list() {
+  index_.reserve(pairs_, begun_.size());
   const auto ended = ended_.pairs(), begun = begun_.pairs();
   for (std::size_t i = 0; i < ended.size(); ++i) {
     index_.prefetch_removal(pairs_, ended, i);
@@ -243,6 +255,7 @@ void OverlapTracker::work_out_difference() {
   if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.owner_limit());
   if (!is_grouped_) rows_.group(pairs_.pairs(), set_.owner_limit());
   is_before_grouped_ = is_grouped_ = true;
+  begun_.clear(), ended_.clear();  // should it have been thrown out of
   append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
   has_difference_ = true;
 }

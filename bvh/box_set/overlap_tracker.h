@@ -25,7 +25,8 @@ class OverlapTracker {
   /// As of the last settle(), update() or end_waiting(): a few changes may wait.
   const BoxSet& set() const { return set_; }
 
-  /// As of a box set. An owner that is erased must not come again before the next update.
+  /// As of a box set: of these insert() alone may throw, and has then not happened. An owner that
+  /// is erased must not come again before the next update.
   void insert(std::uint32_t owner, const Aabb& box);
   void move(std::uint32_t owner, const Aabb& box);
   void erase(std::uint32_t owner);
@@ -61,7 +62,9 @@ class OverlapTracker {
     set_.settle();
   }
 
-  /// Makes the lists fit the boxes. False if there was nothing to do.
+  /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of
+  /// pairs is the one of before, nothing began or ended, and the next update tells what has since
+  /// then.
   bool update();
 
   std::span<const BoxPair> pairs() const { return pairs_.pairs(); }
@@ -95,6 +98,7 @@ class OverlapTracker {
   std::size_t most_changes() const;
   void wait(const Waiting& change);
   void note(std::uint32_t owner);
+  void note_one(std::uint32_t owner);
   void note_many();
   void forget_changes();
   void search_all();

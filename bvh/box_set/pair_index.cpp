@@ -19,20 +19,23 @@ std::size_t PairIndex::find(const PairBuffer& list, BoxPair pair) const {
   return at;
 }
 
-void PairIndex::build(const PairBuffer& list) {
-  const std::size_t size = std::bit_ceil(2 * list.size() + 1024);
+/// With entries for a list of that size.
+void PairIndex::build(const PairBuffer& list, std::size_t longest) {
+  const std::size_t size = std::bit_ceil(2 * longest + 1024);
   entries_.assign(size, kFree);
   shift_ = 64 - std::countr_zero(size);
   for (std::size_t i = 0; i < list.size(); ++i)
     entries_[find(list, list.data()[i])] = static_cast<std::uint32_t>(i);
 }
 
+void PairIndex::reserve(PairBuffer& list, std::size_t more) {
+  list.room_for(more);
+  if (2 * (list.size() + more) > entries_.size()) build(list, list.size() + more);
+}
+
 void PairIndex::add(PairBuffer& list, BoxPair pair) {
+  reserve(list, 1);
   list.push_back(pair);
-  if (2 * list.size() > entries_.size()) {
-    build(list);
-    return;
-  }
   entries_[find(list, pair)] = static_cast<std::uint32_t>(list.size() - 1);
 }
 

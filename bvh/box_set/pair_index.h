@@ -18,7 +18,10 @@ class PairIndex {
   bool is_built() const { return !entries_.empty(); }
 
   /// Learns the whole list. O(list).
-  void build(const PairBuffer& list);
+  void build(const PairBuffer& list) { build(list, list.size()); }
+
+  /// Memory for a list that grows by so many: add() will throw nothing, nor will remove().
+  void reserve(PairBuffer& list, std::size_t more);
 
   /// The pair becomes the last of the list. It must not be in it.
   void add(PairBuffer& list, BoxPair pair);
@@ -46,6 +49,7 @@ class PairIndex {
  private:
   static constexpr std::uint32_t kFree = kNowhere;
 
+  void build(const PairBuffer& list, std::size_t longest);
   std::size_t home(BoxPair pair) const;
   std::size_t find(const PairBuffer& list, BoxPair pair) const;
 

@@ -73,8 +73,8 @@ std::vector<std::uint8_t> BoxSet::choose_layers(std::span<const std::uint32_t> c
   return layer_of_class;
 }
 
-/// Lists the boxes layer by layer, and makes the layers.
-void BoxSet::collect_items(SortSpace& space) {
+/// Lists the boxes layer by layer.
+void BoxSet::collect_items(SortSpace& space) const {
   std::vector<std::int16_t> classes(owner_.size());
   std::vector<std::uint32_t> count(kClasses);
   double origin[3] = {0, 0, 0};
@@ -88,12 +88,12 @@ void BoxSet::collect_items(SortSpace& space) {
       origin[c] = is_first ? value_of_key(of[c]) : std::min(origin[c], value_of_key(of[c]));
     is_first = false;
   }
-  layer_of_class_ = choose_layers(count, origin);
+  space.layer_of_class = choose_layers(count, origin);
   std::vector<std::uint32_t>& start = space.starts;
   start.assign(1, 0);
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (count[k] == 0) continue;
-    start.resize(layer_of_class_[k] + std::size_t{2}, start.back());
+    start.resize(space.layer_of_class[k] + std::size_t{2}, start.back());
     start.back() += count[k];
   }
   space.items.resize(size_);
@@ -101,74 +101,75 @@ void BoxSet::collect_items(SortSpace& space) {
   for (std::uint32_t place = 0; place < owner_.size(); ++place) {
     if (owner_[place] == kNobody) continue;
     const OrderedBox of = box_at(place);
-    KdItem& item = space.items[next[layer_of_class_[static_cast<std::size_t>(classes[place])]]++];
+    const auto number = static_cast<std::size_t>(classes[place]);
+    KdItem& item = space.items[next[space.layer_of_class[number]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
     item.owner = owner_[place];
   }
-  layers_.resize(start.size());
-  std::uint32_t block = 0;
-  for (std::size_t i = 0; i + 1 < start.size(); ++i) {
-    layers_[i].first_block = block;
-    layers_[i].block_count = (start[i + 1] - start[i] + kLanes - 1) / kLanes;
-    block += layers_[i].block_count;
+}
+
+/// The layers, their blocks and all that belongs to them, empty: from here on nothing throws.
+void BoxSet::make_room_for_items(SortSpace& space) const {
+  const std::vector<std::uint32_t>& start = space.starts;
+  space.layers.resize(start.size());
+  std::uint32_t blocks = 0;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    const std::uint32_t count = i + 1 == start.size() ? 0 : start[i + 1] - start[i];
+    Layer& layer = space.layers[i];
+    layer.reshape(blocks, (count + kLanes - 1) / kLanes);
+    layer.sorted_girth.resize(layer.block_count);
+    if (layer.block_count != 0) {
+      layer.holed.assign(layer.upper[1].size(), 0);
+      layer.is_filled.assign(layer.upper[1].size(), false);
+    }
+    blocks += layer.block_count;
   }
+  // With room for newcomers, so that the first of them does not double the memory.
+  const std::size_t room = blocks + blocks / kRoomShare + kLanes;
+  space.high.reserve(room), space.low.reserve(room), space.owner.reserve(room * kLanes);
+  space.high.assign(blocks, empty_block());
+  space.low.resize(blocks);
+  space.owner.assign(std::size_t{blocks} * kLanes, kNobody);
 }
 
 /// Writes the boxes in the order of the items.
-void BoxSet::place_items(const SortSpace& space) {
+void BoxSet::place_items(SortSpace& space) {
   const std::vector<KdItem>& items = space.items;
   const std::vector<std::uint32_t>& start = space.starts;
-  const std::size_t blocks = layers_.size() == 1 ? 0
-                                                 : layers_[layers_.size() - 2].first_block +
-                                                       layers_[layers_.size() - 2].block_count;
-  // With room for newcomers, so that the first of them does not double the memory.
-  const std::size_t room = blocks + blocks / kRoomShare + kLanes;
-  std::vector<Block> to_high;
-  std::vector<LowBlock> to_low;
-  std::vector<std::uint32_t> to_owner;
-  to_high.reserve(room), to_low.reserve(room), to_owner.reserve(room * kLanes);
-  to_high.assign(blocks, empty_block());
-  to_low.resize(blocks);
-  to_owner.assign(blocks * kLanes, kNobody);
-  for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
-    std::uint32_t place = layers_[l].first_block * kLanes;
+  for (std::size_t l = 0; l + 1 < start.size(); ++l) {
+    std::uint32_t place = space.layers[l].first_block * kLanes;
     for (std::uint32_t i = start[l]; i < start[l + 1]; ++i, ++place) {
       const std::uint32_t owner = items[i].owner;
       const std::uint32_t from = place_[owner];
-      Block& high = to_high[place >> kLaneBits];
-      LowBlock& low = to_low[place >> kLaneBits];
+      Block& high = space.high[place >> kLaneBits];
+      LowBlock& low = space.low[place >> kLaneBits];
       for (int c = 0; c < 6; ++c) {
         high.row[c][place & (kLanes - 1)] = high_[from >> kLaneBits].row[c][from & (kLanes - 1)];
         low.row[c][place & (kLanes - 1)] = low_[from >> kLaneBits].row[c][from & (kLanes - 1)];
       }
-      to_owner[place] = owner;
+      space.owner[place] = owner;
       place_[owner] = place;
     }
   }
-  high_.swap(to_high);
-  low_.swap(to_low);
-  owner_.swap(to_owner);
-  layers_.back().first_block = static_cast<std::uint32_t>(blocks);
-  layers_.back().block_count = 0;
+  high_.swap(space.high);
+  low_.swap(space.low);
+  owner_.swap(space.owner);
+  layers_.swap(space.layers);
+  layer_of_class_.swap(space.layer_of_class);
 }
 
 void BoxSet::measure_sorted() {
   for (Layer& layer : layers_) {
-    layer.sorted_girth.clear();
-    layer.holed.clear();
-    layer.is_filled.clear();
-    layer.reshape(layer.first_block, layer.block_count);
     if (layer.block_count == 0) continue;
     layer.refit_all(high_.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
-      layer.sorted_girth.push_back(static_cast<float>(layer.girth_of(b)));
-    layer.holed.assign(layer.upper[1].size(), 0);
-    layer.is_filled.assign(layer.upper[1].size(), false);
+      layer.sorted_girth[b] = static_cast<float>(layer.girth_of(b));
   }
 }
 
-/// Puts the boxes that came since the last sort in order among themselves.
+/// Puts the boxes that came since the last sort in order among themselves. They take no more room
+/// than before: once they are listed, nothing throws.
 void BoxSet::sort_newcomers() {
   Layer& last = layers_.back();
   std::vector<KdItem> items;
@@ -211,6 +212,7 @@ void BoxSet::sort() {
     for (std::size_t l = 0; l + 1 < start.size(); ++l)
       kd_order(std::span(space.items).subspan(start[l], start[l + 1] - start[l]));
   });
+  make_room_for_items(space);
   place_items(space);
   measure_sorted();
   newcomers_ = sorted_newcomers_ = holes_ = 0;

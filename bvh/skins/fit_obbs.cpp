@@ -1,7 +1,7 @@
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/skins/fit_skins.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ FloatObb fitted(std::span<const Eigen::Vector3d> points) {
 
 std::vector<FloatObb> fit_obbs(const Tree& tree, const Hulls& hulls) {
   std::vector<FloatObb> skin(tree.nodes.size());
-  tbb::parallel_for(std::size_t{0}, skin.size(), [&](std::size_t node) {
+  for_in_parallel(std::size_t{0}, skin.size(), [&](std::size_t node) {
     const StandardArithmetic arithmetic;
     skin[node] = fitted(hulls.below(node));
   });

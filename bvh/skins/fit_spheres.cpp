@@ -1,7 +1,7 @@
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/skins/fit_skins.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ FloatSphere fitted(std::span<const Eigen::Vector3d> points) {
 
 std::vector<FloatSphere> fit_spheres(const Tree& tree, const Hulls& hulls) {
   std::vector<FloatSphere> skin(tree.nodes.size());
-  tbb::parallel_for(std::size_t{0}, skin.size(), [&](std::size_t node) {
+  for_in_parallel(std::size_t{0}, skin.size(), [&](std::size_t node) {
     const StandardArithmetic arithmetic;
     skin[node] = fitted(hulls.below(node));
   });

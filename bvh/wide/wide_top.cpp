@@ -2,9 +2,9 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/graft.h>
 #include <graze/bvh/node_lanes.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/top_split.h>
 #include <graze/bvh/wide/wide_top.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <utility>
@@ -36,7 +36,7 @@ std::vector<Node> split_into(std::vector<TreeletPart>& parts, References referen
 
 /// The box of each part where its primitives are now.
 void fit_parts(WideTop& top, const CornerSource& source, const LocalFrame& frame, Places order) {
-  tbb::parallel_for(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
+  for_in_parallel(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
     const StandardArithmetic arithmetic;
     TreeletPart& part = top.parts[i];
     part.box = float_box(source.bounds(frame, order.subspan(part.first, part.count)));

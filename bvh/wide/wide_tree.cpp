@@ -1,8 +1,8 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/bvh/wide/treelet_build.h>
 #include <graze/bvh/wide/treelet_refit.h>
 #include <graze/bvh/wide/wide_tree.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <optional>
@@ -80,7 +80,7 @@ WideStock WideTree::stock() const {
 TreeletCounts WideTree::build_all() const {
   std::atomic<std::uint64_t> built = 0;
   std::atomic<std::uint64_t> refitted = 0;
-  tbb::parallel_for(std::size_t{1}, treelet_count_, [&](std::size_t i) {
+  for_in_parallel(std::size_t{1}, treelet_count_, [&](std::size_t i) {
     const StandardArithmetic arithmetic;
     TreeletCounts one;
     entered(static_cast<std::uint32_t>(i), one);

@@ -18,9 +18,8 @@ bool is_failure_to_sync(int error) {
   return error != EINVAL && error != ENOSYS && error != ENOTSUP && error != EROFS;
 }
 
-/// Best effort: the name of the file lies in its folder, and some folders cannot be opened.
-void sync_folder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.parent_path();
+/// Best effort: the name of a file lies in its folder, and some folders cannot be opened.
+void sync_folder(const std::filesystem::path& folder) {
   const int descriptor =
       open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -96,13 +95,14 @@ void OutputFile::publish() {
   flush();
   if (!temporary_) return;
   sync();
+  const std::filesystem::path folder = target_.path.parent_path();  // afterwards nothing may throw
   try {
     temporary_->replace(target_.path);
   } catch (const std::system_error& error) {
     fail(error.code().value());
   }
   temporary_.reset();
-  sync_folder(target_.path);
+  sync_folder(folder);
 }
 
 void OutputFile::finish() {

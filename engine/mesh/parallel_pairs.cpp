@@ -105,7 +105,8 @@ class ParallelPairs {
   bvh::WidePairWalk first_;
   SharedWalk shared_;
   std::vector<Share> shares_;
-  tbb::task_group group_;
+  tbb::task_group_context alone_{tbb::task_group_context::isolated};  // as bvh/parallel.h says
+  tbb::task_group group_{alone_};
 };
 
 }  // namespace

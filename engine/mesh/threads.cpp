@@ -1,7 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/engine/mesh/threads.h>
-#include <tbb/parallel_for.h>
+
 #include <tbb/task_arena.h>
 
 #include <string>
@@ -36,7 +37,7 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
   }
   run_in_arena(threads, [&] {
     // Parts differ in cost, and are few: one at a time.
-    tbb::parallel_for(
+    bvh::for_in_parallel(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
           const bvh::StandardArithmetic arithmetic;

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/parallel.h>
 #include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/query_results.h>
 #include <graze/engine/mesh/voxel_descent.h>
@@ -6,7 +7,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
@@ -99,16 +99,16 @@ std::vector<VoxelRun> sorted_runs(const VoxelScene& scene, const VoxelTask& whol
   tbb::enumerable_thread_specific<VoxelDescent> descents([&] { return VoxelDescent(scene); });
   PartsDone done(settings, users_control_word, tasks.size() + 1);
   done.add(count_voxels(top.runs()));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      const bvh::StandardArithmetic arithmetic;
-                      VoxelDescent& descent = descents.local();
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        const std::size_t before = descent.runs().size();
-                        descent.run(tasks[i]);
-                        done.add(count_voxels(std::span(descent.runs()).subspan(before)));
-                      }
-                    });
+  bvh::for_in_parallel(tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
+                       [&](const tbb::blocked_range<std::size_t>& range) {
+                         const bvh::StandardArithmetic arithmetic;
+                         VoxelDescent& descent = descents.local();
+                         for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                           const std::size_t before = descent.runs().size();
+                           descent.run(tasks[i]);
+                           done.add(count_voxels(std::span(descent.runs()).subspan(before)));
+                         }
+                       });
   std::vector<VoxelRun> runs = std::move(top.runs());
   work += top.work();
   for (VoxelDescent& descent : descents) {

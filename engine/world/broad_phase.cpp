@@ -92,9 +92,10 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 BoxId BroadPhase::add(const Aabb& box) {
   const bvh::StandardArithmetic arithmetic;
   bvh::check_box(box, "add");
-  const std::uint32_t index = state_->ids.take();
+  state_->ids.prepare_take();
   state_->unsettle();
-  state_->tracker.insert(index, box);
+  state_->tracker.insert(state_->ids.next(), box);
+  const std::uint32_t index = state_->ids.take();
   return {index, state_->ids.generation(index)};
 }
 
@@ -151,6 +152,7 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
 void BroadPhase::remove(BoxId id) {
   const bvh::StandardArithmetic arithmetic;
   state_->check(id, "remove");
+  state_->ids.prepare_free();
   state_->unsettle();
   state_->tracker.erase(id.index);
   state_->ids.free(id.index);
@@ -159,8 +161,8 @@ void BroadPhase::remove(BoxId id) {
 void BroadPhase::update() {
   const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
-  ++state.work.updates;
   const bool has_changed = state.tracker.update();
+  ++state.work.updates;
   state.is_settled = true;
   state.ids.next_round();
   if (!has_changed) return;

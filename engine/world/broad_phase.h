@@ -54,8 +54,10 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// The first query after changes costs what they touched, as the update would: after one change
 /// about a microsecond, after very many a sort; box() and the queries after it do not wait. Queries
 /// at the same time wait for that first one.
-/// All lists are the same for any number of threads and on any SIMD target. Spans are valid until
-/// the next call that is not const. Const functions may run at the same time.
+/// What throws for want of memory (std::bad_alloc) has not happened: of an update the pairs are
+/// those of before, none began or ended, and the next one tells all that has since. All lists are
+/// the same for any number of threads and on any SIMD target. Spans are valid until the next call
+/// that is not const. Const functions may run at the same time.
 class BroadPhase {
  public:
   explicit BroadPhase(const BroadPhaseSettings& settings = {});

@@ -5,15 +5,31 @@ namespace {
 
 constexpr std::size_t kGrowthShare = 8, kFew = 64;
 
+/// Not twice as much: a table of many would be mostly room.
+template <typename T>
+void make_room_in(std::vector<T>& of, std::size_t size) {
+  if (size > of.capacity()) of.reserve(size - 1 + size / kGrowthShare + kFew);
+}
+
 }  // namespace
 
 template <typename Generation>
+void IdTable<Generation>::prepare_take() {
+  if (free_.empty()) make_room_in(generation_, generation_.size() + 1);
+}
+
+/// The index will rest, and then be among the free ones.
+template <typename Generation>
+void IdTable<Generation>::prepare_free() {
+  make_room_in(resting_[0], resting_[0].size() + 1);
+  make_room_in(free_, free_.size() + resting_[0].size() + resting_[1].size() + 1);
+}
+
+template <typename Generation>
 std::uint32_t IdTable<Generation>::take() {
+  prepare_take();
   ++live_count_;
   if (free_.empty()) {
-    // Not twice as much: a table of many would be mostly room.
-    const std::size_t size = generation_.size();
-    if (size == generation_.capacity()) generation_.reserve(size + size / kGrowthShare + kFew);
     generation_.push_back(1);
     return static_cast<std::uint32_t>(generation_.size() - 1);
   }
@@ -25,6 +41,7 @@ std::uint32_t IdTable<Generation>::take() {
 
 template <typename Generation>
 void IdTable<Generation>::free(std::uint32_t index) {
+  prepare_free();
   --live_count_;
   ++generation_[index];
   if (generation_[index] != 0) resting_[0].push_back(index);

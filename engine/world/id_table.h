@@ -16,7 +16,16 @@ class IdTable {
   std::uint32_t take();
   void free(std::uint32_t index);
 
-  /// Begins a round.
+  /// Memory for the next one: take(), free() will throw nothing. What throws has changed nothing.
+  void prepare_take();
+  void prepare_free();
+
+  /// What take() will return.
+  std::uint32_t next() const {
+    return free_.empty() ? static_cast<std::uint32_t>(generation_.size()) : free_.back();
+  }
+
+  /// Begins a round. Throws nothing, unless the table is a copy: copies have no memory to spare.
   void next_round();
 
   bool is_live(std::uint32_t index) const {

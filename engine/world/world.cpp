@@ -35,10 +35,17 @@ void World::State::check_is_free(const char* what) const {
   if (is_updating) throw InputError(std::string(what) + ": the world is within an update");
 }
 
+/// note_change() of so many bodies will throw nothing: a body with the mark that is not in the list
+/// would never be looked at again. Each body is in it once.
+void World::State::make_room_for_changes(std::size_t more) {
+  make_room_in(changed,
+               std::min(more, all.bodies.size() - std::min(all.bodies.size(), changed.size())));
+}
+
 void World::State::note_change(std::uint32_t index) {
   if (all.ways[index].has_changed) return;
-  all.ways[index].has_changed = true;
   changed.push_back(index);
+  all.ways[index].has_changed = true;
 }
 
 void World::State::note_other_filter(std::uint32_t index) {
@@ -48,6 +55,7 @@ void World::State::note_other_filter(std::uint32_t index) {
 
 /// Makes the list anew: where an update was cut short the marks may no longer be those of the list.
 void World::State::note_everything() {
+  changed.reserve(all.bodies.size());
   changed.clear();
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
     Bodies::Way& way = all.ways[index];
@@ -56,8 +64,22 @@ void World::State::note_everything() {
   }
 }
 
+/// For one more body, all but its box and what its mesh takes: the index that it will have.
+std::uint32_t World::State::make_room_for_one() {
+  all.ids.prepare_take();
+  const std::uint32_t index = all.ids.next();
+  if (index >= all.bodies.size()) {
+    make_room_in(all.ways, 1);
+    all.bodies.emplace_back(), all.ways.emplace_back();
+  }
+  make_room_in(changed, 1);
+  return index;
+}
+
+/// What throws has changed nothing.
 void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   Bodies::Body& body = all.bodies[index];
+  make_room_in(body_of_box, 1);  // indices of boxes come one after the other
   body.box = broad.add(box).index;
   if (body.box >= body_of_box.size()) body_of_box.resize(body.box + std::size_t{1});
   body_of_box[body.box] = index;
@@ -81,6 +103,7 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
 }
 
 void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  make_room_for_changes(ids.size());
   broad.move(boxes_to_move, places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
@@ -104,6 +127,7 @@ const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) c
   return mesh;
 }
 
+/// Throws before it has changed anything.
 void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape,
                               const Mesh* mesh) {
   const bool is_unbuilt = unbuilt.add(mesh);
@@ -142,19 +166,23 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   const bool is_users = is_users_shape(*shape);
   const Aabb box = bounds_of(*shape, is_users, pose, "add");
   const Mesh* mesh = state.prepared_mesh(*shape, is_users);
-  const std::uint32_t index = state.all.ids.take();
-  if (index >= state.all.bodies.size())
-    state.all.bodies.emplace_back(), state.all.ways.emplace_back();
+  const std::uint32_t index = state.make_room_for_one();
   Bodies::Body& body = state.all.bodies[index];
   body = {};
   state.all.ways[index] = {};
   state.take_shape(index, std::move(shape), mesh);
+  try {
+    state.insert_box(index, box);
+  } catch (...) {
+    state.drop_shape(index);
+    throw;
+  }
+  state.all.ids.take();
   body.pose = pose;
   body.motion = settings.motion;
   body.role = settings.role;
   body.filter = settings.filter;
   body.user_data = settings.user_data;
-  state.insert_box(index, box);
   state.note_change(index);
   return state.all.id(index);
 }
@@ -166,6 +194,7 @@ BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& sett
 void World::remove(BodyId id) {
   State& state = *state_;
   Bodies::Body& body = state.body(id, "remove");
+  state.all.ids.prepare_free();
   state.broad.remove(state.broad.id(body.box));
   auto& excluded = state.all.excluded;
   for (auto next = excluded.lower_bound(pair_key(id.index, 0)); body.exclusions != 0;) {
@@ -214,8 +243,9 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
   const bool is_users = is_users_shape(*shape);
   const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
   const Mesh* mesh = state.prepared_mesh(*shape, is_users);
-  state.broad.move(state.broad.id(body.box), box);
+  state.make_room_for_changes(1);
   state.take_shape(id.index, std::move(shape), mesh);
+  state.broad.move(state.broad.id(body.box), box);
   body.is_awake = true;
   state.all.ways[id.index].has_other_shape = true;
   state.note_change(id.index);
@@ -227,17 +257,23 @@ void World::set_shape(BodyId id, const Shape& shape) {
 }
 
 void World::set_filter(BodyId id, const Filter& filter) {
-  state_->body(id, "set_filter").filter = filter;
+  Bodies::Body& body = state_->body(id, "set_filter");
+  state_->make_room_for_changes(1);
+  body.filter = filter;
   state_->note_other_filter(id.index);
 }
 
 void World::set_motion(BodyId id, Motion motion) {
-  state_->body(id, "set_motion").motion = motion;
+  Bodies::Body& body = state_->body(id, "set_motion");
+  state_->make_room_for_changes(1);
+  body.motion = motion;
   state_->note_other_filter(id.index);
 }
 
 void World::set_role(BodyId id, Role role) {
-  state_->body(id, "set_role").role = role;
+  Bodies::Body& body = state_->body(id, "set_role");
+  state_->make_room_for_changes(1);
+  body.role = role;
   state_->note_other_filter(id.index);
 }
 
@@ -252,16 +288,24 @@ void World::sleep(BodyId id) {
 void World::wake(BodyId id) {
   Bodies::Body& body = state_->body(id, "wake");
   if (body.is_awake) return;
-  body.is_awake = true;
   state_->note_change(id.index);
+  body.is_awake = true;
 }
 
 void World::exclude(BodyId a, BodyId b) {
   Bodies::Body& body_a = state_->body(a, "exclude");
   Bodies::Body& body_b = state_->body(b, "exclude");
   if (a == b) throw InputError("exclude: a body and itself");
-  if (!state_->all.excluded.insert(pair_key(a.index, b.index)).second) return;
-  state_->all.excluded.insert(pair_key(b.index, a.index));
+  auto& excluded = state_->all.excluded;
+  if (excluded.contains(pair_key(a.index, b.index))) return;
+  state_->make_room_for_changes(1);
+  const auto first = excluded.insert(pair_key(a.index, b.index)).first;
+  try {
+    excluded.insert(pair_key(b.index, a.index));
+  } catch (...) {
+    excluded.erase(first);
+    throw;
+  }
   ++body_a.exclusions, ++body_b.exclusions;
   state_->note_other_filter(a.index);
 }
@@ -269,6 +313,7 @@ void World::exclude(BodyId a, BodyId b) {
 void World::include(BodyId a, BodyId b) {
   Bodies::Body& body_a = state_->body(a, "include");
   Bodies::Body& body_b = state_->body(b, "include");
+  state_->make_room_for_changes(1);
   if (state_->all.excluded.erase(pair_key(a.index, b.index)) == 0) return;
   state_->all.excluded.erase(pair_key(b.index, a.index));
   --body_a.exclusions, --body_b.exclusions;
@@ -277,8 +322,8 @@ void World::include(BodyId a, BodyId b) {
 
 void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
   state_->check_is_free("set_pair_filter");
-  state_->all.pair_filter = std::move(filter);
   state_->note_everything();
+  state_->all.pair_filter = std::move(filter);
 }
 
 bool World::contains(BodyId id) const {

@@ -169,7 +169,8 @@ class World {
   std::uint64_t user_data(BodyId id) const;
   bool is_awake(BodyId id) const;
 
-  /// Brings all pairs up to date. Where a filter or a shape of a user's own throws, so does this;
+  /// Brings all pairs up to date. Where a filter or a shape of a user's own throws, or memory is
+  /// short (std::bad_alloc), so does this;
   /// the next update then looks at every body as if it had changed, and lists what has begun and
   /// ended since the last one that came to its end.
   WorldUpdate update();

@@ -13,6 +13,12 @@
 
 namespace graze {
 
+/// Memory for so many more elements: to append them throws nothing.
+template <typename T>
+void make_room_in(std::vector<T>& of, std::size_t more) {
+  if (of.capacity() - of.size() < more) of.reserve(std::max(2 * of.size(), of.size() + more));
+}
+
 /// The part of a world that a snapshot copies.
 struct Bodies {
   struct Body {
@@ -70,8 +76,20 @@ struct Bodies {
 /// touch.
 class Candidates {
  public:
-  void add(BoxPair pair);
-  void remove(std::uint32_t at);
+  /// What throws has changed nothing.
+  void add(BoxPair pair) {
+    make_room_in(touches_, 1), make_room_in(separations_, 1);
+    index_.add(list_, pair);
+    touches_.push_back(0);
+    separations_.emplace_back();
+  }
+  void remove(std::uint32_t at) {
+    index_.remove(list_, list_.data()[at]);
+    touches_[at] = touches_.back();
+    touches_.pop_back();
+    separations_[at] = separations_.back();
+    separations_.pop_back();
+  }
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
   /// What position() reads first, and what is known of the pair there.
   void fetch(BoxPair pair) const { index_.prefetch(pair); }
@@ -85,7 +103,14 @@ class Candidates {
   bool touches(std::uint32_t at) const { return touches_[at] != 0; }
   void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
   Separation& separation(std::uint32_t at) { return separations_[at]; }
-  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches);
+  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
+    list_.clear();
+    for (const BoxPair& pair : pairs)
+      list_.push_back(pair);
+    touches_.assign(touches.begin(), touches.end());
+    separations_.assign(pairs.size(), {});
+    index_.build(list_);
+  }
   std::span<const std::uint8_t> all_touches() const { return touches_; }
 
  private:
@@ -167,7 +192,7 @@ struct World::State {
   WorldWork work;
 
   bool is_updating = false;
-  bool is_cut_short = false;  // the last update: something that it asked threw
+  bool is_cut_short = false;  // the last update: something that it asked threw, or it had no memory
 
   const Bodies::Body& body(BodyId id, const char* what) const;
   Bodies::Body& body(BodyId id, const char* what) {
@@ -176,9 +201,11 @@ struct World::State {
   }
   /// Throws if a filter or a shape that an update asks tries to change the world.
   void check_is_free(const char* what) const;
+  void make_room_for_changes(std::size_t more);
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
   void note_everything();
+  std::uint32_t make_room_for_one();
   void insert_box(std::uint32_t index, const Aabb& box);
   void begin_move();
   void prepare_move(BodyId id, const Pose& pose, const char* what);
@@ -191,6 +218,7 @@ struct World::State {
   void find_changes();
   void list_changes();
   void end_pairs();
+  void end_parted_pairs();
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_changed();

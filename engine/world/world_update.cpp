@@ -5,6 +5,7 @@
 #include <graze/engine/world/quick_gap.h>
 #include <graze/engine/world/shape_work.h>
 #include <graze/engine/world/world_state.h>
+#include <graze/narrowphase/volumes/aabb_overlap.h>
 #include <hwy/cache_control.h>
 
 #include <algorithm>
@@ -90,29 +91,6 @@ bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
   return pair_filter(id(std::min(a, b)), id(std::max(a, b)));
 }
 
-void Candidates::add(BoxPair pair) {
-  index_.add(list_, pair);
-  touches_.push_back(0);
-  separations_.emplace_back();
-}
-
-void Candidates::remove(std::uint32_t at) {
-  index_.remove(list_, list_.data()[at]);
-  touches_[at] = touches_.back();
-  touches_.pop_back();
-  separations_[at] = separations_.back();
-  separations_.pop_back();
-}
-
-void Candidates::rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
-  list_.clear();
-  for (const BoxPair& pair : pairs)
-    list_.push_back(pair);
-  touches_.assign(touches.begin(), touches.end());
-  separations_.assign(pairs.size(), {});
-  index_.build(list_);
-}
-
 void World::State::end(std::uint32_t at) {
   if (candidates.touches(at)) ended.push_back(all.id_pair(candidates.list()[at]));
   candidates.remove(at);
@@ -123,6 +101,19 @@ void World::State::end_pairs() {
     const std::uint32_t at =
         candidates.position(ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]));
     if (at != Candidates::kNowhere) end(at);
+  }
+}
+
+/// The same where an update was cut short, and those lists may be gone. filter_again() sees to all
+/// that began.
+void World::State::end_parted_pairs() {
+  for (auto at = static_cast<std::uint32_t>(candidates.list().size()); at-- > 0;) {
+    const BoxPair pair = candidates.list()[at];
+    const auto box = [&](std::uint32_t index) {
+      return broad.box(broad.id(all.bodies[index].box));
+    };
+    const bool are_there = all.ids.is_live(pair.a) && all.ids.is_live(pair.b);
+    if (!are_there || !overlaps(box(pair.a), box(pair.b))) end(at);
   }
 }
 
@@ -323,7 +314,7 @@ void World::State::learn_gap(std::uint32_t at) {
 
 void World::State::find_changes() {
   broad.update();
-  end_pairs();
+  is_cut_short ? end_parted_pairs() : end_pairs();
   begin_pairs();
   std::erase_if(changed, [&](std::uint32_t index) {
     const bool is_gone = !all.ids.is_live(index);
@@ -355,8 +346,8 @@ void World::State::list_changes() {
   work.trees_unbuilt = unbuilt.count();
 }
 
-// Filters and shapes of a user's own may throw. What had begun and ended until then is told by the
-// next update, which looks at everything anew.
+// Filters and shapes of a user's own may throw, and memory may be short. What had begun and ended
+// until then is told by the next update, which looks at everything anew.
 WorldUpdate World::update() {
   const bvh::StandardArithmetic arithmetic;
   State& state = *state_;
@@ -372,10 +363,10 @@ WorldUpdate World::update() {
     const ShapeWorkScope counting(state.work.shapes);
     const UpdatingScope updating(state.is_updating, state.is_cut_short);
     state.find_changes();
+    state.list_changes();
+    state.all.ids.next_round();
   }
-  state.list_changes();
   state.is_cut_short = false;
-  state.all.ids.next_round();
   return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
 }
 
