@@ -376,30 +376,4 @@ std::vector<BodyPair> World::pairs() const {
   return pairs;
 }
 
-WorldSnapshot World::snapshot() const {
-  const State& state = *state_;
-  state.check_is_settled("snapshot");
-  const auto candidates = state.candidates.list();
-  const auto touches = state.candidates.all_touches();
-  return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
-      state.all, {candidates.begin(), candidates.end()}, {touches.begin(), touches.end()}}));
-}
-
-void World::restore(const WorldSnapshot& snapshot) {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check_is_free("restore");
-  auto fresh = std::make_unique<State>(state_->settings);
-  fresh->all = snapshot.state_->all;
-  for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
-    if (!fresh->all.ids.is_live(index)) continue;
-    const Bodies::Body& body = fresh->all.bodies[index];
-    fresh->insert_box(index,
-                      body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
-    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
-  }
-  fresh->broad.update();
-  fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);
-  state_ = std::move(fresh);
-}
-
 }  // namespace graze
