@@ -30,8 +30,9 @@ struct Slot {
   std::atomic<pid_t> owner = 0;
   std::array<char, PATH_MAX> path;
 };
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free,
-              "a signal handler may use nothing else");
+// A signal handler may use nothing else.
+static_assert(decltype(Slot::state)::is_always_lock_free);
+static_assert(decltype(Slot::owner)::is_always_lock_free);
 
 /// Files are written one at a time, or a few; one that finds no slot is not removed by a handler.
 std::array<Slot, 16> slots;

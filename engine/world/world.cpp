@@ -15,7 +15,7 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
 }
 
 Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const char* what) {
-  const Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
+  Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
   bvh::check_box(box, what);
   return box;
 }

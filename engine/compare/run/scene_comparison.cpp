@@ -147,6 +147,7 @@ class StepTrial {
 
   void ask_all(const std::vector<ScenePair>& pairs) {
     std::vector<std::pair<std::size_t, std::size_t>> asked;
+    asked.reserve(pairs.size());
     for (const ScenePair& pair : pairs)
       asked.emplace_back(pair.a, pair.b);
     for (std::size_t i = 0; i < engines_.size(); ++i) {

@@ -20,8 +20,8 @@ namespace {
 /// So many pairs of a list are looked at for the worst.
 constexpr std::size_t kMaxExamined = 64;
 
-bool is_solid(const Case& query_) {
-  return query_.settings.interior == Interior::Solid;
+bool is_solid(const Case& query) {
+  return query.settings.interior == Interior::Solid;
 }
 
 }  // namespace
