@@ -260,7 +260,9 @@ TEST_F(OutputFiles, HostilePathsAreRefused) {
       {path("folder") + std::string(5000, '/') + "new", "File name too long"},
       {"/proc/self/cwd", "Is a directory"},
   };
-  for (const auto& [name, why] : refused) {
+  for (const auto& each : refused) {
+    const std::string& name = each.first;
+    const std::string& why = each.second;
     EXPECT_EQ(error_of([&] { write_file(name, "x"); }), name + ": cannot be written: " + why);
     EXPECT_EQ(error_of([&] { check_output(name); }), name + ": cannot be written: " + why);
   }

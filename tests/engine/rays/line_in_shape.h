@@ -2,6 +2,7 @@
 
 // Lines at convex shapes by their definitions, in numbers of 1000 bits, and distances of points.
 
+#include <graze/bvh/pose.h>
 #include <graze/engine/world/shape.h>
 
 #include <gmpxx.h>
