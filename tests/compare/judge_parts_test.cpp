@@ -8,6 +8,7 @@
 #include <graze/engine/compare/judge/parts/rational_inside.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/crossing.h>
 #include <gtest/gtest.h>

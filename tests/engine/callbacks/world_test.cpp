@@ -261,7 +261,7 @@ void throw_again_and_again(int seeds) {
     EXPECT_TRUE(world.update());
     world.expect_bodies_as_by_hand();
   }
-  EXPECT_GT(cut, 5 * seeds);
+  EXPECT_GT(cut, 4 * seeds);
   EXPECT_GT(complete, 5 * seeds);
   EXPECT_EQ(FusedShape::living(), living);
 }
