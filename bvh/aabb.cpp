@@ -25,8 +25,7 @@ void check_box(const Aabb& box, const char* what) {
 }  // namespace bvh
 
 void check_box(const Aabb& box, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, what);
+  bvh::in_standard_arithmetic([&] { bvh::check_box(box, what); });
 }
 
 }  // namespace graze

@@ -72,15 +72,17 @@ Aabb checked_bounds(std::span<const Aabb> boxes) {
   const Seen all = reduce_in_parallel(
       tbb::blocked_range<std::size_t>(0, boxes.size(), kGrain), Seen(boxes[0]),
       [&](const tbb::blocked_range<std::size_t>& range, Seen seen) {
-        const StandardArithmetic arithmetic;
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-          seen.add(boxes[i]);
-        return seen;
+        return in_standard_arithmetic([&] {
+          for (std::size_t i = range.begin(); i < range.end(); ++i)
+            seen.add(boxes[i]);
+          return seen;
+        });
       },
       [](Seen a, const Seen& b) {
-        const StandardArithmetic arithmetic;
-        a.add(b);
-        return a;
+        return in_standard_arithmetic([&] {
+          a.add(b);
+          return a;
+        });
       });
   if (!all.is_valid()) name_invalid(boxes);
   return all.box();

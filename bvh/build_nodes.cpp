@@ -24,12 +24,13 @@ std::vector<Node> build_nodes(References references, int depth, const BuildSetti
     if (top.nodes[i].is_leaf()) subtrees[top.nodes[i].first].at = i;
   }
   for_in_parallel(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
-    const StandardArithmetic arithmetic;
-    const Part& part = top.parts[i];
-    subtrees[i].nodes = build_subtree(all, part, settings);
-    subtrees[i].first_primitive = static_cast<std::uint32_t>(part.begin);
-    for (std::size_t k = part.begin; k < part.end; ++k)
-      primitives[k] = all[k].index();
+    in_standard_arithmetic([&] {
+      const Part& part = top.parts[i];
+      subtrees[i].nodes = build_subtree(all, part, settings);
+      subtrees[i].first_primitive = static_cast<std::uint32_t>(part.begin);
+      for (std::size_t k = part.begin; k < part.end; ++k)
+        primitives[k] = all[k].index();
+    });
   });
   references = {};
   return std::move(grafted(top.nodes, std::move(subtrees)).nodes);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What check_box() and the like do, for doors that have made a StandardArithmetic already: to read
+// What check_box() and the like do, for functions that run in in_standard_arithmetic() already: to read
 // the control word again for each of their arguments would take longer than to compare a few
 // numbers.
 

@@ -73,8 +73,9 @@ std::size_t refit_and_rebuild(Tree& tree, std::vector<float>& costs,
   const std::vector<Range> ranges = ranges_of(tree);
   std::vector<Graft> grafts(decayed.size());
   for_in_parallel(std::size_t{0}, decayed.size(), [&](std::size_t i) {
-    const StandardArithmetic arithmetic;
-    grafts[i] = built_anew(tree, decayed[i], ranges[decayed[i].node], references, settings.build);
+    in_standard_arithmetic([&] {
+      grafts[i] = built_anew(tree, decayed[i], ranges[decayed[i].node], references, settings.build);
+    });
   });
   GraftedNodes renewed = grafted(tree.nodes, std::move(grafts));
   tree.nodes = std::move(renewed.nodes);

@@ -24,8 +24,7 @@ void check_kdop(const KDop<18>& kdop, const char* what) {
 }  // namespace bvh
 
 void check_kdop(const KDop<18>& kdop, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_kdop(kdop, what);
+  bvh::in_standard_arithmetic([&] { bvh::check_kdop(kdop, what); });
 }
 
 }  // namespace graze

@@ -23,8 +23,7 @@ void check_box(const Obb& box, const char* what) {
 }  // namespace bvh
 
 void check_box(const Obb& box, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, what);
+  bvh::in_standard_arithmetic([&] { bvh::check_box(box, what); });
 }
 
 }  // namespace graze

@@ -11,8 +11,8 @@
 namespace graze {
 
 double rotation_deviation(const Pose& pose) {
-  const bvh::StandardArithmetic arithmetic;
-  return bvh::RotationError(pose).largest();
+  return bvh::in_standard_arithmetic(
+      [&]() -> double { return bvh::RotationError(pose).largest(); });
 }
 
 namespace {
@@ -54,8 +54,7 @@ double check_rigid(const Pose& pose, const char* what) {
 }  // namespace bvh
 
 double check_rigid(const Pose& pose, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  return bvh::check_rigid(pose, what);
+  return bvh::in_standard_arithmetic([&]() -> double { return bvh::check_rigid(pose, what); });
 }
 
 }  // namespace graze

@@ -49,9 +49,10 @@ References references_made(std::size_t count, const BoxOf& box_of) {
   constexpr std::size_t kGrain = 4096;
   for_in_parallel(tbb::blocked_range<std::size_t>(0, count, kGrain),
                   [&](const tbb::blocked_range<std::size_t>& range) {
-                    const StandardArithmetic arithmetic;
-                    for (std::size_t i = range.begin(); i < range.end(); ++i)
-                      references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
+                    in_standard_arithmetic([&] {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        references.data[i] = reference_to(box_of(i), static_cast<std::uint32_t>(i));
+                    });
                   });
   return references;
 }
@@ -63,9 +64,10 @@ References references_made(std::span<const std::uint32_t> primitives, const BoxO
   constexpr std::size_t kGrain = 4096;
   for_in_parallel(tbb::blocked_range<std::size_t>(0, primitives.size(), kGrain),
                   [&](const tbb::blocked_range<std::size_t>& range) {
-                    const StandardArithmetic arithmetic;
-                    for (std::size_t i = range.begin(); i < range.end(); ++i)
-                      references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
+                    in_standard_arithmetic([&] {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i)
+                        references.data[i] = reference_to(box_of(primitives[i]), primitives[i]);
+                    });
                   });
   return references;
 }

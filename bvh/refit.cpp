@@ -27,10 +27,11 @@ void refit(Tree& tree, std::span<const Reference> references, const LocalFrame& 
   tree.frame = frame;
   for_in_parallel(tbb::blocked_range<std::size_t>(0, tree.nodes.size(), kGrain),
                   [&](const tbb::blocked_range<std::size_t>& range) {
-                    const StandardArithmetic arithmetic;
-                    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                      if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
-                    }
+                    in_standard_arithmetic([&] {
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        if (tree.nodes[i].is_leaf()) fit_leaf(tree.nodes[i], references);
+                      }
+                    });
                   });
   // Children stand behind their parents.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {

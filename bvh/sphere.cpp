@@ -24,8 +24,7 @@ void check_sphere(const Sphere& sphere, const char* what) {
 }  // namespace bvh
 
 void check_sphere(const Sphere& sphere, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, what);
+  bvh::in_standard_arithmetic([&] { bvh::check_sphere(sphere, what); });
 }
 
 }  // namespace graze

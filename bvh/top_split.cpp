@@ -26,10 +26,11 @@ TopTree split_top(std::span<Reference> references, std::size_t part_size,
   tree.nodes.push_back(node_over(level[0].part.box, 0, 0));
   while (!level.empty()) {
     for_in_parallel(std::size_t{0}, level.size(), [&](std::size_t i) {
-      const StandardArithmetic arithmetic;
-      Open& open = level[i];
-      if (open.part.size() <= part_size) return;
-      open.verdict = split(references, open.part, settings, open.sides);
+      in_standard_arithmetic([&] {
+        Open& open = level[i];
+        if (open.part.size() <= part_size) return;
+        open.verdict = split(references, open.part, settings, open.sides);
+      });
     });
     std::vector<Open> next;
     for (const Open& open : level) {

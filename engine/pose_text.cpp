@@ -64,54 +64,57 @@ double parse_number(std::string_view field, std::size_t number, const std::strin
 }  // namespace
 
 Pose parse_pose(std::string_view text, const std::string& place) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::vector<std::string_view> fields = split(text, place);
-  Pose pose = Pose::Identity();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const double value = parse_number(fields[i], i + 1, place);
-    if (i >= kPoseNumbers) continue;
-    pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
-  }
-  if (fields.size() != kPoseNumbers) {
-    fail(place, std::to_string(fields.size()) + (fields.size() == 1 ? " number" : " numbers") +
-                    ", a pose has " + std::to_string(kPoseNumbers));
-  }
-  check_rigid(pose, place.c_str());
-  return pose;
+  return bvh::in_standard_arithmetic([&]() -> Pose {
+    const std::vector<std::string_view> fields = split(text, place);
+    Pose pose = Pose::Identity();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const double value = parse_number(fields[i], i + 1, place);
+      if (i >= kPoseNumbers) continue;
+      pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
+    }
+    if (fields.size() != kPoseNumbers) {
+      fail(place, std::to_string(fields.size()) + (fields.size() == 1 ? " number" : " numbers") +
+                      ", a pose has " + std::to_string(kPoseNumbers));
+    }
+    check_rigid(pose, place.c_str());
+    return pose;
+  });
 }
 
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::string name = mesh_io::printable(path.string());
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
-  std::ifstream file(path);
-  if (!file) fail(name, std::strerror(errno));
+  return bvh::in_standard_arithmetic([&]() -> std::vector<PoseLine> {
+    const std::string name = mesh_io::printable(path.string());
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
+    std::ifstream file(path);
+    if (!file) fail(name, std::strerror(errno));
 
-  std::vector<PoseLine> poses;
-  std::vector<char> buffer(kMaxLineLength);
-  for (std::size_t line = 1; file.peek() != std::ifstream::traits_type::eof(); ++line) {
-    const std::string place = name + ":" + std::to_string(line);
-    file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    if (file.bad()) break;
-    if (file.fail()) fail(place, "longer than " + std::to_string(kMaxLineLength - 1) + " bytes");
-    // gcount() includes the end of the line, unless the file ends first.
-    const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
-    const std::string_view text(buffer.data(), length);
-    if (text.find_first_not_of(kBlanks) == text.npos) continue;
-    poses.push_back({parse_pose(text, place), line});
-  }
-  if (file.bad()) fail(name, "cannot be read to its end");
-  if (poses.empty()) fail(name, "no poses");
-  return poses;
+    std::vector<PoseLine> poses;
+    std::vector<char> buffer(kMaxLineLength);
+    for (std::size_t line = 1; file.peek() != std::ifstream::traits_type::eof(); ++line) {
+      const std::string place = name + ":" + std::to_string(line);
+      file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+      if (file.bad()) break;
+      if (file.fail()) fail(place, "longer than " + std::to_string(kMaxLineLength - 1) + " bytes");
+      // gcount() includes the end of the line, unless the file ends first.
+      const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
+      const std::string_view text(buffer.data(), length);
+      if (text.find_first_not_of(kBlanks) == text.npos) continue;
+      poses.push_back({parse_pose(text, place), line});
+    }
+    if (file.bad()) fail(name, "cannot be read to its end");
+    if (poses.empty()) fail(name, "no poses");
+    return poses;
+  });
 }
 
 std::vector<Pose> load_poses(const std::filesystem::path& path) {
-  const bvh::StandardArithmetic arithmetic;
-  std::vector<Pose> poses;
-  for (const PoseLine& line : load_pose_lines(path))
-    poses.push_back(line.pose);
-  return poses;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Pose> {
+    std::vector<Pose> poses;
+    for (const PoseLine& line : load_pose_lines(path))
+      poses.push_back(line.pose);
+    return poses;
+  });
 }
 
 }  // namespace graze

@@ -11,8 +11,8 @@ bool crosses(const Triangle& triangle_a, const Triangle& triangle_b) {
 }
 
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::decide(triangle_a, triangle_b, touch).is_hit;
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return narrowphase::decide(triangle_a, triangle_b, touch).is_hit; });
 }
 
 namespace narrowphase {

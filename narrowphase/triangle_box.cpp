@@ -31,22 +31,23 @@ Decision decide(const Triangle& triangle, const Aabb& box) {
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::decide(triangle, box).is_hit;
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return narrowphase::decide(triangle, box).is_hit; });
 }
 
 bool intersects(const Triangle& triangle, const Obb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  narrowphase::check_finite(triangle, "triangle");
-  Aabb local;
-  for (int i = 0; i < 3; ++i) {
-    local.min.data()[i] = -box.half_extents.data()[i];
-    local.max.data()[i] = box.half_extents.data()[i];
-  }
-  const Triangle framed = narrowphase::into_frame(triangle, box.pose);
-  narrowphase::check_finite(framed, "triangle in the frame of the box");
-  return narrowphase::decide(framed, local).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(box, "box");
+    narrowphase::check_finite(triangle, "triangle");
+    Aabb local;
+    for (int i = 0; i < 3; ++i) {
+      local.min.data()[i] = -box.half_extents.data()[i];
+      local.max.data()[i] = box.half_extents.data()[i];
+    }
+    const Triangle framed = narrowphase::into_frame(triangle, box.pose);
+    narrowphase::check_finite(framed, "triangle in the frame of the box");
+    return narrowphase::decide(framed, local).is_hit;
+  });
 }
 
 }  // namespace graze

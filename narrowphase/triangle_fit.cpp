@@ -64,40 +64,38 @@ Eigen::Matrix3d surface_covariance(const bvh::LocalPoints& corners) {
 }  // namespace
 
 Aabb fit_aabb(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return fit_aabb(corners_of(triangles));
+  return bvh::in_standard_arithmetic([&]() -> Aabb { return fit_aabb(corners_of(triangles)); });
 }
 
 Sphere ritter_sphere(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return ritter_sphere(corners_of(triangles));
+  return bvh::in_standard_arithmetic(
+      [&]() -> Sphere { return ritter_sphere(corners_of(triangles)); });
 }
 
 Sphere minimal_sphere(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return minimal_sphere(corners_of(triangles));
+  return bvh::in_standard_arithmetic(
+      [&]() -> Sphere { return minimal_sphere(corners_of(triangles)); });
 }
 
 KDop<18> fit_kdop(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return fit_kdop(corners_of(triangles));
+  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return fit_kdop(corners_of(triangles)); });
 }
 
 Obb ditetrahedron_box(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return ditetrahedron_box(corners_of(triangles));
+  return bvh::in_standard_arithmetic(
+      [&]() -> Obb { return ditetrahedron_box(corners_of(triangles)); });
 }
 
 Obb tight_box(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  return tight_box(corners_of(triangles));
+  return bvh::in_standard_arithmetic([&]() -> Obb { return tight_box(corners_of(triangles)); });
 }
 
 Obb covariance_box(std::span<const Triangle> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  const Corners corners = corners_of(triangles);
-  const bvh::LocalPoints local(corners);
-  return box_along(bvh::principal_axes(surface_covariance(local)), local, corners);
+  return bvh::in_standard_arithmetic([&]() -> Obb {
+    const Corners corners = corners_of(triangles);
+    const bvh::LocalPoints local(corners);
+    return box_along(bvh::principal_axes(surface_covariance(local)), local, corners);
+  });
 }
 
 }  // namespace graze

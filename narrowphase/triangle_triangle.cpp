@@ -4,8 +4,8 @@
 namespace graze {
 
 bool intersects(const Triangle& triangle_a, const Triangle& triangle_b) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::decide(triangle_a, triangle_b).is_hit;
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return narrowphase::decide(triangle_a, triangle_b).is_hit; });
 }
 
 namespace narrowphase {

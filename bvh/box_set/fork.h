@@ -40,20 +40,14 @@ template <typename Work>
 void fork_each(std::size_t count, const Work& work) {
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < count; ++i)
-    threads.emplace_back([&work, i] {
-      const StandardArithmetic arithmetic;
-      work(i);
-    });
+    threads.emplace_back([&work, i] { in_standard_arithmetic([&] { work(i); }); });
   for (std::thread& thread : threads)
     thread.join();
 }
 
 template <typename First, typename Second>
 void fork_both(const First& first, const Second& second) {
-  std::thread thread([&first] {
-    const StandardArithmetic arithmetic;
-    first();
-  });
+  std::thread thread([&first] { in_standard_arithmetic([&] { first(); }); });
   second();
   thread.join();
 }
@@ -62,23 +56,14 @@ void fork_both(const First& first, const Second& second) {
 
 template <typename Work>
 void fork_each(std::size_t count, const Work& work) {
-  tbb::parallel_for(std::size_t{0}, count, [&work](std::size_t i) {
-    const StandardArithmetic arithmetic;
-    work(i);
-  });
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&work](std::size_t i) { in_standard_arithmetic([&] { work(i); }); });
 }
 
 template <typename First, typename Second>
 void fork_both(const First& first, const Second& second) {
-  tbb::parallel_invoke(
-      [&first] {
-        const StandardArithmetic arithmetic;
-        first();
-      },
-      [&second] {
-        const StandardArithmetic arithmetic;
-        second();
-      });
+  tbb::parallel_invoke([&first] { in_standard_arithmetic([&] { first(); }); },
+                       [&second] { in_standard_arithmetic([&] { second(); }); });
 }
 
 #endif

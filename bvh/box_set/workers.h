@@ -33,10 +33,7 @@ class Workers {
   template <typename Work>
   void run(const Work& work) const {
     // An arena may hand the work to another thread.
-    const auto computed = [&work] {
-      const StandardArithmetic arithmetic;
-      work();
-    };
+    const auto computed = [&work] { in_standard_arithmetic([&] { work(); }); };
     if (arena_ == nullptr) {
       tbb::task_arena(1).execute(computed);
     } else {

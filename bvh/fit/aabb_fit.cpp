@@ -22,27 +22,29 @@ namespace {
 }  // namespace
 
 Aabb fit_aabb(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  if (points.empty()) refuse(points);
-  const double* first = points.front().data();
-  double low[3] = {first[0], first[1], first[2]};
-  double high[3] = {first[0], first[1], first[2]};
-  double zeros[3] = {0, 0, 0};  // 0 times anything that is not finite is NaN, and stays so
-  for (const Eigen::Vector3d& point : points) {
-    const double* p = point.data();
-    for (int k = 0; k < 3; ++k) {
-      low[k] = p[k] < low[k] ? p[k] : low[k];
-      high[k] = p[k] > high[k] ? p[k] : high[k];
-      zeros[k] += 0 * p[k];
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    if (points.empty()) refuse(points);
+    const double* first = points.front().data();
+    double low[3] = {first[0], first[1], first[2]};
+    double high[3] = {first[0], first[1], first[2]};
+    double zeros[3] = {0, 0, 0};  // 0 times anything that is not finite is NaN, and stays so
+    for (const Eigen::Vector3d& point : points) {
+      const double* p = point.data();
+      for (int k = 0; k < 3; ++k) {
+        low[k] = p[k] < low[k] ? p[k] : low[k];
+        high[k] = p[k] > high[k] ? p[k] : high[k];
+        zeros[k] += 0 * p[k];
+      }
     }
-  }
-  if (!(zeros[0] + zeros[1] + zeros[2] == 0)) refuse(points);
-  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+    if (!(zeros[0] + zeros[1] + zeros[2] == 0)) refuse(points);
+    return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  });
 }
 
 Aabb merged(const Aabb& box_a, const Aabb& box_b) {
-  const bvh::StandardArithmetic arithmetic;
-  return {box_a.min.cwiseMin(box_b.min), box_a.max.cwiseMax(box_b.max)};
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    return {box_a.min.cwiseMin(box_b.min), box_a.max.cwiseMax(box_b.max)};
+  });
 }
 
 }  // namespace graze

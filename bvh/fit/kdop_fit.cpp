@@ -89,43 +89,45 @@ void refuse_overflow(const KDop<18>& kdop) {
 }  // namespace
 
 KDop<18> fit_kdop(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const Aabb box = fit_aabb(points);
-  double low[kSums];
-  double high[kSums];
-  std::fill_n(low, kSums, kInfinity);
-  std::fill_n(high, kSums, -kInfinity);
-  for (const Eigen::Vector3d& point : points) {
-    double sums[kSums];
-    round_sums(point.data(), sums);
-    for (int i = 0; i < kSums; ++i) {
-      low[i] = sums[i] < low[i] ? sums[i] : low[i];
-      high[i] = sums[i] > high[i] ? sums[i] : high[i];
+  return bvh::in_standard_arithmetic([&]() -> KDop<18> {
+    const Aabb box = fit_aabb(points);
+    double low[kSums];
+    double high[kSums];
+    std::fill_n(low, kSums, kInfinity);
+    std::fill_n(high, kSums, -kInfinity);
+    for (const Eigen::Vector3d& point : points) {
+      double sums[kSums];
+      round_sums(point.data(), sums);
+      for (int i = 0; i < kSums; ++i) {
+        low[i] = sums[i] < low[i] ? sums[i] : low[i];
+        high[i] = sums[i] > high[i] ? sums[i] : high[i];
+      }
     }
-  }
-  KDop<18> kdop;
-  for (int k = 0; k < 3; ++k) {
-    kdop.min[k] = box.min.data()[k];
-    kdop.max[k] = box.max.data()[k];
-  }
-  for (int i = 0; i < kSums; ++i) {
-    kdop.min[i + 3] = low[i];
-    kdop.max[i + 3] = high[i];
-  }
-  refuse_overflow(kdop);
-  step_outward(kdop, points);
-  refuse_overflow(kdop);
-  return kdop;
+    KDop<18> kdop;
+    for (int k = 0; k < 3; ++k) {
+      kdop.min[k] = box.min.data()[k];
+      kdop.max[k] = box.max.data()[k];
+    }
+    for (int i = 0; i < kSums; ++i) {
+      kdop.min[i + 3] = low[i];
+      kdop.max[i + 3] = high[i];
+    }
+    refuse_overflow(kdop);
+    step_outward(kdop, points);
+    refuse_overflow(kdop);
+    return kdop;
+  });
 }
 
 KDop<18> merged(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
-  const bvh::StandardArithmetic arithmetic;
-  KDop<18> kdop;
-  for (int i = 0; i < KDop<18>::kSlabs; ++i) {
-    kdop.min[i] = std::min(kdop_a.min[i], kdop_b.min[i]);
-    kdop.max[i] = std::max(kdop_a.max[i], kdop_b.max[i]);
-  }
-  return kdop;
+  return bvh::in_standard_arithmetic([&]() -> KDop<18> {
+    KDop<18> kdop;
+    for (int i = 0; i < KDop<18>::kSlabs; ++i) {
+      kdop.min[i] = std::min(kdop_a.min[i], kdop_b.min[i]);
+      kdop.max[i] = std::max(kdop_a.max[i], kdop_b.max[i]);
+    }
+    return kdop;
+  });
 }
 
 }  // namespace graze

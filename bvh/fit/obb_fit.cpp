@@ -51,35 +51,38 @@ Axes refined(Axes axes, const LocalPoints& points) {
 }  // namespace
 
 Obb covariance_box(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const LocalPoints local(points);
-  return box_along(bvh::principal_axes(bvh::covariance(local)), local, points);
+  return bvh::in_standard_arithmetic([&]() -> Obb {
+    const LocalPoints local(points);
+    return box_along(bvh::principal_axes(bvh::covariance(local)), local, points);
+  });
 }
 
 Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const LocalPoints local(points);
-  const Axes axes = bvh::ditetrahedron_axes(local);
-  const bool is_better = half_surface(extents_along(axes, local)) <
-                         half_surface(extents_along(Axes::Identity(), local));
-  return box_along(is_better ? axes : Axes(Axes::Identity()), local, points);
+  return bvh::in_standard_arithmetic([&]() -> Obb {
+    const LocalPoints local(points);
+    const Axes axes = bvh::ditetrahedron_axes(local);
+    const bool is_better = half_surface(extents_along(axes, local)) <
+                           half_surface(extents_along(Axes::Identity(), local));
+    return box_along(is_better ? axes : Axes(Axes::Identity()), local, points);
+  });
 }
 
 Obb tight_box(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const LocalPoints local(points);
-  Axes best = Axes::Identity();
-  double least = padded_volume(extents_along(best, local));
-  for (const Axes& start : {Axes(Axes::Identity()), bvh::principal_axes(bvh::covariance(local)),
-                            bvh::ditetrahedron_axes(local)}) {
-    const Axes axes = refined(start, local);
-    const double volume = padded_volume(extents_along(axes, local));
-    if (volume < least) {
-      least = volume;
-      best = axes;
+  return bvh::in_standard_arithmetic([&]() -> Obb {
+    const LocalPoints local(points);
+    Axes best = Axes::Identity();
+    double least = padded_volume(extents_along(best, local));
+    for (const Axes& start : {Axes(Axes::Identity()), bvh::principal_axes(bvh::covariance(local)),
+                              bvh::ditetrahedron_axes(local)}) {
+      const Axes axes = refined(start, local);
+      const double volume = padded_volume(extents_along(axes, local));
+      if (volume < least) {
+        least = volume;
+        best = axes;
+      }
     }
-  }
-  return box_along(best, local, points);
+    return box_along(best, local, points);
+  });
 }
 
 }  // namespace graze

@@ -48,18 +48,19 @@ double margin(const Obb& box_a, const Obb& box_b, const Obb& fitted) {
 }  // namespace
 
 Obb merged(const Obb& box_a, const Obb& box_b) {
-  const bvh::StandardArithmetic arithmetic;
-  check_box(box_a, "first box");
-  check_box(box_b, "second box");
-  std::array<Eigen::Vector3d, 16> corners;
-  write_corners(box_a, corners.data());
-  write_corners(box_b, corners.data() + 8);
-  Obb box = tight_box(corners);
-  box.half_extents.array() += margin(box_a, box_b, box);
-  if (!box.half_extents.allFinite()) {
-    throw InputError("boxes too far apart: the box around them overflows");
-  }
-  return box;
+  return bvh::in_standard_arithmetic([&]() -> Obb {
+    check_box(box_a, "first box");
+    check_box(box_b, "second box");
+    std::array<Eigen::Vector3d, 16> corners;
+    write_corners(box_a, corners.data());
+    write_corners(box_b, corners.data() + 8);
+    Obb box = tight_box(corners);
+    box.half_extents.array() += margin(box_a, box_b, box);
+    if (!box.half_extents.allFinite()) {
+      throw InputError("boxes too far apart: the box around them overflows");
+    }
+    return box;
+  });
 }
 
 }  // namespace graze

@@ -114,23 +114,26 @@ Eigen::Vector3d minimal_centre(const LocalPoints& points, std::span<const Extrem
 }  // namespace
 
 Sphere ritter_sphere(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const LocalPoints local(points);
-  if (local.is_single()) return {points.front(), 0};
-  return to_sphere(
-      local, ball_around(local, ritter_centre(local, bvh::extremal_pairs(local, kCoordinateAxes))));
+  return bvh::in_standard_arithmetic([&]() -> Sphere {
+    const LocalPoints local(points);
+    if (local.is_single()) return {points.front(), 0};
+    return to_sphere(
+        local,
+        ball_around(local, ritter_centre(local, bvh::extremal_pairs(local, kCoordinateAxes))));
+  });
 }
 
 Sphere minimal_sphere(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  const LocalPoints local(points);
-  if (local.is_single()) return {points.front(), 0};
-  const std::vector<ExtremalPair> extremal = bvh::extremal_pairs(local, kCoordinateAxes);
-  const Eigen::Vector3d centre = ritter_centre(local, extremal);
-  const NamedBall ritter = ball_around(local, centre);
-  const FarPoint far = bvh::farthest_point(local, centre);
-  const NamedBall minimal = ball_around(local, minimal_centre(local, extremal, far));
-  return to_sphere(local, minimal.squared_radius <= ritter.squared_radius ? minimal : ritter);
+  return bvh::in_standard_arithmetic([&]() -> Sphere {
+    const LocalPoints local(points);
+    if (local.is_single()) return {points.front(), 0};
+    const std::vector<ExtremalPair> extremal = bvh::extremal_pairs(local, kCoordinateAxes);
+    const Eigen::Vector3d centre = ritter_centre(local, extremal);
+    const NamedBall ritter = ball_around(local, centre);
+    const FarPoint far = bvh::farthest_point(local, centre);
+    const NamedBall minimal = ball_around(local, minimal_centre(local, extremal, far));
+    return to_sphere(local, minimal.squared_radius <= ritter.squared_radius ? minimal : ritter);
+  });
 }
 
 }  // namespace graze

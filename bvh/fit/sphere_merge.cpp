@@ -60,32 +60,33 @@ class MergeUnit {
 }  // namespace
 
 Sphere merged(const Sphere& sphere_a, const Sphere& sphere_b) {
-  const bvh::StandardArithmetic arithmetic;
-  check_sphere(sphere_a, "first sphere");
-  check_sphere(sphere_b, "second sphere");
-  const bool is_a_larger = sphere_a.radius >= sphere_b.radius;
-  const Sphere& large = is_a_larger ? sphere_a : sphere_b;
-  const Sphere& small = is_a_larger ? sphere_b : sphere_a;
-  const MergeUnit unit(large, small);
-  const double distance = unit.distance_above(large.centre, small.centre);
-  const double large_radius = unit.to_local(large.radius);
-  const double small_radius = unit.to_local(small.radius);
-  // The factor exceeds what both sides round.
-  if (distance * (1 + 0x1p-50) <= large_radius - small_radius) return large;
+  return bvh::in_standard_arithmetic([&]() -> Sphere {
+    check_sphere(sphere_a, "first sphere");
+    check_sphere(sphere_b, "second sphere");
+    const bool is_a_larger = sphere_a.radius >= sphere_b.radius;
+    const Sphere& large = is_a_larger ? sphere_a : sphere_b;
+    const Sphere& small = is_a_larger ? sphere_b : sphere_a;
+    const MergeUnit unit(large, small);
+    const double distance = unit.distance_above(large.centre, small.centre);
+    const double large_radius = unit.to_local(large.radius);
+    const double small_radius = unit.to_local(small.radius);
+    // The factor exceeds what both sides round.
+    if (distance * (1 + 0x1p-50) <= large_radius - small_radius) return large;
 
-  // The new sphere's diameter spans both along the line of centres.
-  const double share =
-      std::clamp((distance + small_radius - large_radius) / (2 * distance), 0.0, 1.0);
-  Sphere sphere;
-  for (int k = 0; k < 3; ++k)
-    sphere.centre.data()[k] = std::lerp(large.centre.data()[k], small.centre.data()[k], share);
-  const double to_large = unit.distance_above(sphere.centre, large.centre) + large_radius;
-  const double to_small = unit.distance_above(sphere.centre, small.centre) + small_radius;
-  sphere.radius = unit.to_world_above(std::max(to_large, to_small) * (1 + 0x1p-51));
-  if (!std::isfinite(sphere.radius)) {
-    throw InputError("spheres too far apart: the sphere around them overflows");
-  }
-  return sphere;
+    // The new sphere's diameter spans both along the line of centres.
+    const double share =
+        std::clamp((distance + small_radius - large_radius) / (2 * distance), 0.0, 1.0);
+    Sphere sphere;
+    for (int k = 0; k < 3; ++k)
+      sphere.centre.data()[k] = std::lerp(large.centre.data()[k], small.centre.data()[k], share);
+    const double to_large = unit.distance_above(sphere.centre, large.centre) + large_radius;
+    const double to_small = unit.distance_above(sphere.centre, small.centre) + small_radius;
+    sphere.radius = unit.to_world_above(std::max(to_large, to_small) * (1 + 0x1p-51));
+    if (!std::isfinite(sphere.radius)) {
+      throw InputError("spheres too far apart: the sphere around them overflows");
+    }
+    return sphere;
+  });
 }
 
 }  // namespace graze

@@ -5,35 +5,53 @@
 namespace graze::bvh {
 namespace {
 
-/// The innermost one on this thread that has put the user's way of computing aside.
-thread_local const StandardArithmetic* innermost = nullptr;
+/// The user's word that the innermost call of call_in_standard_arithmetic() on this thread has put
+/// aside; null outside one, and in functions of the user's.
+thread_local const std::uint64_t* word_put_aside = nullptr;
+
+/// Sets a control word and which word is put aside, and at its end what was before. What happens
+/// between is a call by address, which no arithmetic leaves.
+class Scope {
+ public:
+  Scope(std::uint64_t word, const std::uint64_t* aside)
+      : word_before_(read_control_word()), aside_before_(std::exchange(word_put_aside, aside)) {
+    if (word != word_before_) write_control_word(word);
+  }
+
+  ~Scope() {
+    if (read_control_word() != word_before_) write_control_word(word_before_);
+    word_put_aside = aside_before_;
+  }
+
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  std::uint64_t word_before_;
+  const std::uint64_t* aside_before_;
+};
+
+/// Read from memory, the address is unknown also to an optimiser that sees all sources at once.
+void make(OpaqueCall call) {
+  void (*const volatile address)(const void*) = call.call;
+  address(call.context);
+}
 
 }  // namespace
 
-void StandardArithmetic::begin() noexcept {
-  users_word_ = read_control_word();
-  outer_ = std::exchange(innermost, this);
-  is_begun_ = true;
-  write_control_word(kStandardControlWord);
+void call_in_standard_arithmetic(OpaqueCall call) {
+  const std::uint64_t users_word = read_control_word();
+  const Scope scope(kStandardControlWord, &users_word);
+  make(call);
 }
 
-void StandardArithmetic::end() noexcept {
-  innermost = outer_;
-  write_control_word(users_word_);
+void call_with_users_word(std::uint64_t users_word, OpaqueCall call) {
+  const Scope scope(users_word, nullptr);
+  make(call);
 }
 
 std::uint64_t users_control_word() {
-  return innermost != nullptr ? innermost->users_word_ : read_control_word();
-}
-
-UserArithmetic::UserArithmetic(std::uint64_t users_word) noexcept
-    : outer_(std::exchange(innermost, nullptr)) {
-  if (users_word != read_control_word()) write_control_word(users_word);
-}
-
-UserArithmetic::~UserArithmetic() {
-  innermost = outer_;
-  if (read_control_word() != kStandardControlWord) write_control_word(kStandardControlWord);
+  return word_put_aside != nullptr ? *word_put_aside : read_control_word();
 }
 
 }  // namespace graze::bvh

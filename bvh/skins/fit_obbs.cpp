@@ -79,8 +79,7 @@ FloatObb fitted(std::span<const Eigen::Vector3d> points) {
 std::vector<FloatObb> fit_obbs(const Tree& tree, const Hulls& hulls) {
   std::vector<FloatObb> skin(tree.nodes.size());
   for_in_parallel(std::size_t{0}, skin.size(), [&](std::size_t node) {
-    const StandardArithmetic arithmetic;
-    skin[node] = fitted(hulls.below(node));
+    in_standard_arithmetic([&] { skin[node] = fitted(hulls.below(node)); });
   });
   return skin;
 }

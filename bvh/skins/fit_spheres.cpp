@@ -36,8 +36,7 @@ FloatSphere fitted(std::span<const Eigen::Vector3d> points) {
 std::vector<FloatSphere> fit_spheres(const Tree& tree, const Hulls& hulls) {
   std::vector<FloatSphere> skin(tree.nodes.size());
   for_in_parallel(std::size_t{0}, skin.size(), [&](std::size_t node) {
-    const StandardArithmetic arithmetic;
-    skin[node] = fitted(hulls.below(node));
+    in_standard_arithmetic([&] { skin[node] = fitted(hulls.below(node)); });
   });
   return skin;
 }

@@ -37,9 +37,10 @@ std::vector<Node> split_into(std::vector<TreeletPart>& parts, References referen
 /// The box of each part where its primitives are now.
 void fit_parts(WideTop& top, const CornerSource& source, const LocalFrame& frame, Places order) {
   for_in_parallel(std::size_t{0}, top.parts.size(), [&](std::size_t i) {
-    const StandardArithmetic arithmetic;
-    TreeletPart& part = top.parts[i];
-    part.box = float_box(source.bounds(frame, order.subspan(part.first, part.count)));
+    in_standard_arithmetic([&] {
+      TreeletPart& part = top.parts[i];
+      part.box = float_box(source.bounds(frame, order.subspan(part.first, part.count)));
+    });
   });
 }
 

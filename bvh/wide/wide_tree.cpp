@@ -81,11 +81,12 @@ TreeletCounts WideTree::build_all() const {
   std::atomic<std::uint64_t> built = 0;
   std::atomic<std::uint64_t> refitted = 0;
   for_in_parallel(std::size_t{1}, treelet_count_, [&](std::size_t i) {
-    const StandardArithmetic arithmetic;
-    TreeletCounts one;
-    entered(static_cast<std::uint32_t>(i), one);
-    built += one.built;
-    refitted += one.refitted;
+    in_standard_arithmetic([&] {
+      TreeletCounts one;
+      entered(static_cast<std::uint32_t>(i), one);
+      built += one.built;
+      refitted += one.refitted;
+    });
   });
   return {built, refitted};
 }

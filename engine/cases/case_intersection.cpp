@@ -38,10 +38,11 @@ CaseIntersection in_parts(const MeshIntersection& whole) {
 }
 
 bool is_same(const CaseIntersection& a, const CaseIntersection& b) {
-  const bvh::StandardArithmetic arithmetic;
-  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                    is_same_point) &&
-         a.curves == b.curves && a.patches == b.patches && a.touching_points == b.touching_points;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                      is_same_point) &&
+           a.curves == b.curves && a.patches == b.patches && a.touching_points == b.touching_points;
+  });
 }
 
 }  // namespace graze

@@ -51,14 +51,15 @@ bool is_same(const std::optional<CaseIntersection>& a, const std::optional<CaseI
 }  // namespace
 
 bool is_same(const CaseAnswer& a, const CaseAnswer& b) {
-  const bvh::StandardArithmetic arithmetic;
-  return a.says == b.says && a.pairs == b.pairs && a.triangles == b.triangles &&
-         a.distance == b.distance && a.lower_bound == b.lower_bound &&
-         a.is_converged == b.is_converged && is_same(a.normal, b.normal) &&
-         is_same(a.point_a, b.point_a) && is_same(a.point_b, b.point_b) && a.pair == b.pair &&
-         is_same(a.translation, b.translation) && is_same(a.contacts, b.contacts) &&
-         is_same(a.manifold, b.manifold) && is_same(a.intersection, b.intersection) &&
-         is_same(a.corners, b.corners) && is_same(a.hits, b.hits);
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    return a.says == b.says && a.pairs == b.pairs && a.triangles == b.triangles &&
+           a.distance == b.distance && a.lower_bound == b.lower_bound &&
+           a.is_converged == b.is_converged && is_same(a.normal, b.normal) &&
+           is_same(a.point_a, b.point_a) && is_same(a.point_b, b.point_b) && a.pair == b.pair &&
+           is_same(a.translation, b.translation) && is_same(a.contacts, b.contacts) &&
+           is_same(a.manifold, b.manifold) && is_same(a.intersection, b.intersection) &&
+           is_same(a.corners, b.corners) && is_same(a.hits, b.hits);
+  });
 }
 
 const char* name_of(Ask ask) {

@@ -140,60 +140,62 @@ std::string place_of(const std::filesystem::path& path) {
 }  // namespace
 
 Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseSettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  const cases::JsonValue tree = cases::parse_json(bytes, name);
-  const JsonCursor root(tree, name);
-  // The version first: a later one may have other keys.
-  const std::uint32_t version =
-      root.member("graze_case").index(std::numeric_limits<std::uint32_t>::max());
-  if (version != cases::kCaseVersion) {
-    root.member("graze_case")
-        .fail("is version " + std::to_string(version) + "; this program reads " +
-              std::to_string(cases::kCaseVersion));
-  }
-  root.require_keys(
-      {"graze_case", "note", "question", "settings", "a", "b", "answer", "answered_by"});
-  const Ask ask = read_question(root.member("question"));
-  const bool has_b = !cases::is_about_one(ask);
-  if (!has_b && root.has("b")) root.member("b").fail("the question is about A alone");
-  cases::CaseShapes shapes = read_shapes(root, has_b, settings.mesh_folder);
-  Case query{.note = root.has("note") ? root.member("note").text() : "",
-             .ask = ask,
-             .settings = cases::read_settings(root, ask),
-             .a = std::move(shapes.a),
-             .b = std::move(shapes.b),
-             .answer = std::nullopt,
-             .answered_by = {}};
-  if (!is_answerable(query)) {
-    root.member("question")
-        .fail(std::string("no query answers \"") + name_of(query.ask) + "\" for a " +
-              name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
-  }
-  cases::check_settings(root, query);
-  if (root.has("answer") != root.has("answered_by")) {
-    root.fail("\"answer\" and \"answered_by\" come together");
-  }
-  if (root.has("answer")) {
-    query.answer = cases::read_answer(root.member("answer"), query);
-    query.answered_by = read_witness(root.member("answered_by"));
-    check_pairs(root, query);
-  }
-  return query;
+  return bvh::in_standard_arithmetic([&]() -> Case {
+    const cases::JsonValue tree = cases::parse_json(bytes, name);
+    const JsonCursor root(tree, name);
+    // The version first: a later one may have other keys.
+    const std::uint32_t version =
+        root.member("graze_case").index(std::numeric_limits<std::uint32_t>::max());
+    if (version != cases::kCaseVersion) {
+      root.member("graze_case")
+          .fail("is version " + std::to_string(version) + "; this program reads " +
+                std::to_string(cases::kCaseVersion));
+    }
+    root.require_keys(
+        {"graze_case", "note", "question", "settings", "a", "b", "answer", "answered_by"});
+    const Ask ask = read_question(root.member("question"));
+    const bool has_b = !cases::is_about_one(ask);
+    if (!has_b && root.has("b")) root.member("b").fail("the question is about A alone");
+    cases::CaseShapes shapes = read_shapes(root, has_b, settings.mesh_folder);
+    Case query{.note = root.has("note") ? root.member("note").text() : "",
+               .ask = ask,
+               .settings = cases::read_settings(root, ask),
+               .a = std::move(shapes.a),
+               .b = std::move(shapes.b),
+               .answer = std::nullopt,
+               .answered_by = {}};
+    if (!is_answerable(query)) {
+      root.member("question")
+          .fail(std::string("no query answers \"") + name_of(query.ask) + "\" for a " +
+                name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
+    }
+    cases::check_settings(root, query);
+    if (root.has("answer") != root.has("answered_by")) {
+      root.fail("\"answer\" and \"answered_by\" come together");
+    }
+    if (root.has("answer")) {
+      query.answer = cases::read_answer(root.member("answer"), query);
+      query.answered_by = read_witness(root.member("answered_by"));
+      check_pairs(root, query);
+    }
+    return query;
+  });
 }
 
 Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::string name = place_of(path);
-  std::string bytes;
-  try {
-    mesh_io::require_regular_file(path, name);
-    bytes = mesh_io::read_file(path, name);
-  } catch (const MeshError& error) {
-    throw CaseError(error.what());
-  }
-  ReadCaseSettings here = settings;
-  if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();
-  return parse_case(bytes, name, here);
+  return bvh::in_standard_arithmetic([&]() -> Case {
+    const std::string name = place_of(path);
+    std::string bytes;
+    try {
+      mesh_io::require_regular_file(path, name);
+      bytes = mesh_io::read_file(path, name);
+    } catch (const MeshError& error) {
+      throw CaseError(error.what());
+    }
+    ReadCaseSettings here = settings;
+    if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();
+    return parse_case(bytes, name, here);
+  });
 }
 
 }  // namespace graze

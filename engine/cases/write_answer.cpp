@@ -168,13 +168,13 @@ std::string answer_text(const CaseAnswer& answer, const NumberText& numbers) {
 }  // namespace
 
 std::string to_json(const CaseAnswer& answer) {
-  const bvh::StandardArithmetic arithmetic;
-  return answer_text(answer, {cases::json_number});
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::string { return answer_text(answer, {cases::json_number}); });
 }
 
 std::string to_plain_json(const CaseAnswer& answer) {
-  const bvh::StandardArithmetic arithmetic;
-  return answer_text(answer, {cases::json_plain_number});
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::string { return answer_text(answer, {cases::json_plain_number}); });
 }
 
 }  // namespace graze

@@ -140,21 +140,22 @@ bool is_one_mesh(const Case& query) {
 }  // namespace
 
 std::string to_json(const Case& query) {
-  const bvh::StandardArithmetic arithmetic;
-  std::string out = "{\n  \"graze_case\": " + std::to_string(cases::kCaseVersion);
-  if (!query.note.empty()) out += std::string(",\n  \"note\": ") + json_string(query.note);
-  out += std::string(",\n  \"question\": ") + json_string(name_of(query.ask));
-  out += settings_text(query.settings, query.ask);
-  out += std::string(",\n  \"a\": ") + std::visit(ShapeText{}, query.a);
-  if (query.b)
-    out += std::string(",\n  \"b\": ") + std::visit(ShapeText{is_one_mesh(query)}, *query.b);
-  if (query.answer) {
-    out += std::string(",\n  \"answer\": ") + to_json(*query.answer);
-    out += std::string(",\n  \"answered_by\": {\"engine\": ") +
-           json_string(query.answered_by.engine) +
-           ", \"version\": " + json_string(query.answered_by.version) + "}";
-  }
-  return out + "\n}\n";
+  return bvh::in_standard_arithmetic([&]() -> std::string {
+    std::string out = "{\n  \"graze_case\": " + std::to_string(cases::kCaseVersion);
+    if (!query.note.empty()) out += std::string(",\n  \"note\": ") + json_string(query.note);
+    out += std::string(",\n  \"question\": ") + json_string(name_of(query.ask));
+    out += settings_text(query.settings, query.ask);
+    out += std::string(",\n  \"a\": ") + std::visit(ShapeText{}, query.a);
+    if (query.b)
+      out += std::string(",\n  \"b\": ") + std::visit(ShapeText{is_one_mesh(query)}, *query.b);
+    if (query.answer) {
+      out += std::string(",\n  \"answer\": ") + to_json(*query.answer);
+      out += std::string(",\n  \"answered_by\": {\"engine\": ") +
+             json_string(query.answered_by.engine) +
+             ", \"version\": " + json_string(query.answered_by.version) + "}";
+    }
+    return out + "\n}\n";
+  });
 }
 
 void write_case(const std::filesystem::path& path, const Case& query) {

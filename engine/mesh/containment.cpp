@@ -30,13 +30,14 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
 }  // namespace
 
 bool contains(const Mesh& mesh, const Eigen::Vector3d& point, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_point(point);
-  check_closed(mesh, "the mesh");
-  if (!is_within(mesh.bounds(), point)) return false;
-  CountedWork counted(work);
-  return intersects({mesh}, Aabb{point, point}, &counted.work()) ||
-         is_moved_point_enclosed(mesh, point, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_point(point);
+    check_closed(mesh, "the mesh");
+    if (!is_within(mesh.bounds(), point)) return false;
+    CountedWork counted(work);
+    return intersects({mesh}, Aabb{point, point}, &counted.work()) ||
+           is_moved_point_enclosed(mesh, point, counted.work());
+  });
 }
 
 }  // namespace graze

@@ -194,10 +194,11 @@ MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> h
 
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                       const DistanceSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-  return find_distance(WideQuery(mesh_a, mesh_b, counted.work()), settings.hint, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> MeshDistance {
+    CountedWork counted(work);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    return find_distance(WideQuery(mesh_a, mesh_b, counted.work()), settings.hint, counted.work());
+  });
 }
 
 std::optional<TrianglePair> find_within(const WideQuery& query, double clearance,
@@ -224,12 +225,13 @@ std::optional<TrianglePair> find_within(const WideQuery& query, double clearance
 
 bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
             const DistanceSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_clearance(clearance);
-  CountedWork counted(work);
-  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-  const WideQuery query(mesh_a, mesh_b, counted.work());
-  return find_within(query, clearance, settings.hint, counted.work()).has_value();
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_clearance(clearance);
+    CountedWork counted(work);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    const WideQuery query(mesh_a, mesh_b, counted.work());
+    return find_within(query, clearance, settings.hint, counted.work()).has_value();
+  });
 }
 
 }  // namespace graze

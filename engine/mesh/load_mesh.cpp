@@ -27,20 +27,21 @@ const Format& format_of(const std::filesystem::path& path, const std::string& na
 }  // namespace
 
 Mesh load_mesh(const std::filesystem::path& path) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::string name = mesh_io::printable(path.string());
-  mesh_io::require_regular_file(path, name);
-  const Format& format = format_of(path, name);
-  MeshArrays arrays;
-  {
-    const std::string bytes = mesh_io::read_file(path, name);
-    arrays = format.read({name, bytes});
-  }
-  try {
-    return Mesh(arrays.vertices, arrays.triangles);
-  } catch (const MeshError& error) {
-    mesh_io::fail({name, {}}, error.what());
-  }
+  return bvh::in_standard_arithmetic([&]() -> Mesh {
+    const std::string name = mesh_io::printable(path.string());
+    mesh_io::require_regular_file(path, name);
+    const Format& format = format_of(path, name);
+    MeshArrays arrays;
+    {
+      const std::string bytes = mesh_io::read_file(path, name);
+      arrays = format.read({name, bytes});
+    }
+    try {
+      return Mesh(arrays.vertices, arrays.triangles);
+    } catch (const MeshError& error) {
+      mesh_io::fail({name, {}}, error.what());
+    }
+  });
 }
 
 }  // namespace graze

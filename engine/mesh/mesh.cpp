@@ -65,15 +65,16 @@ Aabb bounds_of(std::span<const Eigen::Vector3d> vertices,
 template <typename Indices>
 std::shared_ptr<const Mesh::Data> Mesh::make(std::span<const Eigen::Vector3d> vertices,
                                              std::span<const Indices> triangles) {
-  const bvh::StandardArithmetic arithmetic;
-  check_vertices(vertices);
-  auto data = std::make_shared<Data>();
-  data->shared_triangles = std::make_shared<const std::vector<TriangleIndices>>(
-      checked_triangles(triangles, vertices.size()));
-  data->triangles = *data->shared_triangles;
-  data->vertices.assign(vertices.begin(), vertices.end());
-  data->bounds = bounds_of(data->vertices, data->triangles);
-  return data;
+  return bvh::in_standard_arithmetic([&]() -> std::shared_ptr<const Mesh::Data> {
+    check_vertices(vertices);
+    auto data = std::make_shared<Data>();
+    data->shared_triangles = std::make_shared<const std::vector<TriangleIndices>>(
+        checked_triangles(triangles, vertices.size()));
+    data->triangles = *data->shared_triangles;
+    data->vertices.assign(vertices.begin(), vertices.end());
+    data->bounds = bounds_of(data->vertices, data->triangles);
+    return data;
+  });
 }
 
 Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles)
@@ -83,20 +84,21 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vec
     : data_(make(vertices, triangles)) {}
 
 Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
-  const bvh::StandardArithmetic arithmetic;
-  if (vertices.size() != data_->vertices.size()) {
-    throw MeshError("deformed: " + std::to_string(vertices.size()) + " vertices for a mesh of " +
-                    std::to_string(data_->vertices.size()));
-  }
-  check_vertices(vertices);
-  auto data = std::make_shared<Data>();
-  data->shared_triangles = data_->shared_triangles;
-  data->triangles = data_->triangles;
-  data->vertices.assign(vertices.begin(), vertices.end());
-  data->bounds = bounds_of(data->vertices, data->triangles);
-  data->older_tree.set(data_->tree_to_inherit());
-  data->older_wide.set(data_->wide_to_inherit());
-  return Mesh(std::move(data));
+  return bvh::in_standard_arithmetic([&]() -> Mesh {
+    if (vertices.size() != data_->vertices.size()) {
+      throw MeshError("deformed: " + std::to_string(vertices.size()) + " vertices for a mesh of " +
+                      std::to_string(data_->vertices.size()));
+    }
+    check_vertices(vertices);
+    auto data = std::make_shared<Data>();
+    data->shared_triangles = data_->shared_triangles;
+    data->triangles = data_->triangles;
+    data->vertices.assign(vertices.begin(), vertices.end());
+    data->bounds = bounds_of(data->vertices, data->triangles);
+    data->older_tree.set(data_->tree_to_inherit());
+    data->older_wide.set(data_->wide_to_inherit());
+    return Mesh(std::move(data));
+  });
 }
 
 std::span<const Eigen::Vector3d> Mesh::vertices() const {

@@ -122,26 +122,28 @@ bool is_before(const RayHit& s, const RayHit& t) {
 }  // namespace
 
 std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  std::optional<RayHit> first;
-  for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
-    if (!first || is_before(hit, *first)) first = hit;
-    return first->distance;
+  return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
+    CountedWork counted(work);
+    std::optional<RayHit> first;
+    for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
+      if (!first || is_before(hit, *first)) first = hit;
+      return first->distance;
+    });
+    return first;
   });
-  return first;
 }
 
 std::vector<RayHit> cast_ray_all(const PlacedMesh& mesh, const Ray& ray, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  std::vector<RayHit> hits;
-  for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
-    hits.push_back(hit);
-    return kInfinity;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<RayHit> {
+    CountedWork counted(work);
+    std::vector<RayHit> hits;
+    for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
+      hits.push_back(hit);
+      return kInfinity;
+    });
+    std::sort(hits.begin(), hits.end(), is_before);
+    return hits;
   });
-  std::sort(hits.begin(), hits.end(), is_before);
-  return hits;
 }
 
 }  // namespace graze

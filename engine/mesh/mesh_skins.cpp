@@ -23,12 +23,13 @@ template <typename Skin, typename Fit>
 void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
   const bvh::Tree& tree = mesh.tree(work);
   std::call_once(skin.flag, [&] {
-    const bvh::StandardArithmetic arithmetic;
-    tbb::this_task_arena::isolate([&] {
-      const bvh::Hulls hulls(tree, corners_of(mesh.vertices(), mesh.triangles()), 3);
-      skin.volumes = fit(tree, hulls);
+    bvh::in_standard_arithmetic([&] {
+      tbb::this_task_arena::isolate([&] {
+        const bvh::Hulls hulls(tree, corners_of(mesh.vertices(), mesh.triangles()), 3);
+        skin.volumes = fit(tree, hulls);
+      });
+      if (work != nullptr) ++work->skins_built;
     });
-    if (work != nullptr) ++work->skins_built;
   });
 }
 

@@ -60,20 +60,21 @@ std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
 
 const bvh::Tree& Mesh::tree(Work* work) const {
   std::call_once(data_->tree_flag, [&] {
-    const bvh::StandardArithmetic arithmetic;
-    // Isolated, because a thread that waits for the parallel build would otherwise take up any
-    // task, such as another query on this mesh, which would wait for the flag that this thread
-    // holds.
-    const std::shared_ptr<const AgedTree> older = data_->older_tree.get();
-    tbb::this_task_arena::isolate([&] {
-      data_->tree = std::make_shared<const AgedTree>(
-          older != nullptr
-              ? refitted(*older, data_->vertices, data_->triangles, data_->bounds, work)
-              : AgedTree{tree_over(data_->vertices, data_->triangles, data_->bounds), {}});
+    bvh::in_standard_arithmetic([&] {
+      // Isolated, because a thread that waits for the parallel build would otherwise take up any
+      // task, such as another query on this mesh, which would wait for the flag that this thread
+      // holds.
+      const std::shared_ptr<const AgedTree> older = data_->older_tree.get();
+      tbb::this_task_arena::isolate([&] {
+        data_->tree = std::make_shared<const AgedTree>(
+            older != nullptr
+                ? refitted(*older, data_->vertices, data_->triangles, data_->bounds, work)
+                : AgedTree{tree_over(data_->vertices, data_->triangles, data_->bounds), {}});
+      });
+      data_->is_tree_made.store(true, std::memory_order_release);
+      data_->older_tree.set(nullptr);
+      if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
     });
-    data_->is_tree_made.store(true, std::memory_order_release);
-    data_->older_tree.set(nullptr);
-    if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
   });
   return data_->tree->tree;
 }

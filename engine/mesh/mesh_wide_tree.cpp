@@ -81,18 +81,19 @@ const bvh::WideTree& Mesh::wide_tree(Work* work) const {
   // Each query asks: call_once() takes longer to say that there is nothing to do.
   if (data_->is_wide_made.load(std::memory_order_acquire)) return *data_->wide;
   std::call_once(data_->wide_flag, [&] {
-    const bvh::StandardArithmetic arithmetic;
-    data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
-    const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();
-    // Isolated, as the building of the tree is.
-    tbb::this_task_arena::isolate([&] {
-      data_->wide = older != nullptr
-                        ? std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners, *older)
-                        : std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners);
+    bvh::in_standard_arithmetic([&] {
+      data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
+      const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();
+      // Isolated, as the building of the tree is.
+      tbb::this_task_arena::isolate([&] {
+        data_->wide = older != nullptr
+                          ? std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners, *older)
+                          : std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners);
+      });
+      data_->is_wide_made.store(true, std::memory_order_release);
+      data_->older_wide.set(nullptr);
+      if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
     });
-    data_->is_wide_made.store(true, std::memory_order_release);
-    data_->older_wide.set(nullptr);
-    if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
   });
   return *data_->wide;
 }

@@ -92,42 +92,45 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) 
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const QuerySettings& settings,
                 Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_interior(settings);
-  if (settings.interior == Interior::Solid) {
-    check_closed(mesh_a.mesh, "mesh A");
-    check_closed(mesh_b.mesh, "mesh B");
-  }
-  CountedWork counted(work);
-  const bool is_touching =
-      settings.volume == Volume::Wide
-          ? has_wide_pair(mesh_a, mesh_b, settings.touch, counted.work())
-          : has_any([&](auto&& on_pair) {
-              for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
-                            counted.work(), on_pair);
-            });
-  return is_touching ||
-         (settings.interior == Interior::Solid && is_either_inside(mesh_a, mesh_b, counted.work()));
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_interior(settings);
+    if (settings.interior == Interior::Solid) {
+      check_closed(mesh_a.mesh, "mesh A");
+      check_closed(mesh_b.mesh, "mesh B");
+    }
+    CountedWork counted(work);
+    const bool is_touching =
+        settings.volume == Volume::Wide
+            ? has_wide_pair(mesh_a, mesh_b, settings.touch, counted.work())
+            : has_any([&](auto&& on_pair) {
+                for_each_pair(mesh_a, mesh_b, {.volume = settings.volume, .touch = settings.touch},
+                              counted.work(), on_pair);
+              });
+    return is_touching || (settings.interior == Interior::Solid &&
+                           is_either_inside(mesh_a, mesh_b, counted.work()));
+  });
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const PairSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  check_threads(settings.threads);
-  TrianglePairs found;
-  if (settings.threads != 1 && is_unlimited(settings) && settings.volume == Volume::Wide) {
-    narrowphase::check_touch(settings.touch);
-    const WideQuery query(mesh_a, mesh_b, counted.work());
-    if (!query.are_far_apart(counted.work())) {
-      found.pairs = find_pairs_in_parallel(query, settings.touch, settings.threads, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    CountedWork counted(work);
+    check_threads(settings.threads);
+    TrianglePairs found;
+    if (settings.threads != 1 && is_unlimited(settings) && settings.volume == Volume::Wide) {
+      narrowphase::check_touch(settings.touch);
+      const WideQuery query(mesh_a, mesh_b, counted.work());
+      if (!query.are_far_apart(counted.work())) {
+        found.pairs =
+            find_pairs_in_parallel(query, settings.touch, settings.threads, counted.work());
+      }
+      return found;
     }
+    found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
+      for_each_pair(mesh_a, mesh_b, settings, counted.work(), on_pair);
+    });
     return found;
-  }
-  found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
-    for_each_pair(mesh_a, mesh_b, settings, counted.work(), on_pair);
   });
-  return found;
 }
 
 void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMesh& mesh_a,

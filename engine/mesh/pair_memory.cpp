@@ -208,30 +208,32 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
 
 bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                 const QuerySettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  require_wide(settings.volume);
-  narrowphase::check_touch(settings.touch);
-  check_interior(settings);
-  if (settings.interior == Interior::Solid) {
-    check_closed(mesh_a.mesh, "mesh A");
-    check_closed(mesh_b.mesh, "mesh B");
-  }
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  if (!remembered.are_still_beyond(0, work) &&
-      do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
-    return true;
-  return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    require_wide(settings.volume);
+    narrowphase::check_touch(settings.touch);
+    check_interior(settings);
+    if (settings.interior == Interior::Solid) {
+      check_closed(mesh_a.mesh, "mesh A");
+      check_closed(mesh_b.mesh, "mesh B");
+    }
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (!remembered.are_still_beyond(0, work) &&
+        do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
+      return true;
+    return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
+  });
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   PairMemory& memory, const PairSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  require_wide(settings.volume);
-  narrowphase::check_touch(settings.touch);
-  check_threads(settings.threads);
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  if (remembered.are_still_beyond(0, work)) return {};
-  return find_pairs(mesh_a, mesh_b, remembered, settings, work);
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    require_wide(settings.volume);
+    narrowphase::check_touch(settings.touch);
+    check_threads(settings.threads);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (remembered.are_still_beyond(0, work)) return {};
+    return find_pairs(mesh_a, mesh_b, remembered, settings, work);
+  });
 }
 
 }  // namespace graze

@@ -145,57 +145,60 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, Remembered
 
 MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
                       const DistanceSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
-                        counted.work());
-  const std::optional<TrianglePair> hint = remembered.nearest ? remembered.nearest : settings.hint;
-  // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
-  const bool may_touch = !remembered.nearest || remembered.was_touching;
-  MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
-                                : find_nearest(query, *hint, remembered, counted.work());
-  remembered.nearest = best.pair;
-  remembered.was_touching = best.distance == 0;
-  return best;
+  return bvh::in_standard_arithmetic([&]() -> MeshDistance {
+    CountedWork counted(work);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                          counted.work());
+    const std::optional<TrianglePair> hint =
+        remembered.nearest ? remembered.nearest : settings.hint;
+    // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
+    const bool may_touch = !remembered.nearest || remembered.was_touching;
+    MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
+                                  : find_nearest(query, *hint, remembered, counted.work());
+    remembered.nearest = best.pair;
+    remembered.was_touching = best.distance == 0;
+    return best;
+  });
 }
 
 bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_clearance(clearance);
-  check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-  Remembered& remembered = recall(memory, mesh_a, mesh_b);
-  if (remembered.are_still_beyond(clearance, work)) return false;
-  CountedWork counted(work);
-  const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
-                         counted.work());
-  std::optional<TriangleDistance> known;
-  if (remembered.nearest) {
-    known = distance_of(meshes, *remembered.nearest, counted.work());
-    if (known->distance <= clearance) {
-      ++remembered.still_touching;
-      ++counted.work().skipped_by_memory;
-      return true;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_clearance(clearance);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (remembered.are_still_beyond(clearance, work)) return false;
+    CountedWork counted(work);
+    const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                           counted.work());
+    std::optional<TriangleDistance> known;
+    if (remembered.nearest) {
+      known = distance_of(meshes, *remembered.nearest, counted.work());
+      if (known->distance <= clearance) {
+        ++remembered.still_touching;
+        ++counted.work().skipped_by_memory;
+        return true;
+      }
     }
-  }
-  NearQuery query(meshes, remembered, counted.work());
-  query.shrink_to(clearance);
-  if (known) query.aim_along(*known);
-  std::optional<TrianglePair> found;
-  const auto on_pair = [&](TrianglePair pair, const TriangleDistance& between) {
-    if (between.distance <= clearance) found = pair;
-    return found ? bvh::Walk::Stop : bvh::Walk::Continue;
-  };
-  // After a hit another is likelier than a gap.
-  const bool was_within = remembered.was_within;
-  if (was_within || !query.pass_front(on_pair)) {
-    found = find_within(meshes, clearance, settings.hint, counted.work());
-  }
-  if (found) remembered.nearest = found;
-  remembered.was_within = found.has_value();
-  return found.has_value();
+    NearQuery query(meshes, remembered, counted.work());
+    query.shrink_to(clearance);
+    if (known) query.aim_along(*known);
+    std::optional<TrianglePair> found;
+    const auto on_pair = [&](TrianglePair pair, const TriangleDistance& between) {
+      if (between.distance <= clearance) found = pair;
+      return found ? bvh::Walk::Stop : bvh::Walk::Continue;
+    };
+    // After a hit another is likelier than a gap.
+    const bool was_within = remembered.was_within;
+    if (was_within || !query.pass_front(on_pair)) {
+      found = find_within(meshes, clearance, settings.hint, counted.work());
+    }
+    if (found) remembered.nearest = found;
+    remembered.was_within = found.has_value();
+    return found.has_value();
+  });
 }
 
 }  // namespace graze

@@ -32,9 +32,10 @@ class ParallelPairs {
       shares_.resize(thread_count(threads_) - 1);
       run_in_arena(threads_, [&] {
         group_.run_and_wait([&] {
-          const bvh::StandardArithmetic arithmetic;
-          wake(0);
-          walk_in_turns(first_, shared_.begin(), candidates, found);
+          bvh::in_standard_arithmetic([&] {
+            wake(0);
+            walk_in_turns(first_, shared_.begin(), candidates, found);
+          });
         });
       });
     }
@@ -68,18 +69,19 @@ class ParallelPairs {
   }
 
   void help(std::size_t index) {
-    const bvh::StandardArithmetic arithmetic;
-    bvh::WidePairWalk walk = first_.another();
-    SharedWalk::Turn turn = shared_.take(walk);
-    if (!turn) return;
-    // Where there is work for one there may be for more.
-    wake(2 * index + 1);
-    wake(2 * index + 2);
-    Share& share = shares_[index];
-    Candidates candidates(touch_, share.work);
-    walk_in_turns(walk, std::move(turn), candidates, share.found);
-    candidates.decide(into(share.found));
-    add_counts(walk.counts(), share.work);
+    bvh::in_standard_arithmetic([&] {
+      bvh::WidePairWalk walk = first_.another();
+      SharedWalk::Turn turn = shared_.take(walk);
+      if (!turn) return;
+      // Where there is work for one there may be for more.
+      wake(2 * index + 1);
+      wake(2 * index + 2);
+      Share& share = shares_[index];
+      Candidates candidates(touch_, share.work);
+      walk_in_turns(walk, std::move(turn), candidates, share.found);
+      candidates.decide(into(share.found));
+      add_counts(walk.counts(), share.work);
+    });
   }
 
   void walk_in_turns(bvh::WidePairWalk& walk, SharedWalk::Turn turn, Candidates& candidates,

@@ -31,13 +31,13 @@ Triangle place(const Pose& pose, const Triangle& triangle) {
 }  // namespace narrowphase
 
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::place(pose, point);
+  return bvh::in_standard_arithmetic(
+      [&]() -> Eigen::Vector3d { return narrowphase::place(pose, point); });
 }
 
 Triangle place(const Pose& pose, const Triangle& triangle) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::place(pose, triangle);
+  return bvh::in_standard_arithmetic(
+      [&]() -> Triangle { return narrowphase::place(pose, triangle); });
 }
 
 std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {

@@ -15,7 +15,7 @@ Triangle place(const Pose& pose, const Triangle& triangle);
 
 namespace narrowphase {
 
-/// The same for those who place much, and have made a bvh::StandardArithmetic for all of it.
+/// The same for those who place much, and do all of it in bvh::in_standard_arithmetic().
 Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point);
 Triangle place(const Pose& pose, const Triangle& triangle);
 

@@ -49,34 +49,37 @@ void answer_all(const PlacedMesh& a, const MeshInPoses& b, const BatchSettings& 
 std::vector<bool> intersects(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings, const BatchSettings& batch,
                              Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  // Bits of one word are no place for many threads to write to.
-  std::vector<char> answers;
-  answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
-    return static_cast<char>(intersects(mesh_a, b, settings, &own));
+  return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
+    // Bits of one word are no place for many threads to write to.
+    std::vector<char> answers;
+    answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
+      return static_cast<char>(intersects(mesh_a, b, settings, &own));
+    });
+    return {answers.begin(), answers.end()};
   });
-  return {answers.begin(), answers.end()};
 }
 
 std::vector<TrianglePairs> find_triangle_pairs(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                                                const PairSettings& settings,
                                                const BatchSettings& batch, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  std::vector<TrianglePairs> answers;
-  answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
-    return find_triangle_pairs(mesh_a, b, settings, &own);
+  return bvh::in_standard_arithmetic([&]() -> std::vector<TrianglePairs> {
+    std::vector<TrianglePairs> answers;
+    answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMesh& b, Work& own) {
+      return find_triangle_pairs(mesh_a, b, settings, &own);
+    });
+    return answers;
   });
-  return answers;
 }
 
 std::vector<MeshDistance> distance(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
                                    const DistanceSettings& settings, const BatchSettings& batch,
                                    Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  std::vector<MeshDistance> answers;
-  answer_all(mesh_a, mesh_b, batch, work, answers,
-             [&](const PlacedMesh& b, Work& own) { return distance(mesh_a, b, settings, &own); });
-  return answers;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<MeshDistance> {
+    std::vector<MeshDistance> answers;
+    answer_all(mesh_a, mesh_b, batch, work, answers,
+               [&](const PlacedMesh& b, Work& own) { return distance(mesh_a, b, settings, &own); });
+    return answers;
+  });
 }
 
 }  // namespace graze

@@ -7,12 +7,13 @@
 namespace graze {
 
 void prepare(const Mesh& mesh, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  const bvh::WideTree& tree = mesh.wide_tree(work);
-  bvh::TreeletCounts counts;
-  // Isolated: a thread that waits here must not take up a task of the caller's own loop.
-  tbb::this_task_arena::isolate([&] { counts = tree.build_all(); });
-  if (work != nullptr) add_counts(counts, *work);
+  bvh::in_standard_arithmetic([&] {
+    const bvh::WideTree& tree = mesh.wide_tree(work);
+    bvh::TreeletCounts counts;
+    // Isolated: a thread that waits here must not take up a task of the caller's own loop.
+    tbb::this_task_arena::isolate([&] { counts = tree.build_all(); });
+    if (work != nullptr) add_counts(counts, *work);
+  });
 }
 
 }  // namespace graze

@@ -134,23 +134,25 @@ bool self_intersects(const Mesh& mesh, Work* work) {
 }
 
 bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  require_touch_included(settings, "self_intersects");
-  require_surface(settings, "self_intersects");
-  CountedWork counted(work);
-  return has_any([&](auto&& on_pair) {
-    for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    require_touch_included(settings, "self_intersects");
+    require_surface(settings, "self_intersects");
+    CountedWork counted(work);
+    return has_any([&](auto&& on_pair) {
+      for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);
+    });
   });
 }
 
 TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  TrianglePairs found;
-  found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
-    for_each_self_pair(mesh, settings, counted.work(), on_pair);
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    CountedWork counted(work);
+    TrianglePairs found;
+    found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
+      for_each_self_pair(mesh, settings, counted.work(), on_pair);
+    });
+    return found;
   });
-  return found;
 }
 
 }  // namespace graze

@@ -15,10 +15,7 @@ void check_threads(int threads) {
 }
 
 void run_in_arena(int threads, const std::function<void()>& body) {
-  const auto computed = [&] {
-    const bvh::StandardArithmetic arithmetic;
-    body();
-  };
+  const auto computed = [&] { bvh::in_standard_arithmetic([&] { body(); }); };
   if (threads == 0 || threads >= tbb::this_task_arena::max_concurrency()) {
     tbb::this_task_arena::isolate(computed);
   } else {
@@ -40,9 +37,10 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
     bvh::for_in_parallel(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
-          const bvh::StandardArithmetic arithmetic;
-          for (std::size_t i = range.begin(); i < range.end(); ++i)
-            part(i);
+          bvh::in_standard_arithmetic([&] {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+              part(i);
+          });
         },
         tbb::simple_partitioner());
   });

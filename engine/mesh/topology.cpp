@@ -102,22 +102,22 @@ Topology topology_of(std::span<const TriangleIndices> triangles,
 
 std::span<const std::uint32_t> Mesh::welded() const {
   std::call_once(data_->welded_flag, [&] {
-    const bvh::StandardArithmetic arithmetic;
-    data_->welded = weld(data_->vertices);
+    bvh::in_standard_arithmetic([&] { data_->welded = weld(data_->vertices); });
   });
   return data_->welded;
 }
 
 const Topology& Mesh::topology() const {
   std::call_once(data_->topology_flag, [&] {
-    const bvh::StandardArithmetic arithmetic;
-    std::vector<std::uint32_t> component_vertices;
-    Topology topology = topology_of(data_->triangles, welded(), component_vertices);
-    for (std::size_t i = 0; i < data_->triangles.size(); ++i) {
-      topology.degenerate_triangles += narrowphase::is_degenerate(triangle(i));
-    }
-    data_->topology = topology;
-    data_->component_vertices = std::move(component_vertices);
+    bvh::in_standard_arithmetic([&] {
+      std::vector<std::uint32_t> component_vertices;
+      Topology topology = topology_of(data_->triangles, welded(), component_vertices);
+      for (std::size_t i = 0; i < data_->triangles.size(); ++i) {
+        topology.degenerate_triangles += narrowphase::is_degenerate(triangle(i));
+      }
+      data_->topology = topology;
+      data_->component_vertices = std::move(component_vertices);
+    });
   });
   return data_->topology;
 }

@@ -191,53 +191,53 @@ TriangleList find_all(const PlacedMesh& mesh, const FramedVolume& asked,
 }  // namespace
 
 bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(box), {}, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(box), {}, work); });
 }
 
 bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(box), {}, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(box), {}, work); });
 }
 
 bool intersects(const PlacedMesh& mesh, const Sphere& sphere, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(sphere), {}, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(sphere), {}, work); });
 }
 
 bool intersects(const PlacedMesh& mesh, const Aabb& box, const QuerySettings& settings,
                 Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(box), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
 bool intersects(const PlacedMesh& mesh, const Obb& box, const QuerySettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(box), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
 bool intersects(const PlacedMesh& mesh, const Sphere& sphere, const QuerySettings& settings,
                 Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return meets_any(mesh, framed(sphere), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return meets_any(mesh, framed(sphere), settings, work); });
 }
 
 TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box,
                             const TriangleSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return find_all(mesh, framed(box), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> TriangleList { return find_all(mesh, framed(box), settings, work); });
 }
 
 TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box,
                             const TriangleSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return find_all(mesh, framed(box), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> TriangleList { return find_all(mesh, framed(box), settings, work); });
 }
 
 TriangleList find_triangles(const PlacedMesh& mesh, const Sphere& sphere,
                             const TriangleSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  return find_all(mesh, framed(sphere), settings, work);
+  return bvh::in_standard_arithmetic(
+      [&]() -> TriangleList { return find_all(mesh, framed(sphere), settings, work); });
 }
 
 }  // namespace graze

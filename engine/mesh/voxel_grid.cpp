@@ -69,55 +69,58 @@ std::uint32_t smallest_count(const VoxelGrid& grid, const Aabb& bounds, int axis
 }  // namespace
 
 VoxelGrid VoxelGrid::over(const Aabb& bounds, std::uint32_t resolution) {
-  const bvh::StandardArithmetic arithmetic;
-  check_box(bounds, "voxel grid: bounds");
-  if (resolution < 1 || resolution > kMaxResolution) {
-    throw InputError("resolution: " + std::to_string(resolution) + " is not from 1 to " +
-                     std::to_string(kMaxResolution));
-  }
-  const double length = std::max(longest_side(bounds) / resolution, smallest_edge(bounds));
-  if (!std::isfinite(length)) throw InputError("voxel grid: the length of the bounds overflows");
-  const double quantum = edge_quantum(length);
-  VoxelGrid grid{bounds.min, std::ceil(length / quantum) * quantum, {1, 1, 1}};
-  // The length was rounded three times: at most one step is missing.
-  while (!is_covered(grid, bounds, resolution))
-    grid.edge += quantum;
-  for (int axis = 0; axis < 3; ++axis)
-    grid.counts[axis] = smallest_count(grid, bounds, axis, resolution);
-  grid.check();
-  return grid;
+  return bvh::in_standard_arithmetic([&]() -> VoxelGrid {
+    check_box(bounds, "voxel grid: bounds");
+    if (resolution < 1 || resolution > kMaxResolution) {
+      throw InputError("resolution: " + std::to_string(resolution) + " is not from 1 to " +
+                       std::to_string(kMaxResolution));
+    }
+    const double length = std::max(longest_side(bounds) / resolution, smallest_edge(bounds));
+    if (!std::isfinite(length)) throw InputError("voxel grid: the length of the bounds overflows");
+    const double quantum = edge_quantum(length);
+    VoxelGrid grid{bounds.min, std::ceil(length / quantum) * quantum, {1, 1, 1}};
+    // The length was rounded three times: at most one step is missing.
+    while (!is_covered(grid, bounds, resolution))
+      grid.edge += quantum;
+    for (int axis = 0; axis < 3; ++axis)
+      grid.counts[axis] = smallest_count(grid, bounds, axis, resolution);
+    grid.check();
+    return grid;
+  });
 }
 
 double VoxelGrid::plane(int axis, std::uint32_t index) const {
-  const bvh::StandardArithmetic arithmetic;
-  return origin.data()[axis] + index * edge;
+  return bvh::in_standard_arithmetic(
+      [&]() -> double { return origin.data()[axis] + index * edge; });
 }
 
 Aabb VoxelGrid::box(const Voxel& voxel) const {
-  const bvh::StandardArithmetic arithmetic;
-  const std::uint32_t index[3] = {voxel.i, voxel.j, voxel.k};
-  Aabb box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.min.data()[axis] = plane(axis, index[axis]);
-    box.max.data()[axis] = plane(axis, index[axis] + 1);
-  }
-  return box;
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    const std::uint32_t index[3] = {voxel.i, voxel.j, voxel.k};
+    Aabb box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min.data()[axis] = plane(axis, index[axis]);
+      box.max.data()[axis] = plane(axis, index[axis] + 1);
+    }
+    return box;
+  });
 }
 
 void VoxelGrid::check() const {
-  const bvh::StandardArithmetic arithmetic;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string along = std::string("along ") + "xyz"[axis];
-    if (counts[axis] < 1 || counts[axis] > kMaxResolution) {
-      throw InputError("voxel grid: " + std::to_string(counts[axis]) + " voxels " + along +
-                       ", not from 1 to " + std::to_string(kMaxResolution));
+  bvh::in_standard_arithmetic([&] {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string along = std::string("along ") + "xyz"[axis];
+      if (counts[axis] < 1 || counts[axis] > kMaxResolution) {
+        throw InputError("voxel grid: " + std::to_string(counts[axis]) + " voxels " + along +
+                         ", not from 1 to " + std::to_string(kMaxResolution));
+      }
+      const double last = plane(axis, counts[axis]);
+      if (!std::isfinite(origin.data()[axis]) || !std::isfinite(last)) {
+        throw InputError("voxel grid: a plane " + along + " is not finite");
+      }
+      if (!(plane(axis, 0) < last)) throw InputError("voxel grid: planes do not rise " + along);
     }
-    const double last = plane(axis, counts[axis]);
-    if (!std::isfinite(origin.data()[axis]) || !std::isfinite(last)) {
-      throw InputError("voxel grid: a plane " + along + " is not finite");
-    }
-    if (!(plane(axis, 0) < last)) throw InputError("voxel grid: planes do not rise " + along);
-  }
+  });
 }
 
 std::uint64_t VoxelGrid::size() const {

@@ -44,8 +44,7 @@ class PartsDone {
     }
     ++done_;
     if (settings_.on_progress) {
-      const bvh::UserArithmetic users(users_control_word_);
-      settings_.on_progress(done_, total_);
+      bvh::in_users_arithmetic(users_control_word_, [&] { settings_.on_progress(done_, total_); });
     }
     is_over_ = false;
   }
@@ -101,13 +100,14 @@ std::vector<VoxelRun> sorted_runs(const VoxelScene& scene, const VoxelTask& whol
   done.add(count_voxels(top.runs()));
   bvh::for_in_parallel(tbb::blocked_range<std::size_t>(0, tasks.size(), 1),
                        [&](const tbb::blocked_range<std::size_t>& range) {
-                         const bvh::StandardArithmetic arithmetic;
-                         VoxelDescent& descent = descents.local();
-                         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                           const std::size_t before = descent.runs().size();
-                           descent.run(tasks[i]);
-                           done.add(count_voxels(std::span(descent.runs()).subspan(before)));
-                         }
+                         bvh::in_standard_arithmetic([&] {
+                           VoxelDescent& descent = descents.local();
+                           for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                             const std::size_t before = descent.runs().size();
+                             descent.run(tasks[i]);
+                             done.add(count_voxels(std::span(descent.runs()).subspan(before)));
+                           }
+                         });
                        });
   std::vector<VoxelRun> runs = std::move(top.runs());
   work += top.work();
@@ -134,21 +134,24 @@ std::vector<Voxel> expanded(const std::vector<VoxelRun>& runs) {
 }  // namespace
 
 Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  const int threads = arena_size(settings);
-  Voxels result{VoxelGrid::over(mesh.bounds(), settings.resolution), {}};
-  if (settings.fill == VoxelFill::Solid) check_closed(mesh, "the mesh");
-  CountedWork counted(work);
-  const std::uint64_t users_control_word = bvh::users_control_word();
-  tbb::task_arena(threads).execute([&] {
-    const bvh::StandardArithmetic in_arena;  // where another thread may be
-    const bvh::Tree& tree = mesh.tree(&counted.work());
-    const VoxelPlanes planes(result.grid, tree.frame, mesh.bounds());
-    const VoxelTask whole = whole_grid(mesh, result.grid, settings.fill, counted.work());
-    result.voxels = expanded(sorted_runs({mesh, tree, planes, settings.fill}, whole, settings,
-                                         users_control_word, counted.work()));
+  return bvh::in_standard_arithmetic([&]() -> Voxels {
+    const int threads = arena_size(settings);
+    Voxels result{VoxelGrid::over(mesh.bounds(), settings.resolution), {}};
+    if (settings.fill == VoxelFill::Solid) check_closed(mesh, "the mesh");
+    CountedWork counted(work);
+    const std::uint64_t users_control_word = bvh::users_control_word();
+    tbb::task_arena(threads).execute([&] {
+      // Another thread may run this.
+      bvh::in_standard_arithmetic([&] {
+        const bvh::Tree& tree = mesh.tree(&counted.work());
+        const VoxelPlanes planes(result.grid, tree.frame, mesh.bounds());
+        const VoxelTask whole = whole_grid(mesh, result.grid, settings.fill, counted.work());
+        result.voxels = expanded(sorted_runs({mesh, tree, planes, settings.fill}, whole, settings,
+                                             users_control_word, counted.work()));
+      });
+    });
+    return result;
   });
-  return result;
 }
 
 }  // namespace graze

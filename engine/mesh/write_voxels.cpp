@@ -68,8 +68,7 @@ class ReportingBoxFile {
     ++done_;
     const bool is_due = done_ % kInterval == 0 || done_ == total_;
     if (!is_due || !settings_.on_progress) return;
-    const bvh::UserArithmetic users;
-    settings_.on_progress(done_, total_);
+    bvh::in_users_arithmetic([&] { settings_.on_progress(done_, total_); });
   }
 
   mesh_io::BoxFile& boxes_;
@@ -92,23 +91,24 @@ void add_quads(const Voxels& voxels, const mesh_io::VoxelCorners& corners,
 
 void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
                   const VoxelWriteSettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
-  check_voxels(voxels);
-  check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
-  const mesh_io::VoxelCorners corners(voxels);
-  check_count(path, corners.size(), kMaxCorners, "corners");
-  try {
-    files::OutputFile file(path);
-    const mesh_io::BoxCounts counts{corners.size(), std::size(kQuads) * voxels.size()};
-    const auto boxes = format.begin(file, voxels.grid, counts);
-    ReportingBoxFile reporting(*boxes, counts, settings);
-    corners.for_each([&](const auto& planes) { reporting.add_corner(planes); });
-    add_quads(voxels, corners, reporting);
-    file.finish();
-  } catch (const files::FileError& error) {
-    throw MeshError(error.what());
-  }
+  bvh::in_standard_arithmetic([&] {
+    const mesh_io::VoxelFormat& format = mesh_io::voxel_format_of(path);
+    check_voxels(voxels);
+    check_count(path, voxels.size(), kMaxWrittenVoxels, "voxels");
+    const mesh_io::VoxelCorners corners(voxels);
+    check_count(path, corners.size(), kMaxCorners, "corners");
+    try {
+      files::OutputFile file(path);
+      const mesh_io::BoxCounts counts{corners.size(), std::size(kQuads) * voxels.size()};
+      const auto boxes = format.begin(file, voxels.grid, counts);
+      ReportingBoxFile reporting(*boxes, counts, settings);
+      corners.for_each([&](const auto& planes) { reporting.add_corner(planes); });
+      add_quads(voxels, corners, reporting);
+      file.finish();
+    } catch (const files::FileError& error) {
+      throw MeshError(error.what());
+    }
+  });
 }
 
 }  // namespace graze

@@ -51,10 +51,11 @@ Pose pose_on(const SteadyPath& path, const Pose& start, double time) {
 }  // namespace
 
 Pose pose_at(const BodyPath& path, const Pose& start, double time) {
-  const bvh::StandardArithmetic arithmetic;
-  if (const auto* keys = std::get_if<KeyPath>(&path)) return pose_on(*keys, time);
-  if (const auto* steady = std::get_if<SteadyPath>(&path)) return pose_on(*steady, start, time);
-  return start;
+  return bvh::in_standard_arithmetic([&]() -> Pose {
+    if (const auto* keys = std::get_if<KeyPath>(&path)) return pose_on(*keys, time);
+    if (const auto* steady = std::get_if<SteadyPath>(&path)) return pose_on(*steady, start, time);
+    return start;
+  });
 }
 
 }  // namespace graze

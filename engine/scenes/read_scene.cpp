@@ -83,30 +83,32 @@ Scene scene_of(const JsonCursor& root, scenes::MeshFiles& files) {
 
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::string printable = mesh_io::printable(name);
-  try {
-    const cases::JsonValue tree = cases::parse_json(bytes, printable);
-    scenes::MeshFiles files(settings.mesh_folder);
-    return scene_of(JsonCursor(tree, printable), files);
-  } catch (const CaseError& error) {
-    throw SceneError(error.what());
-  }
+  return bvh::in_standard_arithmetic([&]() -> Scene {
+    const std::string printable = mesh_io::printable(name);
+    try {
+      const cases::JsonValue tree = cases::parse_json(bytes, printable);
+      scenes::MeshFiles files(settings.mesh_folder);
+      return scene_of(JsonCursor(tree, printable), files);
+    } catch (const CaseError& error) {
+      throw SceneError(error.what());
+    }
+  });
 }
 
 Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  const std::string name = path.string();
-  ReadSceneSettings here = settings;
-  if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();
-  std::string bytes;
-  try {
-    mesh_io::require_regular_file(path, mesh_io::printable(name));
-    bytes = mesh_io::read_file(path, mesh_io::printable(name));
-  } catch (const MeshError& error) {
-    throw SceneError(error.what());
-  }
-  return parse_scene(bytes, name, here);
+  return bvh::in_standard_arithmetic([&]() -> Scene {
+    const std::string name = path.string();
+    ReadSceneSettings here = settings;
+    if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();
+    std::string bytes;
+    try {
+      mesh_io::require_regular_file(path, mesh_io::printable(name));
+      bytes = mesh_io::read_file(path, mesh_io::printable(name));
+    } catch (const MeshError& error) {
+      throw SceneError(error.what());
+    }
+    return parse_scene(bytes, name, here);
+  });
 }
 
 }  // namespace graze

@@ -21,56 +21,60 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
     : scene_(scene),
       step_(settings.step == 0 ? scene.step : settings.step),
       world_(settings.world) {
-  const bvh::StandardArithmetic arithmetic;
-  if (!(step_ > 0) || !std::isfinite(step_)) {
-    throw InputError("the step of a simulation is not a positive number of seconds");
-  }
-  std::vector<std::shared_ptr<const BodyShape>> shapes;
-  shapes.reserve(scene.shapes.size());
-  for (const SceneShape& shape : scene.shapes)
-    shapes.push_back(share(shape.shape));
-  ids_.reserve(scene.bodies.size());
-  for (const SceneBody& body : scene.bodies) {
-    ids_.push_back(world_.add(shapes[body.shape], pose_at(body, 0),
-                              {.motion = body.motion, .filter = body.filter}));
-  }
-  for (const ScenePair& exclusion : scene.exclusions)
-    world_.exclude(ids_[exclusion.a], ids_[exclusion.b]);
+  bvh::in_standard_arithmetic([&] {
+    if (!(step_ > 0) || !std::isfinite(step_)) {
+      throw InputError("the step of a simulation is not a positive number of seconds");
+    }
+    std::vector<std::shared_ptr<const BodyShape>> shapes;
+    shapes.reserve(scene.shapes.size());
+    for (const SceneShape& shape : scene.shapes)
+      shapes.push_back(share(shape.shape));
+    ids_.reserve(scene.bodies.size());
+    for (const SceneBody& body : scene.bodies) {
+      ids_.push_back(world_.add(shapes[body.shape], pose_at(body, 0),
+                                {.motion = body.motion, .filter = body.filter}));
+    }
+    for (const ScenePair& exclusion : scene.exclusions)
+      world_.exclude(ids_[exclusion.a], ids_[exclusion.b]);
+  });
 }
 
 WorldUpdate Simulation::advance() {
-  const bvh::StandardArithmetic arithmetic;
-  ++count_;
-  if (count_ > 1) move_bodies();
-  return world_.update();
+  return bvh::in_standard_arithmetic([&]() -> WorldUpdate {
+    ++count_;
+    if (count_ > 1) move_bodies();
+    return world_.update();
+  });
 }
 
 void Simulation::move_bodies() {
-  const bvh::StandardArithmetic arithmetic;
-  for (std::size_t i = 0; i < ids_.size(); ++i) {
-    const SceneBody& body = scene_.bodies[i];
-    if (std::holds_alternative<std::monostate>(body.path)) continue;
-    const Pose pose = pose_at(body, time());
-    if (pose.matrix() == world_.pose(ids_[i]).matrix()) continue;
-    try {
-      world_.move(ids_[i], pose);
-    } catch (const PoseError& error) {
-      refuse(body, time(), error);
+  bvh::in_standard_arithmetic([&] {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      const SceneBody& body = scene_.bodies[i];
+      if (std::holds_alternative<std::monostate>(body.path)) continue;
+      const Pose pose = pose_at(body, time());
+      if (pose.matrix() == world_.pose(ids_[i]).matrix()) continue;
+      try {
+        world_.move(ids_[i], pose);
+      } catch (const PoseError& error) {
+        refuse(body, time(), error);
+      }
     }
-  }
+  });
 }
 
 // Positions between keys lie between theirs, and a steady path leads away from its start or
 // nowhere.
 void check_paths(const Scene& scene, double end) {
-  const bvh::StandardArithmetic arithmetic;
-  for (const SceneBody& body : scene.bodies) {
-    try {
-      bounds_of(scene.shapes[body.shape].shape, pose_at(body, end));
-    } catch (const PoseError& error) {
-      refuse(body, end, error);
+  bvh::in_standard_arithmetic([&] {
+    for (const SceneBody& body : scene.bodies) {
+      try {
+        bounds_of(scene.shapes[body.shape].shape, pose_at(body, end));
+      } catch (const PoseError& error) {
+        refuse(body, end, error);
+      }
     }
-  }
+  });
 }
 
 }  // namespace graze

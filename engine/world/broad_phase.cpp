@@ -90,87 +90,92 @@ BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 BoxId BroadPhase::add(const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "add");
-  state_->ids.prepare_take();
-  state_->unsettle();
-  state_->tracker.insert(state_->ids.next(), box);
-  const std::uint32_t index = state_->ids.take();
-  return {index, state_->ids.generation(index)};
+  return bvh::in_standard_arithmetic([&]() -> BoxId {
+    bvh::check_box(box, "add");
+    state_->ids.prepare_take();
+    state_->unsettle();
+    state_->tracker.insert(state_->ids.next(), box);
+    const std::uint32_t index = state_->ids.take();
+    return {index, state_->ids.generation(index)};
+  });
 }
 
 void BroadPhase::move(BoxId id, const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check(id, "move");
-  bvh::check_box(box, "move");
-  state_->unsettle();
-  state_->tracker.move(id.index, box);
+  bvh::in_standard_arithmetic([&] {
+    state_->check(id, "move");
+    bvh::check_box(box, "move");
+    state_->unsettle();
+    state_->tracker.move(id.index, box);
+  });
 }
 
 void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  if (ids.size() != boxes.size()) {
-    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
-                     std::to_string(boxes.size()) + " boxes");
-  }
-  const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
-  std::atomic<bool> is_valid{true}, is_in_order{true}, is_ascending{true};
-  state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
-    BoxCheck check;
-    bool is_live = true, is_own_number = true, ascends = true;
-    for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
-      check.add(boxes[i]);
-      is_live &= state.ids.is_live(ids[i].index, ids[i].generation);
-      is_own_number &= ids[i].index == i;
-      ascends &= i == 0 || ids[i - 1].index < ids[i].index;
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    if (ids.size() != boxes.size()) {
+      throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
+                       std::to_string(boxes.size()) + " boxes");
     }
-    if (!is_live || !check.is_good()) is_valid = false;
-    if (!is_own_number) is_in_order = false;
-    if (!ascends) is_ascending = false;
+    const std::size_t chunks = (ids.size() + kChunk - 1) / kChunk;
+    std::atomic<bool> is_valid{true}, is_in_order{true}, is_ascending{true};
+    state.tracker.set().workers().for_each(chunks, [&](std::size_t chunk) {
+      BoxCheck check;
+      bool is_live = true, is_own_number = true, ascends = true;
+      for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, ids.size()); ++i) {
+        check.add(boxes[i]);
+        is_live &= state.ids.is_live(ids[i].index, ids[i].generation);
+        is_own_number &= ids[i].index == i;
+        ascends &= i == 0 || ids[i - 1].index < ids[i].index;
+      }
+      if (!is_live || !check.is_good()) is_valid = false;
+      if (!is_own_number) is_in_order = false;
+      if (!ascends) is_ascending = false;
+    });
+    for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
+      const std::string what = "move, element " + std::to_string(i);
+      state.check(ids[i], what.c_str());
+      bvh::check_box(boxes[i], what.c_str());
+    }
+    if (ids.empty()) return;
+    state.unsettle();
+    const auto owner_of = [&](std::size_t i) { return ids[i].index; };
+    if (!state.tracker.are_many(ids.size())) {
+      for (std::size_t i = 0; i < ids.size(); ++i)
+        state.tracker.move(ids[i].index, boxes[i]);
+    } else if (is_in_order) {
+      state.tracker.move_first(boxes);
+    } else if (is_ascending) {
+      state.tracker.move_ascending(boxes, owner_of);
+    } else {
+      state.tracker.move_many(boxes, owner_of);
+    }
   });
-  for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
-    const std::string what = "move, element " + std::to_string(i);
-    state.check(ids[i], what.c_str());
-    bvh::check_box(boxes[i], what.c_str());
-  }
-  if (ids.empty()) return;
-  state.unsettle();
-  const auto owner_of = [&](std::size_t i) { return ids[i].index; };
-  if (!state.tracker.are_many(ids.size())) {
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      state.tracker.move(ids[i].index, boxes[i]);
-  } else if (is_in_order) {
-    state.tracker.move_first(boxes);
-  } else if (is_ascending) {
-    state.tracker.move_ascending(boxes, owner_of);
-  } else {
-    state.tracker.move_many(boxes, owner_of);
-  }
 }
 
 void BroadPhase::remove(BoxId id) {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check(id, "remove");
-  state_->ids.prepare_free();
-  state_->unsettle();
-  state_->tracker.erase(id.index);
-  state_->ids.free(id.index);
+  bvh::in_standard_arithmetic([&] {
+    state_->check(id, "remove");
+    state_->ids.prepare_free();
+    state_->unsettle();
+    state_->tracker.erase(id.index);
+    state_->ids.free(id.index);
+  });
 }
 
 void BroadPhase::update() {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  const bool has_changed = state.tracker.update();
-  ++state.work.updates;
-  state.is_settled = true;
-  state.ids.next_round();
-  if (!has_changed) return;
-  state.work.searches_for_all = state.tracker.searches_for_all();
-  state.work.searches_for_movers = state.tracker.searches_for_movers();
-  state.work.sorts = state.tracker.set().sorts();
-  state.work.groups_sorted = state.tracker.set().groups_sorted();
-  state.work.blocks_met = state.tracker.set().blocks_met();
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    const bool has_changed = state.tracker.update();
+    ++state.work.updates;
+    state.is_settled = true;
+    state.ids.next_round();
+    if (!has_changed) return;
+    state.work.searches_for_all = state.tracker.searches_for_all();
+    state.work.searches_for_movers = state.tracker.searches_for_movers();
+    state.work.sorts = state.tracker.set().sorts();
+    state.work.groups_sorted = state.tracker.set().groups_sorted();
+    state.work.blocks_met = state.tracker.set().blocks_met();
+  });
 }
 
 std::size_t BroadPhase::size() const {
@@ -182,9 +187,10 @@ bool BroadPhase::contains(BoxId id) const {
 }
 
 Aabb BroadPhase::box(BoxId id) const {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check(id, "box");
-  return bvh::box_of_keys(state_->box(id.index));
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    state_->check(id, "box");
+    return bvh::box_of_keys(state_->box(id.index));
+  });
 }
 
 BoxId BroadPhase::id(std::uint32_t index) const {
@@ -203,36 +209,37 @@ std::span<const BoxPair> BroadPhase::sorted_pairs() {
 }
 
 std::span<const BoxPair> BroadPhase::begun() {
-  const bvh::StandardArithmetic arithmetic;
-  return state_->tracker.begun();
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::span<const BoxPair> { return state_->tracker.begun(); });
 }
 
 std::span<const BoxPair> BroadPhase::ended() {
-  const bvh::StandardArithmetic arithmetic;
-  return state_->tracker.ended();
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::span<const BoxPair> { return state_->tracker.ended(); });
 }
 
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "find_overlapping");
-  state_->settled().find_overlapping(bvh::ordered_box(box), indices);
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, "find_overlapping");
+    state_->settled().find_overlapping(bvh::ordered_box(box), indices);
+  });
 }
 
 void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
-  const bvh::StandardArithmetic arithmetic;
-  check_ray(ray, "visit_along");
-  const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
-  const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
-  const auto limit_for = [&](double distance) {
-    return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
-  };
-  double limit = limit_for(ray.max_distance);
-  const auto visited = [&](std::uint32_t index) {
-    const bvh::UserArithmetic users;
-    return visit(index);
-  };
-  const auto look = [&](std::uint32_t index) { return limit_for(visited(index)); };
-  state_->settled().walk_along(slabs, limit, std::cref(look));
+  bvh::in_standard_arithmetic([&] {
+    check_ray(ray, "visit_along");
+    const bvh::ScaledDirection scaled = bvh::scaled_direction(ray.direction.data());
+    const bvh::RaySlabs slabs(ray.origin.data(), scaled.component);
+    const auto limit_for = [&](double distance) {
+      return distance / scaled.length * (1 + 0x10p-53) + 0x1p-1050;
+    };
+    double limit = limit_for(ray.max_distance);
+    const auto visited = [&](std::uint32_t index) {
+      return bvh::in_users_arithmetic([&] { return visit(index); });
+    };
+    const auto look = [&](std::uint32_t index) { return limit_for(visited(index)); };
+    state_->settled().walk_along(slabs, limit, std::cref(look));
+  });
 }
 
 const BroadPhaseWork& BroadPhase::work() const {

@@ -39,25 +39,26 @@ void check_size(const std::vector<narrowphase::Vec3>& points) {
 }  // namespace
 
 ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
-  const bvh::StandardArithmetic arithmetic;
-  if (points.empty()) throw InputError("convex hull: no points");
-  std::vector<narrowphase::Vec3> copied;
-  copied.reserve(points.size());
-  for (const Eigen::Vector3d& point : points) {
-    for (int i = 0; i < 3; ++i) {
-      if (std::abs(point.data()[i]) <= kLargestLength) continue;
-      throw InputError("convex hull: point " + std::to_string(copied.size()) + ": coordinate " +
-                       "xyz"[i] + " is not finite or beyond the largest length");
+  bvh::in_standard_arithmetic([&] {
+    if (points.empty()) throw InputError("convex hull: no points");
+    std::vector<narrowphase::Vec3> copied;
+    copied.reserve(points.size());
+    for (const Eigen::Vector3d& point : points) {
+      for (int i = 0; i < 3; ++i) {
+        if (std::abs(point.data()[i]) <= kLargestLength) continue;
+        throw InputError("convex hull: point " + std::to_string(copied.size()) + ": coordinate " +
+                         "xyz"[i] + " is not finite or beyond the largest length");
+      }
+      copied.push_back({point.data()[0], point.data()[1], point.data()[2]});
     }
-    copied.push_back({point.data()[0], point.data()[1], point.data()[2]});
-  }
-  check_size(copied);
-  narrowphase::Hull hull;
-  const narrowphase::HullDefect defect = narrowphase::build_hull(copied, hull);
-  if (defect != narrowphase::HullDefect::None) {
-    throw InputError(std::string("convex hull: no volume, ") + name_of(defect));
-  }
-  hull_ = std::make_shared<const narrowphase::Hull>(std::move(hull));
+    check_size(copied);
+    narrowphase::Hull hull;
+    const narrowphase::HullDefect defect = narrowphase::build_hull(copied, hull);
+    if (defect != narrowphase::HullDefect::None) {
+      throw InputError(std::string("convex hull: no volume, ") + name_of(defect));
+    }
+    hull_ = std::make_shared<const narrowphase::Hull>(std::move(hull));
+  });
 }
 
 std::size_t ConvexHull::vertex_count() const {
@@ -65,9 +66,10 @@ std::size_t ConvexHull::vertex_count() const {
 }
 
 Eigen::Vector3d ConvexHull::vertex(std::size_t index) const {
-  const bvh::StandardArithmetic arithmetic;
-  const narrowphase::Vec3 corner = hull_->corners.at(index) + hull_->middle;
-  return {corner.x, corner.y, corner.z};
+  return bvh::in_standard_arithmetic([&]() -> Eigen::Vector3d {
+    const narrowphase::Vec3 corner = hull_->corners.at(index) + hull_->middle;
+    return {corner.x, corner.y, corner.z};
+  });
 }
 
 std::size_t ConvexHull::face_count() const {

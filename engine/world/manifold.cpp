@@ -105,15 +105,16 @@ Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& wor
 
 Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_poses(pose_a, pose_b);
-  CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
-  if (!is_one_question(pair_method(shape_a.kind(), shape_b.kind())) &&
-      !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
-    return {};
-  return contacts_of_touching(a, b, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> Manifold {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    const PlacedShape a{shape_a, pose_a};
+    const PlacedShape b{shape_b, pose_b};
+    if (!is_one_question(pair_method(shape_a.kind(), shape_b.kind())) &&
+        !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
+      return {};
+    return contacts_of_touching(a, b, counted.work());
+  });
 }
 
 }  // namespace graze

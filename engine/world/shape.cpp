@@ -29,64 +29,72 @@ void check_coordinates(const Eigen::Vector3d& point, const char* shape, const ch
 }
 
 Capsule checked(const Capsule& capsule) {
-  const bvh::StandardArithmetic arithmetic;
-  check_length(capsule.radius, "capsule", "the radius");
-  if (capsule.half_length != 0) check_length(capsule.half_length, "capsule", "the half length");
-  return capsule;
+  return bvh::in_standard_arithmetic([&]() -> Capsule {
+    check_length(capsule.radius, "capsule", "the radius");
+    if (capsule.half_length != 0) check_length(capsule.half_length, "capsule", "the half length");
+    return capsule;
+  });
 }
 
 template <typename Round>
 Round checked(const Round& round, const char* shape) {
-  const bvh::StandardArithmetic arithmetic;
-  check_length(round.radius, shape, "the radius");
-  check_length(round.half_height, shape, "the half height");
-  return round;
+  return bvh::in_standard_arithmetic([&]() -> Round {
+    check_length(round.radius, shape, "the radius");
+    check_length(round.half_height, shape, "the half height");
+    return round;
+  });
 }
 
 Sphere checked(const Sphere& sphere) {
-  const bvh::StandardArithmetic arithmetic;
-  check_coordinates(sphere.centre, "sphere", "centre");
-  check_length(sphere.radius, "sphere", "the radius");
-  return sphere;
+  return bvh::in_standard_arithmetic([&]() -> Sphere {
+    check_coordinates(sphere.centre, "sphere", "centre");
+    check_length(sphere.radius, "sphere", "the radius");
+    return sphere;
+  });
 }
 
 Box checked(const Box& box) {
-  const bvh::StandardArithmetic arithmetic;
-  for (int i = 0; i < 3; ++i)
-    check_length(box.half_extents.data()[i], "box", std::string("half extent ") + "xyz"[i]);
-  return box;
+  return bvh::in_standard_arithmetic([&]() -> Box {
+    for (int i = 0; i < 3; ++i)
+      check_length(box.half_extents.data()[i], "box", std::string("half extent ") + "xyz"[i]);
+    return box;
+  });
 }
 
 Ellipsoid checked(const Ellipsoid& ellipsoid) {
-  const bvh::StandardArithmetic arithmetic;
-  check_coordinates(ellipsoid.centre, "ellipsoid", "centre");
-  for (int i = 0; i < 3; ++i)
-    check_length(ellipsoid.semi_axes.data()[i], "ellipsoid", std::string("semi-axis ") + "xyz"[i]);
-  return ellipsoid;
+  return bvh::in_standard_arithmetic([&]() -> Ellipsoid {
+    check_coordinates(ellipsoid.centre, "ellipsoid", "centre");
+    for (int i = 0; i < 3; ++i)
+      check_length(ellipsoid.semi_axes.data()[i], "ellipsoid",
+                   std::string("semi-axis ") + "xyz"[i]);
+    return ellipsoid;
+  });
 }
 
 /// The same set, with a normal of length 1 to rounding.
 HalfSpace checked(const HalfSpace& half_space) {
-  const bvh::StandardArithmetic arithmetic;
-  check_coordinates(half_space.normal, "half-space", "normal");
-  const double* n = half_space.normal.data();
-  const double largest = std::max(std::abs(n[0]), std::max(std::abs(n[1]), std::abs(n[2])));
-  if (!(largest >= kSmallestLength)) refuse("half-space", "the normal is zero");
-  const double x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
-  const double length = std::sqrt((x * x + y * y) + z * z);
-  const double offset = half_space.offset / largest / length;
-  if (!(std::abs(offset) <= kLargestLength)) {
-    refuse("half-space", "the offset is not finite or beyond the largest length");
-  }
-  return {{x / length, y / length, z / length}, offset};
+  return bvh::in_standard_arithmetic([&]() -> HalfSpace {
+    check_coordinates(half_space.normal, "half-space", "normal");
+    const double* n = half_space.normal.data();
+    const double largest = std::max(std::abs(n[0]), std::max(std::abs(n[1]), std::abs(n[2])));
+    if (!(largest >= kSmallestLength)) refuse("half-space", "the normal is zero");
+    const double x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
+    const double length = std::sqrt((x * x + y * y) + z * z);
+    const double offset = half_space.offset / largest / length;
+    if (!(std::abs(offset) <= kLargestLength)) {
+      refuse("half-space", "the offset is not finite or beyond the largest length");
+    }
+    return {{x / length, y / length, z / length}, offset};
+  });
 }
 
 Mesh checked(Mesh mesh) {
-  const bvh::StandardArithmetic arithmetic;
-  const Aabb& bounds = mesh.bounds();
-  check_coordinates(bounds.min, "mesh", "bounds");
-  check_coordinates(bounds.max, "mesh", "bounds");
-  return mesh;
+  return bvh::in_standard_arithmetic([&]() -> Mesh {
+    const Aabb& bounds = mesh.bounds();
+    check_coordinates(bounds.min, "mesh", "bounds");
+    check_coordinates(bounds.max, "mesh", "bounds");
+    return mesh;
+  });
 }
 
 }  // namespace

@@ -69,44 +69,47 @@ class ShapeBody final : public BodyShape {
   Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
 
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
-    const bvh::StandardArithmetic arithmetic;
-    const Shape* shape = other.shape();
-    if (shape == nullptr) {
-      const bvh::UserArithmetic users;
-      return other.touches(other_pose, *this, pose);
-    }
-    return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    return bvh::in_standard_arithmetic([&]() -> bool {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic([&] { return other.touches(other_pose, *this, pose); });
+      }
+      return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    });
   }
 
   Manifold contacts(const Pose& pose, const BodyShape& other,
                     const Pose& other_pose) const override {
-    const bvh::StandardArithmetic arithmetic;
-    const Shape* shape = other.shape();
-    if (shape == nullptr) {
-      const bvh::UserArithmetic users;
-      return mirrored(other.contacts(other_pose, *this, pose));
-    }
-    // No finite translation parts two half-spaces: they touch, and have no contact.
-    if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
-    return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    return bvh::in_standard_arithmetic([&]() -> Manifold {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic(
+            [&] { return mirrored(other.contacts(other_pose, *this, pose)); });
+      }
+      // No finite translation parts two half-spaces: they touch, and have no contact.
+      if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
+      return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    });
   }
 
   std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
                                const Pose& other_pose) const override {
-    const bvh::StandardArithmetic arithmetic;
-    const Shape* shape = other.shape();
-    if (shape == nullptr) {
-      const bvh::UserArithmetic users;
-      std::optional<Manifold> found = other.meet(other_pose, *this, pose);
-      if (found) found = mirrored(*found);
+    return bvh::in_standard_arithmetic([&]() -> std::optional<Manifold> {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic([&] {
+          std::optional<Manifold> found = other.meet(other_pose, *this, pose);
+          if (found) found = mirrored(*found);
+          return found;
+        });
+      }
+      if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
+        return BodyShape::meet(pose, other, other_pose);
+      // Empty exactly when they do not touch.
+      Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+      if (found.empty()) return std::nullopt;
       return found;
-    }
-    if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
-      return BodyShape::meet(pose, other, other_pose);
-    // Empty exactly when they do not touch.
-    Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
-    if (found.empty()) return std::nullopt;
-    return found;
+    });
   }
 
   // distance() proves a way that the two can near each other before they meet. touches() may say
@@ -117,22 +120,23 @@ class ShapeBody final : public BodyShape {
   // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
   // as much as the door lets in: see bounds_of().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
-    const bvh::StandardArithmetic arithmetic;
-    const Shape* shape = other.shape();
-    if (shape == nullptr) return 0;
-    const PairMethod method = pair_method(shape_.kind(), shape->kind());
-    if (is_gap_quick(method) && method != PairMethod::MeshVolume)
-      return quick_gap({shape_, pose, reach_}, {*shape, other_pose, other.reach()});
-    if (!is_worth_a_gap(method)) return 0;
-    const double* t = pose.data() + 12;
-    const double* o = other_pose.data() + 12;
-    const double scale =
-        length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
-    const double rounding =
-        0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
-    const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
-    const double readings = reading_of(shape_, reach_) + reading_of(*shape, other.reach());
-    return std::max(lower - (16 * kTouchTolerance * scale + rounding + readings), 0.0);
+    return bvh::in_standard_arithmetic([&]() -> double {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) return 0;
+      const PairMethod method = pair_method(shape_.kind(), shape->kind());
+      if (is_gap_quick(method) && method != PairMethod::MeshVolume)
+        return quick_gap({shape_, pose, reach_}, {*shape, other_pose, other.reach()});
+      if (!is_worth_a_gap(method)) return 0;
+      const double* t = pose.data() + 12;
+      const double* o = other_pose.data() + 12;
+      const double scale =
+          length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
+      const double rounding =
+          0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
+      const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
+      const double readings = reading_of(shape_, reach_) + reading_of(*shape, other.reach());
+      return std::max(lower - (16 * kTouchTolerance * scale + rounding + readings), 0.0);
+    });
   }
 
   /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
@@ -196,8 +200,8 @@ bool is_users_shape(const BodyShape& shape) {
 }
 
 std::shared_ptr<const BodyShape> share(const Shape& shape) {
-  const bvh::StandardArithmetic arithmetic;
-  return std::make_shared<ShapeBody>(shape);
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::shared_ptr<const BodyShape> { return std::make_shared<ShapeBody>(shape); });
 }
 
 }  // namespace graze

@@ -117,39 +117,42 @@ Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
 }  // namespace
 
 double check_pose(const Pose& pose, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  const double deviation = bvh::check_rigid(pose, what);
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(pose.data()[12 + i]) <= kLargestLength) continue;
-    throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +
-                    " of the translation is beyond the largest length");
-  }
-  return deviation;
+  return bvh::in_standard_arithmetic([&]() -> double {
+    const double deviation = bvh::check_rigid(pose, what);
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(pose.data()[12 + i]) <= kLargestLength) continue;
+      throw PoseError(std::string(what) + ": coordinate " + "xyz"[i] +
+                      " of the translation is beyond the largest length");
+    }
+    return deviation;
+  });
 }
 
 Aabb bounds_of(const Shape& shape, const Pose& pose) {
-  const bvh::StandardArithmetic arithmetic;
-  const double deviation = check_pose(pose, "pose");
-  if (const auto* half_space = shape.as<HalfSpace>())
-    return bounds_of_half_space(*half_space, pose);
-  if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(*mesh, pose);
-  if (const auto* box = shape.as<Box>()) return bounds_of_box(*box, pose, deviation);
-  return bounds_of_core(shape, pose, deviation);
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    const double deviation = check_pose(pose, "pose");
+    if (const auto* half_space = shape.as<HalfSpace>())
+      return bounds_of_half_space(*half_space, pose);
+    if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(*mesh, pose);
+    if (const auto* box = shape.as<Box>()) return bounds_of_box(*box, pose, deviation);
+    return bounds_of_core(shape, pose, deviation);
+  });
 }
 
 // A difference of doubles is no less than the least double, and as exact as that.
 BoxGap gap_between(const Aabb& a, const Aabb& b) {
-  const bvh::StandardArithmetic arithmetic;
-  BoxGap most;
-  for (int i = 0; i < 3; ++i) {
-    const double after = b.min.data()[i] - a.max.data()[i];
-    const double before = a.min.data()[i] - b.max.data()[i];
-    const double gap = std::max(after, before);
-    if (!(gap > 0)) continue;
-    const double sure = std::max(below(gap), std::numeric_limits<double>::denorm_min());
-    if (sure > most.gap) most = {sure, i, after > before};
-  }
-  return most;
+  return bvh::in_standard_arithmetic([&]() -> BoxGap {
+    BoxGap most;
+    for (int i = 0; i < 3; ++i) {
+      const double after = b.min.data()[i] - a.max.data()[i];
+      const double before = a.min.data()[i] - b.max.data()[i];
+      const double gap = std::max(after, before);
+      if (!(gap > 0)) continue;
+      const double sure = std::max(below(gap), std::numeric_limits<double>::denorm_min());
+      if (sure > most.gap) most = {sure, i, after > before};
+    }
+    return most;
+  });
 }
 
 }  // namespace graze

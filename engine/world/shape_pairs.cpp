@@ -212,21 +212,23 @@ bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) 
 
 bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
                 Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_poses(pose_a, pose_b);
-  CountedWork counted(work);
-  return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
+  });
 }
 
 ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
                        const Pose& pose_b, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_poses(pose_a, pose_b);
-  CountedWork counted(work);
-  const PlacedShape a{shape_a, pose_a};
-  const PlacedShape b{shape_b, pose_b};
-  return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
-                          : distance_in_boxes(a, b, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> ShapeDistance {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    const PlacedShape a{shape_a, pose_a};
+    const PlacedShape b{shape_b, pose_b};
+    return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
+                            : distance_in_boxes(a, b, counted.work());
+  });
 }
 
 }  // namespace graze

@@ -31,22 +31,23 @@ std::optional<CoreRayHit> cast_at_plane(const HalfSpace& half_space, const Pose&
 }  // namespace
 
 std::optional<RayHit> cast_ray(const Shape& shape, const Pose& pose, const Ray& ray, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  check_ray(ray, "ray");
-  check_pose(pose, "pose");
-  if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMesh{*mesh, pose}, ray, work);
-  const Vec3 direction = unit_direction(ray);
-  std::optional<CoreRayHit> found;
-  if (const auto* half_space = shape.as<HalfSpace>()) {
-    found = cast_at_plane(*half_space, pose, ray, direction);
-  } else {
-    const Eigen::Vector3d middle = middle_of(shape, pose);
-    found =
-        cast_ray(core_of(shape, pose, middle), to_vec3(ray.origin) - to_vec3(middle), direction);
-  }
-  if (!found || !(found->distance <= ray.max_distance)) return std::nullopt;
-  const Vec3 point = to_vec3(ray.origin) + direction * found->distance;
-  return RayHit{found->distance, to_eigen(point), to_eigen(found->normal)};
+  return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
+    check_ray(ray, "ray");
+    check_pose(pose, "pose");
+    if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMesh{*mesh, pose}, ray, work);
+    const Vec3 direction = unit_direction(ray);
+    std::optional<CoreRayHit> found;
+    if (const auto* half_space = shape.as<HalfSpace>()) {
+      found = cast_at_plane(*half_space, pose, ray, direction);
+    } else {
+      const Eigen::Vector3d middle = middle_of(shape, pose);
+      found =
+          cast_ray(core_of(shape, pose, middle), to_vec3(ray.origin) - to_vec3(middle), direction);
+    }
+    if (!found || !(found->distance <= ray.max_distance)) return std::nullopt;
+    const Vec3 point = to_vec3(ray.origin) + direction * found->distance;
+    return RayHit{found->distance, to_eigen(point), to_eigen(found->normal)};
+  });
 }
 
 }  // namespace graze

@@ -14,8 +14,7 @@ bool is_users_shape(const BodyShape& shape);
 template <typename Question>
 auto ask_shape(bool is_users, const Question& question) {
   if (!is_users) return question();
-  const bvh::UserArithmetic users;
-  return question();
+  return bvh::in_users_arithmetic([&] { return question(); });
 }
 
 }  // namespace graze

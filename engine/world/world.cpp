@@ -158,33 +158,34 @@ World& World::operator=(World&&) noexcept = default;
 
 BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
                   const BodySettings& settings) {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  state.check_is_free("add");
-  if (shape == nullptr) throw InputError("add: no shape");
-  bvh::check_rigid(pose, "add");
-  const bool is_users = is_users_shape(*shape);
-  const Aabb box = bounds_of(*shape, is_users, pose, "add");
-  const Mesh* mesh = state.prepared_mesh(*shape, is_users);
-  const std::uint32_t index = state.make_room_for_one();
-  Bodies::Body& body = state.all.bodies[index];
-  body = {};
-  state.all.ways[index] = {};
-  state.take_shape(index, std::move(shape), mesh);
-  try {
-    state.insert_box(index, box);
-  } catch (...) {
-    state.drop_shape(index);
-    throw;
-  }
-  state.all.ids.take();
-  body.pose = pose;
-  body.motion = settings.motion;
-  body.role = settings.role;
-  body.filter = settings.filter;
-  body.user_data = settings.user_data;
-  state.note_change(index);
-  return state.all.id(index);
+  return bvh::in_standard_arithmetic([&]() -> BodyId {
+    State& state = *state_;
+    state.check_is_free("add");
+    if (shape == nullptr) throw InputError("add: no shape");
+    bvh::check_rigid(pose, "add");
+    const bool is_users = is_users_shape(*shape);
+    const Aabb box = bounds_of(*shape, is_users, pose, "add");
+    const Mesh* mesh = state.prepared_mesh(*shape, is_users);
+    const std::uint32_t index = state.make_room_for_one();
+    Bodies::Body& body = state.all.bodies[index];
+    body = {};
+    state.all.ways[index] = {};
+    state.take_shape(index, std::move(shape), mesh);
+    try {
+      state.insert_box(index, box);
+    } catch (...) {
+      state.drop_shape(index);
+      throw;
+    }
+    state.all.ids.take();
+    body.pose = pose;
+    body.motion = settings.motion;
+    body.role = settings.role;
+    body.filter = settings.filter;
+    body.user_data = settings.user_data;
+    state.note_change(index);
+    return state.all.id(index);
+  });
 }
 
 BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& settings) {
@@ -209,51 +210,53 @@ void World::remove(BodyId id) {
 }
 
 void World::move(BodyId id, const Pose& pose) {
-  const bvh::StandardArithmetic arithmetic;
-  state_->begin_move();
-  state_->prepare_move(id, pose, "move");
-  state_->move_prepared({&id, 1}, {&pose, 1});
+  bvh::in_standard_arithmetic([&] {
+    state_->begin_move();
+    state_->prepare_move(id, pose, "move");
+    state_->move_prepared({&id, 1}, {&pose, 1});
+  });
 }
 
 void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  if (ids.size() != poses.size()) {
-    throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
-                     std::to_string(poses.size()) + " poses");
-  }
-  state.begin_move();
-  std::size_t i = 0;
-  try {
-    for (; i < ids.size(); ++i)
-      state.prepare_move(ids[i], poses[i], "move");
-  } catch (const std::exception&) {
-    const std::string what = "move, element " + std::to_string(i);
-    state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
-    throw;
-  }
-  state.move_prepared(ids, poses);
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    if (ids.size() != poses.size()) {
+      throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
+                       std::to_string(poses.size()) + " poses");
+    }
+    state.begin_move();
+    std::size_t i = 0;
+    try {
+      for (; i < ids.size(); ++i)
+        state.prepare_move(ids[i], poses[i], "move");
+    } catch (const std::exception&) {
+      const std::string what = "move, element " + std::to_string(i);
+      state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+      throw;
+    }
+    state.move_prepared(ids, poses);
+  });
 }
 
 void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  Bodies::Body& body = state.body(id, "set_shape");
-  if (shape == nullptr) throw InputError("set_shape: no shape");
-  const bool is_users = is_users_shape(*shape);
-  const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
-  const Mesh* mesh = state.prepared_mesh(*shape, is_users);
-  state.make_room_for_changes(1);
-  state.take_shape(id.index, std::move(shape), mesh);
-  state.broad.move(state.broad.id(body.box), box);
-  body.is_awake = true;
-  state.all.ways[id.index].has_other_shape = true;
-  state.note_change(id.index);
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    Bodies::Body& body = state.body(id, "set_shape");
+    if (shape == nullptr) throw InputError("set_shape: no shape");
+    const bool is_users = is_users_shape(*shape);
+    const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
+    const Mesh* mesh = state.prepared_mesh(*shape, is_users);
+    state.make_room_for_changes(1);
+    state.take_shape(id.index, std::move(shape), mesh);
+    state.broad.move(state.broad.id(body.box), box);
+    body.is_awake = true;
+    state.all.ways[id.index].has_other_shape = true;
+    state.note_change(id.index);
+  });
 }
 
 void World::set_shape(BodyId id, const Shape& shape) {
-  const bvh::StandardArithmetic arithmetic;
-  set_shape(id, share(shape));
+  bvh::in_standard_arithmetic([&] { set_shape(id, share(shape)); });
 }
 
 void World::set_filter(BodyId id, const Filter& filter) {

@@ -51,14 +51,15 @@ void World::State::sort_contacts() {
 }
 
 std::vector<BodyContact> World::contacts() const {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check_is_settled("contacts");
-  std::vector<BodyContact> contacts;
-  for (const BodyPair& pair : pairs()) {
-    if (state_->all.are_solid(pair.a.index, pair.b.index))
-      contacts.push_back(state_->contact_of(pair));
-  }
-  return contacts;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyContact> {
+    state_->check_is_settled("contacts");
+    std::vector<BodyContact> contacts;
+    for (const BodyPair& pair : pairs()) {
+      if (state_->all.are_solid(pair.a.index, pair.b.index))
+        contacts.push_back(state_->contact_of(pair));
+    }
+    return contacts;
+  });
 }
 
 }  // namespace graze

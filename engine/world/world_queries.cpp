@@ -82,67 +82,71 @@ bool World::State::asks_for_any(const BodyQuerySettings& query) const {
 }
 
 std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings& settings) const {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "find_in_box");
-  std::vector<BodyId> bodies;
-  for (const std::uint32_t index : state_->find_bodies(box, settings))
-    bodies.push_back(state_->all.id(index));
-  return bodies;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
+    bvh::check_box(box, "find_in_box");
+    std::vector<BodyId> bodies;
+    for (const std::uint32_t index : state_->find_bodies(box, settings))
+      bodies.push_back(state_->all.id(index));
+    return bodies;
+  });
 }
 
 std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
                                          const BodyQuerySettings& settings) const {
-  const bvh::StandardArithmetic arithmetic;
-  const State& state = *state_;
-  const std::shared_ptr<const BodyShape> asked = share(shape);
-  std::vector<BodyId> touching;
-  for (const std::uint32_t index : state.find_bodies(bounds_of(shape, pose), settings)) {
-    const Bodies::Body& body = state.all.bodies[index];
-    if (asked->touches(pose, *body.shape, body.pose)) touching.push_back(state.all.id(index));
-  }
-  return touching;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
+    const State& state = *state_;
+    const std::shared_ptr<const BodyShape> asked = share(shape);
+    std::vector<BodyId> touching;
+    for (const std::uint32_t index : state.find_bodies(bounds_of(shape, pose), settings)) {
+      const Bodies::Body& body = state.all.bodies[index];
+      if (asked->touches(pose, *body.shape, body.pose)) touching.push_back(state.all.id(index));
+    }
+    return touching;
+  });
 }
 
 std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pose, double clearance,
                                              const BodyQuerySettings& settings) const {
-  const bvh::StandardArithmetic arithmetic;
-  if (!(clearance >= 0 && clearance <= kLargest))
-    throw InputError("find_within: the clearance is not finite or negative");
-  const State& state = *state_;
-  std::vector<BodyDistance> near;
-  const Aabb box = grown(bounds_of(shape, pose), clearance);
-  for (const std::uint32_t index : state.find_bodies(box, settings)) {
-    const BodyDistance found = state.distance_to(index, shape, pose);
-    if (found.distance.distance <= clearance) near.push_back(found);
-  }
-  return near;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
+    if (!(clearance >= 0 && clearance <= kLargest))
+      throw InputError("find_within: the clearance is not finite or negative");
+    const State& state = *state_;
+    std::vector<BodyDistance> near;
+    const Aabb box = grown(bounds_of(shape, pose), clearance);
+    for (const std::uint32_t index : state.find_bodies(box, settings)) {
+      const BodyDistance found = state.distance_to(index, shape, pose);
+      if (found.distance.distance <= clearance) near.push_back(found);
+    }
+    return near;
+  });
 }
 
 // Looks in boxes that grow until the nearest body found is nearer than all outside can be; which it
 // is in a box that is grown by its distance.
 std::optional<BodyDistance> World::find_closest(const Shape& shape, const Pose& pose,
                                                 const BodyQuerySettings& settings) const {
-  const bvh::StandardArithmetic arithmetic;
-  const State& state = *state_;
-  const Aabb own = bounds_of(shape, pose);
-  std::optional<BodyDistance> best;
-  std::vector<std::uint32_t> seen;  // ascending
-  if (!state.asks_for_any(settings)) return best;
-  for (double width = width_of(own);; width *= 4) {
-    const bool is_all = !(width < kLargest);
-    const Aabb box = grown(own, std::min(width, kLargest));
-    std::vector<std::uint32_t> found = state.find_bodies(box, settings);
-    for (const std::uint32_t index : found) {
-      if (std::binary_search(seen.begin(), seen.end(), index)) continue;
-      const BodyDistance next = state.distance_to(index, shape, pose);
-      if (!best || is_nearer(next, *best)) best = next;
+  return bvh::in_standard_arithmetic([&]() -> std::optional<BodyDistance> {
+    const State& state = *state_;
+    const Aabb own = bounds_of(shape, pose);
+    std::optional<BodyDistance> best;
+    std::vector<std::uint32_t> seen;  // ascending
+    if (!state.asks_for_any(settings)) return best;
+    for (double width = width_of(own);; width *= 4) {
+      const bool is_all = !(width < kLargest);
+      const Aabb box = grown(own, std::min(width, kLargest));
+      std::vector<std::uint32_t> found = state.find_bodies(box, settings);
+      for (const std::uint32_t index : found) {
+        if (std::binary_search(seen.begin(), seen.end(), index)) continue;
+        const BodyDistance next = state.distance_to(index, shape, pose);
+        if (!best || is_nearer(next, *best)) best = next;
+      }
+      seen = std::move(found);
+      if (is_all || seen.size() == state.all.ids.live_count()) return best;
+      if (!best) continue;
+      if (best->distance.distance <= width) return best;
+      width = best->distance.distance / 4;
     }
-    seen = std::move(found);
-    if (is_all || seen.size() == state.all.ids.live_count()) return best;
-    if (!best) continue;
-    if (best->distance.distance <= width) return best;
-    width = best->distance.distance / 4;
-  }
+  });
 }
 
 }  // namespace graze

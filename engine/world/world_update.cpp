@@ -80,15 +80,14 @@ GapCost cost_of_gap(const BodyShape& a, const BodyShape& b) {
 bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
   const Body& s = bodies[a];
   const Body& t = bodies[b];
-  if (!can_meet(s, t)) return false;
-  if (!lets_pass(s.filter, t.filter)) return false;
+  if (!can_meet(s, t) || !lets_pass(s.filter, t.filter)) return false;
   if (s.exclusions != 0 && t.exclusions != 0 &&
       excluded.contains(static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b))) {
     return false;
   }
   if (!pair_filter) return true;
-  const bvh::UserArithmetic users;
-  return pair_filter(id(std::min(a, b)), id(std::max(a, b)));
+  const BodyId first = id(std::min(a, b)), second = id(std::max(a, b));
+  return bvh::in_users_arithmetic([&] { return pair_filter(first, second); });
 }
 
 void World::State::end(std::uint32_t at) {
@@ -349,25 +348,26 @@ void World::State::list_changes() {
 // Filters and shapes of a user's own may throw, and memory may be short. What had begun and ended
 // until then is told by the next update, which looks at everything anew.
 WorldUpdate World::update() {
-  const bvh::StandardArithmetic arithmetic;
-  State& state = *state_;
-  state.check_is_free("update");
-  if (state.is_cut_short) {
-    state.note_everything();
-  } else {
-    state.begun.clear(), state.ended.clear();
-  }
-  state.moved.clear(), state.found.clear();
-  state.work = {};
-  {
-    const ShapeWorkScope counting(state.work.shapes);
-    const UpdatingScope updating(state.is_updating, state.is_cut_short);
-    state.find_changes();
-    state.list_changes();
-    state.all.ids.next_round();
-  }
-  state.is_cut_short = false;
-  return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
+  return bvh::in_standard_arithmetic([&]() -> WorldUpdate {
+    State& state = *state_;
+    state.check_is_free("update");
+    if (state.is_cut_short) {
+      state.note_everything();
+    } else {
+      state.begun.clear(), state.ended.clear();
+    }
+    state.moved.clear(), state.found.clear();
+    state.work = {};
+    {
+      const ShapeWorkScope counting(state.work.shapes);
+      const UpdatingScope updating(state.is_updating, state.is_cut_short);
+      state.find_changes();
+      state.list_changes();
+      state.all.ids.next_round();
+    }
+    state.is_cut_short = false;
+    return {state.begun, state.ended, state.moved, state.contacts.all(), state.work};
+  });
 }
 
 WorldSnapshot World::snapshot() const {
@@ -380,20 +380,21 @@ WorldSnapshot World::snapshot() const {
 }
 
 void World::restore(const WorldSnapshot& snapshot) {
-  const bvh::StandardArithmetic arithmetic;
-  state_->check_is_free("restore");
-  auto fresh = std::make_unique<State>(state_->settings);
-  fresh->all = snapshot.state_->all;
-  for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
-    if (!fresh->all.ids.is_live(index)) continue;
-    const Bodies::Body& body = fresh->all.bodies[index];
-    fresh->insert_box(index,
-                      body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
-    fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
-  }
-  fresh->broad.update();
-  fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);
-  state_ = std::move(fresh);
+  bvh::in_standard_arithmetic([&] {
+    state_->check_is_free("restore");
+    auto fresh = std::make_unique<State>(state_->settings);
+    fresh->all = snapshot.state_->all;
+    for (std::uint32_t index = 0; index < fresh->all.bodies.size(); ++index) {
+      if (!fresh->all.ids.is_live(index)) continue;
+      const Bodies::Body& body = fresh->all.bodies[index];
+      fresh->insert_box(index,
+                        body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
+      fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
+    }
+    fresh->broad.update();
+    fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);
+    state_ = std::move(fresh);
+  });
 }
 
 }  // namespace graze

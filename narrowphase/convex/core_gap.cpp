@@ -79,8 +79,10 @@ class Search {
     const DifferenceSimplex before = simplex_;
     add_candidate();
     NearestPoint next;
-    if (reduce_to_nearest(simplex_, next) == OriginSide::Inside) return Step::Inside;
-    if (dot(next.point, next.point) < upper_ * upper_) {
+    const bool is_inside = reduce_to_nearest(simplex_, next) == OriginSide::Inside;
+    // Planes that part the two are a proof; a tetrahedron as flat as rounding is none against it.
+    if (is_inside && !(lower_ > slack_units_)) return Step::Inside;
+    if (!is_inside && dot(next.point, next.point) < upper_ * upper_) {
       nearest_ = next;
       return Step::Nearer;
     }

@@ -31,8 +31,15 @@ constexpr double kFacing = 0.99;
 // than what jitters in a stack, less than anyone sees of a contact that is moved by so much.
 constexpr double kCoinciding = 0x1p-8;
 
-// Depths and distances are the same to this share of the contacts' spread.
+// Squares of distances are the same to this share of them.
 constexpr double kSame = 1e-4;
+
+// Depths are the same to this share of the contacts' spread. It is given away twice: where corners
+// of a face stand for the deepest point, and where one corner stands for the deepest. That spread s
+// is of all that is offered, from the first of them. The first that is kept has one s / 2 from it,
+// which is kept, too; and the deepest, where it takes the place of its nearest, is s / 4 from one
+// of these two. So it is 8e-5 of the spread of those that are left: find_contacts() promises 1e-4.
+constexpr double kSameDepths = 1e-5;
 
 // Contacts are level where their depths are within this share of their spread.
 constexpr double kLevel = 0.01;
@@ -266,7 +273,7 @@ void add_touches(const Core& a, const Core& b, const Parting& parting,
   const Extent extent = extent_of(std::span(touches).subspan(before));
   const double missed = parting.way.depth - extent.deepest;
   if (extent.deepest < 0 ||
-      missed > std::max(kSameDepth * smaller_size(a, b), kSame * extent.spread))
+      missed > std::max(kSameDepth * smaller_size(a, b), kSameDepths * extent.spread))
     add_single(a, b, parting, touches);
 }
 
@@ -341,7 +348,7 @@ void reduce(Points& touches, std::size_t most) {
   std::sort(touches.begin(), touches.end(), comes_before);
   if (touches.size() > most) {
     const Extent extent = extent_of(touches);
-    const double deep_enough = extent.deepest - kSame * extent.spread;
+    const double deep_enough = extent.deepest - kSameDepths * extent.spread;
     const bool is_level = extent.deepest - extent.shallowest < kLevel * extent.spread;
     keep(touches, 0, is_level ? outermost(touches) : first_so_deep(touches, deep_enough));
     keep_farthest(touches, most);

@@ -50,8 +50,9 @@ void add_touches(const Core& a, const Core& b, const Parting& parting,
 void add_face_touches(const Core& a, const Core& b, const Penetration& way,
                       std::vector<ContactPoint>& touches);
 
-/// Leaves at most `most` of the touches, the deepest first: the deepest, to 1e-4 of their spread,
-/// and those that are far from all that are left. Ties, to 1e-4, go to the lower features.
+/// Leaves at most `most` of the touches, the deepest first: the deepest, to 1e-5 of their spread,
+/// and those that are far from all that are left. Ties, of depths to that and of distances to 1e-4,
+/// go to the lower features.
 void reduce(std::vector<ContactPoint>& touches, std::size_t most);
 
 }  // namespace graze::narrowphase

@@ -70,8 +70,9 @@ TriangleDistance distance_exactly(const Triangle& triangle_a, const Triangle& tr
 }  // namespace narrowphase
 
 TriangleDistance distance(const Triangle& triangle_a, const Triangle& triangle_b) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::decide_distance(triangle_a, triangle_b).result;
+  return bvh::in_standard_arithmetic([&]() -> TriangleDistance {
+    return narrowphase::decide_distance(triangle_a, triangle_b).result;
+  });
 }
 
 }  // namespace graze

@@ -16,19 +16,20 @@ IntersectionKind kind_of(int count) {
 }  // namespace
 
 TriangleIntersection intersection(const Triangle& triangle_a, const Triangle& triangle_b) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_finite(triangle_a, "triangle A");
-  narrowphase::check_finite(triangle_b, "triangle B");
-  const narrowphase::OrderedTriangles triangles = narrowphase::ordered(triangle_a, triangle_b);
-  const narrowphase::CommonPoints common = narrowphase::find_common_points(triangles);
-  TriangleIntersection result;
-  result.kind = kind_of(common.count);
-  result.count = common.count;
-  for (int i = 0; i < common.count; ++i) {
-    const std::array<double, 3> value = narrowphase::value_of(common.point[i], triangles);
-    std::copy(value.begin(), value.end(), result.corner[i].data());
-  }
-  return result;
+  return bvh::in_standard_arithmetic([&]() -> TriangleIntersection {
+    narrowphase::check_finite(triangle_a, "triangle A");
+    narrowphase::check_finite(triangle_b, "triangle B");
+    const narrowphase::OrderedTriangles triangles = narrowphase::ordered(triangle_a, triangle_b);
+    const narrowphase::CommonPoints common = narrowphase::find_common_points(triangles);
+    TriangleIntersection result;
+    result.kind = kind_of(common.count);
+    result.count = common.count;
+    for (int i = 0; i < common.count; ++i) {
+      const std::array<double, 3> value = narrowphase::value_of(common.point[i], triangles);
+      std::copy(value.begin(), value.end(), result.corner[i].data());
+    }
+    return result;
+  });
 }
 
 }  // namespace graze

@@ -77,11 +77,12 @@ std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedR
 }  // namespace narrowphase
 
 std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const Ray& ray) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_finite(triangle, "triangle");
-  check_ray(ray, "ray");
-  narrowphase::Stage stage;
-  return narrowphase::cast_ray(triangle, narrowphase::PreparedRay(ray), stage);
+  return bvh::in_standard_arithmetic([&]() -> std::optional<TriangleRayHit> {
+    narrowphase::check_finite(triangle, "triangle");
+    check_ray(ray, "ray");
+    narrowphase::Stage stage;
+    return narrowphase::cast_ray(triangle, narrowphase::PreparedRay(ray), stage);
+  });
 }
 
 }  // namespace graze

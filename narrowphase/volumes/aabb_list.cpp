@@ -23,9 +23,10 @@ Aabb AabbList::operator[](std::size_t index) const {
 }
 
 void AabbList::add(const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
-  rows_.add(row_of(box));
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    rows_.add(row_of(box));
+  });
 }
 
 AabbArray AabbList::view() const {
@@ -34,18 +35,20 @@ AabbArray AabbList::view() const {
 }
 
 void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  narrowphase::check_hits(hits, boxes.size());
-  narrowphase::find_overlaps(row_of(box), boxes.rows().rows(), hits.size(), hits.data());
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, "box");
+    narrowphase::check_hits(hits, boxes.size());
+    narrowphase::find_overlaps(row_of(box), boxes.rows().rows(), hits.size(), hits.data());
+  });
 }
 
 void overlaps(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
-  narrowphase::check_hits(hits, boxes_a.size());
-  narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
-                             hits.data());
+  bvh::in_standard_arithmetic([&] {
+    narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
+    narrowphase::check_hits(hits, boxes_a.size());
+    narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
+                               hits.data());
+  });
 }
 
 }  // namespace graze

@@ -45,48 +45,52 @@ bool is_in_slab(const KDop<18>& kdop, int slab, const double* point) {
 }  // namespace
 
 bool contains(const Aabb& box, const Eigen::Vector3d& point) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  check_point(point, "point");
-  bool is_inside = true;
-  for (int i = 0; i < 3; ++i) {
-    is_inside &= box.min.data()[i] <= point.data()[i] && point.data()[i] <= box.max.data()[i];
-  }
-  return is_inside;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(box, "box");
+    check_point(point, "point");
+    bool is_inside = true;
+    for (int i = 0; i < 3; ++i) {
+      is_inside &= box.min.data()[i] <= point.data()[i] && point.data()[i] <= box.max.data()[i];
+    }
+    return is_inside;
+  });
 }
 
 bool contains(const Aabb& outer, const Aabb& inner) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(outer, "outer box");
-  bvh::check_box(inner, "inner box");
-  bool is_inside = true;
-  for (int i = 0; i < 3; ++i) {
-    is_inside &= outer.min.data()[i] <= inner.min.data()[i];
-    is_inside &= inner.max.data()[i] <= outer.max.data()[i];
-  }
-  return is_inside;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(outer, "outer box");
+    bvh::check_box(inner, "inner box");
+    bool is_inside = true;
+    for (int i = 0; i < 3; ++i) {
+      is_inside &= outer.min.data()[i] <= inner.min.data()[i];
+      is_inside &= inner.max.data()[i] <= outer.max.data()[i];
+    }
+    return is_inside;
+  });
 }
 
 bool contains(const Obb& box, const Eigen::Vector3d& point) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  check_point(point, "point");
-  const Eigen::Vector3d local = narrowphase::point_into_frame(point, box.pose);
-  check_point(local, "point in the frame of the box");
-  bool is_inside = true;
-  for (int i = 0; i < 3; ++i)
-    is_inside &= std::abs(local.data()[i]) <= box.half_extents.data()[i];
-  return is_inside;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(box, "box");
+    check_point(point, "point");
+    const Eigen::Vector3d local = narrowphase::point_into_frame(point, box.pose);
+    check_point(local, "point in the frame of the box");
+    bool is_inside = true;
+    for (int i = 0; i < 3; ++i)
+      is_inside &= std::abs(local.data()[i]) <= box.half_extents.data()[i];
+    return is_inside;
+  });
 }
 
 bool contains(const KDop<18>& kdop, const Eigen::Vector3d& point) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_kdop(kdop, "k-DOP");
-  check_point(point, "point");
-  bool is_inside = true;
-  for (int slab = 0; slab < KDop<18>::kSlabs; ++slab)
-    is_inside &= is_in_slab(kdop, slab, point.data());
-  return is_inside;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_kdop(kdop, "k-DOP");
+    check_point(point, "point");
+    bool is_inside = true;
+    for (int slab = 0; slab < KDop<18>::kSlabs; ++slab)
+      is_inside &= is_in_slab(kdop, slab, point.data());
+    return is_inside;
+  });
 }
 
 }  // namespace graze

@@ -68,25 +68,27 @@ Decision decide(const Ellipsoid& ellipsoid, const Aabb& box) {
 }  // namespace narrowphase
 
 void check_ellipsoid(const Ellipsoid& ellipsoid, const char* what) {
-  const bvh::StandardArithmetic arithmetic;
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(ellipsoid.centre.data()[i])) {
-      throw InputError(std::string(what) + ": coordinate " + "xyz"[i] +
-                       " of the centre is not finite");
+  bvh::in_standard_arithmetic([&] {
+    for (int i = 0; i < 3; ++i) {
+      if (!std::isfinite(ellipsoid.centre.data()[i])) {
+        throw InputError(std::string(what) + ": coordinate " + "xyz"[i] +
+                         " of the centre is not finite");
+      }
+      const double semi_axis = ellipsoid.semi_axes.data()[i];
+      if (!(semi_axis >= 0) || !std::isfinite(semi_axis)) {
+        throw InputError(std::string(what) + ": semi-axis " + "xyz"[i] +
+                         " is negative or not finite");
+      }
     }
-    const double semi_axis = ellipsoid.semi_axes.data()[i];
-    if (!(semi_axis >= 0) || !std::isfinite(semi_axis)) {
-      throw InputError(std::string(what) + ": semi-axis " + "xyz"[i] +
-                       " is negative or not finite");
-    }
-  }
+  });
 }
 
 bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  check_ellipsoid(ellipsoid, "ellipsoid");
-  bvh::check_box(box, "box");
-  return narrowphase::decide(ellipsoid, box).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_ellipsoid(ellipsoid, "ellipsoid");
+    bvh::check_box(box, "box");
+    return narrowphase::decide(ellipsoid, box).is_hit;
+  });
 }
 
 bool overlaps(const Aabb& box, const Ellipsoid& ellipsoid) {

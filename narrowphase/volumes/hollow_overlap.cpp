@@ -132,10 +132,11 @@ Decision decide(const HollowSphere& hollow, const HollowAabb& hollow_box) {
 }  // namespace narrowphase
 
 bool overlaps(const Sphere& sphere, const HollowAabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  bvh::check_box(box.box, "box");
-  return narrowphase::decide(sphere, box).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere, "sphere");
+    bvh::check_box(box.box, "box");
+    return narrowphase::decide(sphere, box).is_hit;
+  });
 }
 
 bool overlaps(const HollowAabb& box, const Sphere& sphere) {
@@ -143,10 +144,11 @@ bool overlaps(const HollowAabb& box, const Sphere& sphere) {
 }
 
 bool overlaps(const HollowSphere& sphere, const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere.sphere, "sphere");
-  bvh::check_box(box, "box");
-  return narrowphase::decide(sphere, box).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere.sphere, "sphere");
+    bvh::check_box(box, "box");
+    return narrowphase::decide(sphere, box).is_hit;
+  });
 }
 
 bool overlaps(const Aabb& box, const HollowSphere& sphere) {
@@ -154,10 +156,11 @@ bool overlaps(const Aabb& box, const HollowSphere& sphere) {
 }
 
 bool overlaps(const HollowSphere& sphere, const HollowAabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere.sphere, "sphere");
-  bvh::check_box(box.box, "box");
-  return narrowphase::decide(sphere, box).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere.sphere, "sphere");
+    bvh::check_box(box.box, "box");
+    return narrowphase::decide(sphere, box).is_hit;
+  });
 }
 
 bool overlaps(const HollowAabb& box, const HollowSphere& sphere) {

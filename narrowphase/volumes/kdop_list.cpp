@@ -28,24 +28,27 @@ KDop<18> KDopList::operator[](std::size_t index) const {
 }
 
 void KDopList::add(const KDop<18>& kdop) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
-  rows_.add(row_of(kdop));
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
+    rows_.add(row_of(kdop));
+  });
 }
 
 void overlaps(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_kdop(kdop, "k-DOP");
-  narrowphase::check_hits(hits, kdops.size());
-  narrowphase::find_overlaps(row_of(kdop), kdops.rows().rows(), hits.size(), hits.data());
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_kdop(kdop, "k-DOP");
+    narrowphase::check_hits(hits, kdops.size());
+    narrowphase::find_overlaps(row_of(kdop), kdops.rows().rows(), hits.size(), hits.data());
+  });
 }
 
 void overlaps(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_pairs(kdops_a.size(), kdops_b.size(), "k-DOPs");
-  narrowphase::check_hits(hits, kdops_a.size());
-  narrowphase::find_overlaps(kdops_a.rows().rows(), kdops_b.rows().rows(), hits.size(),
-                             hits.data());
+  bvh::in_standard_arithmetic([&] {
+    narrowphase::check_pairs(kdops_a.size(), kdops_b.size(), "k-DOPs");
+    narrowphase::check_hits(hits, kdops_a.size());
+    narrowphase::find_overlaps(kdops_a.rows().rows(), kdops_b.rows().rows(), hits.size(),
+                               hits.data());
+  });
 }
 
 }  // namespace graze

@@ -5,15 +5,16 @@
 namespace graze {
 
 bool overlaps(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_kdop(kdop_a, "k-DOP a");
-  bvh::check_kdop(kdop_b, "k-DOP b");
-  bool is_hit = true;
-  for (int i = 0; i < KDop<18>::kSlabs; ++i) {
-    is_hit &= kdop_a.min[i] <= kdop_b.max[i];
-    is_hit &= kdop_b.min[i] <= kdop_a.max[i];
-  }
-  return is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_kdop(kdop_a, "k-DOP a");
+    bvh::check_kdop(kdop_b, "k-DOP b");
+    bool is_hit = true;
+    for (int i = 0; i < KDop<18>::kSlabs; ++i) {
+      is_hit &= kdop_a.min[i] <= kdop_b.max[i];
+      is_hit &= kdop_b.min[i] <= kdop_a.max[i];
+    }
+    return is_hit;
+  });
 }
 
 }  // namespace graze

@@ -12,25 +12,28 @@ Obb ObbList::operator[](std::size_t index) const {
 }
 
 void ObbList::add(const Obb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
-  rows_.add(narrowphase::row_of(box));
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    rows_.add(narrowphase::row_of(box));
+  });
 }
 
 void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  narrowphase::check_hits(hits, boxes.size());
-  narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows().rows(), hits.size(),
-                             hits.data());
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, "box");
+    narrowphase::check_hits(hits, boxes.size());
+    narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows().rows(), hits.size(),
+                               hits.data());
+  });
 }
 
 void overlaps(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
-  narrowphase::check_hits(hits, boxes_a.size());
-  narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
-                             hits.data());
+  bvh::in_standard_arithmetic([&] {
+    narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
+    narrowphase::check_hits(hits, boxes_a.size());
+    narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
+                               hits.data());
+  });
 }
 
 }  // namespace graze

@@ -102,17 +102,19 @@ bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
 }  // namespace narrowphase
 
 bool overlaps(const Obb& box_a, const Obb& box_b) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box_a, "box a");
-  bvh::check_box(box_b, "box b");
-  return narrowphase::may_overlap(narrowphase::row_of(box_a), narrowphase::row_of(box_b));
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(box_a, "box a");
+    bvh::check_box(box_b, "box b");
+    return narrowphase::may_overlap(narrowphase::row_of(box_a), narrowphase::row_of(box_b));
+  });
 }
 
 bool overlaps(const Aabb& aligned, const Obb& oriented) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(aligned, "aligned box");
-  bvh::check_box(oriented, "oriented box");
-  return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented));
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_box(aligned, "aligned box");
+    bvh::check_box(oriented, "oriented box");
+    return narrowphase::may_overlap(aligned, narrowphase::row_of(oriented));
+  });
 }
 
 bool overlaps(const Obb& oriented, const Aabb& aligned) {

@@ -70,66 +70,71 @@ void settle(std::span<std::uint8_t> hits, const DecideOne& decide_one) {
 }  // namespace
 
 void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  narrowphase::check_lengths(spheres, "spheres");
-  check_hits(hits, spheres.size());
-  narrowphase::judge_one_sphere(rows(sphere), rows(spheres), hits.size(), hits.data());
-  settle(hits, [&](std::size_t i) {
-    return narrowphase::decide(sphere, checked(spheres, i, "spheres"));
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_sphere(sphere, "sphere");
+    narrowphase::check_lengths(spheres, "spheres");
+    check_hits(hits, spheres.size());
+    narrowphase::judge_one_sphere(rows(sphere), rows(spheres), hits.size(), hits.data());
+    settle(hits, [&](std::size_t i) {
+      return narrowphase::decide(sphere, checked(spheres, i, "spheres"));
+    });
   });
 }
 
 void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
               std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_lengths(spheres_a, "spheres a");
-  narrowphase::check_lengths(spheres_b, "spheres b");
-  if (spheres_a.size() != spheres_b.size()) {
-    throw InputError("spheres b: " + std::to_string(spheres_b.size()) + " elements for " +
-                     std::to_string(spheres_a.size()) + " spheres a");
-  }
-  check_hits(hits, spheres_a.size());
-  narrowphase::judge_sphere_pairs(rows(spheres_a), rows(spheres_b), hits.size(), hits.data());
-  settle(hits, [&](std::size_t i) {
-    const Sphere a = checked(spheres_a, i, "spheres a");
-    return narrowphase::decide(a, checked(spheres_b, i, "spheres b"));
+  bvh::in_standard_arithmetic([&] {
+    narrowphase::check_lengths(spheres_a, "spheres a");
+    narrowphase::check_lengths(spheres_b, "spheres b");
+    if (spheres_a.size() != spheres_b.size()) {
+      throw InputError("spheres b: " + std::to_string(spheres_b.size()) + " elements for " +
+                       std::to_string(spheres_a.size()) + " spheres a");
+    }
+    check_hits(hits, spheres_a.size());
+    narrowphase::judge_sphere_pairs(rows(spheres_a), rows(spheres_b), hits.size(), hits.data());
+    settle(hits, [&](std::size_t i) {
+      const Sphere a = checked(spheres_a, i, "spheres a");
+      return narrowphase::decide(a, checked(spheres_b, i, "spheres b"));
+    });
   });
 }
 
 void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  narrowphase::check_lengths(boxes, "boxes");
-  check_hits(hits, boxes.size());
-  narrowphase::judge_sphere_and_boxes(rows(sphere), rows(boxes), hits.size(), hits.data());
-  settle(hits,
-         [&](std::size_t i) { return narrowphase::decide(sphere, checked(boxes, i, "boxes")); });
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_sphere(sphere, "sphere");
+    narrowphase::check_lengths(boxes, "boxes");
+    check_hits(hits, boxes.size());
+    narrowphase::judge_sphere_and_boxes(rows(sphere), rows(boxes), hits.size(), hits.data());
+    settle(hits,
+           [&](std::size_t i) { return narrowphase::decide(sphere, checked(boxes, i, "boxes")); });
+  });
 }
 
 void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_box(box, "box");
-  narrowphase::check_lengths(spheres, "spheres");
-  check_hits(hits, spheres.size());
-  narrowphase::judge_box_and_spheres(rows(box), rows(spheres), hits.size(), hits.data());
-  settle(hits,
-         [&](std::size_t i) { return narrowphase::decide(checked(spheres, i, "spheres"), box); });
+  bvh::in_standard_arithmetic([&] {
+    bvh::check_box(box, "box");
+    narrowphase::check_lengths(spheres, "spheres");
+    check_hits(hits, spheres.size());
+    narrowphase::judge_box_and_spheres(rows(box), rows(spheres), hits.size(), hits.data());
+    settle(hits,
+           [&](std::size_t i) { return narrowphase::decide(checked(spheres, i, "spheres"), box); });
+  });
 }
 
 void overlaps(const SphereArray& spheres, const AabbArray& boxes, std::span<std::uint8_t> hits) {
-  const bvh::StandardArithmetic arithmetic;
-  narrowphase::check_lengths(spheres, "spheres");
-  narrowphase::check_lengths(boxes, "boxes");
-  if (spheres.size() != boxes.size()) {
-    throw InputError("boxes: " + std::to_string(boxes.size()) + " elements for " +
-                     std::to_string(spheres.size()) + " spheres");
-  }
-  check_hits(hits, spheres.size());
-  narrowphase::judge_sphere_box_pairs(rows(spheres), rows(boxes), hits.size(), hits.data());
-  settle(hits, [&](std::size_t i) {
-    const Sphere sphere = checked(spheres, i, "spheres");
-    return narrowphase::decide(sphere, checked(boxes, i, "boxes"));
+  bvh::in_standard_arithmetic([&] {
+    narrowphase::check_lengths(spheres, "spheres");
+    narrowphase::check_lengths(boxes, "boxes");
+    if (spheres.size() != boxes.size()) {
+      throw InputError("boxes: " + std::to_string(boxes.size()) + " elements for " +
+                       std::to_string(spheres.size()) + " spheres");
+    }
+    check_hits(hits, spheres.size());
+    narrowphase::judge_sphere_box_pairs(rows(spheres), rows(boxes), hits.size(), hits.data());
+    settle(hits, [&](std::size_t i) {
+      const Sphere sphere = checked(spheres, i, "spheres");
+      return narrowphase::decide(sphere, checked(boxes, i, "boxes"));
+    });
   });
 }
 

@@ -14,10 +14,11 @@ Decision decide(const Sphere& sphere, const Aabb& box) {
 }  // namespace narrowphase
 
 bool overlaps(const Sphere& sphere, const Aabb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  bvh::check_box(box, "box");
-  return narrowphase::decide(sphere, box).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere, "sphere");
+    bvh::check_box(box, "box");
+    return narrowphase::decide(sphere, box).is_hit;
+  });
 }
 
 bool overlaps(const Aabb& box, const Sphere& sphere) {
@@ -25,17 +26,18 @@ bool overlaps(const Aabb& box, const Sphere& sphere) {
 }
 
 bool overlaps(const Sphere& sphere, const Obb& box) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  bvh::check_box(box, "box");
-  Aabb local;
-  for (int i = 0; i < 3; ++i) {
-    local.min.data()[i] = -box.half_extents.data()[i];
-    local.max.data()[i] = box.half_extents.data()[i];
-  }
-  const Sphere framed{narrowphase::point_into_frame(sphere.centre, box.pose), sphere.radius};
-  bvh::check_sphere(framed, "sphere in the frame of the box");
-  return narrowphase::decide(framed, local).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere, "sphere");
+    bvh::check_box(box, "box");
+    Aabb local;
+    for (int i = 0; i < 3; ++i) {
+      local.min.data()[i] = -box.half_extents.data()[i];
+      local.max.data()[i] = box.half_extents.data()[i];
+    }
+    const Sphere framed{narrowphase::point_into_frame(sphere.centre, box.pose), sphere.radius};
+    bvh::check_sphere(framed, "sphere in the frame of the box");
+    return narrowphase::decide(framed, local).is_hit;
+  });
 }
 
 bool overlaps(const Obb& box, const Sphere& sphere) {

@@ -29,21 +29,23 @@ Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point) {
 }  // namespace narrowphase
 
 bool overlaps(const Sphere& sphere_a, const Sphere& sphere_b) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere_a, "sphere a");
-  bvh::check_sphere(sphere_b, "sphere b");
-  return narrowphase::decide(sphere_a, sphere_b).is_hit;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere_a, "sphere a");
+    bvh::check_sphere(sphere_b, "sphere b");
+    return narrowphase::decide(sphere_a, sphere_b).is_hit;
+  });
 }
 
 bool contains(const Sphere& sphere, const Eigen::Vector3d& point) {
-  const bvh::StandardArithmetic arithmetic;
-  bvh::check_sphere(sphere, "sphere");
-  for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(point.data()[i])) {
-      throw InputError(std::string("point: coordinate ") + "xyz"[i] + " is not finite");
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    bvh::check_sphere(sphere, "sphere");
+    for (int i = 0; i < 3; ++i) {
+      if (!std::isfinite(point.data()[i])) {
+        throw InputError(std::string("point: coordinate ") + "xyz"[i] + " is not finite");
+      }
     }
-  }
-  return narrowphase::decide_contains(sphere, point).is_hit;
+    return narrowphase::decide_contains(sphere, point).is_hit;
+  });
 }
 
 }  // namespace graze

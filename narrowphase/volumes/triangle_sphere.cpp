@@ -13,8 +13,8 @@ Decision decide(const Triangle& triangle, const Sphere& sphere) {
 }  // namespace narrowphase
 
 bool intersects(const Triangle& triangle, const Sphere& sphere) {
-  const bvh::StandardArithmetic arithmetic;
-  return narrowphase::decide(triangle, sphere).is_hit;
+  return bvh::in_standard_arithmetic(
+      [&]() -> bool { return narrowphase::decide(triangle, sphere).is_hit; });
 }
 
 }  // namespace graze

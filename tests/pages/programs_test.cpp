@@ -36,7 +36,8 @@ TEST_F(ReadmePrograms, OfTwoMeshes) {
   const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(0.2, 0.2, -1), e(0.2, 0.2, 1),
       f(3, 3, 3), p(0, 0, 0.005);
   std::vector<Eigen::Vector3d> new_vertices;
-  for (const Eigen::Vector3d& v : graze::load_mesh("bolt.obj").vertices())
+  const graze::Mesh straight = graze::load_mesh("bolt.obj");
+  for (const Eigen::Vector3d& v : straight.vertices())
     new_vertices.push_back(v + Eigen::Vector3d(0.1 * v.z() * v.z(), 0, 0));
 
 #include "readme_1.inc"

@@ -131,18 +131,19 @@ class ContactQuery {
 
 MeshContacts find_contacts(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                            const ContactSettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  ContactQuery query(mesh_a, mesh_b, settings.volume, counted.work());
-  MeshContacts result;
-  result.contacts = query.contacts_by_depth();
-  if (result.contacts.size() > settings.limit) {
-    result.contacts.resize(settings.limit);
-    result.completeness = Completeness::LimitReached;
-  }
-  for (MeshContact& contact : result.contacts)
-    query.append_points(contact, result.points);
-  return result;
+  return bvh::in_standard_arithmetic([&]() -> MeshContacts {
+    CountedWork counted(work);
+    ContactQuery query(mesh_a, mesh_b, settings.volume, counted.work());
+    MeshContacts result;
+    result.contacts = query.contacts_by_depth();
+    if (result.contacts.size() > settings.limit) {
+      result.contacts.resize(settings.limit);
+      result.completeness = Completeness::LimitReached;
+    }
+    for (MeshContact& contact : result.contacts)
+      query.append_points(contact, result.points);
+    return result;
+  });
 }
 
 }  // namespace graze

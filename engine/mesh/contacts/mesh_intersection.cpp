@@ -84,17 +84,18 @@ void add_touching_points(const CellComplex& complex, MeshIntersection& result) {
 
 MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                    const QuerySettings& settings, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  require_touch_included(settings, "find_intersection");
-  require_surface(settings, "find_intersection");
-  CellComplex complex = contacts::intersect_cells(mesh_a, mesh_b, settings.volume, work);
-  MeshIntersection result;
-  add_points(complex, result);
-  add_curves(complex, result);
-  add_patches(complex, result);
-  add_touching_points(complex, result);
-  result.pairs = std::move(complex.pairs);
-  return result;
+  return bvh::in_standard_arithmetic([&]() -> MeshIntersection {
+    require_touch_included(settings, "find_intersection");
+    require_surface(settings, "find_intersection");
+    CellComplex complex = contacts::intersect_cells(mesh_a, mesh_b, settings.volume, work);
+    MeshIntersection result;
+    add_points(complex, result);
+    add_curves(complex, result);
+    add_patches(complex, result);
+    add_touching_points(complex, result);
+    result.pairs = std::move(complex.pairs);
+    return result;
+  });
 }
 
 }  // namespace graze

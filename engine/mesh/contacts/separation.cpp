@@ -60,31 +60,35 @@ std::vector<Eigen::Vector3d> candidates(const PlacedMesh& a, const PlacedMesh& b
 
 Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                   const Eigen::Vector3d& direction, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A");
-  check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B");
-  const Eigen::Vector3d unit = contacts::unit_direction(direction);
-  const double distance = contacts::last_contact(mesh_a, mesh_b, unit, kInfinity, counted.work());
-  return end_contact(mesh_a, mesh_b, unit, distance, counted.work());
+  return bvh::in_standard_arithmetic([&]() -> Separation {
+    CountedWork counted(work);
+    check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A");
+    check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B");
+    const Eigen::Vector3d unit = contacts::unit_direction(direction);
+    const double distance = contacts::last_contact(mesh_a, mesh_b, unit, kInfinity, counted.work());
+    return end_contact(mesh_a, mesh_b, unit, distance, counted.work());
+  });
 }
 
 Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
-  const bvh::StandardArithmetic arithmetic;
-  CountedWork counted(work);
-  if (!intersects(mesh_a, mesh_b, &counted.work())) return separation_of(0, {1, 0, 0}, mesh_b.pose);
-  double shortest = kInfinity;
-  Eigen::Vector3d best;
-  for (const Eigen::Vector3d& direction : candidates(mesh_a, mesh_b, counted.work())) {
-    const double* d = direction.data();
-    for (const Eigen::Vector3d& way : {direction, Eigen::Vector3d(-d[0], -d[1], -d[2])}) {
-      const double distance = contacts::last_contact(mesh_a, mesh_b, way, shortest, counted.work());
-      if (distance >= shortest) continue;
-      shortest = distance;
-      best = way;
+  return bvh::in_standard_arithmetic([&]() -> Separation {
+    CountedWork counted(work);
+    if (!intersects(mesh_a, mesh_b, &counted.work()))
+      return separation_of(0, {1, 0, 0}, mesh_b.pose);
+    double shortest = kInfinity;
+    Eigen::Vector3d best;
+    for (const Eigen::Vector3d& direction : candidates(mesh_a, mesh_b, counted.work())) {
+      const double* d = direction.data();
+      for (const Eigen::Vector3d& way : {direction, Eigen::Vector3d(-d[0], -d[1], -d[2])}) {
+        const double distance =
+            contacts::last_contact(mesh_a, mesh_b, way, shortest, counted.work());
+        if (distance >= shortest) continue;
+        shortest = distance;
+        best = way;
+      }
     }
-  }
-  return end_contact(mesh_a, mesh_b, best, shortest, counted.work());
+    return end_contact(mesh_a, mesh_b, best, shortest, counted.work());
+  });
 }
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <stdexcept>
 
 #include "tests/engine/floating_point/environments.h"
@@ -163,26 +164,39 @@ TEST(UsersArithmetic, IsNested) {
   const Environment& outer = all_environments()[1];
   const Environment& inner = all_environments().back();
   const InEnvironment in(outer);
-  {
-    const bvh::StandardArithmetic door;
-    EXPECT_EQ(current_control(), all_environments()[0].control);
-    {
-      const bvh::UserArithmetic callback;
+  const std::uint64_t standard = all_environments()[0].control;
+  bvh::in_standard_arithmetic([&] {
+    EXPECT_EQ(current_control(), standard);
+    bvh::in_users_arithmetic([&] {
       EXPECT_EQ(current_control(), outer.control);
-      const bvh::StandardArithmetic within;
-      EXPECT_EQ(current_control(), all_environments()[0].control);
-      const bvh::UserArithmetic deeper;
+      bvh::in_standard_arithmetic([&] {
+        EXPECT_EQ(current_control(), standard);
+        bvh::in_users_arithmetic([&] { EXPECT_EQ(current_control(), outer.control); });
+        EXPECT_EQ(current_control(), standard);
+      });
       EXPECT_EQ(current_control(), outer.control);
-    }
-    EXPECT_EQ(current_control(), all_environments()[0].control);
-    {
-      const bvh::UserArithmetic callback;
-      bvh::write_control_word(inner.control);
-    }
-    EXPECT_EQ(current_control(), all_environments()[0].control);
+    });
+    EXPECT_EQ(current_control(), standard);
+    bvh::in_users_arithmetic([&] { bvh::write_control_word(inner.control); });
+    EXPECT_EQ(current_control(), standard);
     EXPECT_EQ(bvh::users_control_word(), outer.control);
-  }
+  });
   EXPECT_EQ(current_control(), outer.control);
+}
+
+/// What is returned passes through the call by address as through any other: values that can only
+/// be moved, references, nothing.
+TEST(UsersArithmetic, ReturnsWhatIsReturned) {
+  for (const Environment& environment : all_environments()) {
+    const InEnvironment in(environment);
+    int one = 1;
+    int& itself = bvh::in_standard_arithmetic([&]() -> int& { return one; });
+    EXPECT_EQ(&itself, &one) << environment.name;
+    const auto moved = bvh::in_standard_arithmetic([&] { return std::make_unique<int>(one); });
+    EXPECT_EQ(*moved, 1) << environment.name;
+    EXPECT_THROW(bvh::in_standard_arithmetic([] { throw InputError("thrown"); }), InputError);
+    EXPECT_EQ(current_control(), environment.control);
+  }
 }
 
 }  // namespace

@@ -1,15 +1,19 @@
-// Hunts for wrong answers about two shapes in special position: COUNT pairs drawn from SEED, each
-// held against every promise. Prints the pairs that break one, then what was counted. The exit code
-// is 1 if any did, 2 for bad arguments.
+// Hunts for wrong answers about two shapes in special position: COUNT pairs drawn from SEED, or the
+// pairs of a file, each held against every promise. Prints the pairs that break one, as such files
+// have them, then what was counted. The exit code is 1 if any did, 2 for bad arguments.
 
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "tests/engine/special_poses/pair_laws.h"
+#include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
 
 namespace graze::tests {
@@ -24,21 +28,22 @@ std::string kinds_of(const PlacedPair& pair) {
   return std::string(name_of(pair.a.kind())) + "/" + name_of(pair.b.kind());
 }
 
-int hunt(std::uint64_t count, std::uint64_t seed) {
-  constexpr std::size_t kMostPrinted = 3;  // of each promise
+/// Draws the next pair, or says that there is none.
+using Draw = std::function<std::optional<PlacedPair>()>;
+
+int hunt(const Draw& draw) {
+  constexpr std::size_t kMostPrinted = 20;  // of each promise
   std::map<std::string, std::size_t> broken, open;
   PairLawCounts counts;
-  RandomSource source(seed);
-  for (std::uint64_t n = 0; n < count; ++n) {
-    const PlacedPair pair = drawn_pair(source);
+  while (const std::optional<PlacedPair> pair = draw()) {
     const PairLawCounts before = counts;
-    const std::string law = broken_law(pair, {}, counts);
-    if (counts.unproved > before.unproved) ++open[kinds_of(pair) + " unproved"];
-    if (counts.unconverged > before.unconverged) ++open[kinds_of(pair) + " open"];
+    const std::string law = broken_law(*pair, {}, counts);
+    if (counts.unproved > before.unproved) ++open[kinds_of(*pair) + " unproved"];
+    if (counts.unconverged > before.unconverged) ++open[kinds_of(*pair) + " open"];
     if (law.empty()) continue;
     if (++broken[law.substr(0, law.find(':'))] > kMostPrinted) continue;
-    std::printf("pair %llu: %s\n%s\n\n", static_cast<unsigned long long>(n), law.c_str(),
-                text_of(pair).c_str());
+    std::printf("# pair %zu: %s\n%s\n", before.pairs, law.c_str(), text_of(*pair).c_str());
+    std::fflush(stdout);
   }
   std::printf(
       "%zu pairs, %zu hits, %zu depths held against the least, %zu unproved, %zu distances "
@@ -57,10 +62,20 @@ int hunt(std::uint64_t count, std::uint64_t seed) {
 }  // namespace graze::tests
 
 int main(int argc, char** argv) {
+  using graze::tests::PlacedPair;
   std::uint64_t count = 0, seed = 0;
-  if (argc != 3 || !graze::tests::read(argv[1], count) || !graze::tests::read(argv[2], seed)) {
-    std::fputs("usage: graze_shape_hunt COUNT SEED\n", stderr);
+  if (argc == 3 && graze::tests::read(argv[1], count) && graze::tests::read(argv[2], seed)) {
+    graze::RandomSource source(seed);
+    return graze::tests::hunt([&]() -> std::optional<PlacedPair> {
+      if (count-- == 0) return std::nullopt;
+      return graze::tests::drawn_pair(source);
+    });
+  }
+  std::ifstream file;
+  if (argc == 2) file.open(argv[1]);
+  if (!file.is_open()) {
+    std::fputs("usage: graze_shape_hunt COUNT SEED\n       graze_shape_hunt FILE\n", stderr);
     return 2;
   }
-  return graze::tests::hunt(count, seed);
+  return graze::tests::hunt([&] { return graze::tests::read_pair(file); });
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/world/random_shapes.h"
 
 namespace graze::tests {
@@ -175,8 +176,9 @@ class Laws {
   // Rounding of the planes that a normal sets, as a share of the scale.
   static constexpr double kPlanes = 0x1p-46;
   static constexpr double kSpread = 1e-4;
-  // Of searches that end open, which are counted.
-  static constexpr double kOpen = 1e-6;
+  // Of searches that end open, which are counted. Their bounds hold, and nobody promises how near
+  // to each other they are.
+  static constexpr double kOpen = 4e-6;
 
   const PlacedPair& pair_;
   const PairLawSettings& settings_;
@@ -190,42 +192,11 @@ class Laws {
   Work test_work_;
 };
 
-std::string text_of(const Shape& shape) {
-  std::string text = name_of(shape.kind());
-  const auto add = [&](const Vector3d& v) { text += numbers({v.x(), v.y(), v.z()}); };
-  if (const auto* s = shape.as<Sphere>()) add(s->centre), text += numbers({s->radius});
-  if (const auto* s = shape.as<Box>()) add(s->half_extents);
-  if (const auto* s = shape.as<Capsule>()) text += numbers({s->radius, s->half_length});
-  if (const auto* s = shape.as<Cylinder>()) text += numbers({s->radius, s->half_height});
-  if (const auto* s = shape.as<Cone>()) text += numbers({s->radius, s->half_height});
-  if (const auto* s = shape.as<Ellipsoid>()) add(s->centre), add(s->semi_axes);
-  if (const auto* s = shape.as<HalfSpace>()) add(s->normal), text += numbers({s->offset});
-  if (const auto* s = shape.as<ConvexHull>()) {
-    for (std::size_t i = 0; i < s->vertex_count(); ++i)
-      add(s->vertex(i));
-  }
-  return text;
-}
-
-std::string text_of(const Pose& pose) {
-  std::string text;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 4; ++j)
-      text += numbers({pose(i, j)});
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string broken_law(const PlacedPair& pair, const PairLawSettings& settings,
                        PairLawCounts& counts) {
   return Laws(pair, settings, counts).run();
-}
-
-std::string text_of(const PlacedPair& pair) {
-  return text_of(pair.a) + "\n at" + text_of(pair.pose_a) + "\n" + text_of(pair.b) + "\n at" +
-         text_of(pair.pose_b);
 }
 
 }  // namespace graze::tests

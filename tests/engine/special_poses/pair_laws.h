@@ -31,7 +31,4 @@ struct PairLawCounts {
 std::string broken_law(const PlacedPair& pair, const PairLawSettings& settings,
                        PairLawCounts& counts);
 
-/// The pair with all its numbers, so that it can be built again.
-std::string text_of(const PlacedPair& pair);
-
 }  // namespace graze::tests

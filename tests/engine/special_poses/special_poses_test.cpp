@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tests/engine/special_poses/pair_laws.h"
+#include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -243,6 +246,51 @@ TEST(SpecialPoses, BallsThatAllButTouchHaveADistance) {
                          at(1.5 + gap, 0.25, 0)};
     EXPECT_EQ(distance(box.a, box.pose_a, box.b, box.pose_b).distance, gap);
   }
+}
+
+TEST(SpecialPoses, PairsThatOnceBrokeAPromiseKeepEveryOne) {
+  std::ifstream file(std::filesystem::path(GRAZE_DATA_DIR) / "regressions/shape_pairs.txt");
+  PairLawCounts counts;
+  while (const std::optional<PlacedPair> pair = tests::read_pair(file))
+    expect_kept(*pair, counts);
+  EXPECT_GE(counts.pairs, 3u);
+}
+
+// Cones and ellipsoids so flat that a tetrahedron of their points may be rounding alone.
+TEST(SpecialPoses, FlatShapesThatAllButTouchAreApartOrNot) {
+  PairLawCounts counts;
+  RandomSource source(77);
+  for (int n = 0; n < 3000; ++n) {
+    const double flat = std::pow(10.0, source.uniform(-3, -0.5));
+    PlacedPair pair{Ellipsoid{{0, 0, 0}, {1, 1, flat}}, Cone{source.uniform(0.3, 1), flat},
+                    at(0, 0, 0), at(0, 0, 0)};
+    pair.pose_b.linear() = tests::right_turn(static_cast<std::size_t>(n) % tests::kRightTurns);
+    pair.pose_b.translation() = source.vector(-1, 1);
+    const tests::LeastWidth least = tests::least_width(pair, 200);
+    pair.pose_b.translation() +=
+        least.direction * (least.width + std::pow(10.0, source.uniform(-15, -6)));
+    expect_kept(pair, counts);
+  }
+  EXPECT_GT(counts.pairs - counts.hits, 1000u);
+}
+
+// Caps that lie on faces with a tilt of next to nothing: which of their corners are the deepest is
+// a tie that no tolerance may settle at the price of the promised depth.
+TEST(SpecialPoses, ContactsOfNearlyAlignedCapsAreAsDeepAsTheirWidth) {
+  PairLawCounts counts;
+  RandomSource source(78);
+  const Shape round[] = {Cylinder{0.9, 0.3}, Cylinder{0.25, 1}, Cone{1, 0.5}};
+  const Shape others[] = {Cylinder{0.9, 0.3}, Box{{0.9, 0.7, 0.3}}, Cone{0.5, 0.75}};
+  for (int n = 0; n < 2000; ++n) {
+    PlacedPair pair{round[n % 3], others[n / 3 % 3], at(0, 0, 0), at(0, 0, 0)};
+    const Eigen::AngleAxisd tilt(std::pow(10.0, source.uniform(-5, -2)),
+                                 source.vector(-1, 1).normalized());
+    pair.pose_b.linear() =
+        tilt * tests::right_turn(static_cast<std::size_t>(n) % tests::kRightTurns);
+    pair.pose_b.translation() = source.vector(-1, 1) * (n % 2 == 0 ? 0 : 0.2);
+    expect_kept(pair, counts);
+  }
+  EXPECT_GT(counts.depths, 1000u);
 }
 
 TEST(SpecialPosesSlow, DrawnAtRandomKeepEveryPromise) {
