@@ -1,13 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace graze {
 
 /// The directions of the slabs of a k-DOP, K / 2 of them, not normalised: small integers, so that a
 /// coordinate along one is a sum of few coordinates.
 template <int K>
-inline constexpr std::array<std::array<int, 3>, K / 2> kKDopDirections{};
+inline constexpr std::array<std::array<int, 3>, static_cast<std::size_t>(K / 2)> kKDopDirections{};
 
 /// The normals of a box's faces and bevelled edges: what Klosowski and others found to serve best
 /// ("Efficient collision detection using bounding volume hierarchies of k-DOPs", 1998).
@@ -28,8 +29,8 @@ inline constexpr std::array<std::array<int, 3>, 9> kKDopDirections<18>{{{1, 0, 0
 template <int K>
 struct KDop {
   static constexpr int kSlabs = K / 2;
-  std::array<double, kSlabs> min;
-  std::array<double, kSlabs> max;
+  std::array<double, static_cast<std::size_t>(kSlabs)> min;
+  std::array<double, static_cast<std::size_t>(kSlabs)> max;
 };
 
 /// Throws InputError, which begins with `what`, unless all slabs are finite and `min <= max`.

@@ -1,7 +1,7 @@
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/parallel.h>
 #include <graze/bvh/skins/fit_skins.h>
+#include <graze/bvh/value/parallel.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/skins/hulls.h>
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/tree.h>
 #include <vector>
 
 namespace graze::bvh {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/tree.h>
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/skins/float_volumes.h>
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/tree.h>
 #include <cstddef>
 #include <span>
 #include <vector>

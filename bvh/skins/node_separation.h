@@ -1,7 +1,7 @@
 #pragma once
 
-#include <graze/bvh/box_separation.h>
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/box_separation.h>
+#include <graze/bvh/tree/tree.h>
 #include <cstdint>
 #include <span>
 

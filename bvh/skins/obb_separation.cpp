@@ -1,5 +1,5 @@
-#include <graze/bvh/separating_axes.h>
 #include <graze/bvh/skins/obb_separation.h>
+#include <graze/bvh/value/separating_axes.h>
 
 #include <cmath>
 

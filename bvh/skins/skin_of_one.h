@@ -1,8 +1,8 @@
 #pragma once
 
-#include <graze/bvh/local_frame.h>
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/sphere.h>
+#include <graze/bvh/value/local_frame.h>
 
 namespace graze::bvh {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <graze/bvh/box_separation.h>
 #include <graze/bvh/skins/float_volumes.h>
+#include <graze/bvh/tree/box_separation.h>
 #include <cstdint>
 #include <span>
 

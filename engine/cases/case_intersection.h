@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 
 namespace graze {
 

@@ -7,16 +7,16 @@
 
 #include <graze/engine/cases/case.h>
 #include <graze/engine/cases/write_case.h>
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
-#include <graze/narrowphase/derived/triangle_intersection.h>
-#include <graze/narrowphase/ray/triangle_ray.h>
+#include <graze/narrowphase/triangle_distance.h>
+#include <graze/narrowphase/triangle_intersection.h>
+#include <graze/narrowphase/triangle_ray.h>
 
 namespace graze {
 

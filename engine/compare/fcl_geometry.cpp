@@ -9,7 +9,7 @@
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 #include <vector>
 
 // The linked FCL was compiled for the baseline (engine/compare/fcl_engine.cpp).

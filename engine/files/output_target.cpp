@@ -1,6 +1,6 @@
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/output_target.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <linux/magic.h>
 #include <sys/vfs.h>

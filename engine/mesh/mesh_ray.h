@@ -24,7 +24,7 @@ struct RayHit {
 
 /// The placed triangle that the ray meets first (law 1), if any: the hit of least distance, of
 /// equal ones that of the lowest index. What a hit is, and how far off the values may be, is as for
-/// one triangle (narrowphase/ray/triangle_ray.h): nothing slips through between neighbours.
+/// one triangle (narrowphase/triangle_ray.h): nothing slips through between neighbours.
 /// O(log n) for compact meshes. Throws as check_ray() does, and PoseError for a pose that is
 /// refused by law 10 or by law 1.
 std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work = nullptr);

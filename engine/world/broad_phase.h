@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
-#include <graze/bvh/box_set/box_pair.h>
+#include <graze/bvh/box_pair.h>
 #include <graze/bvh/ray.h>
 #include <graze/engine/world/stale_id_error.h>
 

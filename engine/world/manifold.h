@@ -45,12 +45,12 @@ struct Manifold {
 /// and kTouchTolerance of the scale (shape_pairs.h). By how much the two reach past each other
 /// along the normal is the least over all directions to that tolerance: proved, unless
 /// Work::penetration_failures counts the pair; then it parts the two, and how near it is to the
-/// least nobody knows. Of two boxes it is to a twentieth and the tolerance, as a face is taken
-/// where two edges would be nearer by less. For poses that are no rotations to more than rounding,
-/// add by how much they deviate, of the scale. The greatest depth of the contacts is that width, to
-/// the tolerance or 1e-4 of how far the contacts are spread, whichever is more: moving B by as much
-/// along the normal parts them. So a motion by d changes that width by at most d and the tolerance.
-/// A cylinder's cap and a cone's base count as octagons.
+/// least nobody knows. Of two boxes the least is 19 twentieths of it at least, but for the
+/// tolerance, as a face is taken where two edges would be nearer by less. For poses that are no
+/// rotations to more than rounding, add by how much they deviate, of the scale. The greatest depth
+/// of the contacts is that width, to the tolerance or 1e-4 of how far the contacts are spread,
+/// whichever is more: moving B by as much along the normal parts them. So a motion by d changes
+/// that width by at most d and the tolerance. A cylinder's cap and a cone's base count as octagons.
 ///
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
 /// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the

@@ -2,7 +2,7 @@
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/derived/exact_rounding.h>
 #include <graze/narrowphase/derived/simplex.h>
-#include <graze/narrowphase/exact_vector.h>
+#include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/simplex.h>
-#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <utility>
 
 namespace graze::narrowphase {

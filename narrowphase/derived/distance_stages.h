@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {

@@ -6,7 +6,7 @@
 // DWTimesDW1 by 7 u^2, relative to the result, u = 2^-53, while nothing overflows and no error term
 // underflows: the caller's duty.
 
-#include <graze/narrowphase/expansion.h>
+#include <graze/narrowphase/predicates/expansion.h>
 #include <cmath>
 
 namespace graze::narrowphase {

@@ -2,7 +2,7 @@
 
 // From integers back to doubles, with one rounding. `exponent` scales by a power of two.
 
-#include <graze/narrowphase/big_integer.h>
+#include <graze/narrowphase/predicates/big_integer.h>
 
 namespace graze::narrowphase {
 

@@ -1,7 +1,7 @@
 #include <graze/narrowphase/derived/exact_rounding.h>
 #include <graze/narrowphase/derived/simplex.h>
 #include <graze/narrowphase/derived/witness.h>
-#include <graze/narrowphase/exact_vector.h>
+#include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <limits>
 

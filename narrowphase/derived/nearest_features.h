@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/narrowphase/derived/ordered_triangles.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <optional>
 
 namespace graze::narrowphase {

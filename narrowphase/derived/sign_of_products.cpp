@@ -3,7 +3,7 @@
 // (1 + u).
 
 #include <graze/narrowphase/derived/sign_of_products.h>
-#include <graze/narrowphase/exact_vector.h>
+#include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <cmath>
 

@@ -3,7 +3,7 @@
 // Signs of products of differences of points: what decides which features of two triangles are
 // nearest. Exact for all finite doubles; the filters alone answer nothing when they are not sure.
 
-#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <optional>
 
 namespace graze::narrowphase {

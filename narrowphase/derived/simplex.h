@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/predicates/predicates.h>
 
 namespace graze::narrowphase {
 

@@ -2,7 +2,7 @@
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/distance_stages.h>
 #include <graze/narrowphase/derived/witness.h>
-#include <graze/narrowphase/finite.h>
+#include <graze/narrowphase/predicates/finite.h>
 #include <algorithm>
 #include <cmath>
 

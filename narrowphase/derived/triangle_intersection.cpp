@@ -1,7 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/common_points.h>
-#include <graze/narrowphase/derived/triangle_intersection.h>
-#include <graze/narrowphase/finite.h>
+#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/triangle_intersection.h>
 #include <algorithm>
 
 namespace graze {

@@ -8,9 +8,9 @@
 // not all are zero; there s = (n . w) / (n . d). Neighbours compute the sign of their common edge
 // with p and q swapped, which is exactly the opposite: nothing slips through between them.
 
-#include <graze/bvh/ray_slabs.h>
-#include <graze/narrowphase/predicates.h>
-#include <graze/narrowphase/ray/triangle_ray.h>
+#include <graze/bvh/value/ray_slabs.h>
+#include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/triangle_ray.h>
 #include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {

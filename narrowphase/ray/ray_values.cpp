@@ -3,7 +3,7 @@
 
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/derived/exact_rounding.h>
-#include <graze/narrowphase/exact_vector.h>
+#include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 #include <algorithm>

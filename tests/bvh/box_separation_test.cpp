@@ -1,4 +1,4 @@
-#include <graze/bvh/box_separation.h>
+#include <graze/bvh/tree/box_separation.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -1,11 +1,11 @@
-#include <graze/bvh/build_references.h>
+#include <graze/bvh/build/build_references.h>
+#include <graze/bvh/build/sah_sweep.h>
+#include <graze/bvh/build/subtree.h>
+#include <graze/bvh/build/top_split.h>
 #include <graze/bvh/error.h>
-#include <graze/bvh/sah_sweep.h>
-#include <graze/bvh/statistics.h>
-#include <graze/bvh/subtree.h>
-#include <graze/bvh/to_local.h>
-#include <graze/bvh/top_split.h>
-#include <graze/bvh/validate.h>
+#include <graze/bvh/tree/statistics.h>
+#include <graze/bvh/tree/validate.h>
+#include <graze/bvh/value/to_local.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
-#include <graze/bvh/build.h>
-#include <graze/bvh/decay.h>
+#include <graze/bvh/build/build.h>
 #include <graze/bvh/error.h>
-#include <graze/bvh/refit.h>
-#include <graze/bvh/validate.h>
+#include <graze/bvh/refit/decay.h>
+#include <graze/bvh/refit/refit.h>
+#include <graze/bvh/tree/validate.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 

@@ -1,4 +1,4 @@
-#include <graze/bvh/local_frame.h>
+#include <graze/bvh/value/local_frame.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <graze/bvh/wide/node_axes.h>
-#include <graze/bvh/wide/range_moments.h>
+#include <graze/bvh/wide/tree/node_axes.h>
+#include <graze/bvh/wide/tree/range_moments.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

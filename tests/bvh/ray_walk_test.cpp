@@ -1,4 +1,4 @@
-#include <graze/bvh/box_set/ray_walk.h>
+#include <graze/bvh/box_set/search/ray_walk.h>
 #include <gtest/gtest.h>
 
 #include <limits>

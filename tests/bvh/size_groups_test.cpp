@@ -1,7 +1,7 @@
 // Which classes of sizes share a tree: fewer trees where boxes lie far apart, none that a floor
 // would stretch. A guess at costs, so that the cases are clear ones.
 
-#include <graze/bvh/box_set/size_groups.h>
+#include <graze/bvh/box_set/order/size_groups.h>
 #include <gtest/gtest.h>
 
 #include <limits>

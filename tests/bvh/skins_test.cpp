@@ -1,5 +1,5 @@
 #include <gmpxx.h>
-#include <graze/bvh/build.h>
+#include <graze/bvh/build/build.h>
 #include <graze/bvh/skins/fit_skins.h>
 #include <graze/bvh/skins/kdop_separation.h>
 #include <graze/bvh/skins/obb_separation.h>

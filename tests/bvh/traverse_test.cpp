@@ -1,9 +1,9 @@
-#include <graze/bvh/build.h>
+#include <graze/bvh/build/build.h>
 #include <graze/bvh/skins/node_separation.h>
-#include <graze/bvh/traverse_cut.h>
-#include <graze/bvh/traverse_pair.h>
-#include <graze/bvh/traverse_self.h>
-#include <graze/bvh/traverse_volume.h>
+#include <graze/bvh/traverse/traverse_cut.h>
+#include <graze/bvh/traverse/traverse_pair.h>
+#include <graze/bvh/traverse/traverse_self.h>
+#include <graze/bvh/traverse/traverse_volume.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

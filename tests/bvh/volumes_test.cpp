@@ -1,7 +1,7 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/error.h>
-#include <graze/bvh/float_box.h>
 #include <graze/bvh/obb.h>
+#include <graze/bvh/value/float_box.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -5,11 +5,11 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/mesh_referee.h>
-#include <graze/engine/compare/judge/rational_box.h>
-#include <graze/engine/compare/judge/rational_triangle.h>
-#include <graze/engine/compare/judge/shrink.h>
-#include <graze/engine/compare/judge/way_out.h>
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
+#include <graze/engine/compare/judge/rational/rational_box.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
+#include <graze/engine/compare/judge/rational/way_out.h>
+#include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/mesh/placement.h>

@@ -1,6 +1,6 @@
 // What is offered in the place of a number is shorter, and a number.
 
-#include <graze/engine/compare/judge/reductions.h>
+#include <graze/engine/compare/judge/shrink/reductions.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

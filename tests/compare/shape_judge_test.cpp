@@ -1,7 +1,7 @@
 // The judge of placed shapes: proofs on both sides of the touch, errors of known size, and scenes
 // with an engine that is wrong on purpose.
 
-#include <graze/engine/compare/judge/shape_bodies.h>
+#include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/compare/run/scene_comparison.h>

@@ -3,8 +3,8 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/shape_numbers.h>
-#include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/judge/shrink/shape_numbers.h>
+#include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>

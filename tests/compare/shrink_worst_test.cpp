@@ -1,6 +1,6 @@
 // Shrinking large meshes within its time: where it starts, what is kept meanwhile, when it ends.
 
-#include <graze/engine/compare/judge/shrink.h>
+#include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 #include <graze/engine/mesh/pair.h>
 #include <gtest/gtest.h>

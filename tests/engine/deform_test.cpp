@@ -1,11 +1,11 @@
-#include <graze/bvh/tree.h>
-#include <graze/bvh/validate.h>
-#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/tree/tree.h>
+#include <graze/bvh/tree/validate.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/prepare.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 #include "tests/shapes/formula_meshes.h"

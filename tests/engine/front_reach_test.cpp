@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/front_reach.h>
+#include <graze/engine/mesh/memory/front_reach.h>
 #include <gtest/gtest.h>
 
 #include <vector>

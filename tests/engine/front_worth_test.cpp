@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/front_worth.h>
+#include <graze/engine/mesh/memory/front_worth.h>
 #include <gtest/gtest.h>
 
 namespace graze {

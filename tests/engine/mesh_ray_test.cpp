@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/ray/triangle_ray.h>
+#include <graze/narrowphase/triangle_ray.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

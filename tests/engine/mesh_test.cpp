@@ -1,5 +1,5 @@
-#include <graze/bvh/tree.h>
-#include <graze/bvh/validate.h>
+#include <graze/bvh/tree/tree.h>
+#include <graze/bvh/tree/validate.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/work.h>
 #include <gtest/gtest.h>

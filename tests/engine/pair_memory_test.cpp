@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

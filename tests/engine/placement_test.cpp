@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/mesh/relative_frame.h>
+#include <graze/engine/mesh/placing/relative_frame.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

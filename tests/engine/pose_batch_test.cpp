@@ -1,5 +1,5 @@
 #include <graze/bvh/error.h>
-#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <gtest/gtest.h>

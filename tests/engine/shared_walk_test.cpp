@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/pair.h>
-#include <graze/engine/mesh/shared_walk.h>
-#include <graze/engine/mesh/wide_query.h>
+#include <graze/engine/mesh/pairs/shared_walk.h>
+#include <graze/engine/mesh/query/wide_query.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/pair.h>
-#include <graze/engine/mesh/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>

@@ -1,5 +1,5 @@
-#include <graze/engine/mesh/rank_sort.h>
-#include <graze/engine/mesh/sort_pairs.h>
+#include <graze/engine/mesh/query/rank_sort.h>
+#include <graze/engine/mesh/query/sort_pairs.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <random>

@@ -1,9 +1,9 @@
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/contacts/mesh_intersection.h>
-#include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

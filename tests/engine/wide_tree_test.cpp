@@ -1,8 +1,8 @@
-#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 #include "tests/narrowphase/simd_targets.h"

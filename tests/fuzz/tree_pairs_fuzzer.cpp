@@ -2,7 +2,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/fuzz/byte_shapes.h>
 #include <tests/shapes/random_meshes.h>

@@ -1,5 +1,5 @@
 #include <graze/engine/compare/referee.h>
-#include <graze/narrowphase/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
 #include <gtest/gtest.h>
 
 #include "tests/shapes/random_source.h"

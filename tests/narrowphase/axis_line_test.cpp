@@ -1,4 +1,4 @@
-#include <graze/narrowphase/axis_line.h>
+#include <graze/narrowphase/ray/axis_line.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

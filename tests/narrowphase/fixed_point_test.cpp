@@ -1,5 +1,5 @@
-#include <graze/narrowphase/fixed_point.h>
-#include <graze/narrowphase/orientation_stages.h>
+#include <graze/narrowphase/predicates/fixed_point.h>
+#include <graze/narrowphase/predicates/orientation_stages.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Many random elements through all stages: what the triage is sure of against the exact stage, and
 // its integers against expansions and long integers.
 
-#include <graze/narrowphase/coordinates.h>
-#include <graze/narrowphase/signs_of_crossing.h>
+#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_pair/signs_of_crossing.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

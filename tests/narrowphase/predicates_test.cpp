@@ -1,5 +1,5 @@
-#include <graze/narrowphase/orientation_stages.h>
-#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/predicates/orientation_stages.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <gtest/gtest.h>
 
 #include <array>

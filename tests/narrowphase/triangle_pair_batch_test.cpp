@@ -1,5 +1,5 @@
-#include <graze/narrowphase/equal_vertices.h>
-#include <graze/narrowphase/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/equal_vertices.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <graze/engine/cases/case_error.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/files/case_folder.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <algorithm>
 #include <system_error>

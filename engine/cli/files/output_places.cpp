@@ -1,7 +1,7 @@
 #include <graze/engine/cli/files/output_places.h>
-#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/files/output_target.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <sys/stat.h>
 #include <unistd.h>

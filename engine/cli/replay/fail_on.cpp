@@ -1,6 +1,6 @@
+#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/cli/replay/fail_on.h>
-#include <graze/engine/cli/usage_error.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 // are its defaults, but for the one that asks for time and changes no answer (slack_of).
 
 #include <graze/engine/compare/peers/adaptors.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 
 #include <coal/BVH/BVH_model.h>
 #include <coal/collision.h>

@@ -3,7 +3,7 @@
 // ask.
 
 #include <graze/engine/compare/peers/adaptors.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 
 #include <ode/ode.h>
 #include <ode/version.h>

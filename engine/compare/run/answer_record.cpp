@@ -1,6 +1,6 @@
-#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/run/answer_record.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/run/baseline.h>
 

@@ -1,4 +1,4 @@
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/trial.h>

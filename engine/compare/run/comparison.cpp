@@ -1,5 +1,5 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/comparison.h>

@@ -1,8 +1,8 @@
-#include <graze/engine/cases/json_text.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/json_text.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/job_key.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 #include <graze/engine/scenes/scene_error.h>
 
 #include <fstream>

@@ -1,7 +1,7 @@
 #include <graze/engine/cases/case_error.h>
-#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/run/journal.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <array>
 #include <limits>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/run/line_file.h>
 

@@ -1,7 +1,7 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/compare/run/line_file.h>
 #include <graze/engine/files/file_error.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <fstream>
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/files/output_file.h>
 
 namespace graze::compare {

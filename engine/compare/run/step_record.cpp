@@ -1,4 +1,4 @@
-#include <graze/engine/cases/json_text.h>
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/run/step_record.h>
 
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <graze/engine/mesh/contacts/regions.h>
-#include <graze/engine/mesh/contacts/sweep.h>
+#include <graze/engine/mesh/curves/regions.h>
+#include <graze/engine/mesh/sweep/sweep.h>
 
 namespace graze::contacts {
 

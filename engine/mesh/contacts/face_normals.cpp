@@ -1,5 +1,5 @@
 #include <graze/engine/mesh/contacts/face_normals.h>
-#include <graze/engine/mesh/contacts/last_contact.h>
+#include <graze/engine/mesh/sweep/last_contact.h>
 
 #include <algorithm>
 #include <cmath>

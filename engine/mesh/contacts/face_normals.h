@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <graze/engine/mesh/contacts/cell_complex.h>
+#include <graze/engine/mesh/curves/cell_complex.h>
 
 namespace graze::contacts {
 

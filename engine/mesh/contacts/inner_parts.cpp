@@ -1,8 +1,8 @@
 #include <graze/engine/mesh/contacts/inner_parts.h>
-#include <graze/engine/mesh/contacts/surface_sides.h>
-#include <graze/engine/mesh/contacts/vertex_numbers.h>
+#include <graze/engine/mesh/curves/surface_sides.h>
+#include <graze/engine/mesh/curves/vertex_numbers.h>
+#include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/mesh/vertex_fans.h>
 
 #include <algorithm>
 #include <cmath>

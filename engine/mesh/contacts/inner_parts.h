@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <graze/engine/mesh/contacts/regions.h>
+#include <graze/engine/mesh/curves/regions.h>
 
 namespace graze::contacts {
 

@@ -1,9 +1,9 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/contacts/contact_normal.h>
 #include <graze/engine/mesh/contacts/inner_parts.h>
-#include <graze/engine/mesh/contacts/last_contact.h>
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/query_results.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/sweep/last_contact.h>
 
 #include <algorithm>
 #include <cmath>

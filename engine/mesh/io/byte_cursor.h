@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 #include <array>
 #include <bit>
 #include <cstddef>

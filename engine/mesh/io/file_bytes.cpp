@@ -1,5 +1,5 @@
+#include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
-#include <graze/engine/mesh/io/source.h>
 #include <algorithm>
 #include <cerrno>
 #include <fstream>

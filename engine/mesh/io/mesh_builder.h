@@ -1,7 +1,7 @@
 #pragma once
 
+#include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/polygon.h>
-#include <graze/engine/mesh/io/source.h>
 #include <graze/engine/mesh/mesh.h>
 #include <cstdint>
 #include <optional>

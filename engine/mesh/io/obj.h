@@ -1,7 +1,7 @@
 #pragma once
 
+#include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/mesh_builder.h>
-#include <graze/engine/mesh/io/source.h>
 
 namespace graze::mesh_io {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/engine/mesh/mesh.h>
-#include <graze/narrowphase/predicates.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <cstdint>
 #include <span>
 #include <vector>

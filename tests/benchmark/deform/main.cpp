@@ -2,7 +2,7 @@
 // those of fresh trees. Writes JSON.
 
 #include <graze/bvh/error.h>
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>

@@ -1,8 +1,8 @@
 #include "tests/benchmark/error/graze_contestants.h"
 
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/triangle_box_batch.h>
-#include <graze/narrowphase/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_box/triangle_box_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <tests/benchmark/triangles/block_answers.h>

@@ -1,5 +1,5 @@
 #include <graze/engine/mesh/distance.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-#include <graze/bvh/wide/wide_tree.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/distance.h>
 
 #include "tests/benchmark/pairs/contestant.h"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include <graze/narrowphase/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 
 namespace graze::benchmark {
 

@@ -1,5 +1,5 @@
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/triangle_box_batch.h>
+#include <graze/narrowphase/triangle_box/triangle_box_batch.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <graze/narrowphase/triangle_pair_batch.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>

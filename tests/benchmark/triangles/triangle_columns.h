@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/triangle_rows.h>
+#include <graze/narrowphase/lanes/triangle_rows.h>
 
 #include <tests/benchmark/triangles/columns.h>
 

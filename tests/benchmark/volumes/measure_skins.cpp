@@ -1,6 +1,6 @@
 #include "tests/benchmark/volumes/measure_skins.h"
 
-#include <graze/bvh/statistics.h>
+#include <graze/bvh/tree/statistics.h>
 
 #include <algorithm>
 #include <span>

@@ -1,13 +1,13 @@
 // The engines of this project's adaptors as `graze compare` asks them: from many threads, as from
 // one; about what was meant, bit for bit.
 
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <map>

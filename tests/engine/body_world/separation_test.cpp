@@ -1,4 +1,4 @@
-#include <graze/engine/world/body_motion.h>
+#include <graze/engine/world/bodies/body_motion.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // One broad phase whose work many threads share. Under ThreadSanitizer these are threads that it
-// can follow (bvh/box_set/fork.h), and the kernels are compiled for it: whatever two of them may
-// touch at once is seen.
+// can follow (bvh/box_set/order/fork.h), and the kernels are compiled for it: whatever two of them
+// may touch at once is seen.
 
 #include <graze/engine/world/broad_phase.h>
 #include <gtest/gtest.h>

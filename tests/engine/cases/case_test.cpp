@@ -2,10 +2,10 @@
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/case_mesh_file.h>
-#include <graze/engine/cases/case_words.h>
-#include <graze/engine/cases/hex_float.h>
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/case_words.h>
+#include <graze/engine/cases/text/hex_float.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/world/shape_pairs.h>

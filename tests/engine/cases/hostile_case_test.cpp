@@ -1,7 +1,7 @@
 // Files that are no cases are refused by one line that names the file and the place.
 
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <gtest/gtest.h>
 #include <filesystem>
 #include <string>

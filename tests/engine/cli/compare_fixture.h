@@ -1,7 +1,7 @@
 #pragma once
 
-#include <graze/engine/cli/compare_run.h>
-#include <graze/engine/cli/replay_run.h>
+#include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/cli/replay/replay_run.h>
 #include <gtest/gtest.h>
 #include <cstdio>
 #include <filesystem>

@@ -1,13 +1,13 @@
 // `graze compare FOLDER`: records, baselines and reports of cases, and what is wrong in them.
 
 #include <graze/engine/cases/case_error.h>
-#include <graze/engine/cases/json_cursor.h>
 #include <graze/engine/cases/read_case.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cases/write_case.h>
-#include <graze/engine/cli/html_report.h>
-#include <graze/engine/cli/replay_run.h>
-#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>

@@ -2,12 +2,12 @@
 // written, what the exit codes say.
 
 #include <graze/engine/cases/case_error.h>
-#include <graze/engine/cases/json_cursor.h>
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cli/compare_report.h>
-#include <graze/engine/cli/html_report.h>
-#include <graze/engine/cli/replay_run.h>
-#include <graze/engine/cli/usage_error.h>
+#include <graze/engine/cases/text/json_cursor.h>
+#include <graze/engine/cli/compare/compare_report.h>
+#include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/baseline.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/mesh/distance.h>

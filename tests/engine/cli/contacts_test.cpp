@@ -1,8 +1,8 @@
 // What `graze contacts` answers, and that it is what the library says.
 
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/separation.h>
 
 #include "tests/engine/cli/two_meshes.h"
 

@@ -1,7 +1,7 @@
 // `graze explain`: what it says is so.
 
-#include <graze/engine/cases/json_cursor.h>
-#include <graze/engine/cli/explanation.h>
+#include <graze/engine/cases/text/json_cursor.h>
+#include <graze/engine/cli/reports/explanation.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <gtest/gtest.h>

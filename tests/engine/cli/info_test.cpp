@@ -1,6 +1,6 @@
 // What `graze info` says, and which files it refuses.
 
-#include <graze/bvh/statistics.h>
+#include <graze/bvh/tree/statistics.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <nlohmann/json.hpp>
 

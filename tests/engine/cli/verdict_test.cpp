@@ -1,8 +1,8 @@
 // What the command does when graze is found to be wrong. The real referee never finds that, so this
 // program has a judge who lies.
 
-#include <graze/engine/cli/fcl_check.h>
-#include <graze/engine/cli/pair_run.h>
+#include <graze/engine/cli/pair/fcl_check.h>
+#include <graze/engine/cli/pair/pair_run.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>

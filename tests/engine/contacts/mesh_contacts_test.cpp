@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include <graze/engine/mesh/contacts/mesh_intersection.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/triangle_intersection.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

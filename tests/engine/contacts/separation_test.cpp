@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/mesh/contacts/separation.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/separation.h>
 #include <graze/engine/pose_text.h>
 #include <gtest/gtest.h>
 

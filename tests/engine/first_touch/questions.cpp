@@ -1,20 +1,20 @@
 #include "tests/engine/first_touch/questions.h"
 
 #include <graze/bvh/fit/kdop_fit.h>
-#include <graze/bvh/tree.h>
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
-#include <graze/engine/mesh/contacts/mesh_intersection.h>
-#include <graze/engine/mesh/contacts/separation.h>
+#include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/self.h>
-#include <graze/engine/mesh/vertex_fans.h>
+#include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/world/shape_pairs.h>

@@ -1,5 +1,5 @@
 #include <graze/bvh/skins/float_volumes.h>
-#include <graze/bvh/tree.h>
+#include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/placement.h>
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Paths of bodies: poses in time that hold their keys, turn evenly and are the same everywhere.
 
 #include <graze/engine/scenes/body_path.h>
-#include <graze/engine/scenes/turn.h>
+#include <graze/engine/scenes/path/turn.h>
 #include <gtest/gtest.h>
 
 #include <bit>

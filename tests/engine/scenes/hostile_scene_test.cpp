@@ -1,7 +1,7 @@
 // Files that are no scenes are refused by one line that names the file and the place.
 
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/sha256.h>
+#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/scenes/read_scene.h>
 #include <gtest/gtest.h>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // What two boxes' own axes are sure of is what the separating axis test with its slack says.
 
-#include <graze/engine/world/placed_core.h>
-#include <graze/narrowphase/convex/box_axes.h>
+#include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/depth/box_axes.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
 #include <gtest/gtest.h>
 

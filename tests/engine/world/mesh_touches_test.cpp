@@ -2,12 +2,12 @@
 // is exact, against swapping, and from step to step. And boxes and balls on triangles, against the
 // solvers of any convex sets.
 
-#include <graze/engine/mesh/contacts/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/world.h>
-#include <graze/narrowphase/convex/core_gap.h>
-#include <graze/narrowphase/convex/triangle_parting.h>
+#include <graze/narrowphase/convex/contact/triangle_parting.h>
+#include <graze/narrowphase/convex/gap/core_gap.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,12 +2,12 @@
 // where that ends open. libccd must come back from whatever it is asked, and is never believed.
 
 #include <graze/engine/world/manifold.h>
-#include <graze/engine/world/placed_core.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/convex/aligned_parting.h>
-#include <graze/narrowphase/convex/ccd.h>
-#include <graze/narrowphase/convex/expanding_polytope.h>
-#include <graze/narrowphase/convex/penetration.h>
+#include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/depth/aligned_parting.h>
+#include <graze/narrowphase/convex/depth/ccd.h>
+#include <graze/narrowphase/convex/depth/expanding_polytope.h>
+#include <graze/narrowphase/convex/depth/penetration.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Gaps that a formula proves: no motion of that length brings two shapes together.
 
+#include <graze/engine/world/bodies/body_motion.h>
 #include <graze/engine/world/body.h>
-#include <graze/engine/world/body_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>
 

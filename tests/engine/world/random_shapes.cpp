@@ -1,8 +1,8 @@
 #include "tests/engine/world/random_shapes.h"
 
 #include <graze/engine/mesh/placement.h>
-#include <graze/narrowphase/convex/hull.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/convex/core/hull.h>
+#include <graze/narrowphase/triangle_distance.h>
 
 #include <algorithm>
 #include <cmath>

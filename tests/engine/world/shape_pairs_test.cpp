@@ -4,7 +4,7 @@
 
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tests/engine/world/surface_distance.h"
 
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <graze/bvh/error.h>
-#include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <graze/bvh/error.h>
-#include <graze/narrowphase/ray/triangle_ray.h>
+#include <graze/narrowphase/triangle_ray.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "tests/narrowphase/derived/value_faults.h"
 
 #include <graze/narrowphase/derived/distance_stages.h>
-#include <graze/narrowphase/derived/triangle_intersection.h>
+#include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <cmath>

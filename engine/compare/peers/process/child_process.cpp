@@ -1,6 +1,6 @@
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/peers/process/child_process.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,6 +1,6 @@
 #include <graze/engine/cases/case_error.h>
 #include <graze/engine/compare/peers/process/peer_session.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 namespace graze::compare {
 namespace {

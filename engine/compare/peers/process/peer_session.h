@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/compare/peers/process/child_process.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 

@@ -1,4 +1,4 @@
-#include <graze/engine/cases/read_parts.h>
+#include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/compare/peers/process/peer_load.h>
 #include <graze/engine/compare/peers/process/process_engine.h>
 #include <graze/engine/compare/peers/process/protocol.h>

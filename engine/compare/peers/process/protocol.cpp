@@ -1,8 +1,8 @@
-#include <graze/engine/cases/json_text.h>
-#include <graze/engine/cases/read_parts.h>
+#include <graze/engine/cases/read/read_parts.h>
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/peers/process/shape_points.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <algorithm>
 #include <limits>

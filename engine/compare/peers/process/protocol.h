@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <graze/engine/cases/case.h>
-#include <graze/engine/cases/json_cursor.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/compare/peers/engine.h>
 
 namespace graze::compare {

@@ -1,11 +1,11 @@
 #include <graze/engine/cases/case_error.h>
-#include <graze/engine/cases/case_words.h>
-#include <graze/engine/cases/json_text.h>
-#include <graze/engine/cases/read_parts.h>
+#include <graze/engine/cases/read/read_parts.h>
+#include <graze/engine/cases/text/case_words.h>
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/peers/process/serve_engine.h>
-#include <graze/engine/mesh/io/source.h>
+#include <graze/engine/files/source.h>
 
 #include <sys/prctl.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/peers/process/shape_points.h>
-#include <graze/narrowphase/convex/hull.h>
+#include <graze/narrowphase/convex/core/hull.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
-#include <graze/narrowphase/derived/triangle_distance.h>
+#include <graze/narrowphase/triangle_distance.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,98 @@
+#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/box_set/order/size_groups.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::bvh {
+namespace {
+
+/// The volume in which 16 of the sample lie, cubic metres: the median.
+double volume_of_cell(std::span<KdItem> sample) {
+  kd_order(sample);
+  std::vector<double> volumes;
+  for (std::size_t first = 0; first + kLanes <= sample.size(); first += kLanes) {
+    double volume = 1;
+    for (int c = 0; c < 3; ++c) {
+      float low = sample[first].centre[c], high = low;
+      for (const KdItem& item : sample.subspan(first, kLanes)) {
+        low = std::min(low, item.centre[c]);
+        high = std::max(high, item.centre[c]);
+      }
+      volume *= static_cast<double>(high) - static_cast<double>(low);
+    }
+    volumes.push_back(volume);
+  }
+  if (volumes.empty()) return 0;
+  const auto middle = volumes.begin() + static_cast<std::ptrdiff_t>(volumes.size() / 2);
+  std::nth_element(volumes.begin(), middle, volumes.end());
+  return *middle;
+}
+
+/// Rounded, and the same on every machine, which a library's need not be. Newton's method, from a
+/// power of two that is off by a factor of 4 at most.
+double cube_root(double x) {
+  constexpr int kSteps = 8;
+  double root = std::ldexp(1.0, std::ilogb(x) / 3);
+  for (int i = 0; i < kSteps; ++i)
+    root = (2 * root + x / (root * root)) / 3;
+  return root;
+}
+
+/// A group by what is in one cell.
+struct Group {
+  double side;    // of its largest boxes
+  double blocks;  // of them
+};
+
+/// Pairs of blocks that meet a cell, of so many in all, if blocks lie anywhere: each is as large as
+/// the space that its boxes share, and a box.
+double meetings(std::span<const Group> groups, double cell, double cells) {
+  double sum = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const double side_i = cube_root(cell / groups[i].blocks) + groups[i].side;
+    for (std::size_t j = i; j < groups.size(); ++j) {
+      const double reach = side_i + cube_root(cell / groups[j].blocks) + groups[j].side;
+      const double met = std::min(reach * reach * reach / cell, cells);
+      sum += groups[i].blocks * groups[j].blocks * (i == j ? met / 2 : met);
+    }
+  }
+  return sum;
+}
+
+std::vector<Group> merged(const std::vector<Group>& groups, std::size_t i) {
+  std::vector<Group> result = groups;
+  result[i] = {std::max(groups[i].side, groups[i + 1].side),
+               groups[i].blocks + groups[i + 1].blocks};
+  result.erase(result.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::size_t> group_sizes(std::span<const SizeClass> classes, std::span<KdItem> sample) {
+  std::vector<std::size_t> number;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    number.push_back(i);
+  const double cell = classes.size() < 2 ? 0 : volume_of_cell(sample);
+  if (!(cell > 0 && std::isfinite(cell))) return number;
+  const std::size_t whole_cells = sample.size() / kLanes;
+  const auto cells = static_cast<double>(whole_cells);
+  std::vector<Group> groups;
+  for (const SizeClass& of : classes)
+    groups.push_back({of.side, static_cast<double>(of.count) / kLanes / cells});
+  for (double now = meetings(groups, cell, cells); groups.size() > 1;) {
+    std::size_t best = groups.size();
+    for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
+      const double then = meetings(merged(groups, i), cell, cells);
+      if (then < now) now = then, best = i;
+    }
+    if (best == groups.size()) break;
+    groups = merged(groups, best);
+    for (std::size_t& of : number)
+      of -= of > best;
+  }
+  return number;
+}
+
+}  // namespace graze::bvh

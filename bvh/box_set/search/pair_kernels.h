@@ -1,0 +1,63 @@
+#pragma once
+
+// The loops over blocks of boxes, once for each SIMD target. What they find, and in which order,
+// is the same on all of them.
+
+#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/box_set/search/pair_buffer.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Two blocks whose boxes may overlap, each on a level of its own tree.
+struct BlockPair {
+  std::uint32_t a;
+  std::uint32_t b;
+  std::uint8_t level_a;
+  std::uint8_t level_b;
+  std::uint16_t trees;  // which trees, for whoever keeps a list of such pairs
+};
+
+/// Appends the pairs of boxes below each of `starts` that overlap, exactly, and returns how many
+/// pairs of blocks of boxes it looked at. The trees are one and the same, or share no box; a tree
+/// is paired with itself from equal blocks, each pair of boxes being found once. The order of what
+/// it appends does not depend on how the starts are shared among calls.
+std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const BlockPair> starts,
+                         PairBuffer& out);
+
+/// Appends the pairs of blocks that `start` leads to, one step down. Not for two blocks of boxes.
+void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out);
+
+/// Appends the owners of the boxes that overlap `box`, exactly.
+void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out);
+
+/// A box that overlaps a mover where it was, where it is, or both.
+struct MoverHit {
+  std::uint32_t owner;
+  std::uint8_t mover;  // its number among those that were looked up together
+  std::uint8_t was;
+  std::uint8_t is;
+};
+
+/// A block that some of the movers looked up together may reach. Working memory.
+struct Reached {
+  std::uint32_t mover;
+  std::uint32_t block;
+};
+struct Lookup {
+  std::vector<Reached> here, below;
+};
+
+/// Appends what overlaps before[i] or after[i], exactly, for up to 16 movers: they go down level by
+/// level, so that none waits for what it will read. no_box() overlaps nothing.
+void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
+                             std::span<const OrderedBox> after, Lookup& lookup,
+                             std::vector<MoverHit>& out);
+
+/// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
+void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);
+
+}  // namespace graze::bvh

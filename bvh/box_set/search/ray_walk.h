@@ -1,0 +1,25 @@
+#pragma once
+
+#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/value/ray_slabs.h>
+
+#include <functional>
+
+namespace graze::bvh {
+
+/// By how much boxes are grown before a ray is held against them, as a share of how far they reach
+/// from its origin: more than answers about the shapes in them are off by.
+inline constexpr double kRayPadding = 0x1p-37;
+
+/// As entry(), of a box grown by that.
+double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit);
+
+/// Is told of the owner of a box that the ray may meet; returns the ray's parameter beyond which no
+/// more boxes are of interest.
+using RayVisitor = std::function<double(std::uint32_t owner)>;
+
+/// Visits all boxes that, grown, the ray meets within the limit, roughly from near to far. The
+/// limit comes down as the visitor says.
+void walk_along(const TreeView& tree, const RaySlabs& ray, double& limit, const RayVisitor& visit);
+
+}  // namespace graze::bvh

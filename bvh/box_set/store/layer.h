@@ -1,0 +1,62 @@
+#pragma once
+
+#include <graze/bvh/box_set/order/block.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace graze::bvh {
+
+/// A run of blocks of boxes and the implicit tree over them. The blocks belong to the box set;
+/// here are the levels above.
+struct Layer {
+  std::uint32_t first_block = 0;
+  std::uint32_t block_count = 0;
+  int top = 0;
+  std::vector<Block> upper[kMaxLevels];  // [0] stays empty
+  std::vector<float> sorted_girth;       // of each block when it was sorted, see girth()
+  std::vector<std::uint16_t> holed;      // by blocks of upper[1]: which blocks below have holes
+  std::vector<bool> is_filled;           // likewise: a box came to a hole since the last refit
+
+  bool needs_refit_of_all = false;
+
+  /// Makes the levels fit `count` blocks from `first` on; new lanes are empty.
+  void reshape(std::uint32_t first, std::uint32_t count);
+
+  /// Memory for so many blocks: reshape() to no more of them throws nothing.
+  void reserve(std::uint32_t count);
+
+  /// The tree over the blocks, with what belongs to them; all three begin with the first block.
+  TreeView view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const;
+
+  /// A box has gone from a block that was sorted, or a hole of it was filled. The empty lanes at
+  /// the end of the layer are no holes.
+  void note_hole(std::uint32_t block);
+  void note_filled(std::uint32_t block) {
+    holed[block >> kLaneBits] &= static_cast<std::uint16_t>(~(1u << (block & (kLanes - 1))));
+  }
+
+  /// girth() of all boxes of a block, as of the last refit.
+  double girth_of(std::uint32_t block) const;
+
+  /// Bounds of all blocks on all levels.
+  void refit_all(const Block* boxes);
+
+  /// The same in parts: empties the levels above the boxes; bounds of all blocks from a level up.
+  void clear_above_boxes();
+  void refit_above(int level, const Block* boxes);
+
+  /// Bounds of the blocks in `touched`, numbers within the layer, and of what lies above them. The
+  /// list is used up.
+  void refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched);
+};
+
+/// An eighth of the sum of the three extents of one lane, metres, rounded: always finite, so that
+/// ratios are numbers. 0 for an empty lane. A measure of quality: no answer depends on it.
+double girth(const Block& block, std::uint32_t lane);
+
+/// By how much the girth of a block has grown since it was sorted: roughly how many times the
+/// blocks that it meets have become more, less one. At most `limit`.
+double inflation(double now, double sorted, double limit);
+
+}  // namespace graze::bvh

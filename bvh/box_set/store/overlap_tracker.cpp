@@ -1,0 +1,284 @@
+#include <graze/bvh/box_set/search/sorted_pairs.h>
+#include <graze/bvh/box_set/store/overlap_tracker.h>
+
+#include <algorithm>
+#include <new>
+
+namespace graze::bvh {
+namespace {
+
+// One box in so many may change before searching for all pairs is the cheaper way.
+constexpr std::size_t kFewShare = 16;
+constexpr std::size_t kAlwaysFew = 2;
+
+constexpr std::size_t kAhead = 8;  // pairs whose entries are fetched before they are needed
+
+BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
+  return {std::min(s, t), std::max(s, t)};
+}
+
+}  // namespace
+
+bool OverlapTracker::are_many(std::size_t changes) const {
+  return changes > most_changes();
+}
+
+std::size_t OverlapTracker::most_changes() const {
+  return kAlwaysFew + set_.size() / kFewShare;
+}
+
+/// Before the owner's box changes. What there is no memory to note is not noted, as if it were one
+/// of many.
+void OverlapTracker::note(std::uint32_t owner) {
+  if (have_many_changed_) return;
+  try {
+    note_one(owner);
+  } catch (const std::bad_alloc&) {
+    note_many();
+  }
+}
+
+void OverlapTracker::note_one(std::uint32_t owner) {
+  if (owner >= is_changed_.size()) is_changed_.resize(owner + std::size_t{1});
+  if (is_changed_[owner]) return;
+  if (are_many(changed_.size() + 1)) {
+    note_many();
+    return;
+  }
+  if (changed_.size() == changed_.capacity())
+    changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
+  changed_.push_back({set_.contains(owner) ? set_.box(owner) : no_box(), set_.place(owner), owner});
+  is_changed_[owner] = true;
+}
+
+/// From here to the next update nobody asks what was where.
+void OverlapTracker::note_many() {
+  if (have_many_changed_) return;
+  forget_changes();
+  have_many_changed_ = true;
+}
+
+void OverlapTracker::forget_changes() {
+  for (const Changed& changed : changed_)
+    is_changed_[changed.owner] = false;
+  changed_.clear();
+  have_many_changed_ = false;
+}
+
+void OverlapTracker::insert(std::uint32_t owner, const Aabb& box) {
+  wait({Verb::Insert, owner, box});
+}
+
+void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
+  wait({Verb::Move, owner, box});
+}
+
+void OverlapTracker::erase(std::uint32_t owner) {
+  wait({Verb::Erase, owner, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
+}
+
+/// Changes are made in the order in which they came. What waits cannot fail any more: each takes at
+/// most one new place.
+void OverlapTracker::wait(const Waiting& change) {
+  if (waiting_count_ == kMostWaiting) end_waiting();
+  if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.owner + 1);
+  waiting_[waiting_count_++] = change;
+  const std::uint32_t place = set_.place(change.owner);
+  if (place != kNobody) set_.prefetch(place);
+}
+
+void OverlapTracker::end_waiting() {
+  for (std::size_t i = 0; i < waiting_count_; ++i) {
+    const auto& [verb, owner, box] = waiting_[i];
+    note(owner);
+    switch (verb) {
+      case Verb::Insert:
+        set_.insert(owner, ordered_box(box));
+        break;
+      case Verb::Move:
+        set_.move(owner, ordered_box(box));
+        break;
+      case Verb::Erase:
+        set_.erase(owner);
+        break;
+    }
+  }
+  waiting_count_ = 0;
+}
+
+bool OverlapTracker::update() {
+  end_waiting();
+  begun_.clear();
+  ended_.clear();
+  is_difference_sorted_ = has_difference_ = true;
+  if (!have_many_changed_ && changed_.empty()) return false;
+  // What came from afar has its neighbours elsewhere than what was looked up before it.
+  if (are_many(changed_.size() + set_.arrivals())) note_many();
+  try {
+    have_many_changed_ ? search_all() : search_movers();
+  } catch (...) {
+    begun_.clear(), ended_.clear();
+    throw;
+  }
+  forget_changes();
+  return true;
+}
+
+void OverlapTracker::search_all() {
+  set_.refit();
+  set_.sort_if_worthwhile();
+  set_.find_all_pairs(before_);
+  std::swap(pairs_, before_);
+  std::swap(rows_, rows_before_);
+  is_before_grouped_ = is_grouped_;
+  is_grouped_ = is_sorted_ = false;
+  index_.reset();
+  has_difference_ = false;
+  ++searches_for_all_;
+}
+
+void OverlapTracker::sort_movers() {
+  std::sort(movers_.begin(), movers_.end(), [](const Mover& s, const Mover& t) {
+    return s.place != t.place ? s.place < t.place : s.change < t.change;
+  });
+}
+
+/// Neighbours share blocks of the small tree.
+void OverlapTracker::list_former_boxes() {
+  movers_.clear();
+  for (std::uint32_t i = 0; i < changed_.size(); ++i) {
+    if (changed_[i].place != kNobody) movers_.push_back({changed_[i].place, i});
+  }
+  sort_movers();
+  former_.clear();
+  for (const Mover& mover : movers_)
+    former_.add(change_of(mover).owner, change_of(mover).before);
+}
+
+/// Neighbours are looked up together.
+void OverlapTracker::list_movers() {
+  movers_.clear();
+  for (std::uint32_t i = 0; i < changed_.size(); ++i) {
+    const std::uint32_t place = set_.place(changed_[i].owner);
+    movers_.push_back({place != kNobody ? place : changed_[i].place, i});
+  }
+  sort_movers();
+}
+
+/// Both places of a mover are looked up at once, after all have moved. That tells what began and
+/// ended with boxes that did not move. What began between two movers the list does not know yet;
+/// what ended between two is found among the places where they were.
+void OverlapTracker::compare_places() {
+  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.owner_limit()));
+  for (std::size_t first = 0; first < movers_.size(); first += kLanes)
+    look_up_some(first);
+  end_pairs_of_movers();
+}
+
+/// Of the next 16 movers.
+void OverlapTracker::look_up_some(std::size_t first) {
+  OrderedBox before[kLanes], after[kLanes];
+  const std::size_t count = std::min<std::size_t>(kLanes, movers_.size() - first);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Changed& change = change_of(movers_[first + i]);
+    before[i] = change.before;
+    after[i] = set_.contains(change.owner) ? set_.box(change.owner) : no_box();
+  }
+  hits_.clear();
+  set_.find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
+  for (const MoverHit& hit : hits_) {
+    const std::uint32_t owner = change_of(movers_[first + hit.mover]).owner;
+    const BoxPair pair = ordered_pair(owner, hit.owner);
+    if (!is_changed_[hit.owner]) {
+      if (hit.is > hit.was) begun_.push_back(pair);
+      if (hit.is < hit.was) ended_.push_back(pair);
+    } else if (hit.is && owner < hit.owner &&
+               index_.position(pairs_, pair) == PairIndex::kNowhere) {
+      begun_.push_back(pair);
+    }
+  }
+}
+
+void OverlapTracker::end_pairs_of_movers() {
+  former_.find_pairs(former_pairs_);
+  for (const BoxPair& pair : former_pairs_.pairs()) {
+    const auto [a, b] = pair;
+    const bool is_over =
+        !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
+    if (is_over) ended_.push_back(pair);
+  }
+}
+
+/// All of it, or nothing.
+void OverlapTracker::edit_list() {
+  index_.reserve(pairs_, begun_.size());
+  const auto ended = ended_.pairs(), begun = begun_.pairs();
+  for (std::size_t i = 0; i < ended.size(); ++i) {
+    index_.prefetch_removal(pairs_, ended, i);
+    index_.remove(pairs_, ended[i]);
+  }
+  for (std::size_t i = 0; i < begun.size(); ++i) {
+    index_.prefetch(begun[std::min(i + kAhead, begun.size() - 1)]);
+    index_.add(pairs_, begun[i]);
+  }
+}
+
+void OverlapTracker::search_movers() {
+  if (!index_.is_built()) index_.build(pairs_);
+  set_.refit();
+  set_.sort_if_crowded(changed_.size());  // before movers are looked up in it
+  list_former_boxes();
+  list_movers();
+  compare_places();
+  edit_list();
+  if (begun_.size() + ended_.size() != 0) is_grouped_ = is_sorted_ = false;
+  has_difference_ = true;
+  is_difference_sorted_ = false;
+  ++searches_for_movers_;
+}
+
+std::span<const BoxPair> OverlapTracker::sorted_pairs() {
+  if (!is_sorted_) {
+    sort_pairs(pairs_.pairs(), set_.owner_limit(), starts_, sorted_);
+    is_sorted_ = true;
+  }
+  return sorted_.pairs();
+}
+
+void OverlapTracker::work_out_difference() {
+  if (!is_difference_sorted_) {
+    std::sort(begun_.data(), begun_.data() + begun_.size());
+    std::sort(ended_.data(), ended_.data() + ended_.size());
+    is_difference_sorted_ = true;
+  }
+  if (has_difference_) return;
+  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.owner_limit());
+  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.owner_limit());
+  is_before_grouped_ = is_grouped_ = true;
+  begun_.clear(), ended_.clear();  // should it have been thrown out of
+  append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
+  has_difference_ = true;
+}
+
+std::span<const BoxPair> OverlapTracker::begun() {
+  work_out_difference();
+  return begun_.pairs();
+}
+
+std::span<const BoxPair> OverlapTracker::ended() {
+  work_out_difference();
+  return ended_.pairs();
+}
+
+std::size_t OverlapTracker::bytes_for_pairs() const {
+  const std::size_t pairs = pairs_.capacity() + before_.capacity() + sorted_.capacity() +
+                            begun_.capacity() + ended_.capacity() + former_pairs_.capacity() +
+                            rows_to_sort_.left.capacity() + rows_to_sort_.right.capacity();
+  return pairs * sizeof(BoxPair) + rows_.bytes() + rows_before_.bytes() + index_.bytes() +
+         starts_.capacity() * 4 + movers_.capacity() * sizeof(Mover) +
+         changed_.capacity() * sizeof(Changed) + is_changed_.capacity() / 8 +
+         hits_.capacity() * sizeof(MoverHit) +
+         (lookup_.here.capacity() + lookup_.below.capacity()) * sizeof(Reached) + former_.bytes();
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <graze/bvh/box_set/search/pair_index.h>
+#include <graze/bvh/box_set/search/pair_rows.h>
+#include <graze/bvh/box_set/store/box_set.h>
+#include <graze/bvh/box_set/store/former_boxes.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// A box set, the list of its overlapping pairs, and what the last update changed in that list.
+///
+/// Boxes change at once, the list with the next update. With few changes the list is edited: a box
+/// that changed is looked up where it was and where it is. The difference is what began and what
+/// ended. With many changes all pairs are searched anew, and what changed is worked out if somebody
+/// asks.
+class OverlapTracker {
+ public:
+  explicit OverlapTracker(int threads) : set_(threads) {}
+
+  /// As of the last settle(), update() or end_waiting(): a few changes may wait.
+  const BoxSet& set() const { return set_; }
+
+  /// As of a box set: of these insert() alone may throw, and has then not happened. An owner that
+  /// is erased must not come again before the next update.
+  void insert(std::uint32_t owner, const Aabb& box);
+  void move(std::uint32_t owner, const Aabb& box);
+  void erase(std::uint32_t owner);
+
+  /// Makes the changes that wait for their blocks to be fetched.
+  void end_waiting();
+
+  /// True if so many changes are handled by a search for all pairs.
+  bool are_many(std::size_t changes) const;
+
+  /// The same, of so many boxes.
+  void move_first(std::span<const Aabb> boxes) {
+    end_waiting();
+    note_many();
+    set_.move_first(boxes);
+  }
+  template <typename OwnerOf>
+  void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_waiting();
+    note_many();
+    set_.move_ascending(boxes, owner_of);
+  }
+  template <typename OwnerOf>
+  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+    end_waiting();
+    note_many();
+    set_.move_many(boxes, owner_of);
+  }
+
+  /// Makes the set ready for queries. No list changes.
+  void settle() {
+    end_waiting();
+    set_.settle();
+  }
+
+  /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of
+  /// pairs is the one of before, nothing began or ended, and the next update tells what has since
+  /// then.
+  bool update();
+
+  std::span<const BoxPair> pairs() const { return pairs_.pairs(); }
+  std::span<const BoxPair> sorted_pairs();
+  std::span<const BoxPair> begun();
+  std::span<const BoxPair> ended();
+
+  std::uint64_t searches_for_all() const { return searches_for_all_; }
+  std::uint64_t searches_for_movers() const { return searches_for_movers_; }
+  std::size_t bytes_for_pairs() const;
+
+ private:
+  /// A box that has changed since the last update, as it was then.
+  struct Changed {
+    OrderedBox before;    // no_box() for one that is new
+    std::uint32_t place;  // in the set; kNobody for one that is new
+    std::uint32_t owner;
+  };
+  enum class Verb { Insert, Move, Erase };
+  struct Waiting {
+    Verb verb;
+    std::uint32_t owner;
+    Aabb box;
+  };
+  struct Mover {
+    std::uint32_t place;   // now, or where it was if it is gone
+    std::uint32_t change;  // which entry of changed_
+  };
+
+  const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
+  std::size_t most_changes() const;
+  void wait(const Waiting& change);
+  void note(std::uint32_t owner);
+  void note_one(std::uint32_t owner);
+  void note_many();
+  void forget_changes();
+  void search_all();
+  void search_movers();
+  void compare_places();
+  void look_up_some(std::size_t first);
+  void end_pairs_of_movers();
+  void edit_list();
+  void list_former_boxes();
+  void list_movers();
+  void sort_movers();
+  void work_out_difference();
+
+  BoxSet set_;
+  PairBuffer pairs_;
+  PairBuffer before_;  // the list before the last search for all
+  PairIndex index_;    // of pairs_, while it is built
+  PairBuffer sorted_;
+  bool is_sorted_ = false;  // sorted_ holds pairs_
+  PairRows rows_, rows_before_;
+  bool is_grouped_ = false;         // rows_ holds pairs_
+  bool is_before_grouped_ = false;  // rows_before_ holds before_
+  RowsToSort rows_to_sort_;
+  bool has_difference_ = true;  // begun_ and ended_ are up to date
+  bool is_difference_sorted_ = true;
+  PairBuffer begun_, ended_;
+  static constexpr std::size_t kMostWaiting = 8;
+  std::array<Waiting, kMostWaiting> waiting_;
+  std::size_t waiting_count_ = 0;
+  std::vector<Changed> changed_;  // while they are few
+  std::vector<bool> is_changed_;  // by owner
+  bool have_many_changed_ = false;
+  std::vector<std::uint32_t> starts_;
+  std::vector<Mover> movers_;
+  FormerBoxes former_;  // where they were
+  PairBuffer former_pairs_;
+  std::vector<MoverHit> hits_;
+  Lookup lookup_;
+  std::uint64_t searches_for_all_ = 0;
+  std::uint64_t searches_for_movers_ = 0;
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,60 @@
+#include <graze/bvh/wide/front/front_course.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::bvh {
+
+FrontCourse::FrontCourse(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                         const WideTree& tree_a, const WideTree& tree_b, double way, double turn)
+    : step_{FrontWay(before[0], now[0], tree_b, turn), FrontWay(before[1], now[1], tree_a, turn)},
+      way_(way) {
+  const WideTree* const trees[2] = {&tree_b, &tree_a};
+  for (int side = 0; side < 2; ++side) {
+    const FloatBox& box = trees[side]->box();
+    const double unit = now[side].units_b;
+    for (int i = 0; i < 3; ++i) {
+      guest_[side].middle[i] = (0.5 * box.min[i] + 0.5 * box.max[i]) * unit;
+      guest_[side].half[i] = (0.5 * box.max[i] - 0.5 * box.min[i]) * unit;
+      guest_[side].translation[i] = now[side].translation[i] - before[side].translation[i];
+      for (int j = 0; j < 3; ++j)
+        guest_[side].rotation[i][j] = now[side].rotation[i][j] - before[side].rotation[i][j];
+    }
+  }
+}
+
+double FrontCourse::Guest::drift(const RelativeFrame& before, const RelativeFrame& now,
+                                 double share) const {
+  double off[3];
+  double sizes = 0;
+  double turned = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double came = now.translation[i] - before.translation[i];
+    off[i] = came - share * translation[i];
+    sizes += std::abs(came) + std::abs(share * translation[i]);
+  }
+  for (int j = 0; j < 3; ++j) {
+    double square = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double came = now.rotation[i][j] - before.rotation[i][j];
+      const double change = came - share * rotation[i][j];
+      off[i] += change * middle[j];
+      square += change * change;
+      sizes +=
+          (std::abs(came) + std::abs(share * rotation[i][j])) * (std::abs(middle[j]) + half[j]);
+    }
+    turned += half[j] * std::sqrt(square);
+  }
+  // As in engine/mesh/memory/remembered.cpp, with differences of what is itself rounded.
+  const double along = std::sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
+  return (along + turned) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+}
+
+double FrontCourse::drift(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                          double way) const {
+  const double share = way / way_;
+  return std::max(guest_[0].drift(before[0], now[0], share),
+                  guest_[1].drift(before[1], now[1], share));
+}
+
+}  // namespace graze::bvh

@@ -1,0 +1,196 @@
+// What planes of a front prove in the poses of a pass, and how long that lasts. Included once for
+// each SIMD target.
+
+#if defined(GRAZE_BVH_FRONT_OUTLOOK) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_FRONT_OUTLOOK
+#undef GRAZE_BVH_FRONT_OUTLOOK
+#else
+#define GRAZE_BVH_FRONT_OUTLOOK
+#endif
+
+#include <graze/bvh/wide/front/front_gaps-inl.h>
+#include <graze/bvh/wide/front/wide_front.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// What is rounded to float four times, times it, is no less than before.
+constexpr float kRoundUp = 1 + 0x1p-20f;
+
+/// Of a quotient, for what reciprocals are off on any target.
+constexpr float kReciprocalError = 1 - kEstimateError;
+
+/// A linear motion of points, column by column.
+struct alignas(16) StepColumns {
+  float column[4][4];  // of the turn, and the way; the rest is 0
+
+  HWY_INLINE void set(const FrontWay& way, float scale) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        column[j][i] = way.turned[i][j] * scale;
+      column[3][i] = way.moved[i] * scale;
+    }
+    for (auto& c : column)
+      c[3] = 0;
+  }
+
+  /// How far that takes a point.
+  HWY_INLINE void move(const float (&point)[3], float (&step)[4]) const {
+    const FourTag tag;
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+      auto sum = hn::Load(tag, column[3] + part);
+      for (int j = 0; j < 3; ++j)
+        sum = hn::MulAdd(hn::Load(tag, column[j] + part), hn::Set(tag, point[j]), sum);
+      hn::StoreU(sum, tag, step + part);
+    }
+  }
+};
+
+/// Of the guests of one host.
+template <FrontBounds bounds>
+class FrontOutlook {
+ public:
+  template <std::size_t lanes>
+  using Planes = FrontPlanes<lanes, bounds>;
+
+  HWY_INLINE void set(const WideFront::Pass& pass, int host_side) {
+    const FrontWay& since = pass.since[host_side];
+    since_.set(since, Planes<1>::kPart);
+    turn_ = since.turn;
+    error_ = since.error;
+    is_on_course_ = pass.drift < 1;
+    const FrontWay& course = pass.step[host_side];
+    course_.set(course, -pass.per_way * Planes<1>::kPart);
+    drift_ = pass.drift;
+    turning_ = course.turn * pass.per_way * kRoundUp;
+    least_spent_ = 2 * course.error * pass.per_way * kRoundUp + pass.drift;
+  }
+
+  /// The least of the gaps that planes prove now.
+  template <std::size_t lanes>
+  HWY_INLINE float gap(const Planes<lanes>& planes) const {
+    const hn::CappedTag<float, lanes> tag;
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      hn::Vec<decltype(tag)> normal[3];
+      least = hn::Min(least, gaps(tag, planes, lane, normal));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  /// How long all of these are more than 0, by the clock (front_course.h).
+  template <std::size_t lanes>
+  HWY_INLINE float lasts(const Planes<lanes>& planes) const {
+    if (!is_on_course_) return gap(planes);
+    const hn::CappedTag<float, lanes> tag;
+    const auto spending = spending_of(tag, planes.guest);
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      hn::Vec<decltype(tag)> normal[3];
+      const auto gap = gaps(tag, planes, lane, normal);
+      least = hn::Min(least, spending.lasts(gap, normal));
+    }
+    return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
+  }
+
+  struct Nearness {
+    std::uint32_t near;  // the lanes within the limit
+    float lasts;         // how long the gaps of the others do
+  };
+
+  /// Of these lanes alone what was found is stored, as gaps of the pose of reference.
+  template <std::size_t lanes>
+  HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
+                           std::uint32_t asked, float limit) const {
+    const hn::CappedTag<float, lanes> tag;
+    float step[4] = {};
+    since_.move(planes.guest.centre, step);
+    const auto gained = hn::Set(tag, planes.guest.radius() * turn_ * kRoundPlanes - error_);
+    const auto spending = spending_of(tag, planes.guest);
+    std::uint32_t near = 0;
+    auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(asked >> lane),
+                                    static_cast<std::uint8_t>(asked >> lane >> 8)};
+      const auto is_asked = hn::LoadMaskBits(tag, bits);
+      const auto gap = hn::Load(tag, found.gap + lane);
+      const auto is_far = hn::Gt(gap, hn::Set(tag, limit));
+      const auto is_kept = hn::And(is_far, is_asked);
+      hn::Vec<decltype(tag)> normal[3];
+      const auto stored_gap = hn::Load(tag, found.stored_gap + lane);
+      auto stored = hn::Mul(stored_gap, hn::Set(tag, kRoundPlanes));
+      for (int i = 0; i < 3; ++i) {
+        normal[i] = hn::Load(tag, found.normal[i] + lane);
+        stored = hn::NegMulAdd(normal[i], hn::Set(tag, step[i]), stored);
+      }
+      const auto lasts = is_on_course_ ? spending.lasts(stored_gap, normal) : gap;
+      least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
+      near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
+      const auto never = hn::Set(tag, std::numeric_limits<float>::infinity());
+      PlaneStore<bounds>::write_gaps(tag, planes, lane,
+                                     hn::IfThenElse(is_kept, hn::Add(stored, gained), never));
+    }
+    return {near, hn::GetLane(hn::MinOfLanes(tag, least))};
+  }
+
+ private:
+  /// How gaps of a guest are used up on its course, for each unit of the clock.
+  template <typename AnyTag>
+  struct Spending {
+    using Values = hn::Vec<AnyTag>;
+
+    Values back[3];
+    Values all;
+    Values least;
+
+    HWY_INLINE Values lasts(Values gap, const Values (&normal)[3]) const {
+      auto spent = hn::MulAdd(normal[0], back[0], all);
+      spent = hn::MulAdd(normal[1], back[1], spent);
+      spent = hn::MulAdd(normal[2], back[2], spent);
+      spent = hn::Min(hn::Max(spent, least), hn::Set(AnyTag(), 1.0f));
+      return hn::Mul(
+          gap, hn::Mul(hn::ApproximateReciprocal(spent), hn::Set(AnyTag(), kReciprocalError)));
+    }
+  };
+
+  template <typename AnyTag>
+  HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontGuest& guest) const {
+    float step[4] = {};
+    course_.move(guest.centre, step);
+    Spending<AnyTag> spending;
+    for (int i = 0; i < 3; ++i)
+      spending.back[i] = hn::Set(tag, step[i]);
+    spending.all = hn::Set(tag, guest.radius() * turning_ + least_spent_);
+    spending.least = hn::Set(tag, drift_);
+    return spending;
+  }
+
+  /// Reads the normals, too.
+  template <typename AnyTag, std::size_t lanes>
+  HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
+                                  hn::Vec<AnyTag> (&normal)[3]) const {
+    float step[4] = {};
+    since_.move(planes.guest.centre, step);
+    const float lost = planes.guest.radius() * turn_ * (1 / kRoundPlanes) + error_;
+    auto gap = hn::Sub(PlaneStore<bounds>::read(tag, planes, lane, normal), hn::Set(tag, lost));
+    for (int i = 0; i < 3; ++i)
+      gap = hn::MulAdd(normal[i], hn::Set(tag, step[i]), gap);
+    return gap;
+  }
+
+  StepColumns since_;
+  StepColumns course_;
+  float turn_;
+  float error_;
+  float drift_;
+  float turning_;
+  float least_spent_;
+  bool is_on_course_;
+};
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,90 @@
+#include <graze/bvh/value/local_frame.h>
+#include <graze/bvh/wide/front/front_planes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::bvh {
+
+namespace {
+
+/// Beyond it motions are not told in floats.
+constexpr double kLargest = 0x1p60;
+
+}  // namespace
+
+FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& guest,
+                   double all_turns)
+    : turn(static_cast<float>(all_turns)) {
+  const FloatBox& box = guest.box();
+  double sizes = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double way = now.translation[i] - first.translation[i];
+    moved[i] = static_cast<float>(way);
+    sizes += std::abs(way);
+    for (int j = 0; j < 3; ++j) {
+      const double change = now.rotation[i][j] - first.rotation[i][j];
+      turned[i][j] = static_cast<float>(change);
+      const float reach = std::max(std::abs(box.min[j]), std::abs(box.max[j]));
+      sizes += std::abs(change) * static_cast<double>(reach) * now.units_b;
+    }
+  }
+  if (!(sizes < kLargest)) {
+    // Nothing is known, in numbers that stay finite.
+    std::fill_n(&turned[0][0], 9, 0.0f);
+    std::fill_n(moved, 3, 0.0f);
+    error = 0x1p120f;
+    return;
+  }
+  // Each of the five sums of three or four products of floats rounds by less than 8 u of what it
+  // adds up, u = 2^-24, and the centre by u; the doubles above count for nothing beside that.
+  error = rounded_up(sizes * 0x1p-20 + 0x1p-100);
+}
+
+FrontGuest::FrontGuest(const WideSlot& slot, float units, int side_of_host)
+    : host_side(static_cast<std::uint16_t>(side_of_host)) {
+  const WideNode& node = *slot.node;
+  const std::uint32_t lane = slot.lane;
+  float square = 0;
+  float sizes = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto origin = static_cast<float>(node.origin[i]);
+    float middle = origin;
+    sizes += std::abs(origin);
+    for (int k = 0; k < 3; ++k) {
+      const float step = node.axes[i][k] * node.centre[k][lane];
+      middle += step;
+      sizes += std::abs(step);
+    }
+    centre[i] = middle * units;
+    square += node.half[i][lane] * node.half[i][lane];
+  }
+  // Axes that are at right angles and of length 1 but for 2.01 u, and a root; the centre, which is
+  // off by less than 8 u of what it adds up.
+  const float radius = (std::sqrt(square) * (1 + 0x1p-18f) + sizes * 0x1p-20f + 0x1p-60f) * units;
+  constexpr std::uint32_t kLowerHalf = 0xffff;
+  upper_radius =
+      static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(radius) + kLowerHalf) >> 16);
+}
+
+FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontGuest& guest,
+                       const FrontWay& way) {
+  float step[3];
+  set_step(step, guest, way);
+  double kept = gap_now;
+  for (int i = 0; i < 3; ++i) {
+    normal[i] = static_cast<float>(direction[i]);
+    kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
+  }
+  kept += static_cast<double>(guest.radius()) * static_cast<double>(way.turn * kRoundPlanes);
+  gap = rounded_down(kept - static_cast<double>(way.error));
+}
+
+float FrontPlane::gap_after(const FrontGuest& guest, const FrontWay& way) const {
+  float step[3];
+  set_step(step, guest, way);
+  const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
+  return (along - (guest.radius() * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
+}
+
+}  // namespace graze::bvh

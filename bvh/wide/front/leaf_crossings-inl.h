@@ -1,0 +1,318 @@
+// Which primitives of two leaves surely cross, and which are surely apart. Included once for each
+// SIMD target.
+//
+// What is asked are signs of determinants of three vectors: sums of six products, one component of
+// each, which are no more than the product of the vectors' 1-norms in all. In each component an
+// edge of the host from its first corner is off by a, of the guest by b, and the way between first
+// corners by d, which exceeds both (local_leaves-inl.h), so that one factor after the other may be
+// replaced. With S the sum of the 1-norms of both edges of the host, T of the guest, and V what the
+// way to any corner of the guest adds up to, all of them increased by what they may be off by,
+// heights over the host's plane change by no more than
+//   a S V + d S^2 / 2,
+// for edges make a normal of S^2 / 4 at most, and a way to a corner is off by b + d. Of an edge of
+// each, off by 2.44 a and 2.44 b with what rounds where it is a difference of two, and a way of
+// length L between any corners, off by 3.44 d + u L, u = 2^-24, the determinant changes by
+//   2.44 (a T + b S) (L + 10.4 d) + (3.44 d + u L) S T,
+// in which a T + b S is S T / 6 at most, for what they may be off by. Determinants round by 6 u of
+// the product of the norms. kSignRounding is 16 u. Small primitives beside large ones are told as
+// well as others, because each counts with its own size.
+//
+// Where primitives are told apart, this is along a vector by which they are so far apart. The
+// normal of a plane is one, and what is said above covers how far either primitive reaches beyond a
+// corner of its own along it as it is computed. The cross product of the edges that bound a gap
+// between segments is one: the line that the planes share meets the plane through one edge and
+// along the other at an end of its own segment, so that this segment, and with it the primitive,
+// are on one side of that. As computed it is off by 3.3 (a T + b S) in each component, so that both
+// reach further along it by 3.3 (a T + b S) (S + T) together.
+//
+// The frame of a host is the common one turned by the transpose of a pose, whose determinant is
+// positive, so that placed primitives have the same signs there (law 5: delta has the slack, which
+// is how far the frame's corners are from placed ones). So what signs prove is proved of these.
+
+#if defined(GRAZE_BVH_LEAF_CROSSINGS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_LEAF_CROSSINGS
+#undef GRAZE_BVH_LEAF_CROSSINGS
+#else
+#define GRAZE_BVH_LEAF_CROSSINGS
+#endif
+
+#include <graze/bvh/wide/front/local_leaves-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+constexpr float kSignRounding = 0x1p-20f;
+
+// What errors are multiplied by: as above, and more than that.
+constexpr float kWayError = 1.125f;
+constexpr float kEdgeError = 2.5f;
+constexpr float kEdgesError = 8;
+constexpr float kReachError = 3.5f;
+
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> dot(AnyTag, const hn::Vec<AnyTag> (&a)[3],
+                               const hn::Vec<AnyTag> (&b)[3]) {
+  return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
+}
+
+template <typename AnyTag>
+HWY_INLINE void set_cross(AnyTag, const hn::Vec<AnyTag> (&a)[3], const hn::Vec<AnyTag> (&b)[3],
+                          hn::Vec<AnyTag> (&product)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3;
+    const int i2 = (i + 2) % 3;
+    product[i] = hn::MulSub(a[i1], b[i2], hn::Mul(a[i2], b[i1]));
+  }
+}
+
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> one_norm(AnyTag, const hn::Vec<AnyTag> (&v)[3]) {
+  return hn::Add(hn::Add(hn::Abs(v[0]), hn::Abs(v[1])), hn::Abs(v[2]));
+}
+
+/// How far determinants can be off.
+template <typename AnyTag>
+class CrossingErrors {
+ public:
+  using Values = hn::Vec<AnyTag>;
+
+  HWY_INLINE CrossingErrors(const LocalPairs<AnyTag>& pairs, const LocalErrors& errors)
+      : errors_(errors),
+        host_(size(pairs.host, errors.host)),
+        guest_(size(pairs.guest, errors.guest)),
+        way_(hn::Add(one_norm(AnyTag(), pairs.way), hn::Set(AnyTag(), 6 * errors.way))),
+        off_(hn::MulAdd(host_, hn::Set(AnyTag(), errors.guest),
+                        hn::Mul(guest_, hn::Set(AnyTag(), errors.host)))) {}
+
+  /// Of two edges of one and a way to the other.
+  HWY_INLINE Values of_host_plane() const {
+    return of_plane(host_, hn::Add(way_, guest_), errors_.host);
+  }
+  HWY_INLINE Values of_guest_plane() const {
+    return of_plane(guest_, hn::Add(way_, host_), errors_.guest);
+  }
+
+  /// Of an edge of each and this way.
+  HWY_INLINE Values of_cuts(const Values (&way)[3]) const {
+    const AnyTag tag;
+    const auto length = one_norm(tag, way);
+    const auto each =
+        hn::MulAdd(length, hn::Set(tag, kSignRounding), hn::Set(tag, kEdgesError * errors_.way));
+    return hn::MulAdd(
+        hn::Mul(host_, guest_), each,
+        hn::MulAdd(hn::Mul(off_, length), hn::Set(tag, kEdgeError), hn::Set(tag, kWideUnderflow)));
+  }
+
+  /// How much closer than the heights of cuts both primitives may be along that cross product.
+  HWY_INLINE Values of_sides() const {
+    return hn::Mul(hn::Mul(off_, hn::Add(host_, guest_)), hn::Set(AnyTag(), kReachError));
+  }
+
+ private:
+  HWY_INLINE static Values size(const Values (&edges)[2][3], float error) {
+    const AnyTag tag;
+    return hn::Add(hn::Add(one_norm(tag, edges[0]), one_norm(tag, edges[1])),
+                   hn::Set(tag, 12 * error));
+  }
+
+  HWY_INLINE Values of_plane(Values size, Values way, float error) const {
+    const AnyTag tag;
+    const auto each =
+        hn::MulAdd(way, hn::Set(tag, 0.25f * kSignRounding), hn::Set(tag, errors_.way));
+    return hn::MulAdd(hn::Mul(size, size), each,
+                      hn::MulAdd(hn::Mul(size, way), hn::Set(tag, kWayError * error),
+                                 hn::Set(tag, kWideUnderflow)));
+  }
+
+  const LocalErrors& errors_;
+  Values host_;
+  Values guest_;
+  Values way_;
+  Values off_;  // of what two edges, one of each, span
+};
+
+/// The signs of three corners beside a plane.
+template <typename AnyTag>
+struct SidesOfPlane {
+  using Values = hn::Vec<AnyTag>;
+
+  hn::Mask<AnyTag> is_negative[3];
+  hn::Mask<AnyTag> is_sure;  // all three
+  Values beyond;             // how far the nearest is from the plane at least, times the normal
+
+  /// From the height of the first corner, and the edges from there to the others.
+  HWY_INLINE SidesOfPlane(const Values (&normal)[3], Values height, const Values (&edges)[2][3],
+                          Values bound) {
+    const AnyTag tag;
+    auto least = hn::Abs(height);
+    is_negative[0] = hn::Lt(height, hn::Zero(tag));
+    for (int c = 1; c < 3; ++c) {
+      const auto other = hn::Add(height, dot(tag, normal, edges[c - 1]));
+      least = hn::Min(least, hn::Abs(other));
+      is_negative[c] = hn::Lt(other, hn::Zero(tag));
+    }
+    beyond = hn::Sub(least, bound);
+    is_sure = hn::Gt(beyond, hn::Zero(tag));
+  }
+
+  HWY_INLINE hn::Mask<AnyTag> are_equal() const {
+    return hn::Not(
+        hn::Or(hn::Xor(is_negative[0], is_negative[1]), hn::Xor(is_negative[0], is_negative[2])));
+  }
+};
+
+/// A primitive from the corner on that is alone on its side of the other's plane: where that is
+/// from the first corner on, and the edges to the next and to the last, which may point back.
+template <typename AnyTag>
+struct FromLoneCorner {
+  using Values = hn::Vec<AnyTag>;
+
+  Values corner[3];
+  Values next[3];
+  Values last[3];
+  hn::Mask<AnyTag> is_next_reversed;
+  hn::Mask<AnyTag> is_last_reversed;
+  hn::Mask<AnyTag> is_negative;
+
+  HWY_INLINE FromLoneCorner(const Values (&edges)[2][3], const SidesOfPlane<AnyTag>& sides) {
+    const auto is_first = hn::Not(hn::Xor(sides.is_negative[1], sides.is_negative[2]));
+    const auto is_second = hn::Not(hn::Xor(sides.is_negative[0], sides.is_negative[2]));
+    is_negative =
+        hn::Xor(hn::Xor(sides.is_negative[0], sides.is_negative[1]), sides.is_negative[2]);
+    is_next_reversed = hn::Not(hn::Or(is_first, is_second));
+    is_last_reversed = hn::Not(is_first);
+    for (int i = 0; i < 3; ++i) {
+      const auto& to_second = edges[0][i];
+      const auto& to_third = edges[1][i];
+      const auto between = hn::Sub(to_third, to_second);
+      corner[i] = hn::IfThenZeroElse(is_first, hn::IfThenElse(is_second, to_second, to_third));
+      next[i] = hn::IfThenElse(is_first, to_second, hn::IfThenElse(is_second, between, to_third));
+      last[i] = hn::IfThenElse(is_first, to_third, hn::IfThenElse(is_second, to_second, between));
+    }
+  }
+};
+
+/// Of pairs of which each straddles the other's plane: whether the segments that their planes cut
+/// out of them overlap, along the line that the planes share, or leave a gap there. Two pairs of
+/// edges bound what is between the segments, and if there is a gap, the primitives are on either
+/// side of it along the cross product of such a pair.
+template <typename AnyTag>
+struct CutSegments {
+  using Values = hn::Vec<AnyTag>;
+  using Masks = hn::Mask<AnyTag>;
+
+  Values across[2][3];  // cross products of edges
+  Values height[2];     // of the guest beyond the host along them
+  Values gap[2];        // the same where that is where a gap would be, less what it may be off by
+  Masks do_overlap;
+
+  HWY_INLINE CutSegments(const FromLoneCorner<AnyTag>& s, const FromLoneCorner<AnyTag>& t,
+                         const Values (&first_way)[3], const CrossingErrors<AnyTag>& errors) {
+    const AnyTag tag;
+    const Masks is_crossed = hn::Xor(s.is_negative, t.is_negative);
+    Values way[3], with_next[3], with_last[3];
+    for (int i = 0; i < 3; ++i) {
+      way[i] = hn::Add(first_way[i], hn::Sub(t.corner[i], s.corner[i]));
+      with_next[i] = hn::IfThenElse(is_crossed, t.last[i], t.next[i]);
+      with_last[i] = hn::IfThenElse(is_crossed, t.next[i], t.last[i]);
+    }
+    set_cross(tag, s.next, with_next, across[0]);
+    set_cross(tag, s.last, with_last, across[1]);
+    const auto select = [&](Masks one, Masks other) HWY_ATTR {
+      return hn::Or(hn::And(is_crossed, one), hn::AndNot(is_crossed, other));
+    };
+    const Masks is_back[2] = {hn::Xor(hn::Xor(s.is_next_reversed, t.is_negative),
+                                      select(t.is_last_reversed, t.is_next_reversed)),
+                              hn::Not(hn::Xor(hn::Xor(s.is_last_reversed, t.is_negative),
+                                              select(t.is_next_reversed, t.is_last_reversed)))};
+    const Values bound = errors.of_cuts(way);
+    auto most = hn::Set(tag, -std::numeric_limits<float>::infinity());
+    for (int k = 0; k < 2; ++k) {
+      height[k] = dot(tag, across[k], way);
+      const auto place = hn::IfThenElse(is_back[k], height[k], hn::Neg(height[k]));
+      most = hn::Max(most, place);
+      gap[k] = hn::Sub(place, bound);
+    }
+    do_overlap = hn::Lt(most, hn::Neg(bound));
+  }
+
+  HWY_INLINE Masks are_apart() const { return hn::Gt(hn::Max(gap[0], gap[1]), hn::Zero(AnyTag())); }
+};
+
+/// The boxes of pairs along the axes of the host's tree.
+template <typename AnyTag>
+HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, float error) {
+  const AnyTag tag;
+  auto most = hn::Zero(tag);
+  for (int i = 0; i < 3; ++i) {
+    const auto& p = pairs.host;
+    const auto& q = pairs.guest;
+    const auto zero = hn::Zero(tag);
+    const auto host_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
+    const auto host_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
+    const auto low = hn::Min(hn::Min(q[0][i], q[1][i]), zero);
+    const auto high = hn::Max(hn::Max(q[0][i], q[1][i]), zero);
+    const auto above = hn::Add(hn::Sub(low, host_high), pairs.way[i]);
+    const auto below = hn::Sub(hn::Sub(host_low, high), pairs.way[i]);
+    most = hn::Max(most, hn::Max(above, below));
+  }
+  return hn::Gt(most, hn::Set(tag, 4 * error));
+}
+
+template <typename AnyTag>
+struct PairNormals {
+  hn::Vec<AnyTag> host[3];
+  hn::Vec<AnyTag> guest[3];
+
+  HWY_INLINE explicit PairNormals(const LocalPairs<AnyTag>& pairs) {
+    set_cross(AnyTag(), pairs.host[0], pairs.host[1], host);
+    set_cross(AnyTag(), pairs.guest[0], pairs.guest[1], guest);
+  }
+};
+
+/// What is known of some pairs of two leaves, off by so much; lanes that hold no pair may say
+/// anything.
+template <typename AnyTag>
+struct LeafCrossings {
+  using Values = hn::Vec<AnyTag>;
+  using Masks = hn::Mask<AnyTag>;
+
+  CrossingErrors<AnyTag> errors;
+  PairNormals<AnyTag> normals;
+  SidesOfPlane<AnyTag> guest_sides;
+  SidesOfPlane<AnyTag> host_sides;
+  CutSegments<AnyTag> cuts;
+  Masks is_guest_beyond;  // a plane,
+  Masks is_host_beyond;
+  Masks is_cut;  // each by the other's plane
+  Masks are_apart;
+  Masks do_cross;
+
+  HWY_INLINE LeafCrossings(const LocalPairs<AnyTag>& pairs, const LocalErrors& off)
+      : errors(pairs, off),
+        normals(pairs),
+        guest_sides(normals.host, dot(AnyTag(), normals.host, pairs.way), pairs.guest,
+                    errors.of_host_plane()),
+        host_sides(normals.guest, hn::Neg(dot(AnyTag(), normals.guest, pairs.way)), pairs.host,
+                   errors.of_guest_plane()),
+        cuts(FromLoneCorner<AnyTag>(pairs.host, host_sides),
+             FromLoneCorner<AnyTag>(pairs.guest, guest_sides), pairs.way, errors) {
+    const AnyTag tag;
+    is_guest_beyond = hn::And(guest_sides.is_sure, guest_sides.are_equal());
+    is_host_beyond = hn::And(host_sides.is_sure, host_sides.are_equal());
+    const Masks are_beyond = hn::Or(is_guest_beyond, is_host_beyond);
+    is_cut = hn::AndNot(are_beyond, hn::And(guest_sides.is_sure, host_sides.is_sure));
+    are_apart = hn::Or(are_beyond, hn::And(is_cut, cuts.are_apart()));
+    do_cross = hn::And(is_cut, cuts.do_overlap);
+    const auto is_decided = hn::Or(are_apart, do_cross);
+    if (!hn::AllTrue(tag, is_decided))
+      are_apart = hn::Or(are_apart, hn::AndNot(is_decided, are_boxes_apart(pairs, off.way)));
+  }
+};
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

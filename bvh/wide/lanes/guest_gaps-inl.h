@@ -1,0 +1,112 @@
+// How far apart boxes of two wide trees are at least. Included once for each SIMD target.
+
+#if defined(GRAZE_BVH_GUEST_GAPS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_GUEST_GAPS
+#undef GRAZE_BVH_GUEST_GAPS
+#else
+#define GRAZE_BVH_GUEST_GAPS
+#endif
+
+#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// A direction along the axes of a host node, and how far a guest reaches along it.
+struct Aim {
+  float axes[3];
+  float size[3];
+  float reach;
+};
+
+HWY_INLINE Aim aim_of(const WideNode& host, const GuestInNode& guest, const Guest& box,
+                      const float (&direction)[3]) {
+  Aim aim;
+  for (int i = 0; i < 3; ++i) {
+    aim.axes[i] = host.axes[0][i] * direction[0] + host.axes[1][i] * direction[1] +
+                  host.axes[2][i] * direction[2];
+    aim.size[i] = std::abs(aim.axes[i]);
+  }
+  aim.reach = guest.half[0] - box.half[0];  // the margins alone
+  for (int k = 0; k < 3; ++k) {
+    aim.reach +=
+        box.half[k] * std::abs(guest.axes[k][0] * aim.axes[0] + guest.axes[k][1] * aim.axes[1] +
+                               guest.axes[k][2] * aim.axes[2]);
+  }
+  return aim;
+}
+
+/// What the children of a host promise of a guest: lanes of squares.
+struct Promises {
+  alignas(32) float bound[WideNode::kWidth];  // of their distance, from below
+  alignas(32) float key[WideNode::kWidth];    // what to look at first: less is nearer
+};
+
+// Middles tell where bounds do not.
+constexpr float kMiddleWeight = 0.1f;
+
+/// A gap as far as it is known: one that is negative is none, and so is what overflowed.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> known(AnyTag tag, hn::Vec<AnyTag> gap) {
+  const auto infinity = hn::Set(tag, std::numeric_limits<float>::infinity());
+  const auto is_known = hn::And(hn::Gt(gap, hn::Zero(tag)), hn::Lt(gap, infinity));
+  return hn::IfThenElseZero(is_known, gap);
+}
+
+// Squares are taken in common units, the larger of both trees': what overflows then is far.
+HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
+  const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(offset), reach)), unit);
+  return hn::Mul(gap, gap);
+}
+
+// In the axes of the host the way between two points has components of at least the gaps between a
+// host's box and the box around the guest along these axes; so has it in the axes of the guest,
+// with the roles exchanged. Each triple of gaps, squared and summed, is a lower bound.
+HWY_INLINE void set_promises(Promises& promises, const WideNode& host, const GuestInNode& guest,
+                             const Aim& aim, float unit_of_host) {
+  const Tag tag;
+  const Lanes unit = hn::Set(tag, unit_of_host);
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    Lanes half[3], way[3];
+    Lanes in_host = hn::Zero(tag);
+    Lanes in_guest = in_host;
+    Lanes middles = in_host;
+    Lanes along = in_host;
+    Lanes reach_along = hn::Set(tag, aim.reach);
+    for (int i = 0; i < 3; ++i) {
+      half[i] = hn::Load(tag, host.half[i] + lane);
+      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
+      in_host = hn::Add(in_host,
+                        squared_gap(way[i], hn::Add(half[i], hn::Set(tag, guest.reach[i])), unit));
+      const Lanes step = hn::Mul(way[i], unit);
+      middles = hn::MulAdd(step, step, middles);
+      along = hn::MulAdd(way[i], hn::Set(tag, aim.axes[i]), along);
+      reach_along = hn::MulAdd(half[i], hn::Set(tag, aim.size[i]), reach_along);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const Lanes distance =
+          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
+                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
+                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
+      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
+                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
+                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
+                                                           hn::Set(tag, guest.half[k]))));
+      in_guest = hn::Add(in_guest, squared_gap(distance, reach, unit));
+    }
+    const Lanes gap = hn::Mul(known(tag, hn::Sub(along, reach_along)), unit);
+    const Lanes bound = hn::Max(hn::Max(in_host, in_guest), hn::Mul(gap, gap));
+    hn::Store(bound, tag, promises.bound + lane);
+    hn::Store(hn::MulAdd(middles, hn::Set(tag, kMiddleWeight), bound), tag, promises.key + lane);
+  }
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

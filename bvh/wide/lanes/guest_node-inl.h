@@ -1,0 +1,89 @@
+// All boxes of a node of one wide tree along the axes of a node of the other. Included once for
+// each SIMD target.
+
+#if defined(GRAZE_BVH_GUEST_NODE) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_GUEST_NODE
+#undef GRAZE_BVH_GUEST_NODE
+#else
+#define GRAZE_BVH_GUEST_NODE
+#endif
+
+#include <graze/bvh/wide/lanes/guest_box-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// What GuestInNode says of one guest, of eight that share their axes: a lane each.
+struct GuestsInNode {
+  alignas(16) float axes[3][4];
+  alignas(16) float size[3][4];
+  alignas(32) float crossed[3][3][WideNode::kWidth];
+  alignas(32) float way[3][WideNode::kWidth];
+  alignas(32) float reach[3][WideNode::kWidth];
+  alignas(32) float half[3][WideNode::kWidth];  // with the slack
+};
+
+/// `padding` is the slack of the query and the rounding of all that is done here (wide_bounds.h).
+HWY_INLINE void set_guests_in_node(GuestsInNode& guests, const WideNode& node, const WideNode& host,
+                                   const WideWay& way, float padding) {
+  const FourTag four;
+  float start[3];  // from the host's origin to the guests'
+  for (int i = 0; i < 3; ++i) {
+    const double turned = way.rotation[i][0] * node.origin[0] +
+                          way.rotation[i][1] * node.origin[1] + way.rotation[i][2] * node.origin[2];
+    start[i] = static_cast<float>((turned * way.scale + way.translation[i]) - host.origin[i]);
+  }
+  alignas(16) float axes[3][4];
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(four)) {
+    const Rows rows(way.columns, part);
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(rows.combined(node.axes[0][k], node.axes[1][k], node.axes[2][k]), four,
+                axes[k] + part);
+    }
+  }
+  alignas(16) float from_origin[4];
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(four)) {
+    const Rows rows(host, part);
+    hn::Store(rows.combined(start[0], start[1], start[2]), four, from_origin + part);
+    for (int k = 0; k < 3; ++k) {
+      const Four in_node = rows.combined(axes[k][0], axes[k][1], axes[k][2]);
+      hn::Store(in_node, four, guests.axes[k] + part);
+      hn::Store(hn::Abs(in_node), four, guests.size[k] + part);
+    }
+  }
+  const Tag tag;
+  const auto scale = hn::Set(tag, static_cast<float>(way.scale));
+  const Lanes margin = hn::Set(tag, padding);
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    Lanes half[3], centre[3];
+    for (int k = 0; k < 3; ++k) {
+      half[k] = hn::Mul(hn::Load(tag, node.half[k] + lane), scale);
+      centre[k] = hn::Mul(hn::Load(tag, node.centre[k] + lane), scale);
+      hn::Store(hn::Add(half[k], margin), tag, guests.half[k] + lane);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto along = [&](int k) HWY_ATTR {
+        return hn::Mul(hn::Set(tag, guests.axes[k][i]), centre[k]);
+      };
+      // Not fused: the order of the walk depends on it.
+      const Lanes way_there = hn::Add(hn::Add(along(0), along(1)), along(2));
+      hn::Store(hn::Add(way_there, hn::Set(tag, from_origin[i])), tag, guests.way[i] + lane);
+      const auto size = [&](int k) HWY_ATTR { return hn::Set(tag, guests.size[k][i]); };
+      const Lanes reach = hn::MulAdd(half[1], size(1), hn::MulAdd(half[0], size(0), margin));
+      hn::Store(hn::MulAdd(half[2], size(2), reach), tag, guests.reach[i] + lane);
+      for (int k = 0; k < 3; ++k) {
+        const int k1 = (k + 1) % 3;
+        const int k2 = (k + 2) % 3;
+        hn::Store(hn::MulAdd(half[k1], size(k2), hn::MulAdd(half[k2], size(k1), margin)), tag,
+                  guests.crossed[k][i] + lane);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,89 @@
+// How far apart the primitives of two leaves are at least, and at most. Included once for each SIMD
+// target.
+
+#if defined(GRAZE_BVH_LEAF_GAPS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_LEAF_GAPS
+#undef GRAZE_BVH_LEAF_GAPS
+#else
+#define GRAZE_BVH_LEAF_GAPS
+#endif
+
+#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
+#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// How far three corners are beyond the plane with this normal, at least, if they are on one side
+/// of it.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> beyond_plane(const Heights<AnyTag>& heights,
+                                        const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> bound) {
+  const AnyTag tag;
+  const auto gap = known(tag, hn::Sub(hn::Max(heights.low, hn::Neg(heights.high)), bound));
+  const auto square = hn::MulAdd(normal[0], normal[0],
+                                 hn::MulAdd(normal[1], normal[1], hn::Mul(normal[2], normal[2])));
+  // No plane, no gap: a normal that vanishes is shorter than what is added.
+  return hn::Div(gap, hn::Sqrt(hn::Add(square, hn::Set(tag, kWideUnderflow))));
+}
+
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> along(AnyTag tag, const float (&direction)[3],
+                                 const hn::Vec<AnyTag> (&p)[3]) {
+  return hn::MulAdd(
+      p[0], hn::Set(tag, direction[0]),
+      hn::MulAdd(p[1], hn::Set(tag, direction[1]), hn::Mul(p[2], hn::Set(tag, direction[2]))));
+}
+
+/// Lower bounds of the squared distances of pairs: along a direction, by boxes along the axes of
+/// the host's tree, and by the planes of both.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
+                                        const PairTriangles<AnyTag>& triangles, float leaf_error,
+                                        const float (&direction)[3], float unit_of_host) {
+  const auto unit = hn::Set(tag, unit_of_host);
+  const auto error = hn::Set(tag, leaf_error);
+  auto of_boxes = hn::Zero(tag);
+  for (int i = 0; i < 3; ++i) {
+    const auto step = hn::Mul(known(tag, hn::Sub(boxes.gap[i], error)), unit);
+    of_boxes = hn::MulAdd(step, step, of_boxes);
+  }
+  const auto& host = triangles.host;
+  const auto& guest = triangles.guest;
+  const auto bound = height_error(tag, boxes.extent, error);
+  const auto of_guest = beyond_plane(Heights<AnyTag>(host, guest), host.normal, bound);
+  const auto of_host = beyond_plane(Heights<AnyTag>(guest, host), guest.normal, bound);
+  auto end = along(tag, direction, host.corner[0]);
+  auto start = along(tag, direction, guest.corner[0]);
+  for (int c = 1; c < 3; ++c) {
+    end = hn::Max(end, along(tag, direction, host.corner[c]));
+    start = hn::Min(start, along(tag, direction, guest.corner[c]));
+  }
+  // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
+  // products once more.
+  const auto gap = known(tag, hn::Sub(hn::Sub(start, end), hn::Mul(error, hn::Set(tag, 4.0f))));
+  const auto step = hn::Mul(hn::Max(gap, hn::Max(of_host, of_guest)), unit);
+  return hn::Max(of_boxes, hn::Mul(step, step));
+}
+
+/// The squared distances of the nearest corners of pairs.
+template <typename AnyTag>
+HWY_INLINE hn::Vec<AnyTag> squared_corners(AnyTag tag, const PairTriangles<AnyTag>& triangles) {
+  auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
+  for (const auto& p : triangles.host.corner) {
+    for (const auto& q : triangles.guest.corner) {
+      const auto x = hn::Sub(q[0], p[0]);
+      const auto y = hn::Sub(q[1], p[1]);
+      const auto z = hn::Sub(q[2], p[2]);
+      least = hn::Min(least, hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z))));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,117 @@
+// The primitives of a guest's leaf one by one against the boxes of a host node. Included once for
+// each SIMD target.
+
+#if defined(GRAZE_BVH_LEAF_IN_NODE) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_LEAF_IN_NODE
+#undef GRAZE_BVH_LEAF_IN_NODE
+#else
+#define GRAZE_BVH_LEAF_IN_NODE
+#endif
+
+#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// A leaf along the axes of a host node, a lane for each primitive: the box around it there, and
+/// where it lies along its normal. Errors are paid for (wide_bounds.h).
+struct LeafInNode {
+  alignas(16) float low[3][4];
+  alignas(16) float high[3][4];
+  alignas(16) float normal[3][4];
+  alignas(16) float below[4];
+  alignas(16) float above[4];
+};
+
+HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const GuestLeaf& leaf, const WideNode& host,
+                                 const double (&treelet_origin)[3]) {
+  const FourTag tag;
+  float start[3];  // from the host's origin to that of its treelet
+  for (int i = 0; i < 3; ++i)
+    start[i] = static_cast<float>(treelet_origin[i] - host.origin[i]);
+  const Four error = hn::Set(tag, kLeafInNodeError * leaf.error);
+  for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
+    Four p[3][3];
+    for (int c = 0; c < 3; ++c) {
+      Four way[3];
+      for (int i = 0; i < 3; ++i)
+        way[i] = hn::Add(hn::Load(tag, leaf.corner[c][i] + part), hn::Set(tag, start[i]));
+      for (int k = 0; k < 3; ++k) {
+        p[c][k] = hn::MulAdd(way[0], hn::Set(tag, host.axes[0][k]),
+                             hn::MulAdd(way[1], hn::Set(tag, host.axes[1][k]),
+                                        hn::Mul(way[2], hn::Set(tag, host.axes[2][k]))));
+      }
+    }
+    Four e[3], f[3], normal[3];
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(hn::Sub(hn::Min(hn::Min(p[0][k], p[1][k]), p[2][k]), error), tag,
+                in_node.low[k] + part);
+      hn::Store(hn::Add(hn::Max(hn::Max(p[0][k], p[1][k]), p[2][k]), error), tag,
+                in_node.high[k] + part);
+      e[k] = hn::Sub(p[1][k], p[0][k]);
+      f[k] = hn::Sub(p[2][k], p[0][k]);
+    }
+    Four size = hn::Zero(tag);
+    for (int k = 0; k < 3; ++k) {
+      const int k1 = (k + 1) % 3;
+      const int k2 = (k + 2) % 3;
+      normal[k] = hn::MulSub(e[k1], f[k2], hn::Mul(e[k2], f[k1]));
+      hn::Store(normal[k], tag, in_node.normal[k] + part);
+      size = hn::Add(size, hn::Abs(normal[k]));
+    }
+    Four below, above;
+    for (int c = 0; c < 3; ++c) {
+      const Four height = hn::MulAdd(normal[0], p[c][0],
+                                     hn::MulAdd(normal[1], p[c][1], hn::Mul(normal[2], p[c][2])));
+      below = c == 0 ? height : hn::Min(below, height);
+      above = c == 0 ? height : hn::Max(above, height);
+    }
+    const Four margin = hn::MulAdd(size, error, hn::Set(tag, kWideUnderflow));
+    hn::Store(hn::Sub(below, margin), tag, in_node.below + part);
+    hn::Store(hn::Add(above, margin), tag, in_node.above + part);
+  }
+}
+
+/// The bits of the children that some of the first `count` primitives are not proved apart from.
+HWY_INLINE std::uint32_t near_primitives_of(const LeafInNode& leaf, std::uint32_t count,
+                                            const WideNode& host) {
+  const Tag tag;
+  std::uint32_t near = 0;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
+    Lanes centre[3], half[3], low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+      centre[k] = hn::Load(tag, host.centre[k] + lane);
+      half[k] = hn::Load(tag, host.half[k] + lane);
+      low[k] = hn::Sub(centre[k], half[k]);
+      high[k] = hn::Add(centre[k], half[k]);
+    }
+    auto are_apart = hn::Eq(low[0], low[0]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Lanes n[3] = {hn::Set(tag, leaf.normal[0][i]), hn::Set(tag, leaf.normal[1][i]),
+                          hn::Set(tag, leaf.normal[2][i])};
+      const Lanes height =
+          hn::MulAdd(n[0], centre[0], hn::MulAdd(n[1], centre[1], hn::Mul(n[2], centre[2])));
+      const Lanes reach =
+          hn::MulAdd(hn::Abs(n[0]), half[0],
+                     hn::MulAdd(hn::Abs(n[1]), half[1], hn::Mul(hn::Abs(n[2]), half[2])));
+      auto apart = hn::Or(hn::Gt(hn::Sub(height, reach), hn::Set(tag, leaf.above[i])),
+                          hn::Lt(hn::Add(height, reach), hn::Set(tag, leaf.below[i])));
+      for (int k = 0; k < 3; ++k) {
+        apart = hn::Or(apart, hn::Or(hn::Gt(low[k], hn::Set(tag, leaf.high[k][i])),
+                                     hn::Lt(high[k], hn::Set(tag, leaf.low[k][i]))));
+      }
+      are_apart = hn::And(are_apart, apart);
+    }
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, hn::Not(are_apart), bits);
+    near |= std::uint32_t{bits[0]} << lane;
+  }
+  return near;
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,147 @@
+// All pairs of the primitives of two leaves, a lane each. Included once for each SIMD target.
+
+#if defined(GRAZE_BVH_PAIR_LANES) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_PAIR_LANES
+#undef GRAZE_BVH_PAIR_LANES
+#else
+#define GRAZE_BVH_PAIR_LANES
+#endif
+
+#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+// Pair 4 i + j is of the host's primitive i and the guest's j.
+constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+using PairTag = hn::CappedTag<float, kLeafPairs>;
+
+/// The bits of the pairs of two leaves of so many primitives.
+HWY_INLINE std::uint32_t pairs_of(std::uint32_t hosts, std::uint32_t guests) {
+  return 0x1111u * ((1u << guests) - 1) & ((1u << 4 * hosts) - 1);
+}
+
+/// The bits of the lanes of a mask, up to sixteen.
+template <typename AnyTag, typename Mask>
+HWY_INLINE std::uint32_t bits_of(AnyTag tag, Mask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
+  return std::uint32_t{bits[0]} | std::uint32_t{bits[1]} << 8;
+}
+
+/// Values of the host's and the guest's primitives in as many pairs as there are lanes, from
+/// `first` on.
+template <typename AnyTag>
+class PairLanes {
+ public:
+  using Values = hn::Vec<AnyTag>;
+
+  HWY_INLINE explicit PairLanes(std::size_t first) : first_(first) {
+    alignas(64) std::int32_t host[kLeafPairs];
+    for (std::size_t i = 0; i < hn::Lanes(AnyTag()); ++i)
+      host[i] = static_cast<std::int32_t>((first + i) / 4);
+    host_ = hn::SetTableIndices(AnyTag(), host);
+  }
+
+  /// Of four values.
+  HWY_INLINE Values host(const float* values) const {
+    const AnyTag tag;
+    if constexpr (kHasBlocks) {
+      if (hn::Lanes(tag) > 4) return hn::TableLookupLanes(hn::LoadDup128(tag, values), host_);
+    }
+    return hn::Set(tag, values[first_ / 4]);
+  }
+
+  HWY_INLINE Values guest(const float* values) const {
+    const AnyTag tag;
+    if constexpr (kHasBlocks) return hn::LoadDup128(tag, values);
+    return hn::LoadU(tag, values + first_ % 4);
+  }
+
+ private:
+  static constexpr bool kHasBlocks = HWY_TARGET != HWY_SCALAR;
+
+  std::size_t first_;
+  decltype(hn::SetTableIndices(AnyTag(), static_cast<const std::int32_t*>(nullptr))) host_;
+};
+
+/// The boxes of pairs, along the axes of the host's tree.
+template <typename AnyTag>
+struct PairBoxes {
+  hn::Vec<AnyTag> gap[3];         // negative where they overlap
+  hn::Mask<AnyTag> is_below[3];   // the guest, rather than above
+  hn::Vec<AnyTag> size[3];        // what the components of no difference exceed
+  hn::Vec<AnyTag> host_size[3];   // and none of corners of the host alone,
+  hn::Vec<AnyTag> guest_size[3];  // or the guest
+  hn::Vec<AnyTag> extent;         // the largest of all
+
+  HWY_INLINE PairBoxes(const PairLanes<AnyTag>& lanes, const LeafLanes& host,
+                       const LeafLanes& guest) {
+    extent = hn::Zero(AnyTag());
+    for (int i = 0; i < 3; ++i) {
+      const auto low = lanes.guest(guest.low[i]);
+      const auto high = lanes.guest(guest.high[i]);
+      const auto host_low = lanes.host(host.low[i]);
+      const auto host_high = lanes.host(host.high[i]);
+      gap[i] = hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high));
+      is_below[i] = hn::Gt(hn::Sub(host_low, high), hn::Sub(low, host_high));
+      size[i] = hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low));
+      host_size[i] = hn::Sub(host_high, host_low);
+      guest_size[i] = hn::Sub(high, low);
+      extent = hn::Max(extent, size[i]);
+    }
+  }
+};
+
+/// The triangles of pairs.
+template <typename AnyTag>
+struct PairTriangles {
+  struct Side {
+    hn::Vec<AnyTag> corner[3][3];
+    hn::Vec<AnyTag> normal[3];
+  };
+  Side host;
+  Side guest;
+
+  HWY_INLINE PairTriangles(const PairLanes<AnyTag>& lanes, const LeafLanes& host_leaf,
+                           const LeafLanes& guest_leaf) {
+    for (int i = 0; i < 3; ++i) {
+      host.normal[i] = lanes.host(host_leaf.normal[i]);
+      guest.normal[i] = lanes.guest(guest_leaf.normal[i]);
+      for (int c = 0; c < 3; ++c) {
+        host.corner[c][i] = lanes.host(host_leaf.corner[c][i]);
+        guest.corner[c][i] = lanes.guest(guest_leaf.corner[c][i]);
+      }
+    }
+  }
+};
+
+/// How far the corners of one triangle are over the plane of another, times the length of its
+/// normal: the least and the most.
+template <typename AnyTag>
+struct Heights {
+  hn::Vec<AnyTag> low;
+  hn::Vec<AnyTag> high;
+
+  using Side = typename PairTriangles<AnyTag>::Side;
+
+  HWY_INLINE Heights(const Side& plane, const Side& other) {
+    const auto& normal = plane.normal;
+    const auto& point = plane.corner[0];
+    for (int c = 0; c < 3; ++c) {
+      const auto& corner = other.corner[c];
+      const auto height = hn::MulAdd(normal[0], hn::Sub(corner[0], point[0]),
+                                     hn::MulAdd(normal[1], hn::Sub(corner[1], point[1]),
+                                                hn::Mul(normal[2], hn::Sub(corner[2], point[2]))));
+      low = c == 0 ? height : hn::Min(low, height);
+      high = c == 0 ? height : hn::Max(high, height);
+    }
+  }
+};
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,57 @@
+// Which slots a walk looks at next. Included once for each SIMD target.
+
+#if defined(GRAZE_BVH_SLOTS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_SLOTS
+#undef GRAZE_BVH_SLOTS
+#else
+#define GRAZE_BVH_SLOTS
+#endif
+
+#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// Which of two slots is opened, whose links these are: the larger, unless it is a leaf. `scale` is
+/// the unit of the second in that of the first.
+HWY_INLINE bool is_first_opened(const WideSlot& first, std::uint32_t first_link,
+                                const WideSlot& second, std::uint32_t second_link, float scale) {
+  return ChildLink::is_leaf(second_link) ||
+         (!ChildLink::is_leaf(first_link) && size_of(first) >= size_of(second) * scale);
+}
+
+/// The first lane of the node that a link leads to.
+HWY_INLINE WideSlot first_below(const WideTree& tree, const WideSlot& slot, std::uint32_t link,
+                                TreeletCounts& counts) {
+  const std::uint32_t index = ChildLink::index(link);
+  if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
+  return {tree.entered(index, counts).nodes.data(), 0, index};
+}
+
+/// Of these lanes. What is pushed last is looked at first: the nearest.
+HWY_INLINE std::uint32_t farthest(std::uint32_t lanes, const float* keys) {
+  auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+  for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
+    const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
+    if (keys[other] > keys[lane]) lane = other;
+  }
+  return lane;
+}
+
+HWY_INLINE std::uint32_t nearest(std::uint32_t lanes, const float* keys) {
+  auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+  for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {
+    const auto other = static_cast<std::uint32_t>(std::countr_zero(rest));
+    if (keys[other] < keys[lane]) lane = other;
+  }
+  return lane;
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <graze/bvh/tree/box_separation.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
+
+namespace graze::bvh {
+
+/// How one wide tree, the guest, lies in another, the host, in the host's local units: a point p of
+/// the guest's frame is at rotation * p * scale + translation. Private to bvh/wide.
+struct alignas(16) WideWay {
+  float columns[3][4];  // of the rotation, rounded; then 0
+  float scaled[3][3];   // the same times the scale
+  double rotation[3][3];
+  double translation[3];
+  double scale;  // of a guest's unit
+  float slack;   // three times the query's (wide_bounds.h)
+
+  /// Of frame B, the guest, in frame A.
+  explicit WideWay(const RelativeFrame& frame);
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <graze/bvh/tree/box_separation.h>
+#include <graze/bvh/wide/tree/wide_node.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+
+namespace graze::bvh {
+
+/// How a wide tree lies along three axes at right angles that it shares with another tree, in
+/// common units: a point p of its frame is at axes * p + offset. Private to bvh/wide.
+struct AlignedWay {
+  double axes[3][3];  // [axis][component]: as long as the tree's unit
+  double offset[3];
+  float rows[3][3];  // the axes, rounded
+  float unit;
+  float slack;  // of the query, on one side; underflow
+};
+
+/// Both trees along axes of which the first is this direction, seen from a point near what is
+/// looked for: floats tell most apart there. Both are in the frame of A, the point in common units.
+/// False for a direction that is none.
+bool align_along(AlignedWay (&ways)[2], const RelativeFrame& b_in_a, const double (&direction)[3],
+                 const double (&point)[3]);
+
+/// The children of a node as boxes along such axes: lanes beyond the node's count say nothing.
+struct alignas(32) AlignedNode {
+  float low[3][WideNode::kWidth];
+  float high[3][WideNode::kWidth];
+};
+
+/// Nodes that were aligned: a walk meets the same few again and again. One that has no room left is
+/// aligned anew when it is met.
+class AlignedNodes {
+ public:
+  struct Entry {
+    const WideNode* node;
+    AlignedNode boxes;
+  };
+
+  void clear() {
+    for (Entry& entry : entries_)
+      entry.node = nullptr;
+  }
+
+  /// Where this node is, or belongs.
+  Entry& entry_of(const WideNode* node) {
+    return entries_[(std::hash<const WideNode*>()(node) / sizeof(WideNode)) % kRoom];
+  }
+
+ private:
+  static constexpr std::size_t kRoom = 128;
+
+  std::array<Entry, kRoom> entries_;
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,177 @@
+// The boxes of a node of a wide tree along axes that both trees share. Included once for each SIMD
+// target.
+
+#if defined(GRAZE_BVH_ALIGNED_NODE) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_ALIGNED_NODE
+#undef GRAZE_BVH_ALIGNED_NODE
+#else
+#define GRAZE_BVH_ALIGNED_NODE
+#endif
+
+#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
+#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/bvh/wide/walk/aligned_boxes.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// Where a point of a tree's frame lies along a shared axis.
+HWY_INLINE double aligned_at(const AlignedWay& way, int axis, const double (&point)[3]) {
+  const double(&z)[3] = way.axes[axis];
+  return (z[0] * point[0] + z[1] * point[1] + z[2] * point[2]) + way.offset[axis];
+}
+
+/// Children of a node along one axis.
+struct AlignedLanes {
+  Lanes low;
+  Lanes high;
+};
+
+/// A node's axes and origin along the first so many shared axes.
+template <int kAxes>
+struct NodeAlong {
+  alignas(16) float axes[kAxes][4];  // [shared axis][axis of the node]
+  double origin[kAxes];
+
+  HWY_INLINE NodeAlong(const WideNode& node, const AlignedWay& way) {
+    for (int k = 0; k < kAxes; ++k)
+      origin[k] = aligned_at(way, k, node.origin);
+    for (std::size_t part = 0; part < 4; part += hn::Lanes(FourTag())) {
+      const Rows rows(node, part);
+      for (int k = 0; k < kAxes; ++k) {
+        hn::Store(rows.combined(way.rows[k][0], way.rows[k][1], way.rows[k][2]), FourTag(),
+                  axes[k] + part);
+      }
+    }
+  }
+};
+
+/// Boxes of children along the first so many of the axes.
+template <int kAxes>
+HWY_INLINE void set_lanes_along(AlignedLanes (&lanes)[kAxes], const WideNode& node,
+                                std::size_t part, const NodeAlong<kAxes>& along,
+                                const AlignedWay& way) {
+  const Tag tag;
+  Lanes half[3], centre[3];
+  Lanes size = hn::Zero(tag);
+  for (int j = 0; j < 3; ++j) {
+    half[j] = hn::Load(tag, node.half[j] + part);
+    centre[j] = hn::Load(tag, node.centre[j] + part);
+    size = hn::Add(size, hn::Add(half[j], hn::Abs(centre[j])));
+  }
+  for (int k = 0; k < kAxes; ++k) {
+    const auto origin = static_cast<float>(along.origin[k]);
+    Lanes middle = hn::Set(tag, origin);
+    Lanes reach = hn::MulAdd(hn::Set(tag, kAlignedError * way.unit), size,
+                             hn::Set(tag, kAlignedError * std::abs(origin) + way.slack));
+    for (int j = 0; j < 3; ++j) {
+      middle = hn::MulAdd(hn::Set(tag, along.axes[k][j]), centre[j], middle);
+      reach = hn::MulAdd(hn::Set(tag, std::abs(along.axes[k][j])), half[j], reach);
+    }
+    lanes[k] = {hn::Sub(middle, reach), hn::Add(middle, reach)};
+  }
+}
+
+/// From where to where along the first axis.
+struct Reach {
+  float low;
+  float high;
+};
+
+/// Of all that a node's children hold.
+HWY_INLINE Reach reach_of_children(const WideNode& node, const AlignedWay& way) {
+  const Tag tag;
+  const NodeAlong<1> along(node, way);
+  Lanes least = hn::Set(tag, std::numeric_limits<float>::infinity());
+  Lanes most = hn::Neg(least);
+  for (std::size_t part = 0; part < node.count; part += hn::Lanes(tag)) {
+    AlignedLanes lanes[1];
+    set_lanes_along(lanes, node, part, along, way);
+    const auto is_there = hn::FirstN(tag, node.count - part);
+    least = hn::IfThenElse(is_there, hn::Min(least, lanes[0].low), least);
+    most = hn::IfThenElse(is_there, hn::Max(most, lanes[0].high), most);
+  }
+  return {hn::GetLane(hn::MinOfLanes(tag, least)), hn::GetLane(hn::MaxOfLanes(tag, most))};
+}
+
+/// Of the corners of a leaf; `origin` is where its treelet's is.
+HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t link, float origin,
+                               const AlignedWay& way) {
+  const FourTag tag;
+  const std::uint32_t count = ChildLink::count(link);
+  const float* rows = rows_of(treelet, link);
+  Four least = hn::Set(tag, std::numeric_limits<float>::infinity());
+  Four most = hn::Neg(least);
+  for (std::uint32_t part = 0; part < count; part += static_cast<std::uint32_t>(hn::Lanes(tag))) {
+    const auto is_there = hn::FirstN(tag, count - part);
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const auto row = [&](std::uint32_t i)
+                           HWY_ATTR { return hn::LoadU(tag, rows + (3 * c + i) * count + part); };
+      const Four at = hn::MulAdd(row(0), hn::Set(tag, way.rows[0][0]),
+                                 hn::MulAdd(row(1), hn::Set(tag, way.rows[0][1]),
+                                            hn::Mul(row(2), hn::Set(tag, way.rows[0][2]))));
+      least = hn::IfThenElse(is_there, hn::Min(least, at), least);
+      most = hn::IfThenElse(is_there, hn::Max(most, at), most);
+    }
+  }
+  const float margin = kAlignedError * (std::abs(origin) + treelet.reach * way.unit) + way.slack;
+  return {(hn::GetLane(hn::MinOfLanes(tag, least)) + origin) - margin,
+          (hn::GetLane(hn::MaxOfLanes(tag, most)) + origin) + margin};
+}
+
+/// Boxes of the children. Along the first axis, where it matters, as what they hold reaches: much
+/// of a box along a node's axes is empty.
+HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree, const WideSlot& slot,
+                                   const AlignedWay& way) {
+  const Tag tag;
+  const WideNode& node = *slot.node;
+  const NodeAlong<3> along(node, way);
+  for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
+    AlignedLanes lanes[3];
+    set_lanes_along(lanes, node, part, along, way);
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(lanes[k].low, tag, aligned.low[k] + part);
+      hn::Store(lanes[k].high, tag, aligned.high[k] + part);
+    }
+  }
+  const WideTree::Treelet& treelet = tree.treelet(slot.treelet);
+  const auto origin = static_cast<float>(aligned_at(way, 0, treelet.origin));
+  for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+    const std::uint32_t link = node.child[lane];
+    if (ChildLink::is_treelet(link)) continue;  // it may not be built
+    const Reach reach = ChildLink::is_leaf(link)
+                            ? reach_of_leaf(treelet, link, origin, way)
+                            : reach_of_children(*(&node + ChildLink::index(link)), way);
+    aligned.low[0][lane] = std::max(aligned.low[0][lane], reach.low);
+    aligned.high[0][lane] = std::min(aligned.high[0][lane], reach.high);
+  }
+}
+
+/// Lower bounds of the squared distances of a guest and the children of a host.
+HWY_INLINE void set_aligned_bounds(float (&bounds)[WideNode::kWidth], const AlignedNode& host,
+                                   const AlignedNode& guest, std::uint32_t lane) {
+  const Tag tag;
+  for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
+    Lanes square = hn::Zero(tag);
+    for (int k = 0; k < 3; ++k) {
+      const Lanes above =
+          hn::Sub(hn::Load(tag, host.low[k] + part), hn::Set(tag, guest.high[k][lane]));
+      const Lanes below =
+          hn::Sub(hn::Set(tag, guest.low[k][lane]), hn::Load(tag, host.high[k] + part));
+      const Lanes gap = known(tag, hn::Max(above, below));
+      square = hn::MulAdd(gap, gap, square);
+    }
+    hn::Store(square, tag, bounds + part);
+  }
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,200 @@
+// How far apart pairs of primitives are along the way between their nearest points. Included once
+// for each SIMD target.
+
+#if defined(GRAZE_BVH_NEAREST_DIRECTION) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_NEAREST_DIRECTION
+#undef GRAZE_BVH_NEAREST_DIRECTION
+#else
+#define GRAZE_BVH_NEAREST_DIRECTION
+#endif
+
+#include <graze/bvh/wide/lanes/leaf_gaps-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+/// Pairs of primitives, one in each lane: all that two leaves can form.
+struct NearPairs {
+  static constexpr std::size_t kMost = 16;
+
+  alignas(64) float host[3][3][kMost] = {};  // [corner][component]
+  alignas(64) float guest[3][3][kMost] = {};
+  std::uint32_t count = 0;
+
+  void add(const LeafLanes& of_host, std::uint32_t i_host, const LeafLanes& of_guest,
+           std::uint32_t i_guest) {
+    for (int c = 0; c < 3; ++c) {
+      for (int i = 0; i < 3; ++i) {
+        host[c][i][count] = of_host.corner[c][i][i_host];
+        guest[c][i][count] = of_guest.corner[c][i][i_guest];
+      }
+    }
+    ++count;
+  }
+};
+
+using ManyTag = hn::CappedTag<float, NearPairs::kMost>;
+using Many = hn::Vec<ManyTag>;
+
+struct Way {
+  Many x, y, z;
+};
+
+HWY_INLINE Way minus(const Way& v, const Way& w) {
+  return {hn::Sub(v.x, w.x), hn::Sub(v.y, w.y), hn::Sub(v.z, w.z)};
+}
+
+HWY_INLINE Many dot(const Way& v, const Way& w) {
+  return hn::MulAdd(v.x, w.x, hn::MulAdd(v.y, w.y, hn::Mul(v.z, w.z)));
+}
+
+HWY_INLINE Way cross(const Way& v, const Way& w) {
+  return {hn::MulSub(v.y, w.z, hn::Mul(v.z, w.y)), hn::MulSub(v.z, w.x, hn::Mul(v.x, w.z)),
+          hn::MulSub(v.x, w.y, hn::Mul(v.y, w.x))};
+}
+
+/// s v + w
+HWY_INLINE Way along(Many s, const Way& v, const Way& w) {
+  return {hn::MulAdd(s, v.x, w.x), hn::MulAdd(s, v.y, w.y), hn::MulAdd(s, v.z, w.z)};
+}
+
+HWY_INLINE Many share(Many x) {
+  const ManyTag tag;
+  return hn::Min(hn::Max(x, hn::Zero(tag)), hn::Set(tag, 1.0f));
+}
+
+/// 1 / x, and 0 where nothing is to be divided by.
+HWY_INLINE Many inverse(Many x) {
+  const ManyTag tag;
+  return hn::IfThenElseZero(hn::Gt(x, hn::Zero(tag)), hn::Div(hn::Set(tag, 1.0f), x));
+}
+
+HWY_INLINE Way corner_in(const float (&corner)[3][NearPairs::kMost], std::size_t part) {
+  const ManyTag tag;
+  return {hn::Load(tag, corner[0] + part), hn::Load(tag, corner[1] + part),
+          hn::Load(tag, corner[2] + part)};
+}
+
+/// The edges of a triangle, each from the corner with its number.
+struct Sides {
+  Way edge[3];
+  Many square[3];
+  Many inverse_square[3];
+
+  HWY_INLINE Sides(const Way& p0, const Way& p1, const Way& p2) {
+    edge[0] = minus(p1, p0);
+    edge[1] = minus(p2, p1);
+    edge[2] = minus(p0, p2);
+    for (int i = 0; i < 3; ++i) {
+      square[i] = dot(edge[i], edge[i]);
+      inverse_square[i] = inverse(square[i]);
+    }
+  }
+};
+
+/// The shortest way found so far from a host's primitive to its guest.
+struct Shortest {
+  Many square;
+  Way way;
+
+  HWY_INLINE Shortest() {
+    const ManyTag tag;
+    square = hn::Set(tag, std::numeric_limits<float>::infinity());
+    way = {hn::Zero(tag), hn::Zero(tag), hn::Zero(tag)};
+  }
+
+  template <typename Mask>
+  HWY_INLINE void consider_where(Mask mask, const Way& other, Many other_square) {
+    const auto is_less = hn::And(mask, hn::Lt(other_square, square));
+    square = hn::IfThenElse(is_less, other_square, square);
+    way.x = hn::IfThenElse(is_less, other.x, way.x);
+    way.y = hn::IfThenElse(is_less, other.y, way.y);
+    way.z = hn::IfThenElse(is_less, other.z, way.z);
+  }
+};
+
+/// Two edges, the guest's begins `between` from the host's: the nearest points of their lines, then
+/// of what is left of them (Ericson, Real-Time Collision Detection, 5.1.9).
+HWY_INLINE void consider_edges(Shortest& shortest, const Sides& host, int i, const Sides& guest,
+                               int j, const Way& between) {
+  const ManyTag tag;
+  const Many b = dot(host.edge[i], guest.edge[j]);
+  const Many c = dot(host.edge[i], between);
+  const Many f = dot(guest.edge[j], between);
+  const Many determinant = hn::MulSub(host.square[i], guest.square[j], hn::Mul(b, b));
+  const Many s =
+      share(hn::Mul(hn::MulSub(c, guest.square[j], hn::Mul(b, f)), inverse(determinant)));
+  const Many t = share(hn::Mul(hn::MulSub(b, s, f), guest.inverse_square[j]));
+  const Many s_of_t = share(hn::Mul(hn::MulAdd(b, t, c), host.inverse_square[i]));
+  const Way way = along(hn::Neg(s_of_t), host.edge[i], along(t, guest.edge[j], between));
+  const Many square = dot(way, way);
+  shortest.consider_where(hn::Ge(square, hn::Zero(tag)), way, square);
+}
+
+/// A corner above or below a triangle; `to_corner` leads there from each corner of the triangle.
+/// The sign is that of a way from the triangle to the corner.
+HWY_INLINE void consider_face(Shortest& shortest, const Sides& sides, const Way& normal,
+                              const Way (&to_corner)[3], float sign) {
+  const ManyTag tag;
+  const Many zero = hn::Zero(tag);
+  auto is_within = hn::Ge(dot(cross(normal, sides.edge[0]), to_corner[0]), zero);
+  for (int k = 1; k < 3; ++k) {
+    is_within = hn::And(is_within, hn::Ge(dot(cross(normal, sides.edge[k]), to_corner[k]), zero));
+  }
+  const Many share_of_normal =
+      hn::Mul(hn::Mul(dot(normal, to_corner[0]), hn::Set(tag, sign)), inverse(dot(normal, normal)));
+  const Way way = {hn::Mul(normal.x, share_of_normal), hn::Mul(normal.y, share_of_normal),
+                   hn::Mul(normal.z, share_of_normal)};
+  shortest.consider_where(is_within, way, dot(way, way));
+}
+
+/// Lower bounds of the squared distances of the pairs. The way between the nearest points may be
+/// wrong by anything: whatever direction it gives, a gap along it is one. `error` is that of each
+/// coordinate of a difference of corners.
+HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
+                           float unit_of_host) {
+  const ManyTag tag;
+  for (std::size_t part = 0; part < pairs.count; part += hn::Lanes(tag)) {
+    const Way p[3] = {corner_in(pairs.host[0], part), corner_in(pairs.host[1], part),
+                      corner_in(pairs.host[2], part)};
+    const Way q[3] = {corner_in(pairs.guest[0], part), corner_in(pairs.guest[1], part),
+                      corner_in(pairs.guest[2], part)};
+    const Sides host(p[0], p[1], p[2]);
+    const Sides guest(q[0], q[1], q[2]);
+    const Way host_normal = cross(host.edge[0], host.edge[1]);
+    const Way guest_normal = cross(guest.edge[0], guest.edge[1]);
+    Way between[3][3];  // [host's][guest's]
+    Shortest shortest;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        between[i][j] = minus(q[j], p[i]);
+        consider_edges(shortest, host, i, guest, j, between[i][j]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      consider_face(shortest, host, host_normal, {between[0][k], between[1][k], between[2][k]}, 1);
+      const Way from_guest[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
+      consider_face(shortest, guest, guest_normal, from_guest, -1);
+    }
+    // The direction is as long as its square says, which is not so where that underflowed.
+    const Many scale = hn::IfThenElseZero(hn::Ge(shortest.square, hn::Set(tag, kWideUnderflow)),
+                                          inverse(hn::Sqrt(shortest.square)));
+    const Way direction = {hn::Mul(shortest.way.x, scale), hn::Mul(shortest.way.y, scale),
+                           hn::Mul(shortest.way.z, scale)};
+    Many gap = hn::Set(tag, std::numeric_limits<float>::infinity());
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        gap = hn::Min(gap, dot(direction, between[i][j]));
+    }
+    const Many step =
+        hn::Mul(known(tag, hn::Sub(gap, hn::Set(tag, 4 * error))), hn::Set(tag, unit_of_host));
+    hn::Store(hn::Mul(step, step), tag, bounds + part);
+  }
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

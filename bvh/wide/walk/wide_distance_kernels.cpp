@@ -1,0 +1,293 @@
+// The walk over two wide trees in search of what is near, for each SIMD target that the compiler
+// knows.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/bvh/wide/walk/wide_distance_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once more for each target
+
+#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
+#include <graze/bvh/wide/lanes/slots-inl.h>
+#include <graze/bvh/wide/walk/aligned_node-inl.h>
+#include <graze/bvh/wide/walk/nearest_direction-inl.h>
+#include <graze/bvh/wide/walk/wide_distance_walk.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+class Walker {
+ public:
+  Walker(WideDistanceWalk::State& state, std::span<BoundedPlaces> found, float limit,
+         WideWalkCounts& counts)
+      : state_(state),
+        found_(found),
+        limit_(std::min(limit, state.squared_reach)),
+        counts_(counts),
+        scale_b_(static_cast<float>(state.into[0].scale)) {}
+
+  std::size_t run() {
+    while (!state_.open.empty() && size_ == 0) {
+      const WideDistanceWalk::Waiting pair = state_.open.pop();
+      if (!(pair.squared_bound > limit_)) compare(pair);
+    }
+    return size_;
+  }
+
+ private:
+  HWY_INLINE void compare(const WideDistanceWalk::Waiting& pair) {
+    const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
+    const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
+    if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
+      open_host(0, pair.a, link_a, pair.b, link_b);
+    } else {
+      open_host(1, pair.b, link_b, pair.a, link_a);
+    }
+  }
+
+  HWY_INLINE void open_host(int host_side, const WideSlot& host, std::uint32_t host_link,
+                            const WideSlot& guest, std::uint32_t guest_link) {
+    const WideWay& way = state_.into[host_side];
+    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
+    const WideNode& node = *below.node;
+    counts_.box_tests += node.count;
+    std::uint32_t near = node.lanes();
+    const bool is_aligned = can_align();
+    if (is_aligned) {
+      set_aligned_bounds(aligned_bounds_, aligned(host_side, below), aligned(1 - host_side, guest),
+                         guest.lane);
+      near = not_beyond(near, aligned_bounds_);
+      if (near == 0) {
+        counts_.box_rejections += node.count;
+        return;
+      }
+    }
+    if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
+      set_guest(guest_, *guest.node, guest.lane, way);
+      guest_slot_ = guest;
+      guest_side_ = 1 - host_side;
+    }
+    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
+    set_promises(promises_, node, in_node_,
+                 aim_of(node, in_node_, guest_, state_.direction[host_side]),
+                 state_.units[host_side]);
+    if (is_aligned) {
+      for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+        promises_.bound[lane] = std::max(promises_.bound[lane], aligned_bounds_[lane]);
+    }
+    near = not_beyond(node.lanes(), promises_.bound);
+    counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
+    bool is_guest_leaf_set = false;
+    while (near != 0) {
+      const std::uint32_t lane = farthest(near, promises_.key);
+      near &= ~(1u << lane);
+      const std::uint32_t link = node.child[lane];
+      if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(link)) {
+        const WideTree::Treelet& host_treelet = state_.tree[host_side]->treelet(below.treelet);
+        const WideTree::Treelet& guest_treelet = state_.tree[1 - host_side]->treelet(guest.treelet);
+        if (!is_guest_leaf_set)
+          set_guest_leaf(guest_leaf_, guest_treelet, guest_link, host_treelet, way);
+        is_guest_leaf_set = true;
+        compare_leaves(host_side, host_treelet, link, guest_treelet, guest_link);
+        continue;
+      }
+      const WideSlot child = {&node, lane, below.treelet};
+      state_.open.push(
+          {host_side == 0 ? child : guest, host_side == 0 ? guest : child, promises_.bound[lane]});
+    }
+  }
+
+  /// Which of these lanes' bounds are not beyond the limit.
+  HWY_INLINE std::uint32_t not_beyond(std::uint32_t lanes,
+                                      const float (&bounds)[WideNode::kWidth]) {
+    std::uint32_t near = 0;
+    for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
+      near |= static_cast<std::uint32_t>(!(bounds[lane] > limit_)) << lane;
+    return near & lanes;
+  }
+
+  /// Whether boxes are compared along shared axes: where a walk is soon over it does not pay.
+  HWY_INLINE bool can_align() {
+    if (state_.opened < WideDistanceWalk::kOpenedBefore) {
+      ++state_.opened;
+      return false;
+    }
+    if (state_.is_turned) state_.align();
+    return state_.is_aligned;
+  }
+
+  HWY_INLINE const AlignedNode& aligned(int side, const WideSlot& slot) {
+    AlignedNodes::Entry& entry = state_.aligned[side].entry_of(slot.node);
+    if (entry.node != slot.node) {
+      set_aligned_node(entry.boxes, *state_.tree[side], slot, state_.aligned_way[side]);
+      entry.node = slot.node;
+    }
+    return entry.boxes;
+  }
+
+  HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,
+                                 std::uint32_t host_link, const WideTree::Treelet& guest,
+                                 std::uint32_t guest_link) {
+    const std::uint32_t count = ChildLink::count(host_link);
+    const std::uint32_t guests = ChildLink::count(guest_link);
+    const std::uint32_t first = host.first + ChildLink::first(host_link);
+    const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
+    const float unit = state_.units[host_side];
+    const std::size_t begin = size_;
+    set_host_leaf(host_leaf_, host, host_link);
+    set_pairs(host_side);
+    std::uint32_t pairs = pairs_of(count, guests);
+    counts_.primitive_tests += static_cast<std::uint32_t>(std::popcount(pairs));
+    for (; pairs != 0; pairs &= pairs - 1) {
+      const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
+      const float bound = bounds_[pair] > 0 ? bounds_[pair] : 0;  // infinities may have made it NaN
+      if (bound > limit_) continue;
+      reach_to(corners_[pair], unit);
+      const std::uint32_t of_host = pair / 4;
+      const std::uint32_t of_guest = pair % 4;
+      const PlacePair places = host_side == 0 ? PlacePair{first + of_host, first_guest + of_guest}
+                                              : PlacePair{first_guest + of_guest, first + of_host};
+      found_[begin + near_.count] = {places, bound};
+      near_.add(host_leaf_, of_host, guest_leaf_, of_guest);
+    }
+    if (near_.count > 0) look_closer(begin, unit);
+  }
+
+  /// Of all pairs of the two leaves: lower bounds of their squared distances, and squared distances
+  /// of their nearest corners.
+  HWY_INLINE void set_pairs(int host_side) {
+    const PairTag tag;
+    for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
+      const PairLanes<PairTag> lanes(part);
+      const PairBoxes<PairTag> boxes(lanes, host_leaf_, guest_leaf_);
+      const PairTriangles<PairTag> triangles(lanes, host_leaf_, guest_leaf_);
+      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, state_.direction[host_side],
+                             state_.units[host_side]),
+                tag, bounds_ + part);
+      hn::Store(squared_corners(tag, triangles), tag, corners_ + part);
+    }
+  }
+
+  /// Keeps those that are not beyond the limit along the way between their nearest points either.
+  HWY_INLINE void look_closer(std::size_t begin, float unit) {
+    alignas(64) float bounds[NearPairs::kMost];
+    set_bounds(bounds, near_, guest_leaf_.error, unit);
+    for (std::uint32_t i = 0; i < near_.count; ++i) {
+      BoundedPlaces pair = found_[begin + i];
+      pair.squared_bound = std::max(pair.squared_bound, bounds[i]);
+      if (!(pair.squared_bound > limit_)) found_[size_++] = pair;
+    }
+    near_.count = 0;
+  }
+
+  /// Two corners are as near: nothing that is further apart is wanted. Twice the error of a
+  /// corner's coordinates in each direction, and a thousandth of a thousandth for rounding.
+  HWY_INLINE void reach_to(float squared_corners, float unit) {
+    if (!(unit > 0)) return;  // it is too small for a float to say how far that is
+    const float distance = (std::sqrt(squared_corners) + 4 * guest_leaf_.error) * unit;
+    const float reach = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
+    const float square = reach * reach * static_cast<float>(kBoundGrowth) + kWideUnderflow;
+    if (square < state_.squared_reach) state_.squared_reach = square;
+    if (square < limit_) limit_ = square;
+  }
+
+  WideDistanceWalk::State& state_;
+  std::span<BoundedPlaces> found_;
+  float limit_;
+  WideWalkCounts& counts_;
+  std::size_t size_ = 0;
+  float scale_b_;
+  Guest guest_{};
+  WideSlot guest_slot_{};  // of guest_, in the tree of
+  int guest_side_ = -1;    // this side, if of any
+  GuestInNode in_node_;
+  LeafLanes host_leaf_;
+  GuestLeaf guest_leaf_;
+  alignas(64) float bounds_[kLeafPairs];
+  alignas(64) float corners_[kLeafPairs];
+  NearPairs near_;
+  Promises promises_;
+  alignas(32) float aligned_bounds_[WideNode::kWidth];
+};
+
+std::size_t walk(WideDistanceWalk::State& state, std::span<BoundedPlaces> found, float limit,
+                 WideWalkCounts& counts) {
+  return Walker(state, found, limit, counts).run();
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::bvh {
+
+HWY_EXPORT(walk);
+
+namespace {
+
+/// What float bounds are compared with. Where it is more than a float can hold, so may bounds be
+/// that are not beyond it: both are then infinite.
+float float_limit(double squared_limit) {
+  const double limit = squared_limit * kBoundGrowth;
+  return limit < std::numeric_limits<float>::max() ? rounded_up(limit)
+                                                   : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
+WideDistanceWalk::State::State(const WideTree& tree_a, const WideTree& tree_b,
+                               const RelativeFrame& of_b, const RelativeFrame& of_a,
+                               const LengthMargins& margins)
+    : tree{&tree_a, &tree_b},
+      b_in_a(of_b),
+      into{WideWay(of_b), WideWay(of_a)},
+      units{static_cast<float>(of_b.units_a), static_cast<float>(of_a.units_a)},
+      growth(rounded_up(margins.growth * margins.growth)),
+      margin(rounded_up(2 * margins.margin * margins.growth)) {
+  open.push({tree_a.root(), tree_b.root(), 0});
+}
+
+void WideDistanceWalk::State::align() {
+  is_turned = false;
+  is_aligned = align_along(aligned_way, b_in_a, aim, point);
+  std::copy(aim, aim + 3, aligned_aim);
+  for (AlignedNodes& nodes : aligned)
+    nodes.clear();
+}
+
+WideDistanceWalk::WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_b,
+                                   const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
+                                   const LengthMargins& margins)
+    : state_(tree_a, tree_b, b_in_a, a_in_b, margins) {}
+
+void WideDistanceWalk::aim_along(const double (&direction)[3], const double (&point)[3]) {
+  const WideWay& of_a_in_b = state_.into[1];
+  double turn = 0;
+  for (int i = 0; i < 3; ++i) {
+    state_.direction[0][i] = static_cast<float>(direction[i]);
+    state_.direction[1][i] = static_cast<float>(-(of_a_in_b.rotation[i][0] * direction[0] +
+                                                  of_a_in_b.rotation[i][1] * direction[1] +
+                                                  of_a_in_b.rotation[i][2] * direction[2]));
+    state_.aim[i] = direction[i];
+    state_.point[i] = point[i];
+    turn += direction[i] * state_.aligned_aim[i];
+  }
+  state_.is_turned = !(turn > kAligned);
+}
+
+std::size_t WideDistanceWalk::next(std::span<BoundedPlaces> found, double squared_limit) {
+  return HWY_DYNAMIC_DISPATCH(walk)(state_, found, float_limit(squared_limit), counts_);
+}
+
+bool WideDistanceWalk::is_beyond(const BoundedPlaces& pair, double squared_limit) const {
+  return pair.squared_bound > std::min(state_.squared_reach, float_limit(squared_limit));
+}
+
+}  // namespace graze::bvh
+#endif

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <graze/bvh/traverse/traversal.h>
+#include <graze/bvh/tree/box_separation.h>
+#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/bvh/wide/walk/aligned_boxes.h>
+#include <graze/bvh/wide/walk/wide_pair_walk.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace graze::bvh {
+
+/// Two primitives, by their places, and a lower bound of the square of their distance.
+struct BoundedPlaces {
+  PlacePair places;
+  float squared_bound;  // common units
+};
+
+/// How lengths in the trees' frames and distances in space differ, in common units: each is at most
+/// the other times `growth` and `margin` more.
+struct LengthMargins {
+  double growth;
+  double margin;
+};
+
+/// Finds the pairs of primitives of two trees that their boxes, corners and planes do not prove
+/// further apart than a limit, nearer ones first as far as bounds and middles tell. Depth first:
+/// the memory is that of the trees' heights. Hands out some at a time, so that the limit can follow
+/// what they turn out to be.
+class WideDistanceWalk {
+ public:
+  /// One step may find as many pairs.
+  static constexpr std::size_t kMostAtOnce = WidePairWalk::kMostAtOnce;
+
+  /// How tree B lies in tree A and how A lies in B, each with its slack (law 5), in the same common
+  /// units.
+  WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+                   const RelativeFrame& a_in_b, const LengthMargins& margins);
+
+  /// The next pairs that may be within the root of `squared_limit`, in common units, and as near as
+  /// the nearest two corners that were seen; none when there are no more. `found` has room for
+  /// kMostAtOnce.
+  std::size_t next(std::span<BoundedPlaces> found, double squared_limit);
+
+  /// Looks also for gaps along this direction, which the nearest points found so far suggest: from
+  /// A to B in the frame of A, of length 1 but for rounding, or 0. The point, in common units in
+  /// the same frame, is near these.
+  void aim_along(const double (&direction)[3], const double (&point)[3]);
+
+  /// Whether a pair that was found is beyond a limit that has come down since.
+  bool is_beyond(const BoundedPlaces& pair, double squared_limit) const;
+
+  const WideWalkCounts& counts() const { return counts_; }
+
+  // What the kernels see.
+
+  struct Waiting {
+    WideSlot a;
+    WideSlot b;
+    float squared_bound;
+  };
+
+  /// So many nodes are opened before any are aligned: it must be worth it. Measured.
+  static constexpr int kOpenedBefore = 32;
+
+  struct State {
+    State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+          const RelativeFrame& a_in_b, const LengthMargins& margins);
+
+    /// Along the direction of now.
+    void align();
+
+    const WideTree* tree[2];
+    RelativeFrame b_in_a;
+    WideWay into[2];  // of guests from the other tree
+    float units[2];   // of each tree, in common units
+    float growth;     // LengthMargins, twice over
+    float margin;
+    float direction[2][3] = {};  // in each tree's frame, from it to the other
+    float squared_reach = std::numeric_limits<float>::infinity();  // what corners seen leave open
+    TraversalStack<Waiting, 192> open;
+
+    int opened = 0;
+    bool is_turned = false;  // since nodes were aligned
+    bool is_aligned = false;
+    double aim[3] = {};  // direction[0], and a point
+    double point[3] = {};
+    double aligned_aim[3] = {};
+    AlignedWay aligned_way[2];
+    AlignedNodes aligned[2];
+  };
+
+ private:
+  // The cosine of an angle beyond which nodes are aligned anew. Measured.
+  static constexpr double kAligned = 0.998;
+
+  State state_;
+  WideWalkCounts counts_;
+};
+
+}  // namespace graze::bvh

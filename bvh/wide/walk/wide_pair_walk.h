@@ -1,0 +1,98 @@
+#pragma once
+
+#include <graze/bvh/traverse/traversal.h>
+#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/tree/wide_tree.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// Two primitives that may meet, by their places in the orders of their trees.
+struct PlacePair {
+  std::uint32_t a;
+  std::uint32_t b;
+};
+
+/// What a walk did.
+struct WideWalkCounts {
+  std::uint64_t box_tests = 0;        ///< pairs of boxes, eight at most by one kernel
+  std::uint64_t box_rejections = 0;   ///< of these, found apart
+  std::uint64_t primitive_tests = 0;  ///< pairs of primitives in leaves that may meet
+  TreeletCounts treelets;             ///< because this walk was the first to enter them
+};
+
+/// Finds the pairs of leaves of two trees that their boxes do not prove apart: a box of one tree
+/// against the eight children of a node of the other. Hands out a few at a time and goes on where
+/// it stopped, so that no callback stands in the loop. Which pairs it finds, but not their order,
+/// may differ between SIMD targets in what does not meet anyway.
+class WidePairWalk {
+ public:
+  /// One step may find as many pairs: next() stops when there might not be room for these.
+  static constexpr std::size_t kMostAtOnce =
+      WideNode::kWidth * ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+
+  /// How tree B lies in tree A and how A lies in B, each with its slack (law 5).
+  WidePairWalk(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+               const RelativeFrame& a_in_b);
+
+  /// The next pairs; none when there are no more.
+  std::size_t next(std::span<PlacePair> found);
+
+  /// For a query that is over with the first pair: now and then, each time after twice as many
+  /// steps, what waits longest is looked at next, because a walk into a place where surfaces nearly
+  /// coincide but do not meet may be long while others meet nearby. Which pair comes first then may
+  /// differ between SIMD targets.
+  void look_elsewhere() { state_.steps_left = state_.patience = kPatience; }
+
+  /// Two children that wait to be compared: what lies below them is a walk of its own.
+  struct Waiting {
+    WideSlot a;
+    WideSlot b;
+  };
+
+  /// Appends half of what waits to `half`, nodes near the roots among them: others can walk these.
+  void give_half(std::vector<Waiting>& half) {
+    state_.open.take_half([&](const Waiting& waiting) { half.push_back(waiting); });
+  }
+
+  /// Whether nothing waits any more.
+  bool is_over() const { return state_.open.empty(); }
+
+  /// Adds something that waits: a part of what this walk, or one like it, was to do.
+  void start_at(const Waiting& waiting) { state_.open.push(waiting); }
+
+  /// A walk over the same trees in the same poses in which nothing waits yet.
+  WidePairWalk another() const { return WidePairWalk(state_.tree, state_.into); }
+
+  const WideWalkCounts& counts() const { return counts_; }
+
+  // What the kernels see.
+
+  struct State {
+    State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
+          const RelativeFrame& a_in_b)
+        : tree{&tree_a, &tree_b}, into{WideWay(b_in_a), WideWay(a_in_b)} {}
+    State(const WideTree* const (&trees)[2], const WideWay (&ways)[2])
+        : tree{trees[0], trees[1]}, into{ways[0], ways[1]} {}
+
+    const WideTree* tree[2];
+    WideWay into[2];  // of guests from the other tree
+    TraversalStack<Waiting, 192> open;
+    std::uint32_t patience = 0;    // steps until the walk looks elsewhere
+    std::uint32_t steps_left = 0;  // of these; 0 if it never does
+  };
+
+ private:
+  static constexpr std::uint32_t kPatience = 16;
+
+  WidePairWalk(const WideTree* const (&trees)[2], const WideWay (&ways)[2]) : state_(trees, ways) {}
+
+  State state_;
+  WideWalkCounts counts_;
+};
+
+}  // namespace graze::bvh

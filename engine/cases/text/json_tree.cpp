@@ -1,0 +1,206 @@
+#include <graze/engine/cases/case_error.h>
+#include <graze/engine/cases/text/json_tree.h>
+#include <graze/engine/files/source.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+namespace graze::cases {
+namespace {
+
+/// How far the parser has read. It has always read the last byte of the token that it reports, and
+/// of a number one byte more.
+struct Reading {
+  const char* begin;
+  const char* at;
+  std::size_t line = 1;
+  const char* counted;  // lines are counted up to here
+
+  std::size_t line_now() {
+    const char* const last = at == begin ? begin : at - 1;
+    if (last > counted) {
+      line += static_cast<std::size_t>(std::count(counted, last, '\n'));
+      counted = last;
+    }
+    return line;
+  }
+};
+
+/// Characters, and a note of how far they have been read.
+class NotedIterator {
+ public:
+  // NOLINTBEGIN(readability-identifier-naming): what the standard asks iterators for
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+  // NOLINTEND(readability-identifier-naming)
+
+  NotedIterator(const char* at, Reading* reading) : at_(at), reading_(reading) {}
+  reference operator*() const { return *at_; }
+  NotedIterator& operator++() {
+    reading_->at = ++at_;
+    return *this;
+  }
+  NotedIterator operator++(int) {
+    NotedIterator old = *this;
+    ++*this;
+    return old;
+  }
+  bool operator==(const NotedIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const NotedIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  Reading* reading_;
+};
+
+/// Receives what the parser sees and builds the tree. Its loop does not recurse, however deep a
+/// text nests.
+class Builder {
+ public:
+  Builder(Reading& reading, const std::string& name, const JsonLimits& limits)
+      : reading_(reading), name_(name), limits_(limits) {}
+
+  JsonValue take() { return std::move(root_); }
+
+  bool null() { return add(JsonKind::Null), true; }
+  bool boolean(bool value) {
+    add(JsonKind::Boolean).boolean = value;
+    return true;
+  }
+  bool number_integer(std::int64_t value) { return add_whole(static_cast<double>(value)); }
+  bool number_unsigned(std::uint64_t value) { return add_whole(static_cast<double>(value)); }
+  bool number_float(double value, const std::string& text) {
+    if (!std::isfinite(value)) fail_here(mesh_io::quoted(text) + " is not finite");
+    add(JsonKind::Number).number = value;
+    return true;
+  }
+  bool string(std::string& value) {
+    add(JsonKind::String).text = std::move(value);
+    return true;
+  }
+  bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in a text
+  bool start_object(std::size_t) { return open(JsonKind::Object); }
+  bool start_array(std::size_t) { return open(JsonKind::Array); }
+  bool end_object() { return open_.pop_back(), true; }
+  bool end_array() { return open_.pop_back(), true; }
+
+  bool key(std::string& key) {
+    std::vector<std::string>& keys = open_.back()->keys;
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
+      fail("the key " + mesh_io::quoted(key) + " stands twice in one object");
+    }
+    if (keys.size() == limits_.members) {
+      fail("an object with more than " + std::to_string(limits_.members) + " members");
+    }
+    keys.push_back(std::move(key));
+    return true;
+  }
+
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error ...": the
+    // line is told already.
+    std::string why = error.what();
+    for (const char* mark : {"] ", ": "}) {
+      const std::size_t end = why.find(mark);
+      if (end != why.npos) why.erase(0, end + 2);
+    }
+    fail_here("not JSON: " + why);
+  }
+
+ private:
+  /// The JSON pointer of the value that is being read; empty where none is.
+  std::string place() const {
+    std::string place;
+    for (const JsonValue* each : open_) {
+      const bool is_innermost = each == open_.back();
+      const std::size_t read = each->items.size();
+      if (each->kind == JsonKind::Array) {
+        place += '/';
+        place += std::to_string(is_innermost ? read : read - 1);
+      } else if (!is_innermost || each->keys.size() > read) {
+        place += '/';
+        place += each->keys.back();
+      }
+    }
+    return place;
+  }
+
+  [[noreturn]] void fail_here(const std::string& why) {
+    const std::string where = place();
+    fail(where.empty() ? why : mesh_io::printable(where) + ": " + why);
+  }
+
+  [[noreturn]] void fail(const std::string& why) {
+    throw CaseError(name_ + ":" + std::to_string(reading_.line_now()) + ": " + why);
+  }
+
+  JsonValue& add(JsonKind kind) {
+    if (++values_ > limits_.values) {
+      fail("more than " + std::to_string(limits_.values) + " values");
+    }
+    JsonValue& value = open_.empty() ? root_ : open_.back()->items.emplace_back();
+    value.kind = kind;
+    value.line = reading_.line_now();
+    return value;
+  }
+
+  bool add_whole(double number) {
+    JsonValue& value = add(JsonKind::Number);
+    value.number = number;
+    value.is_whole = true;
+    return true;
+  }
+
+  bool open(JsonKind kind) {
+    if (open_.size() == limits_.depth) {
+      fail("nested deeper than " + std::to_string(limits_.depth) + " levels");
+    }
+    // A value stays where it is while it is open: only the innermost list grows.
+    open_.push_back(&add(kind));
+    return true;
+  }
+
+  Reading& reading_;
+  const std::string& name_;
+  JsonLimits limits_;
+  JsonValue root_;
+  std::vector<JsonValue*> open_;
+  std::size_t values_ = 0;
+};
+
+}  // namespace
+
+JsonValue parse_json(std::string_view bytes, const std::string& name, const JsonLimits& limits) {
+  Reading reading = {bytes.data(), bytes.data(), 1, bytes.data()};
+  Builder builder(reading, name, limits);
+  nlohmann::json::sax_parse(NotedIterator(bytes.data(), &reading),
+                            NotedIterator(bytes.data() + bytes.size(), &reading), &builder);
+  return builder.take();
+}
+
+const char* name_of(JsonKind kind) {
+  switch (kind) {
+    case JsonKind::Null:
+      return "null";
+    case JsonKind::Boolean:
+      return "a boolean";
+    case JsonKind::Number:
+      return "a number";
+    case JsonKind::String:
+      return "a string";
+    case JsonKind::Array:
+      return "an array";
+    case JsonKind::Object:
+      return "an object";
+  }
+  return "nothing";
+}
+
+}  // namespace graze::cases

@@ -1,0 +1,180 @@
+#include <graze/engine/cli/commands/compare_command.h>
+#include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/cli/compare/shell_word.h>
+#include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/scenes/read_scene.h>
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <memory>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kCompareFooter = R"(
+Each pose of B is put to graze and to every other engine that this command was built with. Where they
+differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
+always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
+triangles, and written as cases to --cases. What an engine
+returns that is no answer (triangles that are not there, no number, a throw) is an engine error. Other engines
+run in processes of their own (graze-peer), so that a crash of theirs is an engine error, too, and so is an answer
+that does not come within --timeout. What one of them gets wrong is asked again where nothing else was asked;
+if it is right then, it is "not confirmed", and counted, but not held against it.
+
+Shrinking starts from the guilty pair of triangles and, if the engine is right about these alone, from
+what is near it. It takes --shrink-seconds in all, and as much more as the question that is being asked
+then; each case is written before what takes long, and again as it gets smaller. The file of a case is named after
+what is compared, the engine, the question, the pose or the step, the class of the error, and a digest of the whole
+question: other questions have other names, and a run that is repeated writes the same ones. Cases of other runs stay
+in the folder, and the run says how many there are. A folder that cannot be written stops nothing: stderr says so
+once, and "written" is false.
+
+Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
+one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
+the referee once gave. A case that cannot be made smaller stays where it is.
+
+Of a scene (see graze simulate) each pair of bodies at each step is put to graze::World, to graze alone
+and to the engines that know such shapes. Two meshes, and boxes and balls with them, are the referee's;
+for other shapes a plane between them or a point in both is proof, and errors within 1e-6 of their size are
+called touching. What is not proved is not judged. Cases of such shapes hold the two bodies, their meshes
+and hulls cut down to what the error needs.
+
+With --json each pose, or case, gives one line, and the last one is
+  {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],
+   "cases":[{"file":...,"written":true,"engine":"fcl","pose":3,"class":"real","least":false,"stopped":false},...]}
+
+where "stopped" says that the time for shrinking was over, and "least" that no triangle of many can go;
+
+of a folder each line has what the case is called:
+  {"case":3,"file":"odd.json","question":"any","answers":[{"engine":"recorded",...},...]}
+
+and of a scene each difference:
+  {"step":3,"time":0.06,"a":"gear","b":"pinion","answers":[{"engine":"world","says":true,...},...]}
+
+--save writes what was answered, and --against holds a run against such a file: every answer of graze
+must be the same bit for bit, and the median of its times, each beside what it was, within --time-tolerance.
+Files appear whole or not at all; pipes and devices are written through. --resume FILE keeps a
+record of each pose, step or case as it is done, and goes on where a stopped run ended. Interrupted by ^C, a run
+with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
+threads are those of a busy machine: use --threads 1 for --save and --against.
+
+Examples:
+  graze compare bolt.obj nut.stl --poses poses.txt --query pairs
+  graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
+  graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
+  graze compare data/regressions --save base
+  graze compare data/regressions --against base --report out.html
+  graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
+
+Exit codes:
+  0  graze is right everywhere
+  1  exact arithmetic found an answer of graze to be wrong, or --against found a regression
+  2  bad input, with one line on stderr, or a folder of --cases that could not be written
+  130  interrupted, with --resume: what is done is recorded)";
+
+void add_pose_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
+  command.add_option("--pose-b", options.pose_b, "pose of B (default: identity)")->type_name("P");
+  command.add_option("--poses", options.poses, "poses of B, one per line")->type_name("FILE");
+  command.add_option("--random", options.random, "so many random poses of B")
+      ->type_name("N")
+      ->check(whole_number(1, 100'000'000));
+  command
+      .add_option("--grazing", options.grazing,
+                  "so many poses halved to the touching point, where engines go wrong")
+      ->type_name("N")
+      ->check(whole_number(1, 100'000'000));
+  command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
+      ->type_name("S")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
+}
+
+void add_scene_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("--steps", options.steps, "of a scene (default: as it says)")
+      ->type_name("N")
+      ->check(whole_number(0, kMaxSceneSteps));
+  command.add_option("--dt", options.step, "of a scene, seconds a step (default: as it says)")
+      ->type_name("S")
+      ->check(finite_number(Sign::Positive));
+  command
+      .add_option("--meshes", options.mesh_folder,
+                  "the folder of meshes of a scene or of cases (default: its own)")
+      ->type_name("DIR");
+}
+
+void add_output_options(CLI::App& command, CompareOptions& options) {
+  command
+      .add_option("--cases", options.cases, "the folder for shrunk cases (default: graze-cases)")
+      ->type_name("DIR")
+      ->check(file_name());
+  command.add_option("--keep", options.keep, "at most so many of them, the worst (default: 16)")
+      ->type_name("N")
+      ->check(whole_number(0, 1'000'000));
+  command
+      .add_option("--shrink-seconds", options.shrink_seconds,
+                  "for shrinking all of them (default: 10; 0: as they were found)")
+      ->type_name("S")
+      ->check(finite_number(Sign::NotNegative));
+  command.add_option("--report", options.report, "also one self-contained page")
+      ->type_name("HTML")
+      ->check(file_name());
+  command.add_option("--save", options.save, "write what was answered")
+      ->type_name("BASE")
+      ->check(file_name());
+  command.add_option("--against", options.against, "hold this run against a saved one")
+      ->type_name("BASE")
+      ->check(file_name());
+  command
+      .add_option("--time-tolerance", options.time_tolerance,
+                  "how much longer graze may take than in --against (default: 1.5)")
+      ->type_name("RATIO");
+  command.add_option("--resume", options.resume, "keep a record, and go on where it ends")
+      ->type_name("FILE")
+      ->check(file_name());
+  command.add_option("--threads", options.threads, "0 (default): as many as processors")
+      ->type_name("N")
+      ->check(whole_number(0, kMaxThreads));
+  command
+      .add_option("--timeout", options.timeout,
+                  "so long another engine may take for a question (default: 60)")
+      ->type_name("SECONDS")
+      ->check(finite_number(Sign::Positive));
+  command.add_flag("--json", options.is_json, "one JSON object per line");
+  command.add_flag("--progress", options.has_progress,
+                   "report progress on stderr even if it is no terminal");
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& program, Action& action,
+                         const std::vector<std::string>& arguments) {
+  auto options = std::make_shared<CompareOptions>();
+  options->command = shell_line(arguments);
+  CLI::App* command =
+      program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
+  command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")
+      ->required();
+  command->add_option("B", options->mesh_b, "second mesh");
+  command->add_option("--query", options->query, "any (default), pairs, distance, within, contacts")
+      ->type_name("QUESTION")
+      ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts"}).description(""));
+  command->add_option("--clearance", options->clearance, "of --query within, metres")
+      ->type_name("C")
+      ->check(finite_number(Sign::NotNegative));
+  command->add_option("--engines", options->engines, "names with commas (default: all)")
+      ->type_name("NAMES");
+  add_pose_options(*command, *options);
+  add_scene_options(*command, *options);
+  add_output_options(*command, *options);
+  command->footer(kCompareFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) {
+      const compare::PeerSettings peers = {.timeout =
+                                               std::chrono::duration<double>(options->timeout)};
+      return run_compare(*options, compare::all_engines(peers), output);
+    };
+  });
+}
+
+}  // namespace graze::cli

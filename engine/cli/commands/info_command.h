@@ -1,0 +1,11 @@
+#pragma once
+
+#include <graze/engine/cli/commands/action.h>
+#include <CLI/App.hpp>
+
+namespace graze::cli {
+
+/// Adds `graze info`. Parsing it sets `action`.
+void add_info_command(CLI::App& program, Action& action);
+
+}  // namespace graze::cli

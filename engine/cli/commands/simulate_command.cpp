@@ -1,0 +1,95 @@
+#include <graze/engine/cli/commands/simulate_command.h>
+#include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/reports/simulate_report.h>
+#include <graze/engine/scenes/read_scene.h>
+#include <graze/engine/scenes/simulation.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kSimulateFooter = R"(
+A scene is a JSON file (data/README.md, data/scene.schema.json): shapes, bodies in poses, filters, and how
+bodies move, by poses at times or at a constant velocity and rate. Step 0 is time 0, step n is n times
+the step later. Each step gives a row: how many pairs of bodies began and ceased to touch and touch
+now, what the world did for that, and of how many meshes nobody has needed a tree. The pairs follow
+by name.
+
+--contacts adds where the pairs touch in which something moved: depth and point in metres, and the
+normal, a unit vector from the first body to the second.
+
+With --json each step gives one line:
+  {"step":0,"time":0,"begun":[["a","b"],...],"ended":[],"touching":1,
+   "contacts":[{"a":"a","b":"b","points":[{"depth":...,"normal":[x,y,z],"point":[x,y,z]},...]},...],
+   "work":{...}}
+"contacts" is there only with --contacts.
+
+Examples:
+  graze simulate data/scenes/shapes.json
+  graze simulate data/scenes/machine.json --meshes data/meshes --steps 20 --contacts --json
+
+Exit codes:
+  0  an answer was given, whatever it is
+  2  bad input, with one line on stderr and nothing on stdout: FILE:LINE: /PLACE: why)";
+
+struct SimulateOptions {
+  std::string scene;
+  std::string mesh_folder;
+  std::optional<std::size_t> steps;
+  double step = 0;
+  int threads = 1;
+  bool has_contacts = false;
+  bool is_json = false;
+};
+
+ExitCode run_simulate(const SimulateOptions& options, Output& output) {
+  const Scene scene = read_scene(options.scene, {.mesh_folder = options.mesh_folder});
+  const std::size_t steps = options.steps.value_or(scene.steps);
+  Simulation simulation(scene,
+                        {.step = options.step,
+                         .world = {.threads = options.threads, .contacts = options.has_contacts}});
+  check_paths(scene, simulation.time_of(steps));  // bad input leaves standard output empty
+  SimulateReport report(output, scene,
+                        {.is_json = options.is_json, .has_contacts = options.has_contacts});
+  report.begin();
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const WorldUpdate update = simulation.advance();
+    report.add(simulation.steps(), simulation.time(), update);
+  }
+  return ExitCode::Answered;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& program, Action& action) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = program.add_subcommand(
+      "simulate", "Step the bodies of a scene: which begin and cease to touch");
+  command->add_option("SCENE", options->scene, "a JSON file")->required();
+  command
+      ->add_option("--steps", options->steps, "how many after step 0 (default: as the scene says)")
+      ->type_name("N")
+      ->check(whole_number(0, kMaxSceneSteps));
+  command->add_option("--dt", options->step, "seconds a step (default: as the scene says)")
+      ->type_name("S")
+      ->check(finite_number(Sign::Positive));
+  command
+      ->add_option("--meshes", options->mesh_folder,
+                   "the folder of meshes by file (default: that of the scene)")
+      ->type_name("DIR");
+  command->add_option("--threads", options->threads, "no answer depends on it (default: 1)")
+      ->type_name("N")
+      ->check(whole_number(1, kMaxThreads));
+  command->add_flag("--contacts", options->has_contacts, "also where bodies touch");
+  command->add_flag("--json", options->is_json, "one JSON object per line and step");
+  command->footer(kSimulateFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) { return run_simulate(*options, output); };
+  });
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,269 @@
+#include <graze/engine/cli/compare/compare_output.h>
+#include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/compare/shell_word.h>
+#include <graze/engine/cli/files/case_folder.h>
+#include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/output/progress.h>
+#include <graze/engine/cli/output/simd_target.h>
+#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/compare/run/trial.h>
+#include <graze/engine/files/source.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+namespace graze::cli {
+
+namespace fs = std::filesystem;
+
+void check_places(const CompareOptions& options) {
+  const FilePlace report = {"--report", options.report};
+  const FilePlace save = {"--save", options.save};
+  const FilePlace resume = {"--resume", options.resume};
+  for (const FilePlace& place : {report, save, resume}) {
+    if (place.path.empty()) continue;
+    const fs::path folder = fs::path(place.path).parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+      throw UsageError(fmt::format("{}: {}: there is no folder {}", place.name,
+                                   mesh_io::printable(place.path),
+                                   mesh_io::printable(folder.string())));
+    }
+    if (fs::is_directory(place.path, ignored)) {
+      throw UsageError(
+          fmt::format("{}: {}: is a folder", place.name, mesh_io::printable(place.path)));
+    }
+  }
+  const std::array<FilePlace, 3> inputs = {{{"A itself", options.mesh_a},
+                                            {"B itself", options.mesh_b},
+                                            {"the file of --poses", options.poses.value_or("")}}};
+  check_outputs(std::array{report, save, resume}, inputs);
+  // What a gate is held against may be what it saves for the next time: it is read before.
+  const FilePlace against = {"the file of --against", options.against};
+  check_outputs(std::array{report, resume}, {&against, 1});
+  std::error_code ignored;
+  if (!options.cases.empty() && fs::exists(options.cases, ignored) &&
+      !fs::is_directory(options.cases, ignored)) {
+    throw UsageError("--cases: " + mesh_io::printable(options.cases) + ": is no folder");
+  }
+}
+
+void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
+                   std::span<const compare::EngineEntry> engines_now) {
+  const std::string file = mesh_io::printable(options.resume);
+  if (!start.is_same_job) {
+    throw UsageError("--resume: " + file + " is a record of something else: " + start.difference);
+  }
+  const bool are_same =
+      std::equal(start.engines.begin(), start.engines.end(), engines_now.begin(), engines_now.end(),
+                 [](const std::string& name, const compare::EngineEntry& entry) {
+                   return name == entry.name;
+                 });
+  if (are_same) return;
+  std::string names;
+  for (const std::string& name : start.engines)
+    names += (names.empty() ? "" : ",") + mesh_io::printable(name);
+  throw UsageError("--resume: " + file + " is of other engines: " + names);
+}
+
+void check_baseline(const CompareOptions& options, const compare::JournalStart& start) {
+  if (start.is_same_job) return;
+  throw UsageError("--against: " + mesh_io::printable(options.against) +
+                   " is a record of something else: " + start.difference);
+}
+
+std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
+                              std::size_t done) {
+  return fmt::format("interrupted: {} of {} {} done, go on with --resume {}", done, head.places,
+                     head.unit, mesh_io::printable(options.resume));
+}
+
+namespace {
+
+/// What is said of an older run, and whether that is a regression.
+struct Regression {
+  bool is_one = false;
+  std::string text;
+};
+
+Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
+  if (!findings.difference) return {};
+  const compare::BaselineDifference& found = *findings.difference;
+  const double ratio = found.time_ratio;
+  const bool is_slower = ratio > options.time_tolerance;
+  Regression result;
+  result.is_one = !found.changed.empty() || !found.missing.empty() || is_slower;
+  if (options.is_json) {
+    result.text = fmt::format(
+        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
+        "\n",
+        fmt::join(found.changed, ","), fmt::join(found.missing, ","), ratio, is_slower);
+    return result;
+  }
+  std::string where;
+  for (const std::size_t place : found.changed) {
+    where += " " + (place < findings.names.size() ? mesh_io::printable(findings.names[place])
+                                                  : std::to_string(place));
+  }
+  result.text = fmt::format(
+      "against {}: {} answers of graze changed{}, {} missing; median time {:.2f} of what it "
+      "was{}\n",
+      mesh_io::printable(options.against), found.changed.size(),
+      where.empty() ? "" : fmt::format(" in {}s{}", findings.place, where), found.missing.size(),
+      ratio, is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
+  return result;
+}
+
+bool is_graze_wrong(std::span<const compare::WrongAnswer> wrong) {
+  return std::any_of(wrong.begin(), wrong.end(), [](const compare::WrongAnswer& each) {
+    return each.answer->engine == "graze" || each.answer->engine == "world";
+  });
+}
+
+std::string says_of(const compare::ShrunkCase& each) {
+  return each.query.answer ? compare::brief(*each.query.answer) : "nothing";
+}
+
+/// What became of the cases.
+struct KeptCases {
+  std::vector<WrittenCase> cases;
+  std::string folder;
+  std::size_t not_written = 0;
+  std::string failure;     ///< of the first of these
+  std::size_t others = 0;  ///< that were in the folder before
+};
+
+std::string row_of(const WrittenCase& each) {
+  const std::string remark =
+      each.shrunk.is_stopped ? "the time was over: see --shrink-seconds" : each.least;
+  return (each.is_written ? "shrunk: graze replay " : "shrunk, not written: ") +
+         shell_word(each.file) + (remark.empty() ? "" : " (" + remark + ")") + "\n";
+}
+
+std::string text_of(const CompareFindings& findings, const KeptCases& kept,
+                    std::span<const compare::EngineEntry> engines) {
+  std::string text;
+  for (const compare::EngineEntry& entry : engines) {
+    if (entry.engine == nullptr) text += entry.name + ": not found when this command was built\n";
+  }
+  text += findings.rows;
+  for (const WrittenCase& each : kept.cases)
+    text += row_of(each);
+  if (kept.others > 0) {
+    text += fmt::format("{} also holds {} case{} of other runs\n", mesh_io::printable(kept.folder),
+                        kept.others, kept.others == 1 ? "" : "s");
+  }
+  return text + findings.count + "\n" + summary_text(findings.summaries);
+}
+
+/// Writes each case as soon as there is something to keep, and again as it gets smaller. A case
+/// that cannot be made smaller stays in the file that it came from, if it came from one.
+KeptCases keep_cases(const CompareOptions& options, std::span<const compare::EngineEntry> field,
+                     const CompareFindings& findings) {
+  KeptCases kept;
+  kept.folder = options.cases.empty() ? kDefaultCases : options.cases;
+  CaseFolder folder(kept.folder);
+  std::string name;  // of the case at hand; its digest is of all of it
+  std::size_t at_hand = findings.wrong.size();
+  bool is_written = false;
+  const auto write = [&](const compare::ShrunkCase& each) {
+    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    if (each.wrong != at_hand) {
+      Case question = from.query();
+      question.answered_by = each.query.answered_by;
+      name = case_file_name(from.name, name_of(from.answer->judgement.error_class), question);
+      at_hand = each.wrong;
+      is_written = false;
+    }
+    if (!each.is_smaller && !from.origin.empty()) return;
+    Case query = each.query;
+    query.note = fmt::format("{}, {} {}: {} says {}, the truth is: {} ({})", findings.title,
+                             findings.place, from.where, each.engine, says_of(each),
+                             each.judgement.truth, name_of(each.judgement.error_class));
+    // What is no answer is in no file: whoever replays the case sees it again.
+    if (each.judgement.error_class == compare::ErrorClass::EngineError) query.answer.reset();
+    is_written = folder.write(name, query);
+  };
+  const auto keep = [&](compare::ShrunkCase each) {
+    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    const bool is_at_its_origin = !each.is_smaller && !from.origin.empty();
+    const std::string file = is_at_its_origin ? from.origin : folder.path(name).string();
+    const std::string says = says_of(each);
+    const std::string least = compare::least_size(each);
+    const bool is_there = is_at_its_origin || is_written;
+    kept.not_written += !is_there;
+    kept.cases.push_back({std::move(each), from.place, from.where, file, says, least, is_there});
+  };
+  Progress progress("cases shrunk:", std::min(findings.wrong.size(), options.keep),
+                    {.is_forced = options.has_progress, .has_rows = false});
+  compare::shrink_worst(findings.wrong, field,
+                        {.limit = options.keep,
+                         .time = std::chrono::duration<double>(options.shrink_seconds),
+                         .on_case = write,
+                         .on_done = keep,
+                         .on_progress = [&](std::size_t done) { progress.update(done); }});
+  if (kept.not_written > 0) kept.failure = folder.failure();
+  if (!kept.cases.empty()) kept.others = folder.count_others();
+  return kept;
+}
+
+std::vector<ReportFact> facts_of(const CompareOptions& options, const CompareFindings& findings,
+                                 std::span<const compare::EngineEntry> field) {
+  std::vector<ReportFact> facts;
+  if (!options.command.empty()) facts.push_back({"command", options.command});
+  std::string engines;
+  for (const compare::EngineEntry& entry : field) {
+    if (entry.engine == nullptr) continue;
+    const std::string version = entry.engine->name().version;
+    engines += (engines.empty() ? "" : ", ") + entry.name + (version.empty() ? "" : " " + version);
+  }
+  facts.push_back({"engines", engines});
+  facts.push_back({"SIMD target of graze", simd_target()});
+  if (options.random > 0 || options.grazing > 0) {
+    facts.push_back({"seed", std::to_string(options.seed.value_or(1))});
+  }
+  for (const compare::JournalPart& part : findings.asked) {
+    const bool is_hash = part.value.size() == 64;
+    facts.push_back({part.name, (is_hash ? "SHA-256 " : "") + part.value});
+  }
+  return facts;
+}
+
+}  // namespace
+
+ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                  std::span<const compare::EngineEntry> field, const CompareFindings& findings,
+                  Output& output) {
+  const KeptCases kept = keep_cases(options, field, findings);
+  if (!options.report.empty()) {
+    write_report(options.report, {.mesh_a = options.mesh_a,
+                                  .mesh_b = options.mesh_b,
+                                  .query = findings.question,
+                                  .places = findings.count,
+                                  .place = findings.place,
+                                  .facts = facts_of(options, findings, field),
+                                  .summaries = findings.summaries,
+                                  .wrong = findings.wrong,
+                                  .cases = kept.cases});
+  }
+  const Regression regression = regression_of(options, findings);
+  const std::string text =
+      options.is_json ? findings.json + summary_json(findings.summaries, kept.cases, findings.place)
+                      : text_of(findings, kept, engines);
+  output.write(text + regression.text);
+  const bool is_bad = is_graze_wrong(findings.wrong) || regression.is_one;
+  if (kept.not_written > 0) {
+    std::fprintf(stderr, "graze: %zu case%s not written: %s\n", kept.not_written,
+                 kept.not_written == 1 ? "" : "s", kept.failure.c_str());
+  }
+  if (is_bad) return ExitCode::GrazeWrong;
+  const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // asked for by name
+  return is_missed ? ExitCode::BadInput : ExitCode::Answered;
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/compare/compare_report.h>
+#include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/compare/run/baseline.h>
+#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/shrink_worst.h>
+
+namespace graze::cli {
+
+/// Throws UsageError or FileError if a file that is to be written cannot be, or is also an input or
+/// another output: before a long run, not after.
+void check_places(const CompareOptions& options);
+
+/// Throws UsageError if a record that is to be gone on with is of another job, or of other engines.
+void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
+                   std::span<const compare::EngineEntry> engines_now);
+
+/// Throws UsageError if the baseline is of another job.
+void check_baseline(const CompareOptions& options, const compare::JournalStart& start);
+
+/// How far a run came that was interrupted, and how to go on.
+std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
+                              std::size_t done);
+
+/// What a comparison has found, of whatever kind it is.
+struct CompareFindings {
+  std::string title;                    ///< in the notes of cases: "bolt.obj against nut.stl"
+  std::string question;                 ///< empty if each case says it
+  std::string count;                    ///< "12 poses"
+  std::string place;                    ///< what one of them is called: "pose"
+  std::vector<std::string> names = {};  ///< of places, for people; empty: they are numbers
+  std::string rows = {};                ///< the table of what is wrong, or differs
+  std::string json = {};                ///< lines before the summary
+  std::vector<EngineSummary> summaries;
+  std::vector<compare::WrongAnswer> wrong;
+  std::optional<compare::BaselineDifference> difference;  ///< from --against
+  std::vector<compare::JournalPart> asked = {};           ///< what the job is about
+};
+
+/// Shrinks the worst answers of the engines that took part to cases, writes these and the report,
+/// and prints what was found; `engines` are all that there are. GrazeWrong if graze is wrong
+/// anywhere, or other than it was. Cases that cannot be written are named on stderr, and make
+/// BadInput of what else would be Answered if their folder was asked for.
+ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                  std::span<const compare::EngineEntry> field, const CompareFindings& findings,
+                  Output& output);
+
+}  // namespace graze::cli

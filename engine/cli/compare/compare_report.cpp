@@ -1,0 +1,212 @@
+#include <graze/engine/cases/text/json_text.h>
+#include <graze/engine/cli/compare/compare_report.h>
+#include <graze/engine/cli/reports/table.h>
+#include <graze/engine/files/source.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace graze::cli {
+namespace {
+
+using cases::json_plain_or_infinite;
+using cases::json_string;
+using compare::AnswerRecord;
+using compare::PlaceRecord;
+using compare::Verdict;
+using compare::WrongAnswer;
+
+constexpr std::size_t kMaxRows = 40;
+
+/// An answer that somebody contradicted.
+void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
+  const compare::Judgement& judgement = answer.judgement;
+  summary.right += judgement.verdict == Verdict::Right;
+  summary.not_judged += judgement.verdict == Verdict::NotJudged;
+  summary.not_confirmed += judgement.verdict == Verdict::NotConfirmed;
+  if (!answer.is_wrong()) return;
+  ++summary.wrong;
+  ++summary.classes[static_cast<std::size_t>(judgement.error_class)];
+  summary.largest_error = std::max(summary.largest_error, judgement.error);
+  summary.largest_ulps = std::max(summary.largest_ulps, judgement.ulps);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Summaries in the order in which engines first answered, with their times.
+class Tallies {
+ public:
+  /// The engine's summary with so many answers more, which took `time` together. Valid until the
+  /// next call.
+  EngineSummary& add(const std::string& engine, std::size_t answers, double time) {
+    auto at = std::find_if(summaries_.begin(), summaries_.end(),
+                           [&](const EngineSummary& summary) { return summary.engine == engine; });
+    if (at == summaries_.end()) {
+      summaries_.push_back({.engine = engine});
+      times_.emplace_back();
+      at = std::prev(summaries_.end());
+    }
+    at->answers += answers;
+    at->total_time += time;
+    if (answers > 0) {
+      times_[static_cast<std::size_t>(at - summaries_.begin())].push_back(
+          time / static_cast<double>(answers));
+    }
+    return *at;
+  }
+
+  std::vector<EngineSummary> take() {
+    for (std::size_t i = 0; i < summaries_.size(); ++i)
+      if (!times_[i].empty()) summaries_[i].median_time = median(times_[i]);
+    return std::move(summaries_);
+  }
+
+ private:
+  std::vector<EngineSummary> summaries_;
+  std::vector<std::vector<double>> times_;
+};
+
+}  // namespace
+
+std::vector<EngineSummary> summarise(std::span<const PlaceRecord> records) {
+  Tallies tallies;
+  for (const PlaceRecord& record : records) {
+    for (const AnswerRecord& answer : record.answers) {
+      EngineSummary& summary = tallies.add(answer.engine, 1, answer.time);
+      if (answer.is_agreed) {
+        ++summary.agreed;
+      } else {
+        add_judged(summary, answer);
+      }
+    }
+  }
+  return tallies.take();
+}
+
+std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records) {
+  Tallies tallies;
+  for (const compare::StepRecord& record : records) {
+    for (const compare::StepAnswers& each : record.engines)
+      tallies.add(each.engine, each.answers, each.time).agreed += each.answers;
+    for (const compare::SceneDifference& difference : record.differences) {
+      for (const AnswerRecord& answer : difference.answers) {
+        if (answer.is_agreed) continue;
+        EngineSummary& summary = tallies.add(answer.engine, 0, 0);
+        summary.agreed -= std::min<std::size_t>(summary.agreed, 1);
+        add_judged(summary, answer);
+      }
+    }
+  }
+  return tallies.take();
+}
+
+std::vector<WrongAnswer> wrong_answers(std::span<const PlaceRecord> records) {
+  std::vector<WrongAnswer> wrong;
+  for (const PlaceRecord& record : records) {
+    const std::string number = std::to_string(record.place);
+    for (const AnswerRecord& answer : record.answers) {
+      if (!answer.is_wrong()) continue;
+      wrong.push_back({.place = record.place, .where = number, .name = number, .answer = &answer});
+    }
+  }
+  return wrong;
+}
+
+std::string wrong_rows(std::span<const WrongAnswer> wrong, const std::string& place) {
+  std::size_t width = 6;
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i)
+    width = std::max(width, wrong[i].where.size());
+  const Table table({{place, width},
+                     {"engine", 8},
+                     {"says", 14},
+                     {"truth", 22},
+                     {"why", 13},
+                     {"error (m)", 10},
+                     {"ulp", 9},
+                     {"pairs", 6}});
+  if (wrong.empty()) return "no wrong answer\n";
+  std::string out = "wrong answers:\n" + table.header();
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i) {
+    const AnswerRecord& answer = *wrong[i].answer;
+    const compare::Judgement& judgement = answer.judgement;
+    out += table.row({mesh_io::printable(wrong[i].where), answer.engine, answer.brief,
+                      judgement.truth, name_of(judgement.error_class),
+                      fmt::format("{:.3g}", judgement.error), fmt::format("{:.3g}", judgement.ulps),
+                      judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
+  }
+  if (wrong.size() > kMaxRows) out += fmt::format("... and {} more\n", wrong.size() - kMaxRows);
+  return out;
+}
+
+std::string summary_text(std::span<const EngineSummary> summaries) {
+  const Table table({{"engine", 8},
+                     {"answers", 8},
+                     {"agreed", 8},
+                     {"right", 7},
+                     {"wrong", 7},
+                     {"not judged", 10},
+                     {"touching", 8},
+                     {"pose rounding", 13},
+                     {"coplanar", 8},
+                     {"degenerate", 10},
+                     {"containment", 11},
+                     {"real", 6},
+                     {"engine error", 12},
+                     {"not confirmed", 13},
+                     {"largest (m)", 11},
+                     {"median (us)", 11}});
+  std::string out = table.header();
+  for (const EngineSummary& s : summaries) {
+    std::vector<std::string> row = {s.engine,
+                                    std::to_string(s.answers),
+                                    std::to_string(s.agreed),
+                                    std::to_string(s.right),
+                                    std::to_string(s.wrong),
+                                    std::to_string(s.not_judged)};
+    for (const std::size_t count : s.classes)
+      row.push_back(std::to_string(count));
+    row.push_back(std::to_string(s.not_confirmed));
+    row.push_back(fmt::format("{:.3g}", s.largest_error));
+    row.push_back(fmt::format("{:.1f}", s.median_time));
+    out += table.row(row);
+  }
+  return out;
+}
+
+std::string summary_json(std::span<const EngineSummary> summaries,
+                         std::span<const WrittenCase> cases, const std::string& place) {
+  std::string out = "{\"summary\":[";
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const EngineSummary& s = summaries[i];
+    out += fmt::format(
+        "{}{{\"engine\":{},\"answers\":{},\"agreed\":{},\"right\":{},\"not_judged\":{},\"wrong\":{}"
+        ",\"touching\":{},\"pose_rounding\":{},\"coplanar\":{},\"degenerate\":{},\"containment\":{}"
+        ",\"real\":{},"
+        "\"engine_error\":{}"
+        ",\"not_confirmed\":{},\"largest_error\":{},\"largest_ulps\":{},\"median_us\":{:.3f},"
+        "\"total_us\":{:.3f}}}",
+        i == 0 ? "" : ",", json_string(s.engine), s.answers, s.agreed, s.right, s.not_judged,
+        s.wrong, s.classes[0], s.classes[1], s.classes[2], s.classes[3], s.classes[4], s.classes[5],
+        s.classes[6], s.not_confirmed, json_plain_or_infinite(s.largest_error),
+        json_plain_or_infinite(s.largest_ulps), s.median_time, s.total_time);
+  }
+  out += "],\"cases\":[";
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const WrittenCase& each = cases[i];
+    out += fmt::format(
+        "{}{{\"file\":{},\"written\":{},\"engine\":{},{}:{},\"class\":{},\"least\":{},\"stopped\":{"
+        "}}}",
+        i == 0 ? "" : ",", json_string(each.file), each.is_written, json_string(each.shrunk.engine),
+        json_string(place), each.place, json_string(name_of(each.shrunk.judgement.error_class)),
+        !each.least.empty(), each.shrunk.is_stopped);
+  }
+  return out + "]}\n";
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <graze/engine/cli/output/exit_code.h>
+#include <graze/engine/cli/output/output.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::cli {
+
+/// Where cases go if no folder is named. A run that finds it read-only goes on.
+inline constexpr const char* kDefaultCases = "graze-cases";
+
+/// The arguments of `graze compare` as they are given.
+struct CompareOptions {
+  std::string mesh_a;  ///< or a folder of cases, or a scene
+  std::string mesh_b;
+  std::string pose_a;
+  std::string pose_b;
+  std::optional<std::string> poses;
+  std::size_t random = 0;
+  std::size_t grazing = 0;
+  std::optional<std::uint64_t> seed;
+  std::string query = "any";
+  double clearance = -1;  ///< metres, of --query within
+  std::string engines;    ///< names with commas; empty: all
+  std::string cases;      ///< where shrunk cases go; empty: the default folder
+  std::size_t keep = 16;  ///< so many of them
+  std::string report;     ///< an HTML file
+  std::string save;
+  std::string against;
+  std::string resume;
+  double time_tolerance = 1.5;
+  std::size_t threads = 0;
+  double timeout = 60;  ///< seconds, of each question to another engine
+  // Of scenes alone:
+  std::optional<std::size_t> steps = {};
+  double step = 0;               ///< seconds; 0: as the scene says
+  std::string mesh_folder = {};  ///< empty: that of the scene
+  bool is_json = false;
+  bool has_progress = false;
+  double shrink_seconds = 10;  ///< for all cases
+  std::string command = {};    ///< the line that was typed, for the report
+};
+
+/// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.
+ExitCode run_compare(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
+                     Output& output);
+
+}  // namespace graze::cli

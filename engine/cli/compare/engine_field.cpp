@@ -1,0 +1,64 @@
+#include <graze/engine/cli/compare/engine_field.h>
+#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/files/source.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace graze::cli {
+namespace {
+
+using compare::EngineEntry;
+
+std::vector<bool> chosen(std::string_view names, std::span<const EngineEntry> engines) {
+  std::vector<bool> is_chosen(engines.size(), names.empty());
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find(','), names.size());
+    const std::string_view name = names.substr(0, end);
+    names.remove_prefix(std::min(end + 1, names.size()));
+    const auto at = std::find_if(engines.begin(), engines.end(),
+                                 [&](const EngineEntry& entry) { return entry.name == name; });
+    if (at == engines.end()) {
+      std::string known;
+      for (const EngineEntry& entry : engines)
+        known += (known.empty() ? "" : ", ") + entry.name;
+      throw UsageError("--engines: there is no engine " + mesh_io::quoted(name) + ", but " + known);
+    }
+    if (at->engine == nullptr) {
+      throw UsageError(
+          fmt::format("--engines: {} was not found when this command was built", name));
+    }
+    is_chosen[static_cast<std::size_t>(at - engines.begin())] = true;
+  }
+  for (std::size_t i = 0; i < engines.size(); ++i)
+    if (engines[i].name == "graze") is_chosen[i] = true;
+  return is_chosen;
+}
+
+class Borrowed : public compare::Engine {
+ public:
+  explicit Borrowed(const compare::Engine& engine) : engine_(engine) {}
+  CaseWitness name() const override { return engine_.name(); }
+  std::unique_ptr<compare::LoadedPair> load(const Mesh& a, const Mesh& b) const override {
+    return engine_.load(a, b);
+  }
+  std::unique_ptr<compare::LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return engine_.load_shapes(shapes);
+  }
+  std::unique_ptr<compare::Engine> alone() const override { return engine_.alone(); }
+
+ private:
+  const compare::Engine& engine_;
+};
+
+}  // namespace
+
+Field::Field(std::span<const EngineEntry> engines, std::string_view names) {
+  const std::vector<bool> is_chosen = chosen(names, engines);
+  for (std::size_t i = 0; i < engines.size(); ++i) {
+    if (!is_chosen[i] || engines[i].engine == nullptr) continue;
+    engines_.push_back({engines[i].name, std::make_unique<Borrowed>(*engines[i].engine)});
+  }
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/compare/compare_report.h>
+
+namespace graze::cli {
+
+/// One of the things that the page says of the run: "seed", "7".
+struct ReportFact {
+  std::string name;
+  std::string value;
+};
+
+struct HtmlReportInput {
+  std::string mesh_a;  ///< or a scene, or a folder
+  std::string mesh_b;  ///< empty for these
+  std::string query;   ///< empty if each case says it
+  std::string places;  ///< "12 poses"
+  std::string place;   ///< "pose"
+  std::vector<ReportFact> facts = {};
+  std::span<const EngineSummary> summaries;
+  std::span<const compare::WrongAnswer> wrong;  ///< of which the first are shown
+  std::span<const WrittenCase> cases;
+};
+
+/// One page that needs nothing else: no network, no script, no file. Counts, times, and for each
+/// shrunk case a picture from two sides and the command that replays it.
+std::string html_report(const HtmlReportInput& input);
+
+/// Writes it to a file. Throws FileError if that cannot be done.
+void write_report(const std::filesystem::path& path, const HtmlReportInput& input);
+
+/// The two shapes of a case as an SVG picture from two sides, each with a scale bar; empty if it
+/// cannot be drawn.
+std::string svg_picture(const Case& query);
+
+}  // namespace graze::cli

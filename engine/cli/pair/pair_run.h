@@ -1,0 +1,13 @@
+#pragma once
+
+#include <graze/engine/cli/output/exit_code.h>
+#include <graze/engine/cli/output/output.h>
+#include <graze/engine/cli/pair/pair_options.h>
+
+namespace graze::cli {
+
+/// Answers for each pose. All input is read and checked before the first query, so that bad input
+/// leaves standard output empty. Throws UsageError, PoseError or MeshError.
+ExitCode run_pair(const PairOptions& options, Output& output);
+
+}  // namespace graze::cli

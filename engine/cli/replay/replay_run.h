@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/output/exit_code.h>
+#include <graze/engine/cli/output/output.h>
+#include <graze/engine/compare/peers/engine.h>
+
+namespace graze::cli {
+
+struct ReplayOptions {
+  std::vector<std::string> files = {};  ///< or folders, of which every .json is meant
+  std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
+  bool is_json = false;
+  bool has_progress = false;
+  double timeout = 60;                    ///< seconds, of each question to another engine
+  bool is_change_failure = false;         ///< an answer other than the recorded one is exit code 1
+  std::vector<std::string> fail_on = {};  ///< `ENGINE` or `ENGINE:CLASS`: wrong ones are, too
+};
+
+/// All cases are read before the first is asked. What cannot be read is named, one line each on
+/// stderr, and the others are replayed; the exit code is then BadInput. Where no case is left,
+/// standard output stays empty; a refusal that is the only one is thrown as a CaseError. Throws
+/// UsageError for what `fail_on` cannot mean.
+ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
+                    Output& output);
+
+/// The cases that the arguments mean, folders in the order of their names. Throws CaseError for a
+/// folder without any.
+std::vector<std::filesystem::path> case_files(const std::vector<std::string>& arguments);
+
+}  // namespace graze::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/separation.h>
+#include <graze/engine/work.h>
+
+namespace graze::cli {
+
+/// What `graze contacts` found.
+struct ContactsAnswer {
+  MeshContacts contacts;
+  std::optional<Separation> separation;  ///< if it was asked for
+  bool is_listing = false;               ///< print the corners of each contact
+  Work work;
+};
+
+/// One JSON object on one line.
+std::string to_json(const ContactsAnswer& answer);
+
+/// A table for people.
+std::string to_text(const ContactsAnswer& answer);
+
+}  // namespace graze::cli

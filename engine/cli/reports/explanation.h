@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/reports/separated_boxes.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/narrowphase/verdict.h>
+
+namespace graze::cli {
+
+/// What the query did with one kind of volume.
+struct VolumeWork {
+  Volume volume;
+  Work work;
+};
+
+/// The last stage that a query which found a miss had to ask.
+enum class Decider { MeshBoxes, Volumes, Leaves, Triangles, Exact };
+
+/// Of closed meshes whose surfaces share no point.
+enum class Solids { Apart, Meet };
+
+/// Why two meshes intersect, or do not. Everything comes from public queries and from the stages of
+/// the narrow phase for one pair of triangles, so that it holds for any traversal.
+struct Explanation {
+  bool intersects = false;
+  TrianglePair pair{};  ///< a witness of the hit, or the pair that came closest
+  narrowphase::Stage stage = narrowphase::Stage::Triage;  ///< that decides about this pair
+  Eigen::Vector3d point_a;  ///< of a hit the witness point; else the nearest points
+  Eigen::Vector3d point_b;
+  double gap = 0;                        ///< metres; 0 for a hit
+  std::optional<Eigen::Vector3d> axis;   ///< of a miss: the unit vector from A's point to B's
+  Decider decider = Decider::MeshBoxes;  ///< of a miss, by the default volume
+  std::optional<SeparatedBoxes> boxes;   ///< of a miss: around the pair that came closest
+  std::optional<Solids> solids;          ///< of a miss of two closed meshes
+  BoxAxis widest;                   ///< of 15: where the boxes of the meshes are furthest apart
+  double all_pairs = 0;             ///< of triangles
+  std::vector<VolumeWork> volumes;  ///< as if each had been asked for; trees were there
+  Work first;                       ///< of the very first query, with its trees built
+};
+
+Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+
+std::string to_text(const Explanation& explanation);
+std::string to_json(const Explanation& explanation);
+
+}  // namespace graze::cli

@@ -1,0 +1,133 @@
+// Numbers are printed with as many digits as it takes to read the same double again.
+
+#include <graze/engine/cases/text/json_text.h>
+#include <graze/engine/cli/reports/simulate_report.h>
+#include <graze/engine/files/source.h>
+
+#include <fmt/format.h>
+#include <iterator>
+#include <span>
+#include <string>
+
+namespace graze::cli {
+namespace {
+
+std::string json_of(const Eigen::Vector3d& v) {
+  return fmt::format("[{},{},{}]", v.data()[0], v.data()[1], v.data()[2]);
+}
+
+std::string json_of(const Manifold& manifold) {
+  std::string out;
+  for (const ShapeContact& contact : manifold) {
+    out +=
+        fmt::format("{}{{\"depth\":{},\"normal\":{},\"point\":{},\"point_a\":{},\"point_b\":{}}}",
+                    out.empty() ? "" : ",", contact.depth, json_of(contact.normal),
+                    json_of(contact.point), json_of(contact.point_a), json_of(contact.point_b));
+  }
+  return "[" + out + "]";
+}
+
+/// The names of a pair of bodies, as a file or a terminal takes them.
+struct Names {
+  const Scene& scene;
+
+  std::string json(BodyId id) const { return cases::json_string(scene.bodies[id.index].name); }
+  std::string json(std::span<const BodyPair> pairs) const {
+    std::string out;
+    for (const BodyPair& pair : pairs)
+      out += fmt::format("{}[{},{}]", out.empty() ? "" : ",", json(pair.a), json(pair.b));
+    return "[" + out + "]";
+  }
+  std::string text(const BodyPair& pair) const {
+    return mesh_io::printable(scene.bodies[pair.a.index].name) + " - " +
+           mesh_io::printable(scene.bodies[pair.b.index].name);
+  }
+};
+
+std::string json_of(const WorldWork& work) {
+  return fmt::format(
+      "{{\"shape_tests\":{},\"pairs_filtered\":{},\"pairs_at_rest\":{},\"pairs_asleep\":{},"
+      "\"pairs_apart\":{},\"gaps_measured\":{},\"contacts_found\":{},\"contacts_skipped\":{},"
+      "\"trees_built\":{},\"trees_unbuilt\":{},\"convex_failures\":{},\"penetration_failures\":{}}"
+      "}",
+      work.shape_tests, work.pairs_filtered, work.pairs_at_rest, work.pairs_asleep,
+      work.pairs_apart, work.gaps_measured, work.contacts_found, work.contacts_skipped,
+      work.shapes.trees_built, work.trees_unbuilt, work.shapes.convex_failures,
+      work.shapes.penetration_failures);
+}
+
+}  // namespace
+
+SimulateReport::SimulateReport(Output& output, const Scene& scene,
+                               const SimulateReportSettings& settings)
+    : output_(output),
+      scene_(scene),
+      settings_(settings),
+      table_({{"step", 6},
+              {"time (s)", 10},
+              {"begun", 6},
+              {"ended", 6},
+              {"touching", 8},
+              {"tested", 7},
+              {"at rest", 7},
+              {"too far", 7},
+              {"filtered", 8},
+              {"contacts", 8},
+              {"no tree", 7}}) {}
+
+void SimulateReport::begin() {
+  if (!settings_.is_json) output_.write(table_.header());
+}
+
+void SimulateReport::add(std::size_t step, double time, const WorldUpdate& update) {
+  touching_ += update.begun.size();
+  touching_ -= update.ended.size();
+  output_.write(settings_.is_json ? json_of(step, time, update) : text_of(step, time, update));
+}
+
+std::string SimulateReport::text_of(std::size_t step, double time,
+                                    const WorldUpdate& update) const {
+  const Names names{scene_};
+  const WorldWork& work = update.work;
+  std::string out = table_.row(
+      {std::to_string(step), fmt::format("{:.6g}", time), std::to_string(update.begun.size()),
+       std::to_string(update.ended.size()), std::to_string(touching_),
+       std::to_string(work.shape_tests), std::to_string(work.pairs_at_rest),
+       std::to_string(work.pairs_apart), std::to_string(work.pairs_filtered),
+       std::to_string(work.contacts_found), std::to_string(work.trees_unbuilt)});
+  for (const BodyPair& pair : update.begun)
+    out += "  begun: " + names.text(pair) + "\n";
+  for (const BodyPair& pair : update.ended)
+    out += "  ended: " + names.text(pair) + "\n";
+  for (const BodyContact& each : update.contacts) {
+    for (const ShapeContact& c : each.manifold) {
+      out += fmt::format(
+          "  contact: {}: depth {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), point ({:.6g}, "
+          "{:.6g}, {:.6g})\n",
+          names.text(each.pair), c.depth, c.normal.x(), c.normal.y(), c.normal.z(), c.point.x(),
+          c.point.y(), c.point.z());
+    }
+  }
+  return out;
+}
+
+std::string SimulateReport::json_of(std::size_t step, double time,
+                                    const WorldUpdate& update) const {
+  const Names names{scene_};
+  std::string line =
+      fmt::format("{{\"step\":{},\"time\":{},\"begun\":{},\"ended\":{},\"touching\":{}", step, time,
+                  names.json(update.begun), names.json(update.ended), touching_);
+  if (settings_.has_contacts) {
+    line += ",\"contacts\":[";
+    const char* separator = "";
+    for (const BodyContact& each : update.contacts) {
+      fmt::format_to(std::back_inserter(line), "{}{{\"a\":{},\"b\":{},\"points\":{}}}", separator,
+                     names.json(each.pair.a), names.json(each.pair.b), cli::json_of(each.manifold));
+      separator = ",";
+    }
+    line += "]";
+  }
+  return line + ",\"work\":" + cli::json_of(update.work) + "}\n";
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+
+#include <graze/engine/cli/output/output.h>
+#include <graze/engine/cli/reports/table.h>
+#include <graze/engine/scenes/scene.h>
+#include <graze/engine/world/world.h>
+
+namespace graze::cli {
+
+struct SimulateReportSettings {
+  bool is_json = false;
+  bool has_contacts = false;
+};
+
+/// Prints each step of a simulation as it is done: rows for people, or one JSON object a step.
+/// Bodies go by their names; their ids' indices are those of the scene, which must outlive this.
+class SimulateReport {
+ public:
+  SimulateReport(Output& output, const Scene& scene, const SimulateReportSettings& settings);
+
+  void begin();
+  void add(std::size_t step, double time, const WorldUpdate& update);
+
+ private:
+  std::string text_of(std::size_t step, double time, const WorldUpdate& update) const;
+  std::string json_of(std::size_t step, double time, const WorldUpdate& update) const;
+
+  Output& output_;
+  const Scene& scene_;
+  SimulateReportSettings settings_;
+  Table table_;
+  std::size_t touching_ = 0;
+};
+
+}  // namespace graze::cli

@@ -1,0 +1,154 @@
+#include <graze/engine/compare/judge/bodies/body_contacts.h>
+#include <graze/engine/compare/judge/bodies/shape_bodies.h>
+#include <graze/engine/work.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::compare {
+namespace {
+
+using Eigen::Vector3d;
+using Fault = std::optional<WitnessFault>;
+
+/// Normals are unit to some ulp.
+constexpr double kUnitTolerance = 0x1p-48;
+
+/// What find_contacts() grants itself: of how far the contacts are spread, for what the depth is
+/// short of parting the two; of the smaller shape, for the search of the least depth and for where
+/// points lie; and for points between boxes, of the depth.
+constexpr double kSpreadTolerance = 1e-4;
+constexpr double kSearchTolerance = 1e-6;
+constexpr double kPointTolerance = 0x1p-18;
+constexpr double kBoxShare = 0.05;
+
+/// Of the smaller shape: farther off a point is wrong, though edges count as one and round faces as
+/// octagons, whose sides are up to a thirteenth of the radius inside.
+constexpr double kEdgeTolerance = 1.0 / 16;
+
+double size_of(const PlacedBody& body) {
+  const Aabb box = bounds_of(body.shape, body.pose);
+  return (box.max - box.min).maxCoeff();
+}
+
+bool is(const PlacedBody& body, ShapeKind kind) {
+  return body.shape.kind() == kind;
+}
+
+/// The size of the smaller one that is bounded.
+double smaller_size(const PlacedBody& a, const PlacedBody& b) {
+  if (is(a, ShapeKind::HalfSpace)) return size_of(b);
+  if (is(b, ShapeKind::HalfSpace)) return size_of(a);
+  return std::min(size_of(a), size_of(b));
+}
+
+Fault fault_of_list(const std::vector<CaseShapeContact>& contacts) {
+  if (contacts.size() > 4) return WitnessFault{"more than four contacts", 0};
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const CaseShapeContact& c = contacts[i];
+    const double off_unit = std::abs(c.normal.norm() - 1);
+    if (!(off_unit <= kUnitTolerance)) return WitnessFault{"a normal of another length", off_unit};
+    if (c.depth < 0) return WitnessFault{"a depth below zero", -c.depth};
+    if (c.depth > contacts[0].depth)
+      return WitnessFault{"a deeper contact after the first", c.depth - contacts[0].depth};
+    for (std::size_t k = 0; k < i; ++k) {
+      if (contacts[k].feature == c.feature) return WitnessFault{"a feature twice", 0};
+    }
+  }
+  return std::nullopt;
+}
+
+double spread_of(const std::vector<CaseShapeContact>& contacts) {
+  double spread = 0;
+  for (const CaseShapeContact& c : contacts)
+    spread = std::max(spread, (c.point - contacts[0].point).norm());
+  return spread;
+}
+
+/// Moving B by the greatest depth along the normal must part the two, and not much less will do.
+Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
+                       const std::vector<CaseShapeContact>& contacts, double tolerance) {
+  const CaseShapeContact& deepest = contacts.front();
+  const double needed =
+      reach_along(a.shape, a.pose, deepest.normal) + reach_along(b.shape, b.pose, -deepest.normal);
+  if (!(needed <= deepest.depth + tolerance)) {
+    const double back = reach_along(a.shape, a.pose, -deepest.normal) +
+                        reach_along(b.shape, b.pose, deepest.normal);
+    if (back <= deepest.depth + tolerance)
+      return WitnessFault{"a normal from B to A", 2 * deepest.depth};
+    return WitnessFault{"a depth that does not part the two", needed - deepest.depth};
+  }
+  if (deepest.depth > std::max(needed, 0.0) + tolerance)
+    return WitnessFault{"a depth beyond what parts the two", deepest.depth - needed};
+  for (const CaseShapeContact& c : contacts) {
+    const double aside = (c.normal - deepest.normal).norm();
+    if (aside > kUnitTolerance) return WitnessFault{"normals that differ", aside};
+  }
+  return std::nullopt;
+}
+
+/// How far a point is off the surface, inside or outside.
+double off_surface(const PlacedBody& body, const Vector3d& point) {
+  return std::abs(outside_by(body.shape, body.pose, point));
+}
+
+/// How far a point of a contact is from where it must be, at least.
+struct ShapePoint {
+  const char* what;
+  double off;
+};
+
+/// Each point is midway between the surfaces along the normal. Near a mesh the nearest surface may
+/// be another triangle's: there it is within the depth of both. Points that are named lie on
+/// surfaces.
+std::vector<ShapePoint> points_of(const PlacedBody& a, const PlacedBody& b,
+                                  const std::vector<CaseShapeContact>& contacts, bool has_mesh) {
+  std::vector<ShapePoint> points;
+  for (const CaseShapeContact& c : contacts) {
+    const Vector3d half = c.depth / 2 * c.normal;
+    if (has_mesh) {
+      points.push_back({"a point off A", outside_by(a.shape, a.pose, c.point) - c.depth});
+      points.push_back({"a point off B", outside_by(b.shape, b.pose, c.point) - c.depth});
+      continue;
+    }
+    points.push_back({"a point that is not midway", off_surface(a, c.point + half)});
+    points.push_back({"a point that is not midway", off_surface(b, c.point - half)});
+    if (c.point_a) points.push_back({"point_a is off A", off_surface(a, *c.point_a)});
+    if (c.point_b) points.push_back({"point_b is off B", off_surface(b, *c.point_b)});
+    if (!c.point_a || !c.point_b) continue;
+    const Vector3d middle = *c.point_a / 2 + *c.point_b / 2;
+    points.push_back({"a point that is not midway", (c.point - middle).norm()});
+    const Vector3d between = *c.point_a - *c.point_b - 2 * half;
+    points.push_back({"points that are not the depth apart", between.norm()});
+  }
+  return points;
+}
+
+}  // namespace
+
+PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
+                            const std::vector<CaseShapeContact>& contacts) {
+  if (contacts.empty()) return {};
+  if (Fault fault = fault_of_list(contacts)) return {.fault = fault};
+  const bool has_mesh = is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh);
+  const double size = smaller_size(a, b);
+  const double slack =
+      size * kSearchTolerance +
+      kTouchUlps * 0x1p-52 * (a.pose.translation().norm() + b.pose.translation().norm() + size);
+  const bool are_boxes = is(a, ShapeKind::Box) && is(b, ShapeKind::Box);
+  const double beside =
+      slack + kPointTolerance * size + (are_boxes ? kBoxShare * contacts[0].depth : 0);
+  double most_off = 0;
+  for (const ShapePoint& p : points_of(a, b, contacts, has_mesh)) {
+    if (p.off > beside + kEdgeTolerance * size) return {.fault = WitnessFault{p.what, p.off}};
+    most_off = std::max(most_off, p.off);
+  }
+  if (has_mesh) return {.unjudged = "normals and depths"};
+  const double tolerance = slack + kSpreadTolerance * spread_of(contacts);
+  if (Fault fault = fault_of_parting(a, b, contacts, tolerance)) return {.fault = fault};
+  return most_off > beside ? PartsReview{.unjudged = "where its points are, to a part in 16"}
+                           : PartsReview{};
+}
+
+}  // namespace graze::compare

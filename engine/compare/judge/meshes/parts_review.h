@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/compare/judge/meshes/witness_check.h>
+
+namespace graze::compare {
+
+/// What was found of the parts of an answer: one that cannot be, or what is not judged, in words;
+/// nothing of either if all are right.
+struct PartsReview {
+  std::optional<WitnessFault> fault = {};
+  std::string unjudged = {};
+};
+
+/// Puts it into the judgement on the answer as a whole, which is right or not judged so far.
+inline void add_review(Judgement& judgement, const PartsReview& review, double ulp) {
+  if (review.fault) {
+    judgement.verdict = Verdict::Wrong;
+    judgement.error_class = ErrorClass::Real;
+    judgement.truth += ", but " + review.fault->what;
+    judgement.error = review.fault->error;
+    judgement.ulps = review.fault->error / ulp;
+  } else if (!review.unjudged.empty()) {
+    judgement.verdict = Verdict::NotJudged;
+    judgement.truth += "; not judged: " + review.unjudged;
+  }
+}
+
+}  // namespace graze::compare

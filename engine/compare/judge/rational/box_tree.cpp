@@ -1,0 +1,161 @@
+#include <graze/engine/compare/judge/rational/box_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace graze::compare {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 2;
+
+}  // namespace
+
+BoxTree::Box BoxTree::box_of(const Triangle& t) {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    box.min[i] = std::min({t.a[axis], t.b[axis], t.c[axis]});
+    box.max[i] = std::max({t.a[axis], t.b[axis], t.c[axis]});
+  }
+  return box;
+}
+
+void BoxTree::include(Box& box, const Box& other) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.min[i] = std::min(box.min[i], other.min[i]);
+    box.max[i] = std::max(box.max[i], other.max[i]);
+  }
+}
+
+bool BoxTree::overlap(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.min[i] > b.max[i] || b.min[i] > a.max[i]) return false;
+  }
+  return true;
+}
+
+// Each operation is off by a part in 2^53, a square that underflows by less than the smallest
+// normal number; one part in 2^48 and that number are more than all of these together.
+double BoxTree::gap_below(const Box& a, const Box& b) {
+  double square = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gap = std::max({a.min[i] - b.max[i], b.min[i] - a.max[i], 0.0});
+    square += gap * gap;
+  }
+  if (!std::isfinite(square)) square = 0x1.fffffffffffffp+1023;
+  return std::sqrt(std::max(square - 0x1p-1000, 0.0)) * (1 - 0x1p-48);
+}
+
+BoxTree::BoxTree(std::span<const Triangle> triangles) : order_(triangles.size()) {
+  for (const Triangle& triangle : triangles)
+    boxes_.push_back(box_of(triangle));
+  std::iota(order_.begin(), order_.end(), 0U);
+  nodes_.push_back({{}, 0, static_cast<std::uint32_t>(order_.size()), 0});
+  build(0);
+}
+
+// Halving keeps the depth below 32.
+void BoxTree::build(std::uint32_t index) {
+  const std::uint32_t first = nodes_[index].first;
+  const std::uint32_t count = nodes_[index].count;
+  Box box = boxes_[order_[first]];
+  for (std::uint32_t i = 1; i < count; ++i)
+    include(box, boxes_[order_[first + i]]);
+  nodes_[index].box = box;
+  if (count <= kLeafSize) return;
+
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (box.max[i] / 2 - box.min[i] / 2 > box.max[axis] / 2 - box.min[axis] / 2) axis = i;
+  }
+  const auto begin = order_.begin() + first;
+  const std::uint32_t half = count / 2;
+  std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+    return boxes_[a].min[axis] / 2 + boxes_[a].max[axis] / 2 <
+           boxes_[b].min[axis] / 2 + boxes_[b].max[axis] / 2;
+  });
+  const auto left = static_cast<std::uint32_t>(nodes_.size());
+  nodes_[index].left = left;
+  nodes_.push_back({{}, first, half, 0});
+  nodes_.push_back({{}, first + half, count - half, 0});
+  build(left);
+  build(left + 1);
+}
+
+struct BoxTree::OverlapWalk {
+  const BoxTree& a;
+  const BoxTree& b;
+  const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair;
+
+  bool leaf_pairs(const Node& node_a, const Node& node_b) const {
+    for (std::uint32_t i = 0; i < node_a.count; ++i) {
+      for (std::uint32_t j = 0; j < node_b.count; ++j) {
+        const std::uint32_t t_a = a.order_[node_a.first + i];
+        const std::uint32_t t_b = b.order_[node_b.first + j];
+        if (overlap(a.boxes_[t_a], b.boxes_[t_b]) && !on_pair(t_a, t_b)) return false;
+      }
+    }
+    return true;
+  }
+
+  bool walk(std::uint32_t index_a, std::uint32_t index_b) const {
+    const Node& node_a = a.nodes_[index_a];
+    const Node& node_b = b.nodes_[index_b];
+    if (!overlap(node_a.box, node_b.box)) return true;
+    if (node_a.left == 0 && node_b.left == 0) return leaf_pairs(node_a, node_b);
+    if (node_b.left == 0 || (node_a.left != 0 && node_a.count >= node_b.count)) {
+      return walk(node_a.left, index_b) && walk(node_a.left + 1, index_b);
+    }
+    return walk(index_a, node_b.left) && walk(index_a, node_b.left + 1);
+  }
+};
+
+struct BoxTree::NearWalk {
+  const BoxTree& a;
+  const BoxTree& b;
+  double bound;
+  const std::function<double(std::uint32_t, std::uint32_t)>& on_pair;
+
+  void leaf_pairs(const Node& node_a, const Node& node_b) {
+    for (std::uint32_t i = 0; i < node_a.count; ++i) {
+      for (std::uint32_t j = 0; j < node_b.count; ++j) {
+        const std::uint32_t t_a = a.order_[node_a.first + i];
+        const std::uint32_t t_b = b.order_[node_b.first + j];
+        if (gap_below(a.boxes_[t_a], b.boxes_[t_b]) < bound) bound = on_pair(t_a, t_b);
+      }
+    }
+  }
+
+  double gap(std::uint32_t index_a, std::uint32_t index_b) const {
+    return gap_below(a.nodes_[index_a].box, b.nodes_[index_b].box);
+  }
+
+  void walk(std::uint32_t index_a, std::uint32_t index_b) {
+    if (gap(index_a, index_b) >= bound) return;
+    const Node& node_a = a.nodes_[index_a];
+    const Node& node_b = b.nodes_[index_b];
+    if (node_a.left == 0 && node_b.left == 0) return leaf_pairs(node_a, node_b);
+    const bool is_a_split = node_b.left == 0 || (node_a.left != 0 && node_a.count >= node_b.count);
+    std::array<std::pair<std::uint32_t, std::uint32_t>, 2> next = {
+        {{is_a_split ? node_a.left : index_a, is_a_split ? index_b : node_b.left},
+         {is_a_split ? node_a.left + 1 : index_a, is_a_split ? index_b : node_b.left + 1}}};
+    if (gap(next[1].first, next[1].second) < gap(next[0].first, next[0].second)) {
+      std::swap(next[0], next[1]);
+    }
+    for (const auto& [child_a, child_b] : next)
+      walk(child_a, child_b);
+  }
+};
+
+void BoxTree::for_each_overlap(const BoxTree& tree_a, const BoxTree& tree_b,
+                               const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair) {
+  OverlapWalk{tree_a, tree_b, on_pair}.walk(0, 0);
+}
+
+void BoxTree::for_each_nearer(const BoxTree& tree_a, const BoxTree& tree_b, double bound,
+                              const std::function<double(std::uint32_t, std::uint32_t)>& on_pair) {
+  NearWalk{tree_a, tree_b, bound, on_pair}.walk(0, 0);
+}
+
+}  // namespace graze::compare

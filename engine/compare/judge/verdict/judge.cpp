@@ -1,0 +1,107 @@
+#include <graze/engine/compare/judge/answer_fault.h>
+#include <graze/engine/compare/judge/bodies/body_contacts.h>
+#include <graze/engine/compare/judge/bodies/body_distance.h>
+#include <graze/engine/compare/judge/bodies/body_ray.h>
+#include <graze/engine/compare/judge/bodies/ray_judge.h>
+#include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/meshes/inside_judge.h>
+#include <graze/engine/compare/judge/meshes/mesh_truth.h>
+#include <graze/engine/compare/judge/shape_judge.h>
+#include <graze/engine/compare/judge/volume_judge.h>
+#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/work.h>
+#include <graze/engine/world/manifold.h>
+
+#include <array>
+
+namespace graze::compare {
+namespace {
+
+Judgement judge_ray(const Case& query, const CaseAnswer& answer, bool is_graze) {
+  const auto* ray = std::get_if<Ray>(&*query.b);
+  if (ray == nullptr) return {};
+  const auto* body = std::get_if<CaseBody>(&query.a);
+  if (body == nullptr) return judge_surface_ray(query, answer, is_graze);
+  const Mesh* mesh = body->shape.as<Mesh>();
+  if (mesh == nullptr) return judge_body_ray(*body, *ray, answer);
+  Case of_mesh = query;
+  of_mesh.a = CaseMesh(*mesh, body->pose);
+  return judge_surface_ray(of_mesh, answer, is_graze);
+}
+
+/// Whether graze says of itself that it has not found the least depth of these two.
+bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
+  Work work;
+  find_contacts(a.shape, a.pose, b.shape, b.pose, &work);
+  return work.penetration_failures > 0;
+}
+
+/// Whether they meet, and if that is right or not judged, what else is said of them.
+Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAnswer& answer,
+                       const CaseWitness& witness, const JudgeSettings& settings) {
+  const BodyCase pair = *as_bodies(query);
+  const PlacedBody a{pair.a.shape, pair.a.pose};
+  const PlacedBody b{pair.b.shape, pair.b.pose};
+  if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness, settings);
+  const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
+  if (!is_of_contacts && query.ask != Ask::Distance) return {};
+  const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;
+  Judgement judgement = judge.judge(says, witness, settings);
+  if (judgement.verdict == Verdict::Wrong) return judgement;
+  PartsReview review =
+      is_of_contacts ? review_manifold(a, b, *answer.manifold) : review_distance(a, b, answer);
+  const bool is_excused =
+      review.fault && is_of_contacts && witness.engine == "graze" && has_no_least_depth(a, b);
+  if (is_excused) review = {.unjudged = "contacts whose least depth the library did not find"};
+  add_review(judgement, review, judge.ulp());
+  return judgement;
+}
+
+}  // namespace
+
+struct Judge::Truth {
+  explicit Truth(const Case& the_query) : query(the_query) {
+    if (const std::optional<MeshCase> pair = as_meshes(query)) meshes.emplace(query, *pair);
+    if (const std::optional<BodyCase> pair = as_bodies(query)) {
+      bodies.emplace(PlacedBody{pair->a.shape, pair->a.pose},
+                     PlacedBody{pair->b.shape, pair->b.pose});
+    }
+  }
+
+  const Case& query;
+  std::optional<MeshTruth> meshes;
+  std::optional<ShapeJudge> bodies;
+};
+
+Judge::Judge(const Case& query) : truth_(std::make_unique<Truth>(query)) {}
+Judge::~Judge() = default;
+
+Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
+                       const JudgeSettings& settings) const {
+  const bool is_graze = witness.engine == "graze";
+  const Case& query = truth_->query;
+  if (const std::optional<std::string> fault = fault_of_answer(query, answer)) {
+    return engine_error(*fault);
+  }
+  if (!query.b) return {};
+  if (query.ask == Ask::Ray || query.ask == Ask::RayAll) {
+    return judge_ray(query, answer, is_graze);
+  }
+  if (query.ask == Ask::Contains) return judge_contains(query, *answer.says);
+  if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness, settings);
+  if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
+  return truth_->meshes->judge(answer, witness, settings);
+}
+
+const char* name_of(Verdict verdict) {
+  constexpr std::array kNames = {"right", "wrong", "not judged", "not confirmed"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+const char* name_of(ErrorClass error_class) {
+  constexpr std::array kNames = {"touching",    "pose rounding", "coplanar",    "degenerate",
+                                 "containment", "real",          "engine error"};
+  return kNames[static_cast<std::size_t>(error_class)];
+}
+
+}  // namespace graze::compare

@@ -1,0 +1,87 @@
+#include <graze/bvh/build/build_references.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/refit/refit_references.h>
+#include <graze/bvh/value/to_local.h>
+#include <graze/engine/mesh/data/mesh_data.h>
+#include <graze/engine/work.h>
+#include <tbb/task_arena.h>
+
+namespace graze {
+namespace {
+
+/// Says the local box of a triangle.
+class TriangleBoxes {
+ public:
+  TriangleBoxes(std::span<const Eigen::Vector3d> vertices,
+                std::span<const TriangleIndices> triangles, const bvh::LocalFrame& frame)
+      : vertices_(vertices), triangles_(triangles), to_local_(frame) {}
+
+  bvh::Bounds operator()(std::size_t i) const {
+    const TriangleIndices& t = triangles_[i];
+    return to_local_.box(vertices_[t[0]].data(), vertices_[t[1]].data(), vertices_[t[2]].data());
+  }
+
+ private:
+  std::span<const Eigen::Vector3d> vertices_;
+  std::span<const TriangleIndices> triangles_;
+  bvh::ToLocal to_local_;
+};
+
+bvh::Tree tree_over(std::span<const Eigen::Vector3d> vertices,
+                    std::span<const TriangleIndices> triangles, const Aabb& bounds) {
+  const auto frame = bvh::LocalFrame::around(bounds);
+  return bvh::build(
+      bvh::references_made(triangles.size(), TriangleBoxes(vertices, triangles, frame)), frame);
+}
+
+/// The older tree over the same triangles where they are now.
+AgedTree refitted(const AgedTree& older, std::span<const Eigen::Vector3d> vertices,
+                  std::span<const TriangleIndices> triangles, const Aabb& bounds, Work* work) {
+  AgedTree aged = older;
+  if (aged.costs.empty())
+    aged.costs = bvh::subtree_costs(aged.tree, bvh::BuildSettings{}.primitive_cost);
+  const auto frame = bvh::LocalFrame::around(bounds);
+  bvh::References references =
+      bvh::references_made(std::span<const std::uint32_t>(aged.tree.primitives),
+                           TriangleBoxes(vertices, triangles, frame));
+  const std::size_t rebuilt =
+      bvh::refit_and_rebuild(aged.tree, aged.costs, references.all(), frame);
+  if (work != nullptr) work->triangles_rebuilt += rebuilt;
+  return aged;
+}
+
+}  // namespace
+
+std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
+  // In this order: once it has been given up, the mesh's own is there.
+  std::shared_ptr<const AgedTree> older = older_tree.get();
+  return is_tree_made.load(std::memory_order_acquire) ? tree : older;
+}
+
+const bvh::Tree& Mesh::tree(Work* work) const {
+  std::call_once(data_->tree_flag, [&] {
+    bvh::in_standard_arithmetic([&] {
+      // Isolated, because a thread that waits for the parallel build would otherwise take up any
+      // task, such as another query on this mesh, which would wait for the flag that this thread
+      // holds.
+      const std::shared_ptr<const AgedTree> older = data_->older_tree.get();
+      tbb::this_task_arena::isolate([&] {
+        data_->tree = std::make_shared<const AgedTree>(
+            older != nullptr
+                ? refitted(*older, data_->vertices, data_->triangles, data_->bounds, work)
+                : AgedTree{tree_over(data_->vertices, data_->triangles, data_->bounds), {}});
+      });
+      data_->is_tree_made.store(true, std::memory_order_release);
+      data_->older_tree.set(nullptr);
+      if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
+    });
+  });
+  return data_->tree->tree;
+}
+
+bool Mesh::has_tree() const {
+  return data_->is_wide_made.load(std::memory_order_acquire) ||
+         data_->is_tree_made.load(std::memory_order_acquire);
+}
+
+}  // namespace graze

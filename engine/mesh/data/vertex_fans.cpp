@@ -1,0 +1,33 @@
+#include <graze/engine/mesh/data/mesh_data.h>
+
+namespace graze {
+namespace {
+
+/// By counting: where each vertex's triangles end, and then filled from there backwards.
+VertexFans fans_of(std::span<const TriangleIndices> triangles,
+                   std::span<const std::uint32_t> welded) {
+  VertexFans fans;
+  fans.first.resize(welded.size() + 1);
+  fans.triangles.resize(3 * triangles.size());
+  for (const TriangleIndices& triangle : triangles) {
+    for (std::uint32_t vertex : triangle)
+      ++fans.first[welded[vertex]];
+  }
+  std::uint32_t end = 0;
+  for (std::uint32_t& first : fans.first)
+    first = end += first;
+  for (std::size_t i = triangles.size(); i-- > 0;) {
+    for (std::uint32_t vertex : triangles[i])
+      fans.triangles[--fans.first[welded[vertex]]] = static_cast<std::uint32_t>(i);
+  }
+  return fans;
+}
+
+}  // namespace
+
+const VertexFans& Mesh::vertex_fans() const {
+  std::call_once(data_->fans_flag, [&] { data_->fans = fans_of(data_->triangles, welded()); });
+  return data_->fans;
+}
+
+}  // namespace graze

@@ -1,0 +1,43 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/volume_query.h>
+
+#include <cmath>
+#include <string>
+
+namespace graze {
+namespace {
+
+void check_point(const Eigen::Vector3d& point) {
+  for (int k = 0; k < 3; ++k) {
+    if (!std::isfinite(point.data()[k])) {
+      throw InputError(std::string("point: coordinate ") + "xyz"[k] + " is not finite");
+    }
+  }
+}
+
+bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
+  bool is_inside = true;
+  for (int k = 0; k < 3; ++k) {
+    is_inside &= box.min.data()[k] <= point.data()[k] && point.data()[k] <= box.max.data()[k];
+  }
+  return is_inside;
+}
+
+}  // namespace
+
+bool contains(const Mesh& mesh, const Eigen::Vector3d& point, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_point(point);
+    check_closed(mesh, "the mesh");
+    if (!is_within(mesh.bounds(), point)) return false;
+    CountedWork counted(work);
+    return intersects({mesh}, Aabb{point, point}, &counted.work()) ||
+           is_moved_point_enclosed(mesh, point, counted.work());
+  });
+}
+
+}  // namespace graze

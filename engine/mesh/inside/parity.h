@@ -1,0 +1,30 @@
+#pragma once
+
+// The even-odd rule behind containment.h, Interior::Solid and the solid voxels. Private to
+// engine/mesh. "The moved point" is the point moved by (e, e^2, e^3), e > 0 and small; see
+// narrowphase/ray/axis_line.h. A point that lies on no triangle is enclosed if and only if the
+// moved point beside it is.
+
+#include <graze/bvh/obb.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+
+namespace graze {
+
+/// Throws MeshError, which begins with `what`, with the number of boundary edges, unless the mesh
+/// is closed.
+void check_closed(const Mesh& mesh, const char* what);
+
+/// Whether the moved point is enclosed by a closed mesh. `point` must lie within the mesh's bounds.
+bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work);
+
+/// Whether the moved point is enclosed by the placed triangles of a closed mesh (law 1), wherever
+/// it lies. Exact. Placing keeps a mesh closed: equal vertices are placed alike.
+bool is_moved_point_enclosed(const PlacedMesh& placed, const Eigen::Vector3d& point, Work& work);
+
+/// Whether the moved origin of the box's frame is enclosed by the triangles that law 3 takes into
+/// that frame. Exact. No vertex may overflow on its way.
+bool is_moved_centre_enclosed(const PlacedMesh& placed, const Obb& box, Work& work);
+
+}  // namespace graze

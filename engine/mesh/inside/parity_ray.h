@@ -1,0 +1,59 @@
+#pragma once
+
+// What the counts of crossings share. Private to engine/mesh.
+
+#include <graze/bvh/traverse/traverse_volume.h>
+#include <graze/bvh/tree/tree.h>
+#include <graze/engine/work.h>
+#include <graze/narrowphase/ray/axis_line.h>
+
+#include <limits>
+
+namespace graze {
+
+/// An axis and a side of it: the way out of a mesh's bounds.
+struct Way {
+  int axis;
+  narrowphase::LineCrossing side;
+};
+
+/// The shortest way out. Any would do: in a closed mesh the numbers of crossings above and below a
+/// point are both odd or both even, along every axis.
+inline Way way_out(const Aabb& bounds, const Eigen::Vector3d& point) {
+  using narrowphase::LineCrossing;
+  Way way{0, LineCrossing::Above};
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double up = bounds.max.data()[k] - point.data()[k];
+    const double down = point.data()[k] - bounds.min.data()[k];
+    if (up < shortest) way = {k, LineCrossing::Above}, shortest = up;
+    if (down < shortest) way = {k, LineCrossing::Below}, shortest = down;
+  }
+  return way;
+}
+
+/// Whether an odd number of the triangles `triangle_at(index)` cross the moved point's way. No node
+/// for which `is_apart(node)` speaks may hold one that does.
+template <typename Apart, typename TriangleAt>
+bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, TriangleAt&& triangle_at,
+                      const Eigen::Vector3d& point, const Way& way, Work& work) {
+  ++work.points_tested;
+  const auto is_counted_apart = [&](std::uint32_t node) {
+    ++work.volume_tests;
+    const bool is_pruned = is_apart(node);
+    work.volume_rejections += is_pruned;
+    return is_pruned;
+  };
+  bool is_odd = false;
+  const auto count_leaf = [&](const bvh::Node& leaf) {
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const Triangle triangle = triangle_at(tree.primitives[i]);
+      is_odd ^= narrowphase::cross_axis_line(triangle, point.data(), way.axis) == way.side;
+    }
+    return bvh::Walk::Continue;
+  };
+  bvh::traverse_volume(tree, is_counted_apart, count_leaf);
+  return is_odd;
+}
+
+}  // namespace graze

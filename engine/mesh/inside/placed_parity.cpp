@@ -1,0 +1,132 @@
+// Crossings of placed triangles, counted in the frame of the question. A triangle that crosses the
+// moved line for every small e meets, closed as it is, the line through the point itself, and on
+// the same side: so nodes that are apart from that ray by law 5's slack hold none. The ray is
+// handed to relative_frame() as a flat box, of which it knows what placed triangles meet.
+
+#include <graze/bvh/skins/node_separation.h>
+#include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/inside/parity_ray.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/placing/relative_frame.h>
+#include <graze/narrowphase/triangle_box.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace graze {
+namespace {
+
+using narrowphase::LineCrossing;
+
+constexpr double kUnitRoundoff = 0x1p-53;
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+/// A box around all points of the mesh's bounds, placed by law 1. With c and h the centre and half
+/// size of the bounds, R x + t lies within |R| h of R c + t. Law 1 rounds a placed point, and the
+/// placed centre, six times each, every time to a value of at most the reach, and the lines below
+/// round h, |R| h and the sums another ten times: 32 u of the reach, and underflow, cover all.
+Aabb placed_bounds(const PlacedMesh& placed) {
+  const Aabb& bounds = placed.mesh.bounds();
+  const double* m = placed.pose.data();  // column-major 4x4
+  const std::array<double, 3> reach = placed_reach(placed.pose, bounds);
+  const bvh::LocalFrame frame = bvh::LocalFrame::around(bounds);
+  const Eigen::Vector3d centre = narrowphase::place(
+      placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    double half = 32 * kUnitRoundoff * reach[i] + 0x1p-1060;
+    for (int k = 0; k < 3; ++k) {
+      const double size =
+          std::max(bounds.max.data()[k] - frame.centre[k], frame.centre[k] - bounds.min.data()[k]);
+      half += std::abs(m[4 * k + i]) * size;
+    }
+    box.min.data()[i] = std::max(centre.data()[i] - half, -kLargest);
+    box.max.data()[i] = std::min(centre.data()[i] + half, kLargest);
+  }
+  return box;
+}
+
+bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
+  bool is_inside = true;
+  for (int k = 0; k < 3; ++k) {
+    is_inside &= box.min.data()[k] <= point.data()[k] && point.data()[k] <= box.max.data()[k];
+  }
+  return is_inside;
+}
+
+/// The point and all beyond it on its way, as far as the bounds.
+Aabb ray_from(const Eigen::Vector3d& point, const Way& way, const Aabb& bounds) {
+  Aabb ray{point, point};
+  if (way.side == LineCrossing::Above) {
+    ray.max.data()[way.axis] = bounds.max.data()[way.axis];
+  } else {
+    ray.min.data()[way.axis] = bounds.min.data()[way.axis];
+  }
+  return ray;
+}
+
+/// A flat box in a frame of its own, as a tree of one node.
+struct FramedRay {
+  FramedRay(const Aabb& box, const Pose& ray_pose)
+      : bounds(box),
+        pose(ray_pose),
+        deviation(rotation_deviation(ray_pose)),
+        frame(bvh::LocalFrame::around(box)),
+        node{frame.to_local(box), 0, 1} {}
+
+  Aabb bounds;
+  Pose pose;
+  double deviation;
+  bvh::LocalFrame frame;
+  bvh::Node node;
+};
+
+template <typename TriangleAt>
+bool is_odd_along(const PlacedMesh& placed, const FramedRay& ray, TriangleAt&& triangle_at,
+                  const Eigen::Vector3d& point, const Way& way, Work& work) {
+  const bvh::Tree& tree = placed.mesh.tree(&work);
+  const bvh::RelativeFrame relative = relative_frame(
+      {placed.pose, rotation_deviation(placed.pose), tree.frame, placed.mesh.bounds()},
+      {ray.pose, ray.deviation, ray.frame, ray.bounds});
+  const bvh::NodeSeparation separation(relative, tree.nodes, {&ray.node, 1});
+  const auto is_apart = [&](std::uint32_t node) { return separation.are_apart(node, 0); };
+  return is_crossed_oddly(tree, is_apart, triangle_at, point, way, work);
+}
+
+}  // namespace
+
+bool is_moved_point_enclosed(const PlacedMesh& placed, const Eigen::Vector3d& point, Work& work) {
+  const Aabb bounds = placed_bounds(placed);
+  if (!is_within(bounds, point)) return false;
+  const Way way = way_out(bounds, point);
+  const FramedRay ray(ray_from(point, way, bounds), Pose::Identity());
+  const auto triangle_at = [&](std::uint32_t index) {
+    return narrowphase::place(placed.pose, placed.mesh.triangle(index));
+  };
+  return is_odd_along(placed, ray, triangle_at, point, way, work);
+}
+
+// The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.
+bool is_moved_centre_enclosed(const PlacedMesh& placed, const Obb& box, Work& work) {
+  const double* m = box.pose.data();
+  const Aabb bounds = placed_bounds(placed);
+  double reach = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double way = std::max(std::abs(bounds.min.data()[i] - m[12 + i]),
+                                std::abs(bounds.max.data()[i] - m[12 + i]));
+    reach = std::min(reach + 1.01 * way, kLargest);
+  }
+  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  const Way way{0, LineCrossing::Above};
+  const Eigen::Vector3d end(reach, 0, 0);
+  const FramedRay ray({-end, end}, box.pose);
+  const auto triangle_at = [&](std::uint32_t index) {
+    return narrowphase::into_frame(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
+                                   box.pose);
+  };
+  return is_odd_along(placed, ray, triangle_at, origin, way, work);
+}
+
+}  // namespace graze

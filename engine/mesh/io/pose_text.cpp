@@ -1,0 +1,120 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/files/source.h>
+#include <graze/engine/pose_text.h>
+
+#include <fast_float/fast_float.h>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace graze {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\n\r\v\f";
+constexpr std::string_view kSeparators = " \t\n\r\v\f,";
+
+/// Room for 12 numbers with every digit that a double can have. A longer line is no pose, and is
+/// not worth the memory.
+constexpr std::size_t kMaxLineLength = 1 << 16;
+
+[[noreturn]] void fail(const std::string& place, const std::string& why) {
+  throw PoseError(place + ": " + why);
+}
+
+/// The fields of a line: runs of what is neither blank nor comma. A comma stands between two
+/// fields.
+std::vector<std::string_view> split(std::string_view text, const std::string& place) {
+  std::vector<std::string_view> fields;
+  bool is_comma_open = true;  // a comma here would have no field before it
+  while (!(text = text.substr(std::min(text.find_first_not_of(kBlanks), text.size()))).empty()) {
+    if (text.front() == ',') {
+      if (is_comma_open) fail(place, "a comma without a number before it");
+      is_comma_open = true;
+      text.remove_prefix(1);
+      continue;
+    }
+    const std::size_t length = std::min(text.find_first_of(kSeparators), text.size());
+    fields.push_back(text.substr(0, length));
+    text.remove_prefix(length);
+    is_comma_open = false;
+  }
+  if (is_comma_open && !fields.empty()) fail(place, "a comma without a number after it");
+  return fields;
+}
+
+double parse_number(std::string_view field, std::size_t number, const std::string& place) {
+  // A plus sign is how some programs print numbers, though from_chars() refuses it.
+  const bool has_plus = field.size() > 1 && field[0] == '+' && field[1] != '-';
+  const char* const begin = field.data() + (has_plus ? 1 : 0);
+  const char* const end = field.data() + field.size();
+  double value = 0;
+  const auto result = fast_float::from_chars(begin, end, value);
+  const auto refuse = [&](const char* why) {
+    fail(place, "number " + std::to_string(number) + ": " + mesh_io::quoted(field) + why);
+  };
+  if (result.ec == std::errc::invalid_argument || result.ptr != end) refuse(" is not a number");
+  if (!std::isfinite(value)) refuse(" is not finite");
+  return value;
+}
+
+}  // namespace
+
+Pose parse_pose(std::string_view text, const std::string& place) {
+  return bvh::in_standard_arithmetic([&]() -> Pose {
+    const std::vector<std::string_view> fields = split(text, place);
+    Pose pose = Pose::Identity();
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const double value = parse_number(fields[i], i + 1, place);
+      if (i >= kPoseNumbers) continue;
+      pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
+    }
+    if (fields.size() != kPoseNumbers) {
+      fail(place, std::to_string(fields.size()) + (fields.size() == 1 ? " number" : " numbers") +
+                      ", a pose has " + std::to_string(kPoseNumbers));
+    }
+    check_rigid(pose, place.c_str());
+    return pose;
+  });
+}
+
+std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<PoseLine> {
+    const std::string name = mesh_io::printable(path.string());
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
+    std::ifstream file(path);
+    if (!file) fail(name, std::strerror(errno));
+
+    std::vector<PoseLine> poses;
+    std::vector<char> buffer(kMaxLineLength);
+    for (std::size_t line = 1; file.peek() != std::ifstream::traits_type::eof(); ++line) {
+      const std::string place = name + ":" + std::to_string(line);
+      file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+      if (file.bad()) break;
+      if (file.fail()) fail(place, "longer than " + std::to_string(kMaxLineLength - 1) + " bytes");
+      // gcount() includes the end of the line, unless the file ends first.
+      const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
+      const std::string_view text(buffer.data(), length);
+      if (text.find_first_not_of(kBlanks) == text.npos) continue;
+      poses.push_back({parse_pose(text, place), line});
+    }
+    if (file.bad()) fail(name, "cannot be read to its end");
+    if (poses.empty()) fail(name, "no poses");
+    return poses;
+  });
+}
+
+std::vector<Pose> load_poses(const std::filesystem::path& path) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Pose> {
+    std::vector<Pose> poses;
+    for (const PoseLine& line : load_pose_lines(path))
+      poses.push_back(line.pose);
+    return poses;
+  });
+}
+
+}  // namespace graze

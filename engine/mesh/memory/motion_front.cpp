@@ -1,0 +1,211 @@
+#include <graze/engine/mesh/memory/motion_front.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze {
+namespace {
+
+/// Measured. Where nearly all is due by its deadline, there was a jump, and planes hold no better;
+/// to look at a third of a front of distances costs as much as a walk of its own.
+constexpr double kMostDue = 0.7;
+constexpr double kMostLookedAt = 0.35;
+constexpr std::size_t kMostCandidates = 250;  // whose distances are asked for in one pass
+constexpr int kLongestPause = 64;             // queries
+
+/// Of the edges of the smaller mesh's box, added up. What goes so far in one query has to have done
+/// so before, or no front is begun for it.
+constexpr double kFast = 0.005;
+
+/// To begin a front costs three times a walk: so many passes pay for that.
+constexpr int kEnoughPasses = 4;
+
+/// Measured. What a smaller front has due is looked at in less time than the course takes.
+constexpr std::size_t kWorthACourse = 200;
+
+/// Of a course that is worth it: how fast its clock may run, for each unit of the way, and in how
+/// many passes another may follow at once.
+constexpr double kFastestClock = 1.5;
+constexpr int kEnoughOnCourse = 8;
+
+/// A front grows with what opens and never closes.
+constexpr int kMostPasses = 1000;
+constexpr double kMostGrowth = 2;
+constexpr double kMostGrowthOfDistances = 1.5;
+constexpr std::size_t kFewMore = 64;
+
+/// Measured. How much of itself a front adds for later queries in one pass, at most.
+constexpr double kMostAhead = 0.25;
+constexpr std::size_t kFewAhead = 16;
+constexpr double kLongestGap = 1000;  // queries
+
+/// What is further than it was foreseen to come by this factor has jumped.
+constexpr double kJump = 4;
+
+/// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
+constexpr std::size_t kLargest = std::size_t{1} << 19;
+
+/// From corner to corner along the edges.
+double way_around(const bvh::FloatBox& box, double unit) {
+  double way = 0;
+  for (int i = 0; i < 3; ++i)
+    way += (double{box.max[i]} - double{box.min[i]}) * unit;
+  return way;
+}
+
+}  // namespace
+
+void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
+  is_jump_ = step.way > kJump * step_ * queries;
+  step_ = step.way / queries;
+  queries_ = queries;
+  // The sums round up.
+  motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
+  motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
+  since_last_.way = (since_last_.way + step.way) * (1 + 0x1p-50);
+  since_last_.turn = (since_last_.turn + step.turn) * (1 + 0x1p-50);
+  if (!(motion_.way < bvh::WideFront::kFarthest)) is_live_ = false;
+}
+
+void MotionFront::pause() {
+  is_live_ = false;
+  pause_ = next_pause_;
+  next_pause_ = std::min(4 * next_pause_, kLongestPause);
+}
+
+bool MotionFront::rests() {
+  if (is_live_ || pause_ == 0) return false;
+  --pause_;
+  return true;
+}
+
+bool MotionFront::has_many_candidates(const bvh::WideFront::Pass& pass, double limit) {
+  if (bounds_ == bvh::WideFront::Bounds::Meeting) return false;
+  std::size_t due = 0;
+  for (std::size_t i = 0; i < front_.candidate_count(); ++i)
+    due += front_.is_due(i, pass, limit);
+  return due > kMostCandidates;
+}
+
+bool MotionFront::is_outgrown() const {
+  const double most =
+      bounds_ == bvh::WideFront::Bounds::Distance ? kMostGrowthOfDistances : kMostGrowth;
+  return passes_ >= kMostPasses ||
+         static_cast<double>(front_.size()) > most * static_cast<double>(first_size_) + kFewMore;
+}
+
+void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
+  if (front_.has_course()) {
+    ++passes_on_course_;
+    way_on_course_ += since_last_.way;
+    if (front_.clock() - clock_at_course_ > kFastestClock * way_on_course_) {
+      front_.drop_course();
+      next_off_course_ =
+          passes_on_course_ >= kEnoughOnCourse ? 1 : std::min(2 * next_off_course_, kLongestPause);
+      passes_off_course_ = next_off_course_ - 1;
+    }
+  }
+  if (!front_.has_course() && is_last_known_ && front_.size() >= kWorthACourse &&
+      front_.crossing_count() + front_.unsure_count() > 0 && since_last_.way > 0 &&
+      passes_off_course_-- <= 0) {
+    front_.set_course(last_, since_last_);
+    passes_on_course_ = 0;
+    way_on_course_ = 0;
+    clock_at_course_ = front_.clock();
+  }
+  std::copy_n(now, 2, last_);
+  since_last_ = {};
+  is_last_known_ = true;
+}
+
+std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_a,
+                                                      const bvh::WideTree& tree_b,
+                                                      const bvh::RelativeFrame& b_in_a,
+                                                      const bvh::RelativeFrame& a_in_b,
+                                                      double limit) {
+  if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
+  if (is_live_ && !is_outgrown()) {
+    front_.follow(b_in_a, a_in_b, motion_);
+    if (!(front_.clock() < bvh::WideFront::kFarthest)) {
+      is_live_ = false;
+      return std::nullopt;
+    }
+    steer({b_in_a, a_in_b});
+    const bvh::WideFront::Pass pass = front_.pass(bounds_);
+    const bool is_worth_it = !is_jump_ || front_.share_due(pass, limit) <= kMostDue;
+    if (is_worth_it && !has_many_candidates(pass, limit)) {
+      const bool is_kept = bounds_ == bvh::WideFront::Bounds::Distance || worth_.is_sure();
+      if (passes_ >= kEnoughPasses && is_kept) next_pause_ = 1;
+      return pass;
+    }
+    pause();
+    return std::nullopt;
+  }
+  const double smaller =
+      std::min(way_around(tree_a.box(), b_in_a.units_a), way_around(tree_b.box(), b_in_a.units_b));
+  is_live_ = false;
+  if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
+  front_.begin(tree_a, tree_b, b_in_a, a_in_b);
+  is_live_ = true;
+  motion_ = {};
+  passes_ = 0;
+  worth_.begin();
+  steer({b_in_a, a_in_b});
+  return front_.pass(bounds_);
+}
+
+bvh::WideFront::Foresight MotionFront::foresight() const {
+  const double reach = reach_.queries() * step_;
+  // To go far away and to come back are of one length, and neither jumps beside the other.
+  const bool is_near = reach < bvh::WideFront::kFarthest;
+  if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_ || !is_near) return {};
+  const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
+  return {
+      .reach = reach,
+      .useful = step_,
+      .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
+}
+
+void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
+  if (!(step_ > 0)) return;
+  const double lasts = std::clamp(std::floor(front_.proven_gap(pass) / step_), 0.0, kLongestGap);
+  const double of_each = cost / (1 + lasts);
+  const double tried = reach_.queries();
+  reach_.learn(of_each);
+  // What was opened in vain is looked at for as long as the front lives.
+  const bool was_in_vain = reach_.queries() < tried;
+  if (was_in_vain &&
+      static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
+    is_live_ = false;
+  worth_.learn(of_each);
+  if (is_live_ && !worth_.is_given()) pause();
+}
+
+void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
+  is_live_ = false;  // should it throw
+  const std::size_t size_before = front_.size();
+  front_.advance(pass, limit, foresight());
+  is_live_ = true;
+  const bvh::WideFront::Counts counts = front_.take_counts();
+  if (passes_++ == 0) {
+    first_size_ = front_.size();
+    if (front_.share_due(pass, limit + step_) > kMostDue) pause();
+  } else if (bounds_ == bvh::WideFront::Bounds::Meeting) {
+    learn(pass, FrontWorth::cost_of_pass(counts, front_.unsure_count()));
+  } else if (static_cast<double>(front_.looked_at()) >
+             kMostLookedAt * queries_ * static_cast<double>(size_before)) {
+    pause();
+  }
+  if (front_.size() > kLargest) {
+    is_live_ = false;
+    pause_ = kLongestPause;
+  }
+  work.volume_tests += counts.walk.box_tests;
+  work.volume_rejections += counts.walk.box_rejections;
+  work.treelets_built += counts.walk.treelets.built;
+  work.treelets_refitted += counts.walk.treelets.refitted;
+  work.filter_tests += counts.walk.primitive_tests;
+  work.skipped_by_memory += counts.skipped;
+}
+
+}  // namespace graze

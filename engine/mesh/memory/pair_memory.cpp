@@ -1,0 +1,239 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/inside/solid.h>
+#include <graze/engine/mesh/memory/remembered.h>
+#include <graze/engine/mesh/pair_memory.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/query/sort_pairs.h>
+#include <graze/engine/mesh/query/threads.h>
+#include <graze/engine/mesh/query/wide_query.h>
+#include <hwy/base.h>
+
+#include <algorithm>
+
+namespace graze {
+
+PairMemory::PairMemory() = default;
+PairMemory::PairMemory(PairMemory&& other) noexcept = default;
+PairMemory& PairMemory::operator=(PairMemory&& other) noexcept = default;
+PairMemory::~PairMemory() = default;
+
+PairMemory::PairMemory(const PairMemory& other)
+    : remembered_(other.remembered_ ? std::make_unique<Remembered>(*other.remembered_) : nullptr) {}
+
+PairMemory& PairMemory::operator=(const PairMemory& other) {
+  PairMemory copy(other);
+  remembered_ = std::move(copy.remembered_);
+  return *this;
+}
+
+std::uint64_t PairMemory::still_apart() const {
+  return remembered_ ? remembered_->still_apart : 0;
+}
+
+std::uint64_t PairMemory::still_touching() const {
+  return remembered_ ? remembered_->still_touching : 0;
+}
+
+Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+  if (!memory.remembered_ || !memory.remembered_->is_about(mesh_a, mesh_b))
+    memory.remembered_ = std::make_unique<Remembered>(mesh_a.mesh, mesh_b.mesh);
+  memory.remembered_->place(mesh_a.pose, mesh_b.pose);
+  return *memory.remembered_;
+}
+
+namespace {
+
+void require_wide(Volume volume) {
+  if (volume != Volume::Wide) throw InputError("volume: a PairMemory needs Volume::Wide");
+}
+
+/// A query of two meshes of which it is not known that they are apart.
+class MeetingQuery {
+ public:
+  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, Remembered& remembered, Touch touch,
+               Work& work)
+      : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
+        remembered_(remembered),
+        touch_(touch),
+        work_(work) {}
+
+  /// Whether the boxes of all prove it, which is then remembered. A front has them, too.
+  bool are_far_apart() {
+    if (remembered_.meeting.is_live()) return false;
+    if (!query_.are_far_apart(work_)) return false;
+    remembered_.learn_gap(gap_of_bounds(query_));
+    return true;
+  }
+
+  /// Whether triangles that touched when last asked still do.
+  bool does_remembered_pair_touch() {
+    const std::span<const TrianglePair> pairs = remembered_.pairs();
+    if (pairs.empty()) return false;
+    Candidates candidates(touch_, work_);
+    std::size_t touching = pairs.size();
+    const auto on_pair = [&](TrianglePair pair) {
+      touching =
+          static_cast<std::size_t>(std::find(pairs.begin(), pairs.end(), pair) - pairs.begin());
+      return bvh::Walk::Stop;
+    };
+    for (std::size_t i = 0; i < pairs.size() && touching == pairs.size(); ++i) {
+      candidates.add(pairs[i], query_.triangle_a(pairs[i]), query_.triangle_b(pairs[i]));
+      // The first alone: most of the time it is enough.
+      if (i == 0 || i + 1 == pairs.size()) candidates.decide(on_pair);
+    }
+    if (touching == pairs.size()) return false;
+    remembered_.put_first(touching);
+    ++remembered_.still_touching;
+    ++work_.skipped_by_memory;
+    return true;
+  }
+
+  /// Calls `on_pair(pair)` for each that meets, until it answers Stop. Whether the front could say:
+  /// otherwise it calls for none.
+  template <typename OnPair>
+  bool pass_front(OnPair&& on_pair) {
+    if (remembered_.meeting.rests() || !remembered_.follow(query_)) return false;
+    const bvh::RelativeFrame a_in_b = query_.a_in_b();
+    const auto pass =
+        remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
+    if (!pass) return false;
+    remembered_.meeting.advance(*pass, 0, work_);
+    const bvh::WideFront& front = remembered_.meeting.front();
+    for (std::size_t i = 0; i < front.crossing_count(); ++i) {
+      if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
+    }
+    bool is_any_met = front.crossing_count() > 0;
+    const auto on_met = [&](TrianglePair pair) {
+      is_any_met = true;
+      return on_pair(pair);
+    };
+    if (front.unsure_count() > 0 && decide_unsure(front, on_met) == bvh::Walk::Stop) return true;
+    if (!is_any_met) {
+      const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
+      remembered_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
+    }
+    return true;
+  }
+
+  /// The same by walking the trees.
+  template <typename OnPair>
+  void walk(OnPair&& on_pair) {
+    Work done;
+    bvh::WidePairWalk walk = query_.walk();
+    Candidates candidates(touch_, done);
+    const bvh::Walk end = query_.decide_at_once(walk, candidates, on_pair);
+    add_counts(walk.counts(), done);
+    if (end == bvh::Walk::Continue) remembered_.meeting.learn_walk(done);
+    work_ += done;
+  }
+
+ private:
+  template <typename OnPair>
+  bvh::Walk decide_unsure(const bvh::WideFront& front, OnPair&& on_pair) {
+    Candidates candidates(touch_, work_);
+    for (std::size_t i = 0; i < front.unsure_count(); ++i) {
+      const TrianglePair pair = query_.pair_at(front.unsure(i));
+      candidates.add(pair, query_.triangle_a(pair), query_.triangle_b(pair));
+      if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
+    }
+    return candidates.decide(on_pair);
+  }
+
+  WideQuery query_;
+  Remembered& remembered_;
+  Touch touch_;
+  Work& work_;
+};
+
+// What follows is not inlined: a query that a gap answers is over before there were frames and
+// counters for all that.
+
+HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                   Remembered& remembered, Touch touch, Work* work) {
+  CountedWork counted(work);
+  MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
+  if (query.are_far_apart()) return false;
+  if (query.does_remembered_pair_touch()) return true;
+  // After a hit another is likelier than a gap.
+  const bool was_apart = remembered.pairs().empty();
+  TrianglePair found[Remembered::kMostPairs];
+  std::size_t count = 0;
+  const auto on_pair = [&](TrianglePair pair) {
+    found[count++] = pair;
+    return bvh::Walk::Stop;
+  };
+  if (!was_apart || !query.pass_front(on_pair)) query.walk(on_pair);
+  remembered.remember({found, count});
+  return count > 0;
+}
+
+HWY_NOINLINE bool is_one_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
+  CountedWork counted(work);
+  return is_either_inside(mesh_a, mesh_b, counted.work());
+}
+
+HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                      Remembered& remembered, const PairSettings& settings,
+                                      Work* work) {
+  CountedWork counted(work);
+  TrianglePairs found;
+  MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
+  if (query.are_far_apart()) return found;
+  const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
+    if (found.pairs.empty()) found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
+    found.pairs.push_back(pair);
+    return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
+  });
+  if (is_done && found.pairs.size() <= settings.limit) {
+    sort_pairs(found.pairs);
+  } else {
+    // Which pairs come first is for the walk to say.
+    Work done;
+    found = find_triangle_pairs(mesh_a, mesh_b, settings, &done);
+    if (settings.threads == 1 && found.completeness == Completeness::Complete)
+      remembered.meeting.learn_walk(done);
+    counted.work() += done;
+  }
+  remembered.remember(found.pairs);
+  // The next pose has about as many.
+  remembered.pairs_found = found.pairs.size() + found.pairs.size() / 4;
+  return found;
+}
+
+}  // namespace
+
+bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+                const QuerySettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    require_wide(settings.volume);
+    narrowphase::check_touch(settings.touch);
+    check_interior(settings);
+    if (settings.interior == Interior::Solid) {
+      check_closed(mesh_a.mesh, "mesh A");
+      check_closed(mesh_b.mesh, "mesh B");
+    }
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (!remembered.are_still_beyond(0, work) &&
+        do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
+      return true;
+    return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
+  });
+}
+
+TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                  PairMemory& memory, const PairSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    require_wide(settings.volume);
+    narrowphase::check_touch(settings.touch);
+    check_threads(settings.threads);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (remembered.are_still_beyond(0, work)) return {};
+    return find_pairs(mesh_a, mesh_b, remembered, settings, work);
+  });
+}
+
+}  // namespace graze

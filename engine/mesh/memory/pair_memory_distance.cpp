@@ -1,0 +1,204 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/memory/remembered.h>
+#include <graze/engine/mesh/nearest/distance_parts.h>
+#include <graze/engine/mesh/nearest/distance_reach.h>
+#include <graze/engine/mesh/pair_memory.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/narrowphase/derived/directed_gap.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+/// A query that knows a pair of triangles near each other.
+class NearQuery {
+ public:
+  NearQuery(const WideQuery& query, Remembered& remembered, Work& work)
+      : query_(query),
+        reach_(query_.frame_a, query_.frame_b, query_.b_in_a),
+        largest_(std::max(largest_of(query.a), largest_of(query.b))),
+        gap_(largest_),
+        remembered_(remembered),
+        work_(work) {}
+
+  /// Looks for what separates along the way between these points, beyond so many metres.
+  void aim_along(const TriangleDistance& found) { gap_.set_direction(found); }
+  void shrink_to(double metres) {
+    limit_ = metres;
+    reach_.shrink_to(metres);
+  }
+
+  /// Calls `on_pair(pair, distance)` for each pair that may be within the limit, which may come
+  /// down meanwhile, until it answers Stop. Whether the front could say: otherwise it calls for
+  /// none.
+  template <typename OnPair>
+  bool pass_front(OnPair&& on_pair) {
+    MotionFront& near = remembered_.near;
+    if (near.rests() || !remembered_.follow(query_)) return false;
+    auto pass =
+        near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), reach_.units());
+    if (!pass) return false;
+    double direction_in_a[3];
+    turn_into(direction_in_a, query_.a.pose, gap_.direction());
+    pass->aim_along(direction_in_a);
+    near.advance(*pass, reach_.units(), work_);
+    bvh::WideFront& front = near.front();
+    for (std::size_t i = 0; i < front.candidate_count(); ++i) {
+      if (!front.is_due(i, *pass, reach_.units())) continue;
+      const TrianglePair pair = query_.pair_at(front.candidate(i));
+      const Triangle triangle_a = query_.triangle_a(pair);
+      const Triangle triangle_b = query_.triangle_b(pair);
+      const double end = gap_.end_of(triangle_a);
+      const double start = gap_.start_of(triangle_b);
+      if (gap_.is_beyond(limit_, end, start)) {
+        front.keep_apart(i, *pass, gap_along(gap_, start - end, pass->slack));
+        continue;
+      }
+      const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
+      front.set_gap(i, *pass, units_between(found.distance));
+      // What is as near as any will be asked again, whatever keeps it apart.
+      if (found.distance > limit_) {
+        narrowphase::DirectedGap along(largest_);
+        along.set_direction(found);
+        front.keep_apart(
+            i, *pass,
+            gap_along(along, along.start_of(triangle_b) - along.end_of(triangle_a), pass->slack));
+      }
+      if (on_pair(pair, found) == bvh::Walk::Stop) return true;
+    }
+    remembered_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
+    return true;
+  }
+
+  /// What of a distance as it is returned is sure, and so of the true one.
+  double surely(double metres) const { return metres - 0x1p-46 * largest_; }
+
+ private:
+  /// A direction in space, in the frame of a pose.
+  static void turn_into(double (&turned)[3], const Pose& pose, const double (&direction)[3]) {
+    const double* m = pose.data();  // column-major 4x4
+    for (int i = 0; i < 3; ++i) {
+      turned[i] =
+          m[4 * i] * direction[0] + m[4 * i + 1] * direction[1] + m[4 * i + 2] * direction[2];
+    }
+  }
+
+  /// How far apart in the trees' frames what is so far apart in space is at least.
+  double units_between(double metres) const {
+    return reach_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
+  }
+
+  /// The same along a direction, with the slack of both frames.
+  bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres,
+                                double slack) const {
+    // Poses turn directions into such that are longer by 1.5e-6 at most.
+    constexpr double kShorter = 1 - 0x1p-18;
+    bvh::WideFront::Gap gap;
+    gap.units = kShorter * (reach_.least_units_along(surely(metres)) - 2 * slack);
+    turn_into(gap.along_in_a, query_.a.pose, along.direction());
+    turn_into(gap.along_in_b, query_.b.pose, along.direction());
+    for (int i = 0; i < 3; ++i)
+      gap.along_in_a[i] *= kShorter, gap.along_in_b[i] *= kShorter;
+    return gap;
+  }
+
+  const WideQuery& query_;
+  DistanceReach reach_;
+  double largest_;
+  narrowphase::DirectedGap gap_;
+  double limit_ = 0;
+  Remembered& remembered_;
+  Work& work_;
+};
+
+/// What is nearest, beginning with a pair that was.
+MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, Remembered& remembered,
+                          Work& work) {
+  const TriangleDistance known = distance_of(meshes, pair, work);
+  if (known.distance == 0) return find_distance(meshes, pair, work);
+  NearQuery query(meshes, remembered, work);
+  MeshDistance best = result_of(known, pair);
+  query.shrink_to(best.distance);
+  query.aim_along(known);
+  const bool is_done = query.pass_front([&](TrianglePair other, const TriangleDistance& found) {
+    if (found.distance < best.distance) {
+      best = result_of(found, other);
+      query.shrink_to(best.distance);
+    }
+    if (found.distance == best.distance && other < best.pair) best = result_of(found, other);
+    return best.distance == 0 ? bvh::Walk::Stop : bvh::Walk::Continue;
+  });
+  if (!is_done) {
+    best = remembered.are_beyond(0) ? distance_apart(meshes, best.pair, work)
+                                    : find_distance(meshes, best.pair, work);
+  } else if (best.distance == 0) {
+    best = find_distance(meshes, best.pair, work);  // which pair touches is for it to say
+  }
+  if (best.distance > 0) remembered.learn_gap(query.surely(best.distance));
+  return best;
+}
+
+}  // namespace
+
+MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+                      const DistanceSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> MeshDistance {
+    CountedWork counted(work);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                          counted.work());
+    const std::optional<TrianglePair> hint =
+        remembered.nearest ? remembered.nearest : settings.hint;
+    // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
+    const bool may_touch = !remembered.nearest || remembered.was_touching;
+    MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
+                                  : find_nearest(query, *hint, remembered, counted.work());
+    remembered.nearest = best.pair;
+    remembered.was_touching = best.distance == 0;
+    return best;
+  });
+}
+
+bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+            PairMemory& memory, const DistanceSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_clearance(clearance);
+    check_hint(settings, mesh_a.mesh, mesh_b.mesh);
+    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    if (remembered.are_still_beyond(clearance, work)) return false;
+    CountedWork counted(work);
+    const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+                           counted.work());
+    std::optional<TriangleDistance> known;
+    if (remembered.nearest) {
+      known = distance_of(meshes, *remembered.nearest, counted.work());
+      if (known->distance <= clearance) {
+        ++remembered.still_touching;
+        ++counted.work().skipped_by_memory;
+        return true;
+      }
+    }
+    NearQuery query(meshes, remembered, counted.work());
+    query.shrink_to(clearance);
+    if (known) query.aim_along(*known);
+    std::optional<TrianglePair> found;
+    const auto on_pair = [&](TrianglePair pair, const TriangleDistance& between) {
+      if (between.distance <= clearance) found = pair;
+      return found ? bvh::Walk::Stop : bvh::Walk::Continue;
+    };
+    // After a hit another is likelier than a gap.
+    const bool was_within = remembered.was_within;
+    if (was_within || !query.pass_front(on_pair)) {
+      found = find_within(meshes, clearance, settings.hint, counted.work());
+    }
+    if (found) remembered.nearest = found;
+    remembered.was_within = found.has_value();
+    return found.has_value();
+  });
+}
+
+}  // namespace graze

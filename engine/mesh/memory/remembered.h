@@ -1,0 +1,134 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/bvh/value/rigid.h>
+#include <graze/engine/mesh/memory/motion_front.h>
+#include <graze/engine/mesh/pair_memory.h>
+#include <graze/engine/mesh/query/wide_query.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace graze {
+
+/// Bit by bit.
+bool are_equal(const Pose& one, const Pose& other);
+
+/// A mesh in its last pose, with what bounds how far a motion takes its points.
+class RememberedMesh {
+ public:
+  explicit RememberedMesh(const Mesh& mesh);
+
+  const Mesh& mesh() const { return mesh_; }
+  const Pose& pose() const { return pose_; }
+  /// Another number each time that the pose changes.
+  std::uint64_t pose_number() const { return pose_number_; }
+  double deviation() const { return error_.largest(); }
+
+  /// The door: check_placement(), unless the pose is the last one.
+  void place(const Pose& pose, const char* what);
+
+  /// No placed point of the mesh is further from where `before` placed it than the root of `square`
+  /// and `rounding` (metres).
+  struct Motion {
+    double square = 0;
+    double rounding = 0;
+  };
+  Motion motion_from(const Pose& before) const;
+
+ private:
+  alignas(64) Pose pose_ = Pose::Identity();  // two cache lines: each query compares it
+  Mesh mesh_;
+  double middle_[3];
+  double radius_;   // of the bounds, around their middle
+  double largest_;  // coordinate
+  double sizes_;    // of the bounds, added up
+  bvh::RotationError error_{pose_};
+  std::uint64_t pose_number_ = 0;
+  bool is_placed_ = false;
+};
+
+/// What a PairMemory holds of one pair of meshes.
+class Remembered {
+ public:
+  static constexpr std::size_t kMostPairs = 8;
+
+  Remembered(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
+
+  bool is_about(const PlacedMesh& a, const PlacedMesh& b) const {
+    return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
+  }
+
+  /// Where the next query has them. Throws PoseError.
+  void place(const Pose& pose_a, const Pose& pose_b);
+
+  double deviation_a() const { return a_.deviation(); }
+  double deviation_b() const { return b_.deviation(); }
+
+  /// Whether all placed triangles are surely further apart than so many metres: because of the gap
+  /// that was proved last, less the motion since.
+  bool are_beyond(double metres) const;
+
+  /// The same, and a query that is over with it, which is counted.
+  bool are_still_beyond(double metres, Work* work);
+
+  /// No triangles are nearer than so many metres in these poses.
+  void learn_gap(double metres);
+
+  /// How B lies in A now: the fronts move along. Whether there was a query before.
+  bool follow(const WideQuery& query);
+
+  std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
+  void remember(std::span<const TrianglePair> found);
+  void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
+
+  std::optional<TrianglePair> nearest;
+  bool was_within = false;
+  bool was_touching = false;    // when a distance was last asked for
+  std::size_t pairs_found = 0;  // when all pairs were last asked for
+  MotionFront meeting{bvh::WideFront::Bounds::Meeting};
+  MotionFront near{bvh::WideFront::Bounds::Distance};
+  std::uint64_t still_apart = 0;
+  std::uint64_t still_touching = 0;
+
+ private:
+  RememberedMesh a_;
+  RememberedMesh b_;
+
+  struct Place {
+    alignas(64) Pose pose = Pose::Identity();
+    std::uint64_t number = 0;
+  };
+  static Place place_of(const RememberedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static RememberedMesh::Motion motion_from(const Place& before, const RememberedMesh& mesh) {
+    return before.number == mesh.pose_number() ? RememberedMesh::Motion()
+                                               : mesh.motion_from(before.pose);
+  }
+
+  Place gap_place_a_;
+  Place gap_place_b_;
+  double gap_ = -1;  // metres, in these places; less than 0: nothing is known
+
+  double rotation_[3][3];  // of B in A, in common units, when last computed
+  double translation_[3];
+  bool is_followed_ = false;
+  static constexpr int kMostQueries = 1 << 20;
+  int queries_ = 0;  // since then, or so many
+
+  std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
+  std::size_t pair_count_ = 0;
+};
+
+/// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
+Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+
+/// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
+/// less than 0.
+double gap_of_bounds(const WideQuery& query);
+
+}  // namespace graze

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <graze/engine/mesh/pair.h>
+#include <graze/narrowphase/triangle_distance.h>
+
+namespace graze {
+
+/// A corner of an intersection.
+struct IntersectionPoint {
+  Eigen::Vector3d position;  ///< metres, off by at most 2 ulp of the largest placed coordinate
+  Feature feature_a;         ///< the smallest feature of A in which it lies, exactly
+  Feature feature_b;
+};
+
+/// A segment between two points, and which pairs of triangles meet in it: two triangles cross in a
+/// segment of their own, all triangles at an edge share one that lies on it.
+struct IntersectionSegment {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t first_pair;
+  std::uint32_t pair_count;
+};
+
+/// Segments end to end: `segment_count` of them from `first_segment` on.
+struct IntersectionCurve {
+  std::uint32_t first_segment;
+  std::uint32_t segment_count;
+  bool is_closed;  ///< it ends where it began
+};
+
+/// Triangles in one plane meet in a convex polygon of three to six points.
+struct IntersectionPolygon {
+  std::array<std::uint32_t, 6> corners;
+  std::uint32_t corner_count;
+  std::uint32_t first_pair;
+  std::uint32_t pair_count;
+};
+
+/// Polygons that are connected by their edges, in one plane or more.
+struct IntersectionPatch {
+  std::uint32_t first_polygon;
+  std::uint32_t polygon_count;
+};
+
+/// A point in which triangles meet and which is on no segment and no polygon.
+struct TouchingPoint {
+  std::uint32_t point;
+  std::uint32_t first_pair;
+  std::uint32_t pair_count;
+};
+
+/// All points that two meshes' surfaces share: curves, patches of coplanar surface, and points.
+/// Every segment of `segments` belongs to one curve, every polygon to one patch; the edges of
+/// polygons are not listed among the segments. Points ascend lexicographically by position; curves,
+/// patches and touching points by their points.
+struct MeshIntersection {
+  std::vector<IntersectionPoint> points;
+  std::vector<IntersectionSegment> segments;
+  std::vector<IntersectionCurve> curves;
+  std::vector<IntersectionPolygon> polygons;
+  std::vector<IntersectionPatch> patches;
+  std::vector<TouchingPoint> touching_points;
+  std::vector<TrianglePair> pairs;
+
+  bool empty() const { return points.empty(); }
+
+  std::span<const IntersectionSegment> segments_of(const IntersectionCurve& curve) const {
+    return {segments.data() + curve.first_segment, curve.segment_count};
+  }
+  std::span<const IntersectionPolygon> polygons_of(const IntersectionPatch& patch) const {
+    return {polygons.data() + patch.first_polygon, patch.polygon_count};
+  }
+  /// The triangles of a segment, a polygon or a touching point, ascending.
+  template <typename Part>
+  std::span<const TrianglePair> pairs_of(const Part& part) const {
+    return {pairs.data() + part.first_pair, part.pair_count};
+  }
+};
+
+/// Where the surfaces of two placed meshes meet; empty exactly when intersects() is false. Which
+/// points, segments and polygons there are and how they are connected is exact: ends are joined
+/// where they are the same crossing of an edge and a face, of two edges, or the same vertex, edges
+/// and vertices being welded where placed positions are equal. Positions alone are rounded; points
+/// that round to one position stay two.
+///
+/// A curve runs through the points where just two segments meet, and ends at all others: where an
+/// open mesh ends, where curves branch, and at patches. Closed meshes that cross no vertex and no
+/// edge with an edge, nor touch along a plane, meet in closed curves only. A mesh that crosses
+/// itself, or whose edges are not welded, has its curves on each sheet. Swapping A and B gives the
+/// same points and curves with the sides of all features and pairs swapped (law 4). Time as for
+/// find_triangle_pairs(), and O(k log k) in the pairs. Throws as intersects() does, and InputError
+/// if touching is not to count or solids are asked for: it speaks of surfaces, touching points
+/// included.
+MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+                                   const QuerySettings& settings = {}, Work* work = nullptr);
+
+}  // namespace graze

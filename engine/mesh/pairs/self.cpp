@@ -1,0 +1,158 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/traverse/traverse_self.h>
+#include <graze/engine/mesh/query/node_volumes.h>
+#include <graze/engine/mesh/query/query_policies.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/self.h>
+#include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
+#include <graze/narrowphase/triangle_triangle.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace graze {
+namespace {
+
+/// The corners of two triangles, reordered so that the welded vertices they share come first, in
+/// the same order.
+struct Adjacency {
+  std::uint32_t corners_a[3];
+  std::uint32_t corners_b[3];
+  int shared = 0;
+};
+
+Adjacency adjacency_of(const TriangleIndices& a, const TriangleIndices& b,
+                       std::span<const std::uint32_t> welded) {
+  Adjacency result{{a[0], a[1], a[2]}, {b[0], b[1], b[2]}};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = result.shared; j < 3; ++j) {
+      if (welded[result.corners_a[i]] != welded[result.corners_b[j]]) continue;
+      // A vertex that a triangle repeats is shared once.
+      bool is_repeated = false;
+      for (int k = 0; k < result.shared; ++k) {
+        is_repeated |= welded[result.corners_a[k]] == welded[result.corners_a[i]];
+      }
+      if (is_repeated) break;
+      std::swap(result.corners_a[result.shared], result.corners_a[i]);
+      std::swap(result.corners_b[result.shared], result.corners_b[j]);
+      ++result.shared;
+      break;
+    }
+  }
+  return result;
+}
+
+class SelfQuery {
+ public:
+  SelfQuery(const Mesh& mesh, Work& work)
+      : vertices_(mesh.vertices()),
+        triangles_(mesh.triangles()),
+        welded_(mesh.welded()),
+        work_(work) {}
+
+  /// How the triangles meet; nothing if they are apart.
+  std::optional<SelfPairKind> meet(std::uint32_t a, std::uint32_t b) {
+    ++work_.triangle_tests;
+    const Adjacency adjacency = adjacency_of(triangles_[a], triangles_[b], welded_);
+    const Triangle triangle_a = triangle(adjacency.corners_a);
+    const Triangle triangle_b = triangle(adjacency.corners_b);
+    if (adjacency.shared == 0) {
+      if (!do_strangers_meet(triangle_a, triangle_b)) return std::nullopt;
+      return SelfPairKind::Crossing;
+    }
+    ++work_.exact_tests;
+    const bool is_crossing =
+        adjacency.shared == 3 ||
+        (adjacency.shared == 2 ? narrowphase::intersect_beyond_edge(triangle_a, triangle_b)
+                               : narrowphase::intersect_beyond_vertex(triangle_a, triangle_b));
+    return is_crossing ? SelfPairKind::Crossing : SelfPairKind::Neighbour;
+  }
+
+ private:
+  Triangle triangle(const std::uint32_t (&corners)[3]) const {
+    return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
+  }
+
+  bool do_strangers_meet(const Triangle& triangle_a, const Triangle& triangle_b) {
+    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
+  }
+
+  std::span<const Eigen::Vector3d> vertices_;
+  std::span<const TriangleIndices> triangles_;
+  std::span<const std::uint32_t> welded_;
+  Work& work_;
+};
+
+/// The tree in its own frame. No pose moves the mesh, so that the slack need only cover the
+/// rounding of the separations, as in relative_frame().
+bvh::RelativeFrame own_frame() {
+  return {.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          .translation = {0, 0, 0},
+          .units_a = 1,
+          .units_b = 1,
+          .slack = 128 * 0x1p-53 * 16};
+}
+
+/// Calls `use(separation)` for a tree with itself. Boxes in one frame are compared as they are.
+template <typename Use>
+void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
+  if (volume == Volume::Aabb || volume == Volume::Wide)
+    return use(bvh::NodeOverlap(volumes.nodes, volumes.nodes));
+  with_separation(volume, own_frame(), volumes, volumes, use);
+}
+
+/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop.
+template <typename OnPair>
+void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& work,
+                        OnPair&& on_pair) {
+  const NodeVolumes volumes = volumes_of(mesh, settings.volume, work);
+  const bvh::Tree& tree = mesh.tree();
+  SelfQuery query(mesh, work);
+  const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+    const bool is_same = &leaf_a == &leaf_b;
+    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+      const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
+      for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
+        const auto [a, b] = std::minmax(tree.primitives[i], tree.primitives[j]);
+        if (query.meet(a, b) != settings.kind) continue;
+        if (on_pair(TrianglePair{a, b}) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      }
+    }
+    return bvh::Walk::Continue;
+  };
+  with_own_separation(settings.volume, volumes, [&](const auto& separation) {
+    bvh::traverse_self(tree, CountedSeparation(separation, work), test_leaves);
+  });
+}
+
+}  // namespace
+
+bool self_intersects(const Mesh& mesh, Work* work) {
+  return self_intersects(mesh, QuerySettings{}, work);
+}
+
+bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    require_touch_included(settings, "self_intersects");
+    require_surface(settings, "self_intersects");
+    CountedWork counted(work);
+    return has_any([&](auto&& on_pair) {
+      for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);
+    });
+  });
+}
+
+TrianglePairs find_self_pairs(const Mesh& mesh, const SelfSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
+    CountedWork counted(work);
+    TrianglePairs found;
+    found.completeness = collect(found.pairs, settings.limit, [&](auto&& on_pair) {
+      for_each_self_pair(mesh, settings, counted.work(), on_pair);
+    });
+    return found;
+  });
+}
+
+}  // namespace graze

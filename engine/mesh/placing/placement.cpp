@@ -1,0 +1,79 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/checks.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/placing/placement_check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace graze {
+
+namespace narrowphase {
+
+Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
+  const double* m = pose.data();  // column-major 4x4
+  const double x = point.data()[0];
+  const double y = point.data()[1];
+  const double z = point.data()[2];
+  Eigen::Vector3d placed;
+  for (int i = 0; i < 3; ++i) {
+    placed.data()[i] = ((m[i] * x + m[4 + i] * y) + m[8 + i] * z) + m[12 + i];
+  }
+  return placed;
+}
+
+Triangle place(const Pose& pose, const Triangle& triangle) {
+  return {place(pose, triangle.a), place(pose, triangle.b), place(pose, triangle.c)};
+}
+
+}  // namespace narrowphase
+
+Eigen::Vector3d place(const Pose& pose, const Eigen::Vector3d& point) {
+  return bvh::in_standard_arithmetic(
+      [&]() -> Eigen::Vector3d { return narrowphase::place(pose, point); });
+}
+
+Triangle place(const Pose& pose, const Triangle& triangle) {
+  return bvh::in_standard_arithmetic(
+      [&]() -> Triangle { return narrowphase::place(pose, triangle); });
+}
+
+std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {
+  const double* m = pose.data();
+  double largest[3];
+  for (int k = 0; k < 3; ++k) {
+    largest[k] = std::max(std::abs(bounds.min.data()[k]), std::abs(bounds.max.data()[k]));
+  }
+  // Rounding is monotone: the same operations on absolute values bound all of place()'s.
+  std::array<double, 3> reach;
+  for (int i = 0; i < 3; ++i) {
+    reach[i] = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
+                std::abs(m[8 + i]) * largest[2]) +
+               std::abs(m[12 + i]);
+  }
+  return reach;
+}
+
+namespace {
+
+[[noreturn]] void throw_overflow(const std::array<double, 3>& reach, const char* what) {
+  const char axis = !std::isfinite(reach[0]) ? 'x' : !std::isfinite(reach[1]) ? 'y' : 'z';
+  throw PoseError(std::string(what) + ": coordinate " + axis + " of the mesh could overflow");
+}
+
+}  // namespace
+
+double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
+  const bvh::RotationError error(pose);
+  if (is_surely_placeable(pose, error, sum_of_sizes(bounds))) return error.largest();
+  const double deviation = bvh::check_rigid(pose, what);
+  const std::array<double, 3> reach = placed_reach(pose, bounds);
+  for (const double most : reach) {
+    if (!std::isfinite(most)) throw_overflow(reach, what);
+  }
+  return deviation;
+}
+
+}  // namespace graze

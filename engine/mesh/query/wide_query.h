@@ -1,0 +1,142 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/bvh/wide/walk/wide_pair_walk.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/placing/relative_frame.h>
+#include <graze/engine/mesh/query/candidates.h>
+#include <graze/engine/mesh/query/wide_counts.h>
+#include <hwy/cache_control.h>
+
+namespace graze {
+
+/// The triangles of a placed mesh, one by one.
+struct PlacedTriangles {
+  const Pose& pose;
+  std::span<const Eigen::Vector3d> vertices;
+  std::span<const TriangleIndices> triangles;
+
+  explicit PlacedTriangles(const PlacedMesh& placed)
+      : pose(placed.pose), vertices(placed.mesh.vertices()), triangles(placed.mesh.triangles()) {}
+
+  Triangle operator[](std::uint32_t index) const {
+    const TriangleIndices& t = triangles[index];
+    return narrowphase::place(pose, {vertices[t[0]], vertices[t[1]], vertices[t[2]]});
+  }
+
+  // Large meshes are not in the cache, and where a triangle's corners stand is known last.
+  void fetch_indices(std::uint32_t index) const { hwy::Prefetch(&triangles[index]); }
+  void fetch_corners(std::uint32_t index) const {
+    for (const std::uint32_t corner : triangles[index])
+      hwy::Prefetch(&vertices[corner]);
+  }
+};
+
+/// Two placed meshes that a query walks by their wide trees.
+struct WideQuery {
+  const PlacedMesh& a;
+  const PlacedMesh& b;
+  const bvh::WideTree& tree_a;
+  const bvh::WideTree& tree_b;
+  PlacedTriangles triangles_a;
+  PlacedTriangles triangles_b;
+  PlacedFrame frame_a;
+  PlacedFrame frame_b;
+  bvh::RelativeFrame b_in_a;
+
+  /// Builds the tops of the trees if nobody has. Throws PoseError.
+  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work& work)
+      : WideQuery(mesh_a, mesh_b,
+                  check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A"),
+                  check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B"), work) {}
+
+  /// For poses that have been checked.
+  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double deviation_a,
+            double deviation_b, Work& work)
+      : a(mesh_a),
+        b(mesh_b),
+        tree_a(a.mesh.wide_tree(&work)),
+        tree_b(b.mesh.wide_tree(&work)),
+        triangles_a(a),
+        triangles_b(b),
+        frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()},
+        frame_b{b.pose, deviation_b, tree_b.frame(), b.mesh.bounds()},
+        b_in_a(relative_frame(frame_a, frame_b)) {}
+
+  /// Whether the boxes of all that there is prove it: far apart is the common case, which is over
+  /// after one test.
+  bool are_far_apart(Work& work) const {
+    ++work.volume_tests;
+    const bool is_apart = bvh::are_apart_along_faces(b_in_a, tree_a.box(), tree_b.box());
+    work.volume_rejections += is_apart;
+    return is_apart;
+  }
+
+  bvh::RelativeFrame a_in_b() const { return reversed(b_in_a, frame_a, frame_b); }
+
+  bvh::WidePairWalk walk() const { return {tree_a, tree_b, b_in_a, a_in_b()}; }
+
+  TrianglePair pair_at(const bvh::PlacePair& places) const {
+    return {tree_a.primitive(places.a), tree_b.primitive(places.b)};
+  }
+
+  Triangle triangle_a(TrianglePair pair) const { return triangles_a[pair.a]; }
+  Triangle triangle_b(TrianglePair pair) const { return triangles_b[pair.b]; }
+
+  /// Decides some of the pairs that a walk hands out; the rest of them wait in `candidates`.
+  template <typename OnPair>
+  bvh::Walk decide(std::span<const bvh::PlacePair> places, Candidates& candidates,
+                   OnPair&& on_pair) const {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      fetch_ahead(places, i);
+      const TrianglePair pair = pair_at(places[i]);
+      candidates.add(pair, triangle_a(pair), triangle_b(pair));
+      if (candidates.is_full() && candidates.decide(on_pair) == bvh::Walk::Stop)
+        return bvh::Walk::Stop;
+    }
+    return bvh::Walk::Continue;
+  }
+
+  /// All that a walk still finds. Calls `on_pair(pair)` for each that meets, until it answers Stop.
+  template <typename OnPair>
+  bvh::Walk decide_all(bvh::WidePairWalk& walk, Candidates& candidates, OnPair&& on_pair) const {
+    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce + Candidates::kCapacity];
+    while (const std::size_t count = walk.next(places)) {
+      if (decide({places, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    }
+    return candidates.decide(on_pair);
+  }
+
+  /// The same for a query that any pair ends: what one step of the walk has found is decided before
+  /// the next one, for it is likely to be the last.
+  template <typename OnPair>
+  bvh::Walk decide_at_once(bvh::WidePairWalk& walk, Candidates& candidates,
+                           OnPair&& on_pair) const {
+    bvh::PlacePair places[bvh::WidePairWalk::kMostAtOnce];
+    walk.look_elsewhere();
+    while (const std::size_t count = walk.next(places)) {
+      if (decide({places, count}, candidates, on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+      if (candidates.decide(on_pair) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    }
+    return bvh::Walk::Continue;
+  }
+
+ private:
+  void fetch_ahead(std::span<const bvh::PlacePair> places, std::size_t i) const {
+    constexpr std::size_t kIndicesAhead = 8;
+    constexpr std::size_t kCornersAhead = 4;
+    if (i + kIndicesAhead < places.size()) {
+      const TrianglePair pair = pair_at(places[i + kIndicesAhead]);
+      triangles_a.fetch_indices(pair.a);
+      triangles_b.fetch_indices(pair.b);
+    }
+    if (i + kCornersAhead < places.size()) {
+      const TrianglePair pair = pair_at(places[i + kCornersAhead]);
+      triangles_a.fetch_corners(pair.a);
+      triangles_b.fetch_corners(pair.b);
+    }
+  }
+};
+
+}  // namespace graze

@@ -1,0 +1,73 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/sweep/sweep.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze::contacts {
+namespace {
+
+constexpr int kSmallestExponent = -1000;  // so that its inverse is a double, too
+
+/// A quarter of what bounds the absolute value of each placed coordinate: sums cannot overflow.
+double quarter_reach(const PlacedMesh& placed) {
+  double largest = 0;
+  for (double reach : placed_reach(placed.pose, placed.mesh.bounds()))
+    largest = std::max(largest, 0.25 * reach);
+  return largest;
+}
+
+// Of n.d with |d| = 1, whose components are exact, 4 u of the size of n cover three roundings.
+constexpr double kAlongBound = 4 * kUnitRoundoff;
+
+// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s = |p - q| is below
+// 2 sqrt(3) < 4, so that s (n.d) is below 48 u.
+constexpr double kAcrossBound = 48 * kUnitRoundoff;
+
+// The product with an inverse of positive numbers: the difference, the inverse and the product
+// round.
+constexpr double kUp = 1 + 8 * kUnitRoundoff;
+constexpr double kDown = 1 - 8 * kUnitRoundoff;
+
+}  // namespace
+
+SweepUnits::SweepUnits(const PlacedMesh& a, const PlacedMesh& b) {
+  const double quarter = quarter_reach(a) + quarter_reach(b);
+  int exponent = kSmallestExponent;
+  if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);
+  if (exponent > 1023) throw PoseError("sweep of mesh B: its coordinates could overflow");
+  metres = std::ldexp(1.0, exponent);
+  per_metre = 1 / metres;
+}
+
+SweepScale::SweepScale(double along, double size) : across(-1), up(0), down(0) {
+  if (along <= 2 * kAlongBound * size) {
+    // Across the motion n.(p - q) hardly changes: it must be able to be zero.
+    across = kAcrossBound * size;
+    return;
+  }
+  up = kUp / (along - kAlongBound * size);
+  down = kDown / (along + kAlongBound * size);
+}
+
+void SweepBounds::note(double along, double size, double lowest, double highest) {
+  if (!says_something(size)) return;
+  if (along < 0) {
+    along = -along;
+    std::swap(lowest, highest);
+    lowest = -lowest;
+    highest = -highest;
+  }
+  const double low = lowest - margin_ * size;
+  const double high = highest + margin_ * size;
+  const SweepScale scale(along, size);
+  if (scale.across >= 0) {
+    if (high < -scale.across || low > scale.across) upper_ = -1;
+    return;
+  }
+  upper_ = high < 0 ? -1 : std::min(upper_, high * scale.up);
+  if (low > 0) lower_ = std::max(lower_, low * scale.down);
+}
+
+}  // namespace graze::contacts

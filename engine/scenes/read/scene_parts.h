@@ -1,0 +1,57 @@
+#pragma once
+
+// How the parts of a scene are read. Private to engine/scenes.
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include <graze/engine/cases/text/json_cursor.h>
+#include <graze/engine/scenes/read/scene_units.h>
+#include <graze/engine/scenes/scene.h>
+
+namespace graze::scenes {
+
+/// Mesh files of one folder, each loaded once however often a scene names it.
+class MeshFiles {
+ public:
+  explicit MeshFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// {"file", "unit", "sha256"}
+  Mesh read(const cases::JsonCursor& at);
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::pair<std::string, std::string>, Mesh> loaded_;  // by path and unit
+  std::unordered_map<std::string, std::string> hashes_;         // by path
+};
+
+/// Names and where they stand in their list.
+class NameTable {
+ public:
+  explicit NameTable(const char* what) : what_(what) {}
+
+  /// A new name; throws for one that is empty or there already.
+  std::string add(const cases::JsonCursor& at);
+
+  /// The index of a name that is there.
+  std::size_t find(const cases::JsonCursor& at) const;
+
+ private:
+  const char* what_;
+  std::unordered_map<std::string, std::size_t> indices_;
+};
+
+/// The one shape that an object with a name describes.
+Shape read_scene_shape(const cases::JsonCursor& at, const SceneUnits& units, MeshFiles& files);
+
+SceneBody read_body(const cases::JsonCursor& at, const SceneUnits& units, const Scene& scene,
+                    const NameTable& shapes);
+
+/// A direction of length 1, given by a vector of any other.
+Eigen::Vector3d read_direction(const cases::JsonCursor& at);
+
+}  // namespace graze::scenes

@@ -1,0 +1,53 @@
+#pragma once
+
+// How far bodies can have come, for pairs that need not be asked again. Private to engine/world.
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/world/shapes/next_double.h>
+
+#include <cstdint>
+#include <limits>
+
+namespace graze {
+
+/// No point of a body, at most `reach` from its frame's origin, is further than this, metres, from
+/// where it was, each placed as rounding leaves it. Infinite for an infinite reach.
+double motion_bound(const Pose& from, const Pose& to, double reach);
+
+/// The sum of all motions of a body, rounded up.
+double longer_path(double path, double motion);
+
+/// What it takes for a gap to be worth knowing.
+struct GapCost {
+  std::uint16_t first_wait;  ///< tests that find the two apart before it is measured
+  std::uint16_t worth_it;    ///< skips, or else the next one waits longer
+};
+/// To measure two meshes takes as long as some twenty tests that find them apart.
+inline constexpr GapCost kMeasuredGap{3, 16};
+inline constexpr GapCost kQuickGap{0, 2};
+
+/// What is known of two bodies that were found apart.
+class Separation {
+ public:
+  /// True if paths of these lengths, begun before, cannot have closed the gap.
+  bool holds(double path_a, double path_b) const { return next_up(path_a + path_b) < limit_; }
+
+  /// The test was left out.
+  void note_skip() { ++skips_; }
+
+  /// The pair was tested and found apart. True if to know the gap is likely to be worth its cost:
+  /// not at once, and seldom where the last gap was soon used up.
+  bool wants_gap(const GapCost& cost);
+  void set_gap(double gap, double path_a, double path_b);
+
+ private:
+  static constexpr std::uint16_t kLongestWait = 255;
+  static constexpr std::uint16_t kNotAsked = 0xffff;
+
+  double limit_ = -std::numeric_limits<double>::infinity();  // of the sum of both paths
+  std::uint32_t skips_ = 0;                                  // since the gap was measured
+  std::uint16_t wait_ = kNotAsked;                           // tests before the next measurement
+  std::uint16_t tests_left_ = 0;
+};
+
+}  // namespace graze

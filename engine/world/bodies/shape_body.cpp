@@ -1,0 +1,207 @@
+// What a world asks of a Shape, answered by the table of all pairs.
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/world/bodies/users_shape.h>
+#include <graze/engine/world/body.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_ray.h>
+#include <graze/engine/world/shapes/pair_input.h>
+#include <graze/engine/world/shapes/quick_gap.h>
+#include <graze/engine/world/shapes/shape_work.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <typeinfo>
+#include <utility>
+
+namespace graze {
+namespace {
+
+Manifold mirrored(Manifold manifold) {
+  for (std::size_t i = 0; i < manifold.count; ++i) {
+    ShapeContact& contact = manifold.contacts[i];
+    std::swap(contact.point_a, contact.point_b);
+    contact.normal = -contact.normal;
+    std::swap(contact.feature.a, contact.feature.b);
+  }
+  return manifold;
+}
+
+/// True for pairs whose test costs more than it takes to know that it can be left out.
+bool is_worth_a_gap(PairMethod method) {
+  using enum PairMethod;
+  return method == Cores || method == MeshVolume || method == MeshCore || method == Meshes;
+}
+
+double length_of(double x, double y, double z) {
+  return std::sqrt((x * x + y * y) + z * z);
+}
+
+/// To the farthest corner of the shape's own box.
+double reach_of(const Shape& shape) {
+  if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
+  const Aabb box = bounds_of(shape, Pose::Identity());
+  double side[3];
+  for (int i = 0; i < 3; ++i)
+    side[i] = std::max(std::abs(box.min.data()[i]), std::abs(box.max.data()[i]));
+  return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
+}
+
+/// By how much law 3 may read a box otherwise than as its corners are placed.
+double reading_of(const Shape& shape, double reach) {
+  return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * reach : 0;
+}
+
+double largest_coordinate(const Pose& pose) {
+  const double* t = pose.data() + 12;
+  return std::max(std::abs(t[0]), std::max(std::abs(t[1]), std::abs(t[2])));
+}
+
+class ShapeBody final : public BodyShape {
+ public:
+  explicit ShapeBody(const Shape& shape) : shape_(shape), reach_(reach_of(shape)) {}
+
+  const Shape* shape() const override { return &shape_; }
+
+  Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
+
+  bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    return bvh::in_standard_arithmetic([&]() -> bool {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic([&] { return other.touches(other_pose, *this, pose); });
+      }
+      return intersect_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    });
+  }
+
+  Manifold contacts(const Pose& pose, const BodyShape& other,
+                    const Pose& other_pose) const override {
+    return bvh::in_standard_arithmetic([&]() -> Manifold {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic(
+            [&] { return mirrored(other.contacts(other_pose, *this, pose)); });
+      }
+      // No finite translation parts two half-spaces: they touch, and have no contact.
+      if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
+      return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+    });
+  }
+
+  std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
+                               const Pose& other_pose) const override {
+    return bvh::in_standard_arithmetic([&]() -> std::optional<Manifold> {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic([&] {
+          std::optional<Manifold> found = other.meet(other_pose, *this, pose);
+          if (found) found = mirrored(*found);
+          return found;
+        });
+      }
+      if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
+        return BodyShape::meet(pose, other, other_pose);
+      // Empty exactly when they do not touch.
+      Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+      if (found.empty()) return std::nullopt;
+      return found;
+    });
+  }
+
+  // distance() proves a way that the two can near each other before they meet. touches() may say
+  // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
+  // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
+  // less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less than
+  // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more. A
+  // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
+  // as much as the door lets in: see bounds_of().
+  double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
+    return bvh::in_standard_arithmetic([&]() -> double {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) return 0;
+      const PairMethod method = pair_method(shape_.kind(), shape->kind());
+      if (is_gap_quick(method) && method != PairMethod::MeshVolume)
+        return quick_gap({shape_, pose, reach_}, {*shape, other_pose, other.reach()});
+      if (!is_worth_a_gap(method)) return 0;
+      const double* t = pose.data() + 12;
+      const double* o = other_pose.data() + 12;
+      const double scale =
+          length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
+      const double rounding =
+          0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
+      const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
+      const double readings = reading_of(shape_, reach_) + reading_of(*shape, other.reach());
+      return std::max(lower - (16 * kTouchTolerance * scale + rounding + readings), 0.0);
+    });
+  }
+
+  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
+  /// half of a clearance, where distance() itself, which is off by roundings of coordinates, is
+  /// more than all of it.
+  double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
+                     double smaller_reach) const {
+    const Mesh* mesh = shape_.as<Mesh>();
+    const Mesh* other = shape.as<Mesh>();
+    if (pair_method(shape_.kind(), shape.kind()) == PairMethod::MeshVolume) {
+      const PlacedShape own{shape_, pose}, others{shape, other_pose};
+      return mesh == nullptr ? mesh_distance_bound(own, others, shape_work())
+                             : mesh_distance_bound(others, own, shape_work());
+    }
+    if (mesh == nullptr || other == nullptr)
+      return distance(shape_, pose, shape, other_pose, &shape_work()).lower_bound;
+    const double clearance = smaller_reach / 64;
+    const bool is_near = within({*mesh, pose}, {*other, other_pose}, clearance, {}, &shape_work());
+    return is_near ? 0 : 0.5 * clearance;
+  }
+
+  std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {
+    return graze::cast_ray(shape_, pose, ray);
+  }
+
+  double reach() const override { return reach_; }
+
+ private:
+  Shape shape_;
+  double reach_;
+};
+
+}  // namespace
+
+Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
+                             const Pose& /*other_pose*/) const {
+  return {};
+}
+
+std::optional<Manifold> BodyShape::meet(const Pose& pose, const BodyShape& other,
+                                        const Pose& other_pose) const {
+  if (!touches(pose, other, other_pose)) return std::nullopt;
+  return contacts(pose, other, other_pose);
+}
+
+double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,
+                      const Pose& /*other_pose*/) const {
+  return 0;
+}
+
+std::optional<RayHit> BodyShape::cast_ray(const Pose& /*pose*/, const Ray& /*ray*/) const {
+  throw UnsupportedPairError("cast_ray: a shape of a user's own does not know where rays meet it");
+}
+
+double BodyShape::reach() const {
+  return std::numeric_limits<double>::infinity();
+}
+
+bool is_users_shape(const BodyShape& shape) {
+  return typeid(shape) != typeid(ShapeBody);
+}
+
+std::shared_ptr<const BodyShape> share(const Shape& shape) {
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::shared_ptr<const BodyShape> { return std::make_shared<ShapeBody>(shape); });
+}
+
+}  // namespace graze

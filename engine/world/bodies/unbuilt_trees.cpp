@@ -1,0 +1,23 @@
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/world/bodies/unbuilt_trees.h>
+
+namespace graze {
+
+bool UnbuiltTrees::add(const Mesh* mesh) {
+  if (mesh == nullptr || mesh->has_tree()) return false;
+  ++bodies_[mesh->vertices().data()];
+  return true;
+}
+
+void UnbuiltTrees::remove(const Mesh& mesh) {
+  const auto found = bodies_.find(mesh.vertices().data());
+  if (found != bodies_.end() && --found->second == 0) bodies_.erase(found);
+}
+
+bool UnbuiltTrees::still_holds(const Mesh& mesh) {
+  if (!mesh.has_tree()) return true;
+  bodies_.erase(mesh.vertices().data());
+  return false;
+}
+
+}  // namespace graze

@@ -1,0 +1,382 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/checks.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/prepare.h>
+#include <graze/engine/world/bodies/world_state.h>
+
+#include <algorithm>
+#include <string>
+
+namespace graze {
+namespace {
+
+std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
+  return static_cast<std::uint64_t>(s) << 32 | t;
+}
+
+Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const char* what) {
+  Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
+  bvh::check_box(box, what);
+  return box;
+}
+
+}  // namespace
+
+const Bodies::Body& World::State::body(BodyId id, const char* what) const {
+  if (!all.ids.is_live(id.index, id.generation)) {
+    throw StaleIdError(std::string(what) + ": there is no body with index " +
+                       std::to_string(id.index) + " and generation " +
+                       std::to_string(id.generation));
+  }
+  return all.bodies[id.index];
+}
+
+void World::State::check_is_free(const char* what) const {
+  if (is_updating) throw InputError(std::string(what) + ": the world is within an update");
+}
+
+/// note_change() of so many bodies will throw nothing: a body with the mark that is not in the list
+/// would never be looked at again. Each body is in it once.
+void World::State::make_room_for_changes(std::size_t more) {
+  make_room_in(changed,
+               std::min(more, all.bodies.size() - std::min(all.bodies.size(), changed.size())));
+}
+
+void World::State::note_change(std::uint32_t index) {
+  if (all.ways[index].has_changed) return;
+  changed.push_back(index);
+  all.ways[index].has_changed = true;
+}
+
+void World::State::note_other_filter(std::uint32_t index) {
+  all.ways[index].has_other_filter = true;
+  note_change(index);
+}
+
+/// Makes the list anew: where an update was cut short the marks may no longer be those of the list.
+void World::State::note_everything() {
+  changed.reserve(all.bodies.size());
+  changed.clear();
+  for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
+    Bodies::Way& way = all.ways[index];
+    way.has_changed = way.has_other_filter = all.ids.is_live(index);
+    if (way.has_changed) changed.push_back(index);
+  }
+}
+
+/// For one more body, all but its box and what its mesh takes: the index that it will have.
+std::uint32_t World::State::make_room_for_one() {
+  all.ids.prepare_take();
+  const std::uint32_t index = all.ids.next();
+  if (index >= all.bodies.size()) {
+    make_room_in(all.ways, 1);
+    all.bodies.emplace_back(), all.ways.emplace_back();
+  }
+  make_room_in(changed, 1);
+  return index;
+}
+
+/// What throws has changed nothing.
+void World::State::insert_box(std::uint32_t index, const Aabb& box) {
+  Bodies::Body& body = all.bodies[index];
+  make_room_in(body_of_box, 1);  // indices of boxes come one after the other
+  body.box = broad.add(box).index;
+  if (body.box >= body_of_box.size()) body_of_box.resize(body.box + std::size_t{1});
+  body_of_box[body.box] = index;
+}
+
+void World::State::begin_move() {
+  boxes_to_move.clear();
+  places.clear();
+  reaches.clear();
+}
+
+/// Throws, or has the body's box in the list of those that move. All that is asked of a shape is
+/// asked here, where nothing has moved yet.
+void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
+  check_is_free(what);
+  const Bodies::Body& mover = body(id, what);
+  bvh::check_rigid(pose, what);
+  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
+  reaches.push_back(mover.ask([](const BodyShape& shape) { return shape.reach(); }));
+  boxes_to_move.push_back(broad.id(mover.box));
+}
+
+void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  make_room_for_changes(ids.size());
+  broad.move(boxes_to_move, places);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    Bodies::Body& mover = all.bodies[ids[i].index];
+    double& path = all.ways[ids[i].index].path;
+    path = longer_path(path, motion_bound(mover.pose, poses[i], reaches[i]));
+    mover.pose = poses[i];
+    mover.is_awake = true;
+    note_change(ids[i].index);
+  }
+}
+
+/// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
+/// a shape of a user's own may throw.
+const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
+  const Shape* known = ask_shape(is_users, [&] { return shape.shape(); });
+  const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
+  if (mesh != nullptr && !settings.skip_unused_trees) {
+    prepare(*mesh);
+    mesh->tree();
+  }
+  return mesh;
+}
+
+/// Throws before it has changed anything.
+void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape,
+                              const Mesh* mesh) {
+  const bool is_unbuilt = unbuilt.add(mesh);
+  drop_shape(index);
+  all.bodies[index].is_users = is_users_shape(*shape);
+  all.bodies[index].shape = std::move(shape);
+  all.bodies[index].mesh = mesh;
+  all.ways[index].has_unbuilt_tree = is_unbuilt;
+}
+
+void World::State::drop_shape(std::uint32_t index) {
+  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
+  all.ways[index].has_unbuilt_tree = false;
+  all.bodies[index].mesh = nullptr;
+  all.bodies[index].shape.reset();
+}
+
+World::World(const WorldSettings& settings) {
+  if (settings.threads < 1) {
+    throw InputError("World: threads is " + std::to_string(settings.threads) +
+                     ", must be at least 1");
+  }
+  state_ = std::make_unique<State>(settings);
+}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
+                  const BodySettings& settings) {
+  return bvh::in_standard_arithmetic([&]() -> BodyId {
+    State& state = *state_;
+    state.check_is_free("add");
+    if (shape == nullptr) throw InputError("add: no shape");
+    bvh::check_rigid(pose, "add");
+    const bool is_users = is_users_shape(*shape);
+    const Aabb box = bounds_of(*shape, is_users, pose, "add");
+    const Mesh* mesh = state.prepared_mesh(*shape, is_users);
+    const std::uint32_t index = state.make_room_for_one();
+    Bodies::Body& body = state.all.bodies[index];
+    body = {};
+    state.all.ways[index] = {};
+    state.take_shape(index, std::move(shape), mesh);
+    try {
+      state.insert_box(index, box);
+    } catch (...) {
+      state.drop_shape(index);
+      throw;
+    }
+    state.all.ids.take();
+    body.pose = pose;
+    body.motion = settings.motion;
+    body.role = settings.role;
+    body.filter = settings.filter;
+    body.user_data = settings.user_data;
+    state.note_change(index);
+    return state.all.id(index);
+  });
+}
+
+BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& settings) {
+  return add(share(shape), pose, settings);
+}
+
+void World::remove(BodyId id) {
+  State& state = *state_;
+  Bodies::Body& body = state.body(id, "remove");
+  state.all.ids.prepare_free();
+  state.broad.remove(state.broad.id(body.box));
+  auto& excluded = state.all.excluded;
+  for (auto next = excluded.lower_bound(pair_key(id.index, 0)); body.exclusions != 0;) {
+    const auto other = static_cast<std::uint32_t>(*next);
+    next = excluded.erase(next);
+    excluded.erase(pair_key(other, id.index));
+    --body.exclusions, --state.all.bodies[other].exclusions;
+  }
+  state.drop_shape(id.index);
+  state.all.ids.free(id.index);
+  ++state.removed;
+}
+
+void World::move(BodyId id, const Pose& pose) {
+  bvh::in_standard_arithmetic([&] {
+    state_->begin_move();
+    state_->prepare_move(id, pose, "move");
+    state_->move_prepared({&id, 1}, {&pose, 1});
+  });
+}
+
+void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    if (ids.size() != poses.size()) {
+      throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
+                       std::to_string(poses.size()) + " poses");
+    }
+    state.begin_move();
+    std::size_t i = 0;
+    try {
+      for (; i < ids.size(); ++i)
+        state.prepare_move(ids[i], poses[i], "move");
+    } catch (const std::exception&) {
+      const std::string what = "move, element " + std::to_string(i);
+      state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+      throw;
+    }
+    state.move_prepared(ids, poses);
+  });
+}
+
+void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    Bodies::Body& body = state.body(id, "set_shape");
+    if (shape == nullptr) throw InputError("set_shape: no shape");
+    const bool is_users = is_users_shape(*shape);
+    const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
+    const Mesh* mesh = state.prepared_mesh(*shape, is_users);
+    state.make_room_for_changes(1);
+    state.take_shape(id.index, std::move(shape), mesh);
+    state.broad.move(state.broad.id(body.box), box);
+    body.is_awake = true;
+    state.all.ways[id.index].has_other_shape = true;
+    state.note_change(id.index);
+  });
+}
+
+void World::set_shape(BodyId id, const Shape& shape) {
+  bvh::in_standard_arithmetic([&] { set_shape(id, share(shape)); });
+}
+
+void World::set_filter(BodyId id, const Filter& filter) {
+  Bodies::Body& body = state_->body(id, "set_filter");
+  state_->make_room_for_changes(1);
+  body.filter = filter;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_motion(BodyId id, Motion motion) {
+  Bodies::Body& body = state_->body(id, "set_motion");
+  state_->make_room_for_changes(1);
+  body.motion = motion;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_role(BodyId id, Role role) {
+  Bodies::Body& body = state_->body(id, "set_role");
+  state_->make_room_for_changes(1);
+  body.role = role;
+  state_->note_other_filter(id.index);
+}
+
+void World::set_user_data(BodyId id, std::uint64_t data) {
+  state_->body(id, "set_user_data").user_data = data;
+}
+
+void World::sleep(BodyId id) {
+  state_->body(id, "sleep").is_awake = false;
+}
+
+void World::wake(BodyId id) {
+  Bodies::Body& body = state_->body(id, "wake");
+  if (body.is_awake) return;
+  state_->note_change(id.index);
+  body.is_awake = true;
+}
+
+void World::exclude(BodyId a, BodyId b) {
+  Bodies::Body& body_a = state_->body(a, "exclude");
+  Bodies::Body& body_b = state_->body(b, "exclude");
+  if (a == b) throw InputError("exclude: a body and itself");
+  auto& excluded = state_->all.excluded;
+  if (excluded.contains(pair_key(a.index, b.index))) return;
+  state_->make_room_for_changes(1);
+  const auto first = excluded.insert(pair_key(a.index, b.index)).first;
+  try {
+    excluded.insert(pair_key(b.index, a.index));
+  } catch (...) {
+    excluded.erase(first);
+    throw;
+  }
+  ++body_a.exclusions, ++body_b.exclusions;
+  state_->note_other_filter(a.index);
+}
+
+void World::include(BodyId a, BodyId b) {
+  Bodies::Body& body_a = state_->body(a, "include");
+  Bodies::Body& body_b = state_->body(b, "include");
+  state_->make_room_for_changes(1);
+  if (state_->all.excluded.erase(pair_key(a.index, b.index)) == 0) return;
+  state_->all.excluded.erase(pair_key(b.index, a.index));
+  --body_a.exclusions, --body_b.exclusions;
+  state_->note_other_filter(a.index);
+}
+
+void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
+  state_->check_is_free("set_pair_filter");
+  state_->note_everything();
+  state_->all.pair_filter = std::move(filter);
+}
+
+bool World::contains(BodyId id) const {
+  return state_->all.ids.is_live(id.index, id.generation);
+}
+
+std::size_t World::size() const {
+  return state_->all.ids.live_count();
+}
+
+const Pose& World::pose(BodyId id) const {
+  return state_->body(id, "pose").pose;
+}
+
+const BodyShape& World::shape(BodyId id) const {
+  return *state_->body(id, "shape").shape;
+}
+
+Motion World::motion(BodyId id) const {
+  return state_->body(id, "motion").motion;
+}
+
+Role World::role(BodyId id) const {
+  return state_->body(id, "role").role;
+}
+
+const Filter& World::filter(BodyId id) const {
+  return state_->body(id, "filter").filter;
+}
+
+std::uint64_t World::user_data(BodyId id) const {
+  return state_->body(id, "user_data").user_data;
+}
+
+bool World::is_awake(BodyId id) const {
+  const Bodies::Body& body = state_->body(id, "is_awake");
+  return body.is_awake && !body.is_static();
+}
+
+std::vector<BodyPair> World::pairs() const {
+  const State& state = *state_;
+  std::vector<BodyPair> pairs;
+  for (std::uint32_t at = 0; at < state.candidates.list().size(); ++at) {
+    const BoxPair pair = state.candidates.list()[at];
+    if (state.candidates.touches(at) && state.all.ids.is_live(pair.a) &&
+        state.all.ids.is_live(pair.b))
+      pairs.push_back(state.all.id_pair(pair));
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace graze

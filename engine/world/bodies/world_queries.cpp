@@ -1,0 +1,152 @@
+// Which bodies are at or near a shape that is none of them.
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/checks.h>
+#include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace graze {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+// A distance as computed is off by less than this share of itself, beyond what boxes have room for
+// (shape_bounds.cpp).
+constexpr double kDistanceRounding = 0x1p-44;
+
+/// The box with room around it for all that may be that far away or nearer.
+Aabb grown(const Aabb& box, double width) {
+  Aabb larger;
+  const double room = width + kDistanceRounding * width;
+  for (int i = 0; i < 3; ++i) {
+    const double low = std::nextafter(box.min.data()[i] - room, -kLargest);
+    const double high = std::nextafter(box.max.data()[i] + room, kLargest);
+    larger.min.data()[i] = std::max(low, -kLargest);
+    larger.max.data()[i] = std::min(high, kLargest);
+  }
+  return larger;
+}
+
+double width_of(const Aabb& box) {
+  double most = 0;
+  for (int i = 0; i < 3; ++i)
+    most = std::max(most, box.max.data()[i] - box.min.data()[i]);
+  return std::min(most, kLargestLength);
+}
+
+bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
+  if (s.distance.distance != t.distance.distance) return s.distance.distance < t.distance.distance;
+  return s.id < t.id;
+}
+
+}  // namespace
+
+bool World::State::is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const {
+  const Bodies::Body& body = all.bodies[index];
+  if (query.filter && !lets_pass(*query.filter, body.filter)) return false;
+  return !query.role || *query.role == body.role;
+}
+
+std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
+                                                     const BodyQuerySettings& query) const {
+  std::vector<std::uint32_t> bodies;
+  broad.find_overlapping(box, bodies);
+  for (std::uint32_t& index : bodies)
+    index = body_of_box[index];
+  std::erase_if(bodies, [&](std::uint32_t index) { return !is_asked_for(index, query); });
+  std::sort(bodies.begin(), bodies.end());
+  return bodies;
+}
+
+BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,
+                                       const Pose& pose) const {
+  const Bodies::Body& body = all.bodies[index];
+  if (body.shape->shape() == nullptr) {
+    throw UnsupportedPairError("distance of a " + std::string(name_of(shape.kind())) +
+                               " and the body with index " + std::to_string(index) +
+                               ": its shape is a user's own");
+  }
+  return {all.id(index), distance(shape, pose, *body.shape->shape(), body.pose)};
+}
+
+bool World::State::asks_for_any(const BodyQuerySettings& query) const {
+  for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
+    if (all.ids.is_live(index) && is_asked_for(index, query)) return true;
+  }
+  return false;
+}
+
+std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
+    bvh::check_box(box, "find_in_box");
+    std::vector<BodyId> bodies;
+    for (const std::uint32_t index : state_->find_bodies(box, settings))
+      bodies.push_back(state_->all.id(index));
+    return bodies;
+  });
+}
+
+std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
+                                         const BodyQuerySettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
+    const State& state = *state_;
+    const std::shared_ptr<const BodyShape> asked = share(shape);
+    std::vector<BodyId> touching;
+    for (const std::uint32_t index : state.find_bodies(bounds_of(shape, pose), settings)) {
+      const Bodies::Body& body = state.all.bodies[index];
+      if (asked->touches(pose, *body.shape, body.pose)) touching.push_back(state.all.id(index));
+    }
+    return touching;
+  });
+}
+
+std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pose, double clearance,
+                                             const BodyQuerySettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
+    if (!(clearance >= 0 && clearance <= kLargest))
+      throw InputError("find_within: the clearance is not finite or negative");
+    const State& state = *state_;
+    std::vector<BodyDistance> near;
+    const Aabb box = grown(bounds_of(shape, pose), clearance);
+    for (const std::uint32_t index : state.find_bodies(box, settings)) {
+      const BodyDistance found = state.distance_to(index, shape, pose);
+      if (found.distance.distance <= clearance) near.push_back(found);
+    }
+    return near;
+  });
+}
+
+// Looks in boxes that grow until the nearest body found is nearer than all outside can be; which it
+// is in a box that is grown by its distance.
+std::optional<BodyDistance> World::find_closest(const Shape& shape, const Pose& pose,
+                                                const BodyQuerySettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<BodyDistance> {
+    const State& state = *state_;
+    const Aabb own = bounds_of(shape, pose);
+    std::optional<BodyDistance> best;
+    std::vector<std::uint32_t> seen;  // ascending
+    if (!state.asks_for_any(settings)) return best;
+    for (double width = width_of(own);; width *= 4) {
+      const bool is_all = !(width < kLargest);
+      const Aabb box = grown(own, std::min(width, kLargest));
+      std::vector<std::uint32_t> found = state.find_bodies(box, settings);
+      for (const std::uint32_t index : found) {
+        if (std::binary_search(seen.begin(), seen.end(), index)) continue;
+        const BodyDistance next = state.distance_to(index, shape, pose);
+        if (!best || is_nearer(next, *best)) best = next;
+      }
+      seen = std::move(found);
+      if (is_all || seen.size() == state.all.ids.live_count()) return best;
+      if (!best) continue;
+      if (best->distance.distance <= width) return best;
+      width = best->distance.distance / 4;
+    }
+  });
+}
+
+}  // namespace graze

@@ -1,0 +1,248 @@
+#pragma once
+
+#include <graze/bvh/box_set/search/pair_index.h>
+#include <graze/engine/world/bodies/body_motion.h>
+#include <graze/engine/world/bodies/unbuilt_trees.h>
+#include <graze/engine/world/bodies/users_shape.h>
+#include <graze/engine/world/boxes/id_table.h>
+#include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/world.h>
+
+#include <algorithm>
+#include <set>
+
+namespace graze {
+
+/// Memory for so many more elements: to append them throws nothing.
+template <typename T>
+void make_room_in(std::vector<T>& of, std::size_t more) {
+  if (of.capacity() - of.size() < more) of.reserve(std::max(2 * of.size(), of.size() + more));
+}
+
+/// The part of a world that a snapshot copies.
+struct Bodies {
+  struct Body {
+    std::shared_ptr<const BodyShape> shape;
+    const Mesh* mesh = nullptr;  // that the shape stands for
+    Pose pose;
+    Filter filter;
+    std::uint64_t user_data = 0;
+    std::uint32_t box = 0;  // its index in the broad phase
+    std::uint32_t exclusions = 0;
+    Motion motion = Motion::Dynamic;
+    Role role = Role::Solid;
+    bool is_awake = true;
+    bool is_users = false;  // the shape's class is
+    /// What `question(shape)` says, computed as its author does.
+    template <typename Question>
+    auto ask(const Question& question) const {
+      return ask_shape(is_users, [&] { return question(*shape); });
+    }
+    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
+  };
+
+  /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.
+  struct Way {
+    double path = 0;                // metres: no point of it has gone further since it came
+    bool has_changed = false;       // came, moved, woke, changed its filter since the last update
+    bool has_other_filter = false;  // its filter, motion or exclusions changed
+    bool has_other_shape = false;   // what was known of gaps is void
+    bool has_unbuilt_tree = false;  // as far as is known: UnbuiltTrees
+  };
+
+  IdTable<std::uint32_t> ids;
+  std::vector<Body> bodies;          // by index
+  std::vector<Way> ways;             // likewise
+  std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
+  std::function<bool(BodyId, BodyId)> pair_filter;
+
+  /// The id of a body that is there, or was until the last update.
+  BodyId id(std::uint32_t index) const {
+    const std::uint32_t generation = ids.generation(index);
+    return {index, ids.is_live(index) ? generation : generation - 1};
+  }
+  BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
+  bool meet(std::uint32_t a, std::uint32_t b) const;
+  /// Whether its pairs are looked at where one of the two changed.
+  bool is_up(std::uint32_t index) const {
+    return bodies[index].is_awake && (ways[index].has_changed || !bodies[index].is_static());
+  }
+  bool are_solid(std::uint32_t a, std::uint32_t b) const {
+    return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
+  }
+};
+
+/// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
+/// touch.
+class Candidates {
+ public:
+  /// What throws has changed nothing.
+  void add(BoxPair pair) {
+    make_room_in(touches_, 1), make_room_in(separations_, 1);
+    index_.add(list_, pair);
+    touches_.push_back(0);
+    separations_.emplace_back();
+  }
+  void remove(std::uint32_t at) {
+    index_.remove(list_, list_.data()[at]);
+    touches_[at] = touches_.back();
+    touches_.pop_back();
+    separations_[at] = separations_.back();
+    separations_.pop_back();
+  }
+  std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
+  /// What position() reads first, and what is known of the pair there.
+  void fetch(BoxPair pair) const { index_.prefetch(pair); }
+  void fetch(std::uint32_t at) const {
+    __builtin_prefetch(&touches_[at]);
+    __builtin_prefetch(&separations_[at]);
+  }
+  static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
+
+  std::span<const BoxPair> list() const { return list_.pairs(); }
+  bool touches(std::uint32_t at) const { return touches_[at] != 0; }
+  void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
+  Separation& separation(std::uint32_t at) { return separations_[at]; }
+  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
+    list_.clear();
+    for (const BoxPair& pair : pairs)
+      list_.push_back(pair);
+    touches_.assign(touches.begin(), touches.end());
+    separations_.assign(pairs.size(), {});
+    index_.build(list_);
+  }
+  std::span<const std::uint8_t> all_touches() const { return touches_; }
+
+ private:
+  bvh::PairBuffer list_;
+  bvh::PairIndex index_;
+  std::vector<std::uint8_t> touches_;
+  std::vector<Separation> separations_;
+
+ public:
+  Candidates() { index_.build(list_); }
+};
+
+struct WorldSnapshot::State {
+  Bodies all;
+  std::vector<BoxPair> candidates;
+  std::vector<std::uint8_t> touches;
+};
+
+/// Contacts of pairs, kept from update to update and written over: of a manifold only the contacts
+/// that there are, mostly one or two of four.
+class ContactList {
+ public:
+  void clear() {
+    count_ = 0;
+    is_ascending_ = true;
+  }
+  void add(const BodyPair& pair, const Manifold& manifold) {
+    if (count_ == list_.size()) list_.emplace_back();
+    if (count_ != 0 && !(last_ < pair)) is_ascending_ = false;
+    last_ = pair;
+    BodyContact& contact = list_[count_++];
+    contact.pair = pair;
+    contact.manifold.count = manifold.count;
+    std::copy(manifold.begin(), manifold.end(), contact.manifold.contacts.begin());
+    if (count_ < list_.size()) fetch(list_[count_]);
+  }
+  void add(const BodyContact& contact) { add(contact.pair, contact.manifold); }
+  std::span<const BodyContact> all() const { return {list_.data(), count_}; }
+  bool is_ascending() const { return is_ascending_; }
+
+ private:
+  /// What the next one will write to, if it is of one contact.
+  static void fetch(const BodyContact& next) {
+    __builtin_prefetch(&next, 1);
+    __builtin_prefetch(&next.manifold.contacts[0].feature, 1);
+    __builtin_prefetch(&next.manifold.count, 1);
+  }
+
+  std::vector<BodyContact> list_;
+  std::size_t count_ = 0;
+  BodyPair last_;
+  bool is_ascending_ = true;
+};
+
+struct World::State {
+  explicit State(const WorldSettings& chosen)
+      : settings(chosen), broad({.threads = chosen.threads}) {}
+
+  WorldSettings settings;
+  Bodies all;
+  BroadPhase broad;
+  std::vector<std::uint32_t> body_of_box;
+  Candidates candidates;
+  UnbuiltTrees unbuilt;
+  std::vector<std::uint32_t> changed;  // bodies
+  std::size_t removed = 0;             // since the last update
+  std::vector<std::uint32_t> partners;
+  std::vector<BoxPair> asked;  // bodies that changed, and their partners: boxes, and then bodies
+  std::vector<BodyPair> begun, ended, moved;
+  ContactList found;                      // in the order in which pairs were tested
+  std::vector<std::uint32_t> due;         // pairs to be tested, in the order of the list
+  std::vector<std::uint32_t> order;       // of those, or of contacts that were found
+  std::vector<std::uint32_t> first_pair;  // of each body, in that
+  ContactList contacts;                   // the same, ascending
+  std::vector<BodyId> box_hits;
+  std::vector<BoxId> boxes_to_move;
+  std::vector<Aabb> places;
+  std::vector<double> reaches;
+  WorldWork work;
+
+  bool is_updating = false;
+  bool is_cut_short = false;  // the last update: something that it asked threw, or it had no memory
+
+  const Bodies::Body& body(BodyId id, const char* what) const;
+  Bodies::Body& body(BodyId id, const char* what) {
+    check_is_free(what);
+    return const_cast<Bodies::Body&>(static_cast<const State&>(*this).body(id, what));
+  }
+  /// Throws if a filter or a shape that an update asks tries to change the world.
+  void check_is_free(const char* what) const;
+  void make_room_for_changes(std::size_t more);
+  void note_change(std::uint32_t index);
+  void note_other_filter(std::uint32_t index);
+  void note_everything();
+  std::uint32_t make_room_for_one();
+  void insert_box(std::uint32_t index, const Aabb& box);
+  void begin_move();
+  void prepare_move(BodyId id, const Pose& pose, const char* what);
+  void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
+  const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
+  void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
+  void drop_shape(std::uint32_t index);
+  void look_for_tree(std::uint32_t index);
+
+  void find_changes();
+  void list_changes();
+  void end_pairs();
+  void end_parted_pairs();
+  void begin_pairs();
+  void filter_again(std::uint32_t index);
+  void test_changed();
+  void list_changed_pairs();
+  void fetch(BoxPair pair) const;
+  void test_partners();
+  bool is_due(BoxPair pair) const;
+  void test_candidate(std::uint32_t at);
+  void test_pairs_at_rest();
+  void note_answer(std::uint32_t at, bool touches);
+  bool is_apart_for_sure(std::uint32_t at);
+  void learn_gap(std::uint32_t at);
+  void list_partners(std::uint32_t index);
+  void end(std::uint32_t at);
+  bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
+  bool asks_for_any(const BodyQuerySettings& query) const;
+  std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
+  BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
+  template <typename OnHit>
+  void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
+  void check_is_settled(const char* what) const;
+  BodyContact contact_of(const BodyPair& pair) const;
+  bool test(BoxPair pair);
+  void sort_contacts();
+};
+
+}  // namespace graze

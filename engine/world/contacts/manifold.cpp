@@ -1,0 +1,120 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/world/contacts/contact_questions.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/placed_core.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+using enum PairMethod;
+using narrowphase::ContactPoint;
+using narrowphase::Vec3;
+
+void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+  switch (pair_method(a.shape.kind(), b.shape.kind())) {
+    case ExactSpheres:
+    case ExactSphereBox:
+    case ClosedForm:
+    case Cores:
+      return touches_of_cores(a, b, touches, work);
+    case BoxAxes:
+      return touches_of_boxes(a, b, touches, work);
+    case Plane:
+      return touches_with_plane(a, b, touches);
+    case MeshPlane:
+      return touches_of_mesh_plane(a, b, touches, work);
+    case MeshVolume:
+      return touches_of_mesh_volume(a, b, touches, work);
+    case MeshCore:
+      return touches_of_mesh_core(a, b, touches, work);
+    case Meshes:
+      return touches_of_meshes(a, b, touches, work);
+    case Planes:
+      break;
+  }
+  throw UnsupportedPairError(std::string("contacts of a ") + name_of(a.shape.kind()) + " and a " +
+                             name_of(b.shape.kind()) + ": no finite translation parts them");
+}
+
+/// Two contacts of one pair of features, as where an edge enters a face and leaves it again, are
+/// told apart by their order.
+void make_unique(Manifold& manifold) {
+  constexpr std::uint64_t kNext = 1ull << 28;
+  for (std::size_t i = 1; i < manifold.count; ++i) {
+    ContactFeature& feature = manifold.contacts[i].feature;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (manifold.contacts[j].feature != feature) continue;
+      feature.b += kNext;
+      j = 0;
+    }
+  }
+}
+
+Manifold manifold_of(Touches& touches, bool is_mirrored) {
+  narrowphase::reduce(touches.list, 4);
+  const Vec3 origin = to_vec3(touches.origin);
+  Manifold manifold;
+  for (const ContactPoint& touch : touches.list) {
+    ShapeContact& contact = manifold.contacts[manifold.count++];
+    const Vec3 on_a = (is_mirrored ? touch.point_b : touch.point_a) + origin;
+    const Vec3 on_b = (is_mirrored ? touch.point_a : touch.point_b) + origin;
+    contact.point = to_eigen((on_a + on_b) * 0.5);
+    contact.point_a = to_eigen(on_a);
+    contact.point_b = to_eigen(on_b);
+    contact.normal = to_eigen(is_mirrored ? -touch.normal : touch.normal);
+    contact.depth = touch.depth;
+    contact.feature = {touch.feature_a, touch.feature_b};
+  }
+  make_unique(manifold);
+  if (!is_mirrored) return manifold;
+  for (std::size_t i = 0; i < manifold.count; ++i)
+    std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
+  return manifold;
+}
+
+}  // namespace
+
+namespace {
+
+/// True where triangles are tested exactly: that they meet is found out along with how.
+bool is_one_question(PairMethod method) {
+  return method == Meshes || method == MeshVolume;
+}
+
+Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  static thread_local Touches touches;  // no question is asked within another
+  touches.clear();
+  const bool is_mirrored = is_swapped(a, b);
+  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, work);
+  return manifold_of(touches, is_mirrored);
+}
+
+}  // namespace
+
+Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
+  // Two boxes are one question, too, where those around them are known to overlap.
+  const bool is_one = is_one_question(method) || method == BoxAxes;
+  if (!is_one && !intersect_in_boxes(a, b, work)) return {};
+  return contacts_of_touching(a, b, work);
+}
+
+Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
+                       const Pose& pose_b, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> Manifold {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    const PlacedShape a{shape_a, pose_a};
+    const PlacedShape b{shape_b, pose_b};
+    if (!is_one_question(pair_method(shape_a.kind(), shape_b.kind())) &&
+        !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
+      return {};
+    return contacts_of_touching(a, b, counted.work());
+  });
+}
+
+}  // namespace graze

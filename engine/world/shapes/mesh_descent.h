@@ -1,0 +1,131 @@
+#pragma once
+
+// A mesh's tree walked towards one convex shape. Private to engine/world.
+
+#include <graze/bvh/traverse/traverse_volume.h>
+#include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/work.h>
+#include <graze/narrowphase/convex/core/core.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace graze {
+
+/// Where a convex set lies in the frame of a mesh's tree: a box around it, outward, with the slack
+/// of the way there.
+class MeshDescent {
+ public:
+  /// `origin` is that of the core's frame. The mesh must outlive it. Builds the mesh's tree if it
+  /// is not there yet.
+  MeshDescent(const PlacedMesh& mesh, const narrowphase::Core& core, const Eigen::Vector3d& origin,
+              Work& work);
+
+  /// Calls `on_triangle(index)` for the triangles in leaves whose boxes meet the set's, until it
+  /// answers Stop.
+  template <typename OnTriangle>
+  void for_each_near(OnTriangle&& on_triangle) {
+    bvh::traverse_volume(
+        tree_, [&](std::uint32_t node) { return is_apart(node); },
+        [&](const bvh::Node& leaf) {
+          for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+            const std::uint32_t index = tree_.primitives[i];
+            if (is_triangle_apart(index)) continue;
+            if (on_triangle(index) == bvh::Walk::Stop) return bvh::Walk::Stop;
+          }
+          return bvh::Walk::Continue;
+        });
+  }
+
+  /// Calls `on_triangle(index)`, nearer nodes first, for the triangles that may be within
+  /// `limit()`, metres, which may shrink on the way.
+  template <typename OnTriangle, typename Limit>
+  void for_each_within(Limit&& limit, OnTriangle&& on_triangle) {
+    struct Waiting {
+      std::uint32_t node;
+      double bound;
+    };
+    bvh::TraversalStack<Waiting, 128> open;
+    open.push({0, bound(0)});
+    while (!open.empty()) {
+      const Waiting top = open.pop();
+      if (is_beyond(top.bound, limit())) continue;
+      const bvh::Node& node = tree_.nodes[top.node];
+      if (node.is_leaf()) {
+        if (visit(node, limit, on_triangle) == bvh::Walk::Stop) return;
+        continue;
+      }
+      Waiting near{node.first, bound(node.first)};
+      Waiting far{node.first + 1, bound(node.first + 1)};
+      if (far.bound < near.bound) std::swap(near, far);
+      open.push(far);
+      open.push(near);
+    }
+  }
+
+  /// The corners of a triangle as the solvers take them (law 1, then relative to the origin).
+  narrowphase::Core triangle(std::uint32_t index) const;
+
+ private:
+  /// Of the distance between what is in the node, or the triangle, and the set, metres.
+  double bound(std::uint32_t node) const;
+  double triangle_bound(std::uint32_t index) const;
+  double bound_of(const double (&low)[3], const double (&high)[3]) const;
+  bool is_beyond(double bound, double limit) const;
+
+  // Both without branches: what comes here cannot be foreseen.
+  bool is_apart(std::uint32_t node) const {
+    ++work_.volume_tests;
+    const bvh::FloatBox& box = tree_.nodes[node].box;
+    bool is_apart = false;
+    for (int k = 0; k < 3; ++k) {
+      is_apart |= box.min[k] > around_.max[k];
+      is_apart |= box.max[k] < around_.min[k];
+    }
+    work_.volume_rejections += is_apart;
+    return is_apart;
+  }
+
+  bool is_triangle_apart(std::uint32_t index) const {
+    const TriangleIndices& t = triangles_[index];
+    const double* a = vertices_[t[0]].data();
+    const double* b = vertices_[t[1]].data();
+    const double* c = vertices_[t[2]].data();
+    bool is_apart = false;
+    for (int k = 0; k < 3; ++k) {
+      const double low = std::min(std::min(a[k], b[k]), c[k]);
+      const double high = std::max(std::max(a[k], b[k]), c[k]);
+      is_apart |= low > own_max_[k];
+      is_apart |= high < own_min_[k];
+    }
+    return is_apart;
+  }
+
+  template <typename Limit, typename OnTriangle>
+  bvh::Walk visit(const bvh::Node& leaf, Limit&& limit, OnTriangle&& on_triangle) const {
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const std::uint32_t index = tree_.primitives[i];
+      if (triangle_bound(index) > limit()) continue;
+      if (on_triangle(index) == bvh::Walk::Stop) return bvh::Walk::Stop;
+    }
+    return bvh::Walk::Continue;
+  }
+
+  const PlacedMesh& mesh_;
+  const Eigen::Vector3d& origin_;
+  const bvh::Tree& tree_;
+  std::span<const Eigen::Vector3d> vertices_;
+  std::span<const TriangleIndices> triangles_;
+  Work& work_;
+  double min_[3];  // of the set's box, in the tree's units
+  double max_[3];
+  bvh::FloatBox around_;  // the same box, outward
+  double own_min_[3];     // in the mesh's frame, metres
+  double own_max_[3];
+  double unit_;    // metres
+  double shrink_;  // lengths in the mesh's frame are at most this much longer than in the world
+};
+
+}  // namespace graze

@@ -1,0 +1,58 @@
+#pragma once
+
+// A pair in canonical order, so that swapping A and B changes nothing but names (law 4). Private to
+// engine/world.
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/work.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/narrowphase/convex/gap/core_gap.h>
+
+#include <limits>
+
+namespace graze {
+
+/// One side of a pair.
+struct PlacedShape {
+  const Shape& shape;
+  const Pose& pose;
+};
+
+/// True if B goes first: the lower kind does, and of equals the one whose pose, and then whose
+/// numbers, come first.
+bool is_swapped(const PlacedShape& a, const PlacedShape& b);
+
+/// intersects() for shapes whose bounds_of() share a point, in poses that were checked. Without
+/// that it may say "hit" of two that a tolerance brings together and their boxes part.
+bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
+
+/// find_contacts() likewise.
+Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
+
+/// Throws unless both poses are fit for shapes.
+void check_poses(const Pose& pose_a, const Pose& pose_b);
+
+/// The same with A and B swapped.
+ShapeDistance mirrored(ShapeDistance found);
+
+/// Distances of two sets from what is known of their cores.
+struct SetGap {
+  bool is_apart;
+  double distance;  ///< 0 unless apart
+  double lower;
+  narrowphase::Vec3 point_a;
+  narrowphase::Vec3 point_b;
+  narrowphase::Vec3 normal;
+  PairStatus status;
+};
+/// Sets that are further apart than `limit`, metres, need no more than that proved.
+SetGap gap_of_sets(const narrowphase::Core& a, const narrowphase::Core& b,
+                   double limit = std::numeric_limits<double>::infinity());
+/// As gap_of_sets(), of a gap that was found otherwise.
+SetGap set_gap(const narrowphase::Core& a, const narrowphase::Core& b,
+               const narrowphase::CoreGap& gap);
+bool are_apart(const narrowphase::Core& a, const narrowphase::Core& b, PairStatus& status);
+
+}  // namespace graze

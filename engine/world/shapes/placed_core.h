@@ -1,0 +1,41 @@
+#pragma once
+
+// A placed shape as the solvers of narrowphase/convex see it. Private to engine/world.
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/world/shape.h>
+#include <graze/narrowphase/convex/core/core.h>
+#include <graze/narrowphase/triangle.h>
+
+namespace graze {
+
+static inline narrowphase::Vec3 to_vec3(const Eigen::Vector3d& v) {
+  return {v.data()[0], v.data()[1], v.data()[2]};
+}
+static inline Eigen::Vector3d to_eigen(const narrowphase::Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Where the shape's middle lies in the world: the origin to which cores of a pair are relative.
+Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose);
+
+/// The core of a convex shape in a pose, in the frame with the world's axes and that origin. The
+/// shape must outlive it, and be no half-space and no mesh.
+narrowphase::Core core_of(const Shape& shape, const Pose& pose, const Eigen::Vector3d& origin);
+
+/// A placed triangle, likewise.
+narrowphase::Core core_of(const Triangle& placed, const Eigen::Vector3d& origin);
+
+/// A half-space in that frame: the points x with normal . x <= offset.
+struct PlacedHalfSpace {
+  narrowphase::Vec3 normal;  ///< as the pose turns it
+  double offset;
+  double slack;  ///< what the offset is off by, at most
+};
+PlacedHalfSpace placed_half_space(const HalfSpace& half_space, const Pose& pose,
+                                  const Eigen::Vector3d& origin);
+
+/// False for half-spaces and meshes.
+bool is_convex_core(ShapeKind kind);
+
+}  // namespace graze

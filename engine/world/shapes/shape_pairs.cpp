@@ -1,0 +1,234 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/obb.h>
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/pair.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/obb_rows.h>
+#include <graze/narrowphase/volumes/sphere_box.h>
+#include <graze/narrowphase/volumes/sphere_overlap.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace graze {
+namespace {
+
+using enum PairMethod;
+
+// Rows and columns in the order of ShapeKind; below the diagonal it is mirrored.
+constexpr std::size_t kKinds = kShapeKinds.size();
+constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods{{
+    {ExactSpheres, ExactSphereBox, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshVolume},
+    {ExactSphereBox, BoxAxes, Cores, Cores, Cores, Cores, Cores, Plane, MeshVolume},
+    {ClosedForm, Cores, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshCore},
+    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+    {Plane, Plane, Plane, Plane, Plane, Plane, Plane, Planes, MeshPlane},
+    {MeshVolume, MeshVolume, MeshCore, MeshCore, MeshCore, MeshCore, MeshCore, MeshPlane, Meshes},
+}};
+
+Sphere placed_sphere(const PlacedShape& s) {
+  const auto& sphere = *s.shape.as<Sphere>();
+  return {narrowphase::place(s.pose, sphere.centre), sphere.radius};
+}
+
+Obb placed_box(const PlacedShape& s) {
+  return {s.pose, s.shape.as<Box>()->half_extents};
+}
+
+PlacedMesh placed_mesh(const PlacedShape& s) {
+  return {*s.shape.as<Mesh>(), s.pose};
+}
+
+/// As overlaps() of a sphere and an oriented box (law 3), of volumes that have been checked.
+bool meet_sphere_box(const PlacedShape& a, const PlacedShape& b) {
+  const Sphere sphere = placed_sphere(a);
+  const Eigen::Vector3d& half = b.shape.as<Box>()->half_extents;
+  const Sphere framed{narrowphase::point_into_frame(sphere.centre, b.pose), sphere.radius};
+  return narrowphase::decide(framed, Aabb{-half, half}).is_hit;
+}
+
+bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  const PlacedMesh mesh = placed_mesh(b);
+  if (a.shape.kind() == ShapeKind::Sphere) return intersects(mesh, placed_sphere(a), &work);
+  return intersects(mesh, placed_box(a), &work);
+}
+
+/// True for pairs of which every hit is in both boxes: those that are exact in the world's frame.
+bool lies_in_boxes(PairMethod method) {
+  return method == ExactSpheres || method == MeshVolume || method == Meshes;
+}
+
+/// Of a ball about the shape's middle that lies in it, metres; 0 where that is not known at once.
+double inner_radius(const Shape& shape) {
+  if (const auto* s = shape.as<Sphere>()) return s->radius;
+  if (const auto* s = shape.as<Box>()) {
+    const double* h = s->half_extents.data();
+    return std::min(h[0], std::min(h[1], h[2]));
+  }
+  if (const auto* s = shape.as<Capsule>()) return s->radius;
+  if (const auto* s = shape.as<Cylinder>()) return std::min(s->radius, s->half_height);
+  return 0;
+}
+
+/// True if the boxes share a point for sure: each holds its ball, which no pose and no rounding
+/// makes a thousandth smaller. Boxes themselves cost more than to know that two shapes touch.
+bool have_near_middles(const PlacedShape& a, const PlacedShape& b) {
+  const double inner_a = inner_radius(a.shape), inner_b = inner_radius(b.shape);
+  if (inner_a == 0 || inner_b == 0) return false;
+  const Eigen::Vector3d s = middle_of(a.shape, a.pose), t = middle_of(b.shape, b.pose);
+  double way = 0;
+  for (int i = 0; i < 3; ++i)
+    way = std::max(way, std::abs(s.data()[i] - t.data()[i]));
+  return way <= 0.999 * (inner_a + inner_b);
+}
+
+BoxGap gap_of_boxes(const PlacedShape& a, const PlacedShape& b) {
+  return gap_between(bounds_of(a.shape, a.pose), bounds_of(b.shape, b.pose));
+}
+
+bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  switch (pair_method(a.shape.kind(), b.shape.kind())) {
+    case ExactSpheres:
+      return overlaps(placed_sphere(a), placed_sphere(b));
+    case ExactSphereBox:
+      return meet_sphere_box(a, b);
+    case BoxAxes:
+      return narrowphase::may_overlap(narrowphase::row_of(placed_box(a)),
+                                      narrowphase::row_of(placed_box(b)));
+    case ClosedForm:
+    case Cores:
+      return intersect_cores(a, b, work);
+    case Plane:
+      return intersect_plane(a, b);
+    case Planes:
+      return intersect_planes(a, b);
+    case MeshPlane:
+      return intersect_mesh_plane(a, b, work);
+    case MeshVolume:
+      return intersect_mesh_volume(a, b, work);
+    case MeshCore:
+      return intersect_mesh_core(a, b, work);
+    case Meshes:
+      return intersects(placed_mesh(a), placed_mesh(b), &work);
+  }
+  throw UnsupportedPairError("shape pair: there is no such method");
+}
+
+ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);
+  // Law 7: off by at most 4 ulp of the largest difference of coordinates.
+  const Aabb& box_a = placed_mesh(a).mesh.bounds();
+  const Aabb& box_b = placed_mesh(b).mesh.bounds();
+  double reach = 0;
+  const std::array<double, 3> of_a = placed_reach(a.pose, box_a);
+  const std::array<double, 3> of_b = placed_reach(b.pose, box_b);
+  for (int k = 0; k < 3; ++k)
+    reach = std::max(reach, of_a[k] + of_b[k]);
+  const narrowphase::Vec3 way = unit_or(to_vec3(found.point_b) - to_vec3(found.point_a), {0, 0, 1});
+  return {found.distance, std::max(found.distance - 0x8p-53 * reach, 0.0),
+          found.point_a,  found.point_b,
+          to_eigen(way),  PairStatus::Converged};
+}
+
+bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return intersect_in_boxes(a, b, work) &&
+         (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
+          gap_of_boxes(a, b).gap == 0);
+}
+
+ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  switch (pair_method(a.shape.kind(), b.shape.kind())) {
+    case ExactSpheres:
+      return distance_of_spheres(a, b, intersect_placed(a, b, work), work);
+    case ExactSphereBox:
+      return distance_of_sphere_and_box(a, b, intersect_placed(a, b, work), work);
+    case BoxAxes:
+      return distance_of_boxes(a, b, intersect_placed(a, b, work), work);
+    case ClosedForm:
+    case Cores:
+      return distance_of_cores(a, b, work);
+    case Plane:
+      return distance_to_plane(a, b);
+    case Planes:
+      return distance_of_planes(a, b);
+    case MeshPlane:
+      return distance_of_mesh_plane(a, b, work);
+    case MeshVolume:
+      return agreeing(distance_of_mesh_core(a, b, work), intersect_mesh_volume(a, b, work));
+    case MeshCore:
+      return distance_of_mesh_core(a, b, work);
+    case Meshes:
+      return distance_of_meshes(a, b, work);
+  }
+  throw UnsupportedPairError("shape pair: there is no such method");
+}
+
+/// Two that only a tolerance brings together, or that a test parts by no more than rounding, and
+/// that their boxes part.
+ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
+  const double sign = boxes.is_a_below ? 1 : -1;
+  Eigen::Vector3d normal(0, 0, 0);
+  normal.data()[boxes.axis] = sign;
+  found.distance = found.lower_bound = boxes.gap;
+  found.point_a.data()[boxes.axis] -= sign * (0.5 * boxes.gap);
+  found.point_b.data()[boxes.axis] += sign * (0.5 * boxes.gap);
+  found.normal = normal;
+  return found;
+}
+
+ShapeDistance distance_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  ShapeDistance found = distance_in_order(a, b, work);
+  const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
+  if (!is_none || lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind()))) return found;
+  const BoxGap boxes = gap_of_boxes(a, b);
+  return boxes.gap == 0 ? found : parted(found, boxes);
+}
+
+}  // namespace
+
+PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
+  const auto a = static_cast<std::size_t>(kind_a);
+  const auto b = static_cast<std::size_t>(kind_b);
+  if (a >= kKinds || b >= kKinds) throw InputError("shape kind: there is no such kind");
+  return kMethods[a][b];
+}
+
+bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+  return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
+}
+
+bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
+                Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
+  });
+}
+
+ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
+                       const Pose& pose_b, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> ShapeDistance {
+    check_poses(pose_a, pose_b);
+    CountedWork counted(work);
+    const PlacedShape a{shape_a, pose_a};
+    const PlacedShape b{shape_b, pose_b};
+    return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
+                            : distance_in_boxes(a, b, counted.work());
+  });
+}
+
+}  // namespace graze

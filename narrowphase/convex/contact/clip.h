@@ -1,0 +1,38 @@
+#pragma once
+
+#include <graze/narrowphase/convex/core/contact_face.h>
+
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// What is left of a face between the sides of another.
+struct ClippedFace {
+  static constexpr int kMostCorners = 2 * ContactFace::kMostCorners;
+  struct Corner {
+    Vec3 point;
+    std::uint32_t own;  ///< the corner, or the edge (kEdge + its first corner), of the clipped face
+    std::uint32_t other;  ///< 0, or the edge (kEdge + its first corner) that cut it there
+  };
+  static constexpr std::uint32_t kEdge = 0x10000;
+  ClippedFace() {}
+  union {  // so that corners beyond the count are not written: most never are
+    Corner corner[kMostCorners];
+  };
+  int count = 0;
+};
+
+/// The part of `face`, a polygon, segment or point, that lies between the planes through the edges
+/// of `sides` and along `direction`, on whose side its face is; of a segment, the planes through
+/// its ends that are as nearly at right angles to it as they can be. So what is left lies before
+/// or behind `sides`, as seen in that direction.
+/// Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
+///
+/// An edge of the face whose ends are both `within` so much of a plane, metres, is not cut by it
+/// but lies in it: corners that stick out slide back along the face to the nearest point that the
+/// face has in the plane. So faces whose edges coincide keep their corners, and their names,
+/// however they jitter, and no point leaves the face.
+ClippedFace clip(const ContactFace& face, const ContactFace& sides, const Vec3& direction,
+                 double within);
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,145 @@
+#include <graze/narrowphase/convex/contact/meeting_points.h>
+#include <graze/narrowphase/convex/core/core_ray.h>
+#include <graze/narrowphase/convex/gap/closed_gap.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace graze::narrowphase {
+namespace {
+
+Core shifted(Core core, const Vec3& by) {
+  core.at = core.at + by;
+  for (Vec3& corner : core.corner)
+    corner = corner + by;
+  return core;
+}
+
+/// The outermost point of a set on the line through a point along a unit direction; nothing if the
+/// line misses the set, or the set is a triangle.
+std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3& out) {
+  if (core.kind == CoreKind::Triangle) return std::nullopt;
+  const Vec3 start = point + out * (dot(core.at - point, out) + 2 * (core.reach + core.radius));
+  const std::optional<CoreRayHit> hit = cast_ray(core, start, -out);
+  if (!hit) return std::nullopt;
+  return start - out * hit->distance;
+}
+
+/// The side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
+class RoundSide {
+ public:
+  RoundSide(const FaceOf& of, const Vec3& normal)
+      : from_(of.face.corner[0]), line_(of.face.corner[1] - from_) {
+    const Vec3& axis = of.core.axis[2];
+    radial_ = unit_or(of.face.normal - axis * dot(of.face.normal, axis), of.face.normal);
+    low_ = of.core.kind == CoreKind::Segment ? of.core.radius : of.core.half.x;
+    high_ = of.core.kind == CoreKind::Cone ? 0 : low_;
+    across_ = unit_or(cross(normal, line_), normal);
+    ahead_ = cross(across_, normal);
+  }
+
+  double middle_radius() const { return 0.5 * (low_ + high_); }
+  const Vec3& across() const { return across_; }
+  double off(const Vec3& point) const { return dot(across_, point - from_); }
+
+  /// Where the surface is on the line through a point along the normal, or as near as it has an end
+  /// across that line; false if the line passes the side. So far off its own line a round section
+  /// is lower by its drop, which on a side that leans is another section's. A cylinder's or a
+  /// capsule's is as round; of a cone the third is nearly the same.
+  bool end_beside(const Vec3& point, Vec3& end) const {
+    const Vec3 way = point - from_;
+    const double off = dot(across_, way);
+    const double run = dot(line_, ahead_);
+    double share = dot(way, ahead_) / run;
+    double drop = 0;
+    for (int i = low_ == high_ ? 1 : 3; i >= 0; --i) {
+      share = std::clamp(share, 0.0, 1.0);
+      if (i > 0 || low_ != high_) {
+        const double radius = low_ + (high_ - low_) * share;
+        if (!(std::abs(off) < radius)) return false;
+        drop = off * off / (radius + std::sqrt(radius * radius - off * off));
+      }
+      if (i > 0) share = dot(way + radial_ * drop, ahead_) / run;
+    }
+    end = from_ + line_ * share + across_ * off - radial_ * drop;
+    return true;
+  }
+
+  /// How far a point is from the line through another along the normal, in the side's direction.
+  double ahead(const Vec3& end, const Vec3& point) const { return dot(end - point, ahead_); }
+  Vec3 moved(const Vec3& point, double ahead) const { return point + ahead_ * ahead; }
+
+ private:
+  Vec3 from_, line_;
+  Vec3 radial_;
+  double low_, high_;  // radii at the ends
+  Vec3 across_;        // unit, at right angles to the normal and the line
+  Vec3 ahead_;         // unit, at right angles to the normal, nearly along the line
+};
+
+}  // namespace
+
+double smaller_size(const Core& a, const Core& b) {
+  return std::min(a.reach + a.radius, b.reach + b.radius);
+}
+
+bool lie_along(const Penetration& way, double tolerance) {
+  return length(cross(way.point_a - way.point_b, way.normal)) <= tolerance;
+}
+
+// Moved out by the depth and a clearance, the two are nowhere nearer than the clearance, and
+// somewhere no further apart than that and what the depth is more than the least. So are their
+// nearest points, along the normal, and across as a leg of that triangle: 2^-17 of the smaller size
+// at most, of the wider clearance.
+//
+// A core's point that is nearest to another core is as far from a plane that supports the first as
+// the gap's bounds are from each other, if that plane is the one of the lower bound. Moved out
+// along its normal it stays so, whatever the radius; the way between the points would turn it.
+//
+// That near, a search about round sets may end open, and a wider clearance help. Else the points
+// are moved along the normal, to where the line through one of them leaves each set: unless that
+// is far from where they are, as where the line lies in a face.
+MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& way) {
+  const double size = smaller_size(a, b);
+  MeetingPoints met;
+  for (const double clearance : {kClearance * size, 16 * kClearance * size}) {
+    const Vec3 out = way.normal * (way.depth + clearance);
+    const CoreGap gap = nearest(a, shifted(b, out));
+    const Vec3& normal = gap.lower > 0 ? gap.normal : way.normal;
+    met = {gap.point_a + normal * a.radius, gap.point_b - normal * b.radius - out};
+    if (gap.verdict == GapVerdict::Apart) return met;
+  }
+  const Vec3 on_line = met.on_b;
+  const auto settle = [&](const Core& core, const Vec3& normal, Vec3& point) {
+    const std::optional<Vec3> end = end_on_line(core, on_line, normal);
+    if (end && length(*end - point) < 64 * kClearance * size) point = *end;
+  };
+  settle(a, way.normal, met.on_a);
+  settle(b, -way.normal, met.on_b);
+  return met;
+}
+
+bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
+                    ContactPoint& touch) {
+  const RoundSide met_side(reference, touch.normal), own_side(incident, touch.normal);
+  const double off = met_side.off(touch.point_a);
+  if (!(std::abs(off) > touching)) return true;
+  const double radius = own_side.middle_radius();
+  const double share = radius / (radius + met_side.middle_radius());
+  Vec3 point = touch.point_a - met_side.across() * (off * share);
+  Vec3 met, own;
+  for (int i = 0; i < 3; ++i) {
+    if (!met_side.end_beside(point, met) || !own_side.end_beside(point, own)) return false;
+    // Past the end of a side that leans both step back.
+    const double of_met = met_side.ahead(met, point), of_own = met_side.ahead(own, point);
+    const double most = std::abs(of_met) > std::abs(of_own) ? of_met : of_own;
+    if (!(std::abs(most) > touching)) break;
+    point = met_side.moved(point, most);
+  }
+  touch.point_a = sign > 0 ? met : own;
+  touch.point_b = sign > 0 ? own : met;
+  touch.depth = dot(touch.point_a - touch.point_b, touch.normal);
+  return true;
+}
+
+}  // namespace graze::narrowphase

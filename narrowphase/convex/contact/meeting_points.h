@@ -1,0 +1,42 @@
+#pragma once
+
+#include <graze/narrowphase/convex/contact/touches.h>
+#include <graze/narrowphase/convex/core/contact_face.h>
+
+namespace graze::narrowphase {
+
+/// What of the smaller of two sets lengths are measured by.
+double smaller_size(const Core& a, const Core& b);
+
+/// A point of either surface, where the two meet.
+struct MeetingPoints {
+  Vec3 on_a;
+  Vec3 on_b;
+};
+
+/// Where two sets meet once B is moved out along a way that parts them: points of the surfaces as
+/// they lie, so that on_a - on_b is the way. That is to 2^-17 of the smaller size, if the depth is
+/// the least to kDepthTolerance, and else to as much more as the depth is more.
+MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& way);
+
+/// Whether the way's points, one of each set, lie along its normal: not so of edges that pass each
+/// other beyond an end.
+bool lie_along(const Penetration& way, double tolerance);
+
+inline constexpr double kClearance = 0x1p-20;
+
+/// A face that takes part in a contact, and whose it is.
+struct FaceOf {
+  const ContactFace& face;
+  const Core& core;
+};
+
+/// Moves a contact of two round sides, whose lines cross at a small angle, from the line of the
+/// incident one towards that of the reference, whose outward sense along the normal is `sign`: to
+/// where they are deepest in each other, if they are as round as their radii say. What is no
+/// further from the reference's line than `touching`, metres, stays. False if one of the two is not
+/// there.
+bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
+                    ContactPoint& touch);
+
+}  // namespace graze::narrowphase

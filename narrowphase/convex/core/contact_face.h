@@ -1,0 +1,28 @@
+#pragma once
+
+#include <graze/narrowphase/convex/core/core.h>
+
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// What of a set's boundary faces a direction: a polygon, a segment or a point of it.
+struct ContactFace {
+  static constexpr int kMostCorners = 16;
+  ContactFace() {}
+  union {                       // so that corners beyond the count are not written: most never are
+    Vec3 corner[kMostCorners];  ///< in the common frame, on the boundary; counter-clockwise from
+                                ///< outside
+  };
+  std::uint32_t corner_id[kMostCorners];  ///< of the set's own corners, the same in every pose
+  int count = 0;
+  Vec3 normal;           ///< unit, outward
+  std::uint32_t id = 0;  ///< of the face among those of its set
+};
+
+/// The face whose normal is nearest to a unit direction. A cap of a cylinder or a cone's base is
+/// the regular octagon in it, fixed to the set; their sides, and a capsule's, are the segment that
+/// faces the direction; a hull's face of more than kMostCorners is thinned out evenly.
+ContactFace face_along(const Core& core, const Vec3& unit_direction);
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,69 @@
+#include <graze/narrowphase/convex/core/segments.h>
+
+namespace graze::narrowphase {
+namespace {
+
+/// What brings the largest coordinate of a vector, not zero, to between 1 and 2.
+double to_units_of(const Vec3& a) {
+  return std::scalbn(1.0, -std::ilogb(largest(a)));
+}
+
+// Where the line from r along a is nearest to that from 0 along b, in lengths of a. The way between
+// them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the angle: lines part
+// by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is e = 3.5 u / t of
+// itself.
+//   Of r, what lies in the plane of a and b makes the numerator s c.c, which is off by e of itself
+//   and the square by 2 e: the way is off by 11 u s |a|, and by 4 u of it that sum and quotient
+//   round. The numerator's own rounding, 7.5 u |r| |b| |c|, costs 7.5 u |r|.
+//   What stands on the plane, d, makes the numerator 0, but for 3.5 u d |a| |b|^2: the way is off
+//   by 3.5 u d / t, at right angles to d, and longer by half the square of that over d, 6.2 u^2 d /
+//   t^2. From ends, which are offered as well, it is longer by t^2 l^2 / 2 d, with the length l of
+//   the shorter segment: one of these is below 1.8 u l.
+// Where t is below 35 u, ends are within 35 u l of the best. By the determinant of squares, whose
+// error is u / t^2 of itself, the way would be off by u / t.
+bool find_crossing(const Vec3& a, const Vec3& b, const Vec3& r, double& share) {
+  if (!(largest(a) > 0) || !(largest(b) > 0)) return false;
+  const double scale = to_units_of(a);
+  const Vec3 unit_b = b * to_units_of(b);
+  const Vec3 normal = cross(a * scale, unit_b);
+  const double square = dot(normal, normal);
+  if (!(square > 0)) return false;
+  share = -dot(cross(r * scale, unit_b), normal) / square;
+  return share > 0 && share < 1;
+}
+
+}  // namespace
+
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& q, const Vec3& point) {
+  const Vec3 edge = q - p;
+  const double square = dot(edge, edge);
+  const double along = dot(point - p, edge);
+  if (!(along > 0) || !(square > 0)) return p;
+  if (along >= square) return q;
+  return p + edge * (along / square);
+}
+
+NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& p_b,
+                                  const Vec3& q_b) {
+  NearestPoints best{p_a, nearest_on_segment(p_b, q_b, p_a)};
+  double least = dot(best.point_a - best.point_b, best.point_a - best.point_b);
+  const auto offer = [&](const Vec3& on_a, const Vec3& on_b) {
+    const double square = dot(on_a - on_b, on_a - on_b);
+    if (square < least) least = square, best = {on_a, on_b};
+  };
+  offer(q_a, nearest_on_segment(p_b, q_b, q_a));
+  offer(nearest_on_segment(p_a, q_a, p_b), p_b);
+  offer(nearest_on_segment(p_a, q_a, q_b), q_b);
+
+  const Vec3 a = q_a - p_a;
+  const Vec3 b = q_b - p_b;
+  double share;
+  if (find_crossing(a, b, p_a - p_b, share)) {
+    const Vec3 on_a = p_a + a * share;
+    const Vec3 on_b = nearest_on_segment(p_b, q_b, on_a);
+    offer(nearest_on_segment(p_a, q_a, on_b), on_b);
+  }
+  return best;
+}
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <graze/narrowphase/convex/core/vector.h>
+
+namespace graze::narrowphase {
+
+struct NearestPoints {
+  Vec3 point_a;
+  Vec3 point_b;
+};
+
+/// The point of the segment from `p` to `q` nearest to `point`; degenerate segments are points.
+Vec3 nearest_on_segment(const Vec3& p, const Vec3& q, const Vec3& point);
+
+/// The nearest points of two segments; of parallel ones, one pair of them. The best of the inner
+/// point of both lines and of each end against the other segment. Their distance is the least but
+/// for rounding, at any angle: closed_gap.cpp adds it up.
+/// Lumelsky, "On fast computation of distance between line segments" (1985).
+NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& p_b,
+                                  const Vec3& q_b);
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,182 @@
+#include <graze/narrowphase/convex/depth/expanding_polytope.h>
+
+#include <initializer_list>
+#include <limits>
+
+namespace graze::narrowphase {
+namespace {
+
+struct Face {
+  int corner[3];  // counter-clockwise from outside
+};
+
+constexpr int kMostFaces = 2 * kMostPolytopeCorners;
+
+/// The planes of faces, each coordinate in a row of its own: all are asked about each new corner.
+struct Planes {
+  double x[kMostFaces];  // of a unit normal
+  double y[kMostFaces];
+  double z[kMostFaces];
+  double height[kMostFaces];  // above the origin along the normal
+
+  Vec3 normal(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3& normal, double its_height) {
+    x[i] = normal.x, y[i] = normal.y, z[i] = normal.z, height[i] = its_height;
+  }
+  void copy(int from, int to) {
+    x[to] = x[from], y[to] = y[from], z[to] = z[from], height[to] = height[from];
+  }
+};
+
+struct Edge {
+  int from;
+  int to;
+};
+
+class Polytope {
+ public:
+  Polytope(const Core& a, const Core& b, double tolerance)
+      : a_(a), b_(b), tolerance_(tolerance), noise_(0x1p-46 * pair_scale(a, b)) {}
+
+  Expansion run() {
+    if (!start()) return result(false);
+    for (;;) {
+      const int nearest = nearest_face();
+      lower_ = planes_.height[nearest];
+      const Vec3 normal = planes_.normal(nearest);
+      const Vec3 corner = look_along(normal);
+      if (upper_ - lower_ <= tolerance_) return result(true);
+      if (!(dot(normal, corner) - lower_ > noise_)) return result(false);
+      if (!grow(corner)) return result(false);
+    }
+  }
+
+ private:
+  /// The corner of the difference A - B farthest along a direction; remembers the least plane.
+  Vec3 look_along(const Vec3& direction) {
+    const Vec3 corner = rounded_support(a_, direction) - rounded_support(b_, -direction);
+    const double height = dot(corner, direction);
+    if (height < upper_) upper_ = height, normal_ = direction;
+    return corner;
+  }
+
+  int add_corner(const Vec3& corner) {
+    corners_[corner_count_] = corner;
+    return corner_count_++;
+  }
+
+  Vec3 farther_along(const Vec3& direction, const Vec3& from) {
+    const Vec3 ahead = look_along(direction);
+    const Vec3 behind = look_along(-direction);
+    const bool is_ahead = dot(ahead - from, direction) >= -dot(behind - from, direction);
+    return is_ahead ? ahead : behind;
+  }
+
+  /// Four support points with a volume.
+  bool start() {
+    const Vec3 first = unit_or(b_.at - a_.at, {1, 0, 0});
+    const Vec3 p0 = look_along(first);
+    const Vec3 p1 = look_along(-first);
+    const Vec3 line = unit_or(p1 - p0, first);
+    const Vec3 p2 = farther_along(any_normal_to(line), p0);
+    const Vec3 out = unit_or(cross(p1 - p0, p2 - p0), {});
+    if (!(largest(out) > 0)) return false;
+    const Vec3 p3 = farther_along(out, p0);
+    const bool is_above = dot(p3 - p0, out) > 0;
+    for (const Vec3* p : {&p0, is_above ? &p2 : &p1, is_above ? &p1 : &p2, &p3})
+      add_corner(*p);
+    return add_face(0, 1, 2) && add_face(0, 3, 1) && add_face(1, 3, 2) && add_face(2, 3, 0);
+  }
+
+  /// A face that is narrower than rounding has no normal worth asking: it keeps the surface closed
+  /// and is never the nearest nor seen. Its neighbours, which share its long edges, stand for it.
+  bool add_face(int i, int j, int k) {
+    if (face_count_ == kMostFaces) return false;
+    const Vec3& p = corners_[i];
+    const Vec3 u = corners_[j] - p;
+    const Vec3 v = corners_[k] - p;
+    const Vec3 product = cross(u, v);
+    const double longest = largest(u) + largest(v);
+    const int face = face_count_++;
+    faces_[face] = {{i, j, k}};
+    planes_.set(face, {}, std::numeric_limits<double>::infinity());
+    if (!(largest(product) > kNarrowest * noise_ * longest)) return true;
+    const Vec3 normal = unit_or(product, {});
+    // The mean of three heights is nearer to the truth than one.
+    planes_.set(face, normal, dot(normal, (p + corners_[j] + corners_[k]) * (1.0 / 3)));
+    return true;
+  }
+
+  int nearest_face() const {
+    int nearest = 0;
+    for (int i = 1; i < face_count_; ++i) {
+      if (planes_.height[i] < planes_.height[nearest]) nearest = i;
+    }
+    return nearest;
+  }
+
+  /// Replaces all faces that see the corner by a fan from their horizon, one closed loop.
+  bool grow(const Vec3& corner) {
+    if (corner_count_ == kMostPolytopeCorners) return false;
+    Edge horizon[kMostFaces];
+    int edges = 0;
+    int kept = 0;
+    double above[kMostFaces];
+    for (int i = 0; i < face_count_; ++i)
+      above[i] = dot(planes_.normal(i), corner) - planes_.height[i];
+    for (int i = 0; i < face_count_; ++i) {
+      const Face face = faces_[i];
+      if (!(above[i] > noise_)) {
+        if (kept != i) faces_[kept] = face, planes_.copy(i, kept);
+        ++kept;
+        continue;
+      }
+      for (int k = 0; k < 3; ++k) {
+        if (!toggle(horizon, edges, {face.corner[k], face.corner[(k + 1) % 3]})) return false;
+      }
+    }
+    face_count_ = kept;
+    const int apex = add_corner(corner);
+    for (int i = 0; i < edges; ++i) {
+      if (!add_face(horizon[i].from, horizon[i].to, apex)) return false;
+    }
+    return edges >= 3;
+  }
+
+  /// An edge whose other side was seen, too, is none of the horizon.
+  static bool toggle(Edge (&horizon)[kMostFaces], int& edges, const Edge& edge) {
+    for (int i = 0; i < edges; ++i) {
+      if (horizon[i].from != edge.to || horizon[i].to != edge.from) continue;
+      horizon[i] = horizon[--edges];
+      return true;
+    }
+    if (edges == kMostFaces) return false;
+    horizon[edges++] = edge;
+    return true;
+  }
+
+  Expansion result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
+
+  static constexpr double kNarrowest = 4;
+
+  const Core& a_;
+  const Core& b_;
+  double tolerance_;
+  double noise_;
+  Vec3 corners_[kMostPolytopeCorners];
+  Face faces_[kMostFaces];
+  Planes planes_;
+  int corner_count_ = 0;
+  int face_count_ = 0;
+  double upper_ = std::numeric_limits<double>::infinity();
+  double lower_ = 0;
+  Vec3 normal_;
+};
+
+}  // namespace
+
+Expansion expand(const Core& a, const Core& b, double tolerance) {
+  return Polytope(a, b, tolerance).run();
+}
+
+}  // namespace graze::narrowphase

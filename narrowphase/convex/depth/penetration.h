@@ -1,0 +1,48 @@
+#pragma once
+
+#include <graze/narrowphase/convex/core/core.h>
+
+namespace graze::narrowphase {
+
+/// Who found the direction of a penetration.
+enum class PenetrationSource {
+  Fixed,      ///< the best of a few fixed directions
+  Formula,    ///< the two lie along the same axes: see aligned_parting.h
+  Expansion,  ///< the expanding polytope
+  Ccd,        ///< libccd's MPR, asked because the polytope ended open
+};
+
+/// How to part two sets that overlap: moving B by `depth` along `normal` leaves them touching at
+/// most. The depth is computed for the normal from the sets' own supports, whoever found the
+/// normal: it always parts them, and a bad normal costs depth alone.
+struct Penetration {
+  Vec3 normal;   ///< unit, from A to B
+  double depth;  ///< metres, >= 0
+  Vec3 point_a;  ///< the point of A farthest along the normal
+  Vec3 point_b;  ///< and that of B farthest against it
+  PenetrationSource source;
+  bool is_open = false;  ///< whether nobody proved the depth to be the least, to the tolerance
+  bool has_witnesses = false;  ///< whether the points are where the two meet when they part
+  double lower = 0;            ///< metres: the least depth is no less, unless that is open
+};
+
+/// The least way out of two cores whose radii are added, by formula where they are aligned, else
+/// proved from below by an expanding polytope: off by at most depth_tolerance(). Where the polytope
+/// ends open, libccd's MPR is asked, too, and a few fixed directions, and the least of all is
+/// taken: then only that it parts the two is known.
+/// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
+Penetration penetration(const Core& a, const Core& b);
+
+/// By how much a depth may exceed the least, metres: kDepthTolerance of the smaller size, reach and
+/// radius, and kDepthRounding of the pair's scale, beside which nothing finer is known of two of
+/// very different sizes.
+double depth_tolerance(const Core& a, const Core& b);
+
+inline constexpr double kDepthTolerance = 1e-6;
+inline constexpr double kDepthRounding = 0x1p-36;
+
+/// The width by which A reaches past B along a unit direction from A to B, from the supports:
+/// negative if that direction separates them.
+Penetration along(const Core& a, const Core& b, const Vec3& unit_direction);
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <graze/narrowphase/convex/gap/core_gap.h>
+
+namespace graze::narrowphase {
+
+/// What core_gap() answers, by a formula where there is one: points and segments among themselves,
+/// a point and a box.
+CoreGap nearest(const Core& a, const Core& b, const GapGoal& goal = {});
+
+/// The gap's normal, or where the gap is known by formula and is not 0 one whose planes are as far
+/// apart as `lower` says, but for rounding. The way between two points is off by what the points
+/// are over their distance, which tells little of points that are near each other.
+Vec3 settled_normal(const Core& a, const Core& b, const CoreGap& gap);
+
+/// The point of the box nearest to a point. A point inside stays where it is.
+Vec3 nearest_in_box(const Core& box, const Vec3& point);
+
+/// Whether nearest() has a formula for these.
+bool has_closed_gap(CoreKind a, CoreKind b);
+
+}  // namespace graze::narrowphase

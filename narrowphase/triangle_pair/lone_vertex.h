@@ -1,0 +1,31 @@
+#pragma once
+
+#include <graze/narrowphase/predicates/predicates.h>
+
+namespace graze::narrowphase {
+
+/// The vertex of a triangle that is alone on one closed side of a plane, the other two being on the
+/// other closed side, not all three in the plane.
+struct LoneVertex {
+  int index;
+  Sign side;
+};
+
+/// Finds it from the signs of the vertices, which are neither all zero nor all of one sign that is
+/// not zero. Both edges at the lone vertex then reach the plane, and between their points of it
+/// lies the triangle's share of the plane.
+constexpr LoneVertex find_lone_vertex(const Sign (&signs)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    const Sign second = signs[(i + 1) % 3];
+    const Sign third = signs[(i + 2) % 3];
+    if (signs[i] != Sign::Zero && signs[i] != second && signs[i] != third) return {i, signs[i]};
+  }
+  // Left are two equal signs and a zero: the vertex in the plane is the lone one, seen from the
+  // others.
+  for (int i = 0; i < 3; ++i) {
+    if (signs[i] == Sign::Zero) return {i, -signs[(i + 1) % 3]};
+  }
+  return {0, Sign::Zero};
+}
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <graze/narrowphase/lanes/triangle_rows.h>
+#include <graze/narrowphase/lanes/verdicts.h>
+#include <graze/narrowphase/triangle.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace graze::narrowphase {
+
+/// Pairs of triangles, coordinate by coordinate, for the triage of all at once.
+class TrianglePairBatch {
+ public:
+  static constexpr std::size_t kCapacity = 8;
+
+  TrianglePairBatch() {}  // NOLINT(modernize-use-equals-default): that would clear where it is {}
+
+  std::size_t size() const { return size_; }
+  bool is_full() const { return size_ == kCapacity; }
+  void clear() { size_ = 0; }
+
+  /// The batch must not be full.
+  void add(const Triangle& triangle_a, const Triangle& triangle_b);
+
+  Triangle triangle_a(std::size_t index) const;
+  Triangle triangle_b(std::size_t index) const;
+
+  /// Coordinate `row` (x, y, z of a, b, c) of all triangles A or B.
+  const double* row_a(std::size_t row) const { return a_[row]; }
+  const double* row_b(std::size_t row) const { return b_[row]; }
+
+ private:
+  // Cleared by the first add(), so that kernels may compute with lanes that hold no pair; not
+  // before, because a query of meshes far apart adds none, and takes little longer than that.
+  alignas(64) double a_[9][kCapacity];
+  alignas(64) double b_[9][kCapacity];
+  std::size_t size_ = 0;
+  bool is_cleared_ = false;
+};
+
+/// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it
+/// leaves unsure go to decide(). The same on every SIMD target.
+Verdicts triage(const TrianglePairBatch& batch);
+
+/// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
+/// other's plane: the first half of triage(), for less time. The same on every SIMD target.
+std::uint32_t find_apart(const TrianglePairBatch& batch);
+
+/// How many elements one Verdicts of the functions below stands for.
+inline constexpr std::size_t kVerdictsBlock = 8;
+
+/// One triangle against each of many: verdicts[i] becomes those of elements 8 i to 8 i + 7.
+void triage(const Triangle& triangle, const TriangleRows& many, Verdicts* verdicts);
+
+/// Pairs: element i of one against element i of the other, which is as long.
+void triage(const TriangleRows& triangles_a, const TriangleRows& triangles_b, Verdicts* verdicts);
+
+}  // namespace graze::narrowphase

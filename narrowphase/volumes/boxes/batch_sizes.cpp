@@ -1,0 +1,19 @@
+#include <graze/bvh/error.h>
+#include <graze/narrowphase/volumes/boxes/batch_sizes.h>
+#include <string>
+
+namespace graze::narrowphase {
+
+void check_hits(std::span<const std::uint8_t> hits, std::size_t pairs) {
+  if (hits.size() == pairs) return;
+  throw InputError("hits: " + std::to_string(hits.size()) + " elements for " +
+                   std::to_string(pairs) + " pairs");
+}
+
+void check_pairs(std::size_t size_a, std::size_t size_b, const char* what) {
+  if (size_a == size_b) return;
+  throw InputError(std::string(what) + " b: " + std::to_string(size_b) + " elements for " +
+                   std::to_string(size_a) + " " + what + " a");
+}
+
+}  // namespace graze::narrowphase

@@ -1,0 +1,120 @@
+// find_overlaps() for each SIMD target that the compiler knows; the widest that the CPU has is
+// chosen when the program runs. Comparisons only: nothing is rounded.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/boxes/kdop_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once more for each target
+
+#include <graze/narrowphase/volumes/boxes/kdop_kernels.h>
+#include <hwy/highway.h>
+#include <tuple>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::narrowphase::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+constexpr std::size_t kBlock = VolumeRows<6>::kBlock;
+using Tag = hn::CappedTag<double, kBlock>;
+using Lanes = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
+
+HWY_INLINE Lanes load(double value, std::size_t) {
+  return hn::Set(Tag(), value);
+}
+
+HWY_INLINE Lanes load(const double* row, std::size_t first) {
+  return hn::LoadU(Tag(), row + first);
+}
+
+template <typename A, typename B>
+HWY_INLINE std::uint64_t overlapping(const A& a, const B& b, std::size_t first) {
+  constexpr std::size_t kSlabs = std::tuple_size_v<B> / 2;
+  Mask mask = hn::And(hn::Le(load(a[0], first), load(b[kSlabs], first)),
+                      hn::Le(load(b[0], first), load(a[kSlabs], first)));
+  for (std::size_t i = 1; i < kSlabs; ++i) {
+    mask = hn::And(mask, hn::Le(load(a[i], first), load(b[kSlabs + i], first)));
+    mask = hn::And(mask, hn::Le(load(b[i], first), load(a[kSlabs + i], first)));
+  }
+  std::uint8_t bits[8] = {};  // Highway may write eight bytes
+  hn::StoreMaskBits(Tag(), mask, bits);
+  return bits[0];
+}
+
+/// Bit i of eight becomes the lowest bit of byte i: seven by a product in which no two meet.
+HWY_INLINE std::uint64_t spread(std::uint64_t bits) {
+  const std::uint64_t low = ((bits & 0x7f) * 0x0002040810204081u) & 0x0001010101010101u;
+  return low | (bits >> 7) << 56;
+}
+
+template <typename A, typename B>
+HWY_INLINE void find(const A& a, const B& b, std::size_t count, std::uint8_t* hits) {
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    std::uint64_t bits = 0;
+    for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag()))
+      bits |= overlapping(a, b, first + lane) << lane;
+    const std::uint64_t bytes = spread(bits);
+    if (first + kBlock <= count) {
+      for (std::size_t i = 0; i < kBlock; ++i)
+        hits[first + i] = static_cast<std::uint8_t>(bytes >> (8 * i));
+    } else {
+      for (std::size_t i = first; i < count; ++i)
+        hits[i] = static_cast<std::uint8_t>(bytes >> (8 * (i - first)));
+    }
+  }
+}
+
+void one_box(const std::array<double, 6>& one, const RowPointers<6>& many, std::size_t count,
+             std::uint8_t* hits) {
+  find(one, many, count, hits);
+}
+
+void box_pairs(const RowPointers<6>& a, const RowPointers<6>& b, std::size_t count,
+               std::uint8_t* hits) {
+  find(a, b, count, hits);
+}
+
+void one_kdop(const std::array<double, 18>& one, const RowPointers<18>& many, std::size_t count,
+              std::uint8_t* hits) {
+  find(one, many, count, hits);
+}
+
+void kdop_pairs(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t count,
+                std::uint8_t* hits) {
+  find(a, b, count, hits);
+}
+
+}  // namespace
+}  // namespace graze::narrowphase::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace graze::narrowphase {
+
+HWY_EXPORT(one_box);
+HWY_EXPORT(box_pairs);
+HWY_EXPORT(one_kdop);
+HWY_EXPORT(kdop_pairs);
+
+void find_overlaps(const std::array<double, 6>& one, const RowPointers<6>& many, std::size_t count,
+                   std::uint8_t* hits) {
+  HWY_DYNAMIC_DISPATCH(one_box)(one, many, count, hits);
+}
+
+void find_overlaps(const RowPointers<6>& a, const RowPointers<6>& b, std::size_t count,
+                   std::uint8_t* hits) {
+  HWY_DYNAMIC_DISPATCH(box_pairs)(a, b, count, hits);
+}
+
+void find_overlaps(const std::array<double, 18>& one, const RowPointers<18>& many,
+                   std::size_t count, std::uint8_t* hits) {
+  HWY_DYNAMIC_DISPATCH(one_kdop)(one, many, count, hits);
+}
+
+void find_overlaps(const RowPointers<18>& a, const RowPointers<18>& b, std::size_t count,
+                   std::uint8_t* hits) {
+  HWY_DYNAMIC_DISPATCH(kdop_pairs)(a, b, count, hits);
+}
+
+}  // namespace graze::narrowphase
+#endif
