@@ -1,7 +1,9 @@
+#include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/gap/core_gap.h>
 #include <graze/narrowphase/convex/gap/nearest_on_simplex.h>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace graze::narrowphase {
 namespace {
@@ -24,6 +26,15 @@ constexpr double kRelativeTolerance = 0x1p-34 * (1 - 0x1p-8);
 constexpr int kMostRounds = 16;
 constexpr double kWorthwhile = 0x1p-4;
 
+// How often the features at hand are looked along, and how far aside: along an edge by enough that
+// a corner of it goes before rounding, and by little enough that other features do not; around
+// round sides by ever less. Which directions are tried decides how soon a search ends, no answer.
+constexpr int kMostFeatureRounds = 4;
+constexpr double kTilt = 0x1p-20;
+constexpr double kMostTilt = 0x1p-8;
+constexpr double kLeastTilt = 0x1p-28;
+constexpr double kTiltShare = 0x1p-2;
+
 class Search {
  public:
   Search(const Core& a, const Core& b, const GapGoal& goal)
@@ -42,36 +53,45 @@ class Search {
     add_candidate();
     simplex_.weight[0] = 1;
     nearest_ = {simplex_.point[0], simplex_.point[0]};
-    for (int step = 0; step < kLargestSteps; ++step) {
-      upper_ = length(nearest_.point);
-      if (!(upper_ > slack_units_)) return touching();
-      look_along(unit_or(-nearest_.direction, {1, 0, 0}));
-      if (is_enough() || !(upper_ - lower_ > kRelativeGoal * upper_ + slack_units_)) break;
-      switch (step_to_candidate()) {
-        case Step::Inside:
-          return touching();
-        case Step::Nearer:
-          is_flat_ = false;
-          continue;
-        case Step::None:
-          break;
-      }
-      // No progress. The normal of a flat face may point anywhere: the point itself may do better.
-      if (is_flat_) {
-        if (is_known()) break;
-        const Step found = look_across_faces();
-        if (found == Step::Inside) return touching();
-        if (found == Step::None) break;
-        continue;
-      }
-      is_flat_ = true;
-      nearest_.direction = nearest_.point;
+    upper_ = length(nearest_.point);
+    for (int round = 0;; ++round) {
+      if (descend() == Step::Inside) return touching();
+      if (is_known() || is_enough() || round == kMostFeatureRounds) break;
+      const Step found = look_along_features();
+      if (found == Step::Inside) return touching();
+      if (found == Step::None) break;
     }
     return finish();
   }
 
  private:
   enum class Step { Inside, Nearer, None };
+
+  /// GJK from the simplex at hand, until it gains nothing or has taken kLargestSteps. Inside if the
+  /// cores touch.
+  Step descend() {
+    for (int step = 0; step < kLargestSteps; ++step) {
+      if (!(upper_ > slack_units_)) return Step::Inside;
+      look_along(unit_or(-nearest_.direction, {1, 0, 0}));
+      if (is_enough() || !(upper_ - lower_ > kRelativeGoal * upper_ + slack_units_)) break;
+      Step found = step_to_candidate();
+      if (found == Step::Inside) return found;
+      if (found == Step::Nearer) {
+        is_flat_ = false;
+        continue;
+      }
+      // No progress. The normal of a flat face may point anywhere: the point itself may do better.
+      if (is_flat_) {
+        if (is_known()) break;
+        found = look_across_faces();
+        if (found == Step::Nearer) continue;
+        return found;
+      }
+      is_flat_ = true;
+      nearest_.direction = nearest_.point;
+    }
+    return Step::None;
+  }
 
   /// Takes the candidate in if that brings the nearest point nearer.
   Step step_to_candidate() {
@@ -84,6 +104,7 @@ class Search {
     if (is_inside && !(lower_ > slack_units_)) return Step::Inside;
     if (!is_inside && dot(next.point, next.point) < upper_ * upper_) {
       nearest_ = next;
+      upper_ = length(next.point);
       return Step::Nearer;
     }
     simplex_ = before;
@@ -115,6 +136,52 @@ class Search {
       candidate_ = best, candidate_a_ = best_a, candidate_b_ = best_b;
     }
     return Step::None;
+  }
+
+  /// Where an edge of one lies along an edge or a side of the other the nearest points are many,
+  /// and steps from some of them to others gain less and less. So the normals of the faces at hand
+  /// are asked, and the directions at right angles to their edges, which bound the gap from below,
+  /// and those that lead a little towards the ends of each edge, whose corners hold the points.
+  Step look_along_features() {
+    const double before = upper_ - lower_;
+    const Vec3 toward = lower_ > 0 ? normal_ : unit_or(-nearest_.point, {1, 0, 0});
+    const ContactFace faces[2] = {face_along(a_, toward), face_along(b_, -toward)};
+    for (int side = 0; side < 2; ++side) {
+      const ContactFace& face = faces[side];
+      if (face.count < 2) continue;
+      if (try_along(side == 0 ? face.normal : -face.normal) == Step::Inside) return Step::Inside;
+      const int edges = face.count == 2 ? 1 : face.count;
+      for (int i = 0; i < edges; ++i) {
+        const Vec3 edge = unit_or(face.corner[(i + 1) % face.count] - face.corner[i], {});
+        const Vec3 across = lower_ > 0 ? normal_ : toward;
+        for (const Vec3& direction :
+             {across - edge * dot(across, edge), across + edge * kTilt, across - edge * kTilt}) {
+          if (try_along(unit_or(direction, across)) == Step::Inside) return Step::Inside;
+        }
+      }
+    }
+    if (look_around() == Step::Inside) return Step::Inside;
+    return before - (upper_ - lower_) > kWorthwhile * before ? Step::Nearer : Step::None;
+  }
+
+  /// The best direction so far, tilted to four sides, by less and less: round sides have no edges.
+  Step look_around() {
+    const Vec3 first = lower_ > 0 ? normal_ : unit_or(-nearest_.point, {1, 0, 0});
+    const Vec3 side = any_normal_to(first);
+    const Vec3 across = cross(first, side);
+    for (double tilt = kMostTilt; tilt > kLeastTilt; tilt *= kTiltShare) {
+      for (const Vec3& aside : {side, -side, across, -across}) {
+        const Vec3 base = lower_ > 0 ? normal_ : first;
+        if (try_along(unit_or(base + aside * tilt, base)) == Step::Inside) return Step::Inside;
+      }
+      if (is_known() || is_enough()) break;
+    }
+    return Step::None;
+  }
+
+  Step try_along(const Vec3& toward) {
+    look_along(toward);
+    return step_to_candidate();
   }
 
   /// Evaluates the support along a direction from A to B, in units, and returns how far apart its

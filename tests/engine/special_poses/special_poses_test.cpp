@@ -82,6 +82,10 @@ Pose lying(double x, double y, double z) {
   return pose;
 }
 
+Eigen::AngleAxisd right_turn_about_x() {
+  return Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitX());
+}
+
 double depth_of(const PlacedPair& pair, Work* work = nullptr) {
   const Manifold found = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, work);
   return found.empty() ? 0 : found[0].depth;
@@ -253,7 +257,43 @@ TEST(SpecialPoses, PairsThatOnceBrokeAPromiseKeepEveryOne) {
   PairLawCounts counts;
   while (const std::optional<PlacedPair> pair = tests::read_pair(file))
     expect_kept(*pair, counts);
-  EXPECT_GE(counts.pairs, 3u);
+  EXPECT_GE(counts.pairs, 8u);
+  EXPECT_EQ(counts.unconverged, 0u);
+}
+
+/// One pose's axis along the other's, turned about it, apart by `gap` along a direction across it.
+PlacedPair beside(const Shape& a, const Shape& b, double gap, RandomSource& source) {
+  PlacedPair pair{a, b, at(0, 0, 0), at(0, 0, source.integer(-1, 1) * 5)};
+  pair.pose_b.rotate(Eigen::AngleAxisd(source.uniform(0, 7), Vector3d::UnitZ()));
+  if (source.integer(0, 1) == 1) pair.pose_b.rotate(right_turn_about_x());
+  const double angle = source.uniform(0, 7);
+  const Vector3d across(std::cos(angle), std::sin(angle), 0);
+  pair.pose_b.translation() += across * width_along(pair, across);
+  const tests::LeastWidth least = tests::least_width(pair, 200);
+  pair.pose_b.translation() += least.direction * (least.width + gap);
+  const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
+  pair.pose_a.prerotate(turn);
+  pair.pose_b.prerotate(turn);
+  return pair;
+}
+
+// Edges, sides and rims beside each other: nearest points are many, and searches once ended open,
+// with a hit, at gaps of a millionth.
+TEST(SpecialPoses, ShapesBesideEachOtherAreKnownToTheirTolerance) {
+  PairLawCounts counts;
+  RandomSource source(79);
+  const Shape shapes[] = {Box{{5, 4, 5}}, Cone{5, 5}, Cylinder{5, 5},
+                          tests::plain_shape(ShapeKind::ConvexHull, 0)};
+  int hits = 0;
+  constexpr int kPairs = 3000;
+  for (int n = 0; n < kPairs; ++n) {
+    const double gap = std::pow(10.0, source.uniform(-8, -1));
+    const PlacedPair pair = beside(shapes[n % 4], shapes[n / 4 % 4], gap, source);
+    expect_kept(pair, counts);
+    hits += intersects(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  }
+  EXPECT_LT(counts.unconverged, kPairs / 200u);
+  EXPECT_LT(hits, kPairs / 500);
 }
 
 // Cones and ellipsoids so flat that a tetrahedron of their points may be rounding alone.
