@@ -1,4 +1,4 @@
-#include <graze/bvh/build/quartet.h>
+#include <graze/bvh/build/small_subtree.h>
 #include <graze/bvh/build/split.h>
 #include <graze/bvh/build/subtree.h>
 #include <graze/bvh/tree/node_lanes.h>
@@ -20,8 +20,8 @@ class Builder {
 
  private:
   void build(std::size_t at, const Part& part) {
-    if (part.size() > 1 && part.size() <= kQuartet) {
-      build_quartet(references_, part, settings_, at, nodes_);
+    if (part.size() > 1 && part.size() <= kSmallSubtree) {
+      build_small_subtree(references_, part, settings_, at, nodes_);
       return;
     }
     Part sides[2];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/build/reference.h>
-#include <graze/bvh/refit/decay.h>
+#include <graze/bvh/refit/degradation.h>
 
 namespace graze::bvh {
 

@@ -8,7 +8,7 @@
 
 namespace graze {
 
-class Remembered;
+class PairCache;
 
 /// What the last queries of one pair of meshes learned, for the next pose of a motion: how far
 /// apart the meshes certainly were, triangles that touched or were nearest, and where the last walk
@@ -33,9 +33,9 @@ class PairMemory {
   std::uint64_t still_touching() const;
 
  private:
-  friend Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+  friend PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
 
-  std::unique_ptr<Remembered> remembered_;
+  std::unique_ptr<PairCache> cache_;
 };
 
 /// intersects(), beginning with what the memory holds and leaving in it what was learned. Volumes

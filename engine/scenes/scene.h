@@ -21,7 +21,7 @@ struct SceneBody {
   std::string name;
   std::size_t shape = 0;  ///< index into Scene::shapes
   Pose pose;              ///< at time 0
-  Motion motion = Motion::Dynamic;
+  BodyKind kind = BodyKind::Dynamic;
   Filter filter = {};
   BodyPath path = {};
 };

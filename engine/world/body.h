@@ -69,7 +69,7 @@ class BodyShape {
 /// A Shape as a world asks it, for World::add(): one for many bodies.
 std::shared_ptr<const BodyShape> share(const Shape& shape);
 
-enum class Motion : std::uint8_t {
+enum class BodyKind : std::uint8_t {
   Static,     // does not move by itself; meets only dynamic bodies
   Kinematic,  // moved by its user, as by rails; meets only dynamic bodies
   Dynamic     // moved by a solver; meets all

@@ -16,7 +16,7 @@
 namespace graze {
 
 struct BodySettings {
-  Motion motion = Motion::Dynamic;
+  BodyKind kind = BodyKind::Dynamic;
   Filter filter = {};
   std::uint64_t user_data = 0;
   Role role = Role::Solid;
@@ -131,7 +131,7 @@ class World {
   void set_shape(BodyId id, std::shared_ptr<const BodyShape> shape);
 
   void set_filter(BodyId id, const Filter& filter);
-  void set_motion(BodyId id, Motion motion);
+  void set_kind(BodyId id, BodyKind kind);
   void set_role(BodyId id, Role role);
   void set_user_data(BodyId id, std::uint64_t data);
 
@@ -163,7 +163,7 @@ class World {
   std::size_t size() const;
   const Pose& pose(BodyId id) const;
   const BodyShape& shape(BodyId id) const;  // until the body is gone or takes another
-  Motion motion(BodyId id) const;
+  BodyKind kind(BodyId id) const;
   Role role(BodyId id) const;
   const Filter& filter(BodyId id) const;
   std::uint64_t user_data(BodyId id) const;

@@ -1,11 +1,11 @@
 // Akenine-Möller's test in rounded arithmetic. The box axes, and a vertex inside the box, are
-// decided here by comparing inputs, exactly; the other ten axes in ten_axes.cpp.
+// decided here by comparing inputs, exactly; the other ten axes in remaining_axes.cpp.
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/triangle_box/ten_axes.h>
+#include <graze/narrowphase/triangle_box/remaining_axes.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -55,7 +55,7 @@ Verdict triage(const Triangle& triangle, const Aabb& box) {
     return Verdict::Unsure;
   }
   if (is_apart_along_box_axes(t, low, high)) return Verdict::Apart;
-  const Verdict verdict = triage_ten_axes(t, low, high, size);
+  const Verdict verdict = triage_remaining_axes(t, low, high, size);
   if (verdict != Verdict::Unsure) return verdict;
   const bool is_inside =
       contains(low, high, t) || contains(low, high, t + 3) || contains(low, high, t + 6);

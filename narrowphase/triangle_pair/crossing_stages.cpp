@@ -13,7 +13,7 @@
 #include <graze/narrowphase/predicates/corners.h>
 #include <graze/narrowphase/predicates/finite.h>
 #include <graze/narrowphase/predicates/orientation_stages.h>
-#include <graze/narrowphase/triangle_pair/lone_vertex.h>
+#include <graze/narrowphase/triangle_pair/apex.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <optional>
@@ -59,7 +59,7 @@ std::optional<Sides> strict_sides_of_plane(const Vertices& plane, const Vertices
   return sides;
 }
 
-/// A triangle seen from its lone vertex, the others in an order in which the other triangle's lone
+/// A triangle seen from its apex, the others in an order in which the other triangle's lone
 /// vertex is on the positive side of its plane.
 struct Canonical {
   const double* p;
@@ -77,8 +77,8 @@ Canonical canonical(const Vertices& corners, int lone, Sign other_side) {
 /// Two triangles, each with vertices strictly on both sides of the other's plane.
 std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b,
                                           const Sides& sides_a, const Sides& sides_b) {
-  const LoneVertex lone_a = find_lone_vertex(sides_a.sign);
-  const LoneVertex lone_b = find_lone_vertex(sides_b.sign);
+  const Apex lone_a = find_apex(sides_a.sign);
+  const Apex lone_b = find_apex(sides_b.sign);
   return {canonical(a, lone_a.index, lone_b.side), canonical(b, lone_b.index, lone_a.side)};
 }
 

@@ -5,7 +5,7 @@
 
 #include <graze/narrowphase/predicates/coplanar.h>
 #include <graze/narrowphase/predicates/sides_of_plane.h>
-#include <graze/narrowphase/triangle_pair/lone_vertex.h>
+#include <graze/narrowphase/triangle_pair/apex.h>
 #include <utility>
 
 namespace graze::narrowphase {
@@ -14,15 +14,15 @@ namespace graze::narrowphase {
 template <typename Number>
 bool cross_in_space(const Corners<Number>& a, const Corners<Number>& b, const Sides& sides_a,
                     const Sides& sides_b) {
-  const LoneVertex lone_a = find_lone_vertex(sides_a.sign);
-  const LoneVertex lone_b = find_lone_vertex(sides_b.sign);
+  const Apex lone_a = find_apex(sides_a.sign);
+  const Apex lone_b = find_apex(sides_b.sign);
   const Number* p_a = a.point[lone_a.index];
   const Number* q_a = a.point[(lone_a.index + 1) % 3];
   const Number* r_a = a.point[(lone_a.index + 2) % 3];
   const Number* p_b = b.point[lone_b.index];
   const Number* q_b = b.point[(lone_b.index + 1) % 3];
   const Number* r_b = b.point[(lone_b.index + 2) % 3];
-  // Turn each triangle so that the other's lone vertex is on its positive side.
+  // Turn each triangle so that the other's apex is on its positive side.
   if (lone_b.side == Sign::Negative) std::swap(q_a, r_a);
   if (lone_a.side == Sign::Negative) std::swap(q_b, r_b);
   return orientation_3d(p_a, q_a, p_b, q_b) != Sign::Positive &&

@@ -72,7 +72,7 @@ struct Lone {
   Mask is_first, is_second, is_negative;
 };
 
-HWY_INLINE Lone lone_vertex(const Sides& sides) {
+HWY_INLINE Lone apex(const Sides& sides) {
   return {hn::Not(hn::Xor(sides.b, sides.c)), hn::Not(hn::Xor(sides.a, sides.c)),
           hn::Xor(hn::Xor(sides.a, sides.b), sides.c)};
 }
@@ -84,8 +84,8 @@ struct Sure {
 /// triage_intervals(), for lanes whose signs are sure and not equal.
 HWY_INLINE Sure triage_intervals(const Corners& s, const Sides& sides_s, const Corners& t,
                                  const Sides& sides_t, Lanes bound) {
-  const Lone lone_s = lone_vertex(sides_s);
-  const Lone lone_t = lone_vertex(sides_t);
+  const Lone lone_s = apex(sides_s);
+  const Lone lone_t = apex(sides_t);
   const Vector origin = chosen(lone_s.is_first, s.a, lone_s.is_second, s.b, s.c);
   const Vector next = difference(chosen(lone_s.is_first, s.b, lone_s.is_second, s.c, s.a), origin);
   const Vector last = difference(chosen(lone_s.is_first, s.c, lone_s.is_second, s.a, s.b), origin);

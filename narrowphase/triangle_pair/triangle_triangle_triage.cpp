@@ -34,21 +34,21 @@ TwoLanes extent(TwoLanes a, TwoLanes b, TwoLanes c) {
 
 /// What the signs of three vertices beside a plane, of which two agree and one does not, say about
 /// their order. Bit i of an index is set if vertex i is on the negative side; offsets are to the
-/// first coordinates of the lone vertex and of the two that follow it.
+/// first coordinates of the apex and of the two that follow it.
 struct Order {
   std::uint8_t lone, next, last;
 };
 constexpr Order kOrders[8] = {{0, 3, 6}, {0, 3, 6}, {3, 6, 0}, {6, 0, 3},
                               {6, 0, 3}, {3, 6, 0}, {0, 3, 6}, {0, 3, 6}};
 
-constexpr bool is_lone_vertex_negative(unsigned signs) {
+constexpr bool is_apex_negative(unsigned signs) {
   constexpr unsigned kOneNegative = 1u << 0b001 | 1u << 0b010 | 1u << 0b100;
   return (kOneNegative >> signs & 1) != 0;
 }
 
 /// Figure 5 of the paper: the intervals that two crossing triangles cut out of the line that their
 /// planes share overlap unless one ends before the other begins. The paper turns both triangles
-/// until each has its lone vertex on the positive side of the other's plane, and asks for the signs
+/// until each has its apex on the positive side of the other's plane, and asks for the signs
 /// of [p_a q_a p_b q_b] and [p_a r_a r_b p_b]. Turning one of them instead of both or none, and
 /// turning A alone, change no more than the signs and which of q_b and r_b goes with q_a: the two
 /// determinants are the lanes.
@@ -56,8 +56,8 @@ Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, uns
                          double bound) {
   const Order order_a = kOrders[signs_a];
   const Order order_b = kOrders[signs_b];
-  const bool is_a_negative = is_lone_vertex_negative(signs_a);
-  const bool is_b_negative = is_lone_vertex_negative(signs_b);
+  const bool is_a_negative = is_apex_negative(signs_a);
+  const bool is_b_negative = is_apex_negative(signs_b);
   const int with_next = is_a_negative == is_b_negative ? order_b.next : order_b.last;
   const int with_last = is_a_negative == is_b_negative ? order_b.last : order_b.next;
   const TwoVectors origin = points(a + order_a.lone, a + order_a.lone);

@@ -1,6 +1,6 @@
 #include <graze/bvh/build/build.h>
 #include <graze/bvh/error.h>
-#include <graze/bvh/refit/decay.h>
+#include <graze/bvh/refit/degradation.h>
 #include <graze/bvh/refit/refit.h>
 #include <graze/bvh/tree/validate.h>
 #include <gtest/gtest.h>
@@ -97,7 +97,7 @@ TEST(Decay, AnyMotionKeepsTheInvariants) {
   for (float tolerated : {1.01f, 1.5f, 4.f}) {
     for (Distribution distribution : kDistributions) {
       const std::vector<Aabb> boxes = random_boxes(distribution, 2000, 9);
-      refit_and_rebuild(tree, costs, boxes, {.build = {}, .tolerated_decay = tolerated});
+      refit_and_rebuild(tree, costs, boxes, {.build = {}, .tolerated_degradation = tolerated});
       ASSERT_EQ(find_broken_invariant(tree, boxes).value_or(""), "");
       ASSERT_EQ(costs.size(), tree.nodes.size());
     }

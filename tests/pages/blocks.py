@@ -43,6 +43,8 @@ class Page:
         return "\n".join(prose)
 
     def _end_block(self, language, block):
+        if language == "text":
+            return  # a drawing
         if language:
             self.programs.append((language, "\n".join(block) + "\n"))
         else:

@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t kParallelItems = 8192;
 constexpr std::size_t kSample = 64;
 
-/// The place of an item along an axis, different for different owners.
+/// The place of an item along an axis, different for different proxies.
 std::uint64_t rank_key(const KdItem& item, int axis) {
   const auto bits = std::bit_cast<std::uint32_t>(item.centre[axis]);
   const std::uint32_t ordered =
       bits ^ (static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> 31) | 0x80000000u);
-  return static_cast<std::uint64_t>(ordered) << 32 | item.owner;
+  return static_cast<std::uint64_t>(ordered) << 32 | item.proxy;
 }
 
 /// The axis along which the centres reach furthest, as far as some of them tell.

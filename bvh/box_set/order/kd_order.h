@@ -17,10 +17,10 @@ static inline float centre(std::int64_t low, std::int64_t high, double origin) {
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
-/// A box to be put in order: its centre, rounded, and its owner, which decides between equal ones.
+/// A box to be put in order: its centre, rounded, and its proxy, which decides between equal ones.
 struct KdItem {
   float centre[3];
-  std::uint32_t owner;
+  std::uint32_t proxy;
 };
 
 /// Puts items into an order in which every 16 consecutive ones lie together, and every 16 of such

@@ -226,8 +226,8 @@ class LeafBatch {
   struct Meeting {
     const Block* rows;
     const Block* columns;
-    const std::uint32_t* row_owners;
-    const std::uint32_t* column_owners;
+    const std::uint32_t* row_proxies;
+    const std::uint32_t* column_proxies;
     std::uint32_t near;     // of the columns
     std::int32_t triangle;  // within one block its top bit, so that each pair is met once; else all
     const LowBlock* low[2];  // of the rows, of the columns
@@ -241,7 +241,7 @@ class LeafBatch {
     for (int side = 0; side < 2; ++side) {
       for (const auto& row : high(side, pair.block[side]).row)
         __builtin_prefetch(row);
-      __builtin_prefetch(tree_[side]->owner + pair.block[side] * kLanes);
+      __builtin_prefetch(tree_[side]->proxy + pair.block[side] * kLanes);
     }
   }
 
@@ -256,8 +256,8 @@ class LeafBatch {
     const Block &rows = high(side, mine), &columns = high(other, theirs);
     meetings_[i] = {&rows,
                     &columns,
-                    tree_[side]->owner + mine * kLanes,
-                    tree_[other]->owner + theirs * kLanes,
+                    tree_[side]->proxy + mine * kLanes,
+                    tree_[other]->proxy + theirs * kLanes,
                     near[other],
                     &rows == &columns ? INT32_MIN : -1,
                     {tree_[side]->low + mine, tree_[other]->low + theirs}};
@@ -282,7 +282,7 @@ class LeafBatch {
         hits |= settle(*meeting.columns, *meeting.low[1],
                        lane_box(*meeting.rows, *meeting.low[0], lane), unsure);
       }
-      end = list_pairs(meeting.row_owners[lane], meeting.column_owners, hits, end);
+      end = list_pairs(meeting.row_proxies[lane], meeting.column_proxies, hits, end);
     }
     out_.set_end(end);
   }
@@ -389,7 +389,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
     if (sure != hits) hits = sure | settle(block, tree.low[entry.block], box, hits & ~sure);
     for (; hits != 0; hits &= hits - 1)
       out.push_back(
-          tree.owner[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
+          tree.proxy[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
   }
 }
 
@@ -423,7 +423,7 @@ HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, 
           at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
       for (const auto& row : tree.level[level - 1][next].row)
         __builtin_prefetch(row);
-      if (level == 1) __builtin_prefetch(tree.owner + next * kLanes);
+      if (level == 1) __builtin_prefetch(tree.proxy + next * kLanes);
       lookup.below.push_back({at.mover, next});
     }
   }
@@ -447,7 +447,7 @@ void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> b
         exact_lanes(block, tree.low[at], Spread(high_after, mover), after[mover]);
     for (std::uint32_t hits = was | is; hits != 0; hits &= hits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
-      out.push_back({tree.owner[at * kLanes + lane], static_cast<std::uint8_t>(mover),
+      out.push_back({tree.proxy[at * kLanes + lane], static_cast<std::uint8_t>(mover),
                      static_cast<std::uint8_t>(was >> lane & 1),
                      static_cast<std::uint8_t>(is >> lane & 1)});
     }

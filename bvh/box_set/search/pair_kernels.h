@@ -31,12 +31,12 @@ std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const B
 /// Appends the pairs of blocks that `start` leads to, one step down. Not for two blocks of boxes.
 void split_pair(const TreeView& a, const TreeView& b, BlockPair start, std::vector<BlockPair>& out);
 
-/// Appends the owners of the boxes that overlap `box`, exactly.
+/// Appends the proxies of the boxes that overlap `box`, exactly.
 void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<std::uint32_t>& out);
 
 /// A box that overlaps a mover where it was, where it is, or both.
 struct MoverHit {
-  std::uint32_t owner;
+  std::uint32_t proxy;
   std::uint8_t mover;  // its number among those that were looked up together
   std::uint8_t was;
   std::uint8_t is;

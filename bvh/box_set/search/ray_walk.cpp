@@ -53,7 +53,7 @@ void visit_boxes(const TreeView& tree, const RaySlabs& ray, std::uint32_t block,
     const std::uint32_t lane = lanes[count].lane;
     const Aabb box = box_of_keys(lane_box(tree.level[0][block], tree.low[block], lane));
     if (padded_entry(ray, box.min.data(), box.max.data(), limit) == kNever) continue;
-    limit = std::min(limit, visit(tree.owner[block * kLanes + lane]));
+    limit = std::min(limit, visit(tree.proxy[block * kLanes + lane]));
   }
 }
 

@@ -14,9 +14,9 @@ inline constexpr double kRayPadding = 0x1p-37;
 /// As entry(), of a box grown by that.
 double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit);
 
-/// Is told of the owner of a box that the ray may meet; returns the ray's parameter beyond which no
+/// Is told of the proxy of a box that the ray may meet; returns the ray's parameter beyond which no
 /// more boxes are of interest.
-using RayVisitor = std::function<double(std::uint32_t owner)>;
+using RayVisitor = std::function<double(std::uint32_t proxy)>;
 
 /// Visits all boxes that, grown, the ray meets within the limit, roughly from near to far. The
 /// limit comes down as the visitor says.

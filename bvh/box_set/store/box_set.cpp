@@ -19,8 +19,8 @@ constexpr double kMuchInflated = 4;
 // What sorting newcomers costs, each, in blocks that a lookup could have met instead.
 constexpr std::size_t kNewcomerSortCost = 8;
 
-// A block is looked at for strays when its girth has grown by this factor, unless one block in so
-// many has; a box is one if the block without it has at most this share of its girth.
+// A block is looked at for outliers when its extent has grown by this factor, unless one block in
+// so many has; a box is one if the block without it has at most this share of its extent.
 constexpr double kStretched = 2;
 constexpr std::uint32_t kRefitChunk = 512;  // blocks, whole blocks of the level above
 
@@ -49,14 +49,14 @@ std::size_t BoxSet::layer_of(std::uint32_t block) const {
   return layer;
 }
 
-OrderedBox BoxSet::box(std::uint32_t owner) const {
-  return box_at(place_[owner]);
+OrderedBox BoxSet::box(std::uint32_t proxy) const {
+  return box_at(place_[proxy]);
 }
 
 /// kNobody if there is none.
 std::uint32_t BoxSet::empty_place(std::uint32_t block) const {
   for (std::uint32_t place = block * kLanes; place < (block + 1) * kLanes; ++place) {
-    if (owner_[place] == kNobody) return place;
+    if (proxy_[place] == kNobody) return place;
   }
   return kNobody;
 }
@@ -71,15 +71,15 @@ void BoxSet::prefetch(std::uint32_t place) const {
 TreeView BoxSet::view(int layer) const {
   const Layer& of = layers_[static_cast<std::size_t>(layer)];
   return of.view(high_.data() + of.first_block, low_.data() + of.first_block,
-                 owner_.data() + std::size_t{of.first_block} * kLanes);
+                 proxy_.data() + std::size_t{of.first_block} * kLanes);
 }
 
 /// Before the first sort memory doubles, and the sort gives back what is too much.
-void BoxSet::reserve(std::size_t boxes, std::uint32_t owner_limit) {
+void BoxSet::reserve(std::size_t boxes, std::uint32_t proxy_limit) {
   const std::size_t share = sorts_ == 0 ? 1 : kGrowthShare;
-  if (owner_limit > place_.size()) {
-    make_room_in(place_, owner_limit - place_.size(), share);
-    place_.resize(owner_limit, kNobody);
+  if (proxy_limit > place_.size()) {
+    make_room_in(place_, proxy_limit - place_.size(), share);
+    place_.resize(proxy_limit, kNobody);
   }
   if (layers_.empty()) layers_.emplace_back();
   Layer& last = layers_.back();
@@ -88,7 +88,7 @@ void BoxSet::reserve(std::size_t boxes, std::uint32_t owner_limit) {
   const std::size_t more = blocks - last.block_count;
   make_room_in(high_, more, share);
   make_room_in(low_, more, share);
-  make_room_in(owner_, more * kLanes, share);
+  make_room_in(proxy_, more * kLanes, share);
   last.reserve(static_cast<std::uint32_t>(blocks));
 }
 
@@ -112,38 +112,38 @@ void BoxSet::touch(std::uint32_t block) {
   }
 }
 
-void BoxSet::insert(std::uint32_t owner, const OrderedBox& box) {
-  reserve(1, owner + 1);
-  if (!fill_hole(owner, box)) append(owner, box);
+void BoxSet::insert(std::uint32_t proxy, const OrderedBox& box) {
+  reserve(1, proxy + 1);
+  if (!fill_hole(proxy, box)) append(proxy, box);
 }
 
 /// To the last layer, where there is room.
-void BoxSet::append(std::uint32_t owner, const OrderedBox& box) {
+void BoxSet::append(std::uint32_t proxy, const OrderedBox& box) {
   Layer& last = layers_.back();
   if (newcomers_ % kLanes == 0) {
     high_.push_back(empty_block());
     low_.emplace_back();
-    owner_.resize(owner_.size() + kLanes, kNobody);
+    proxy_.resize(proxy_.size() + kLanes, kNobody);
     last.reshape(last.first_block, last.block_count + 1);
   }
   const std::uint32_t place = last.first_block * kLanes + static_cast<std::uint32_t>(newcomers_++);
-  take(place, owner, box);
+  take(place, proxy, box);
 }
 
-/// An empty lane becomes the owner's.
-void BoxSet::take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box) {
-  place_[owner] = place;
-  owner_[place] = owner;
+/// An empty lane becomes the proxy's.
+void BoxSet::take(std::uint32_t place, std::uint32_t proxy, const OrderedBox& box) {
+  place_[proxy] = place;
+  proxy_[place] = proxy;
   set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), box);
   touch(place >> kLaneBits);
   ++size_;
 }
 
-void BoxSet::erase(std::uint32_t owner) {
-  const std::uint32_t place = place_[owner];
+void BoxSet::erase(std::uint32_t proxy) {
+  const std::uint32_t place = place_[proxy];
   clear_lane(high_[place >> kLaneBits], place & (kLanes - 1));
-  owner_[place] = kNobody;
-  place_[owner] = kNobody;
+  proxy_[place] = kNobody;
+  place_[proxy] = kNobody;
   touch(place >> kLaneBits);
   Layer& layer = layers_[layer_of(place >> kLaneBits)];
   layer.note_hole((place >> kLaneBits) - layer.first_block);
@@ -165,26 +165,26 @@ bool BoxSet::leaves_neighbours(const Layer& layer, std::uint32_t block,
     spanned.row[c + 3][1] = high_half(box[c + 3]);
   }
   // Newcomers have no block of their own yet: any that they leave is a reason to look for one.
-  if (here >= layer.sorted_girth.size()) return girth(spanned, 0) > girth(parent, lane);
-  return girth(spanned, 0) > kLeft * (layer.sorted_girth[here] + girth(spanned, 1));
+  if (here >= layer.sorted_extent.size()) return extent(spanned, 0) > extent(parent, lane);
+  return extent(spanned, 0) > kLeft * (layer.sorted_extent[here] + extent(spanned, 1));
 }
 
-void BoxSet::move(std::uint32_t owner, const OrderedBox& box) {
-  const std::uint32_t place = place_[owner];
+void BoxSet::move(std::uint32_t proxy, const OrderedBox& box) {
+  const std::uint32_t place = place_[proxy];
   const std::uint32_t block = place >> kLaneBits;
   // Of many movers only a sample is asked whether they left, unless much of it did.
   const bool is_asked = moves_ < kLanes + size_ / kAskedShare || arrivals_ > moves_ / kLeftShare;
   ++moves_;
   const std::size_t layer = is_asked ? layer_of(block) : 0;
   if (is_asked && leaves_neighbours(layers_[layer], block, box)) {
-    erase(owner);
-    if (fill_hole(owner, box)) return;
+    erase(proxy);
+    if (fill_hole(proxy, box)) return;
     if (layer + 1 != layers_.size() && has_room_for_one()) {
-      append(owner, box);
+      append(proxy, box);
       return;
     }
     --holes_;
-    take(place, owner, box);
+    take(place, proxy, box);
     return;
   }
   set_lane(high_[block], low_[block], place & (kLanes - 1), box);
@@ -196,7 +196,7 @@ void BoxSet::refit() {
     refit_every_layer();
     all_touched_ = false;
     touched_.clear();
-    move_strays();
+    move_outliers();
   }
   refit_touched();
   sort_groups();
@@ -216,8 +216,8 @@ void BoxSet::refit_every_layer() {
       const auto first = static_cast<std::uint32_t>(chunk * kRefitChunk);
       const std::uint32_t last = std::min(first + kRefitChunk, layer.block_count);
       refit_blocks(high_.data() + layer.first_block, first, last, layer.upper[1].data());
-      for (std::uint32_t b = first; b < last && b < layer.sorted_girth.size(); ++b)
-        sums[chunk] += inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+      for (std::uint32_t b = first; b < last && b < layer.sorted_extent.size(); ++b)
+        sums[chunk] += inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
     });
     for (const double sum : sums)
       inflation_ += sum;
@@ -240,9 +240,9 @@ void BoxSet::refit_touched() {
     const auto count_inflation = [&](double sign) {
       for (std::size_t i = first; i < next; ++i) {
         const std::uint32_t b = touched_[i] - layer.first_block;
-        if (b < layer.sorted_girth.size())
+        if (b < layer.sorted_extent.size())
           inflation_ +=
-              sign * inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+              sign * inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
       }
     };
     count_inflation(-1);
@@ -254,25 +254,25 @@ void BoxSet::refit_touched() {
 
 /// Finds blocks that single boxes have stretched by leaving their neighbours, and moves those boxes
 /// to the last layer; not if there are many such blocks, which a sort will see to.
-void BoxSet::move_strays() {
+void BoxSet::move_outliers() {
   std::vector<BlockPair>& stretched = scratch_.tasks;  // a: the block, trees: its layer
   stretched.clear();
   for (std::size_t l = 0; l + 1 < layers_.size(); ++l) {
     const Layer& layer = layers_[l];
-    for (std::uint32_t b = 0; b < layer.sorted_girth.size(); ++b) {
-      if (layer.girth_of(b) > kStretched * layer.sorted_girth[b])
+    for (std::uint32_t b = 0; b < layer.sorted_extent.size(); ++b) {
+      if (layer.extent_of(b) > kStretched * layer.sorted_extent[b])
         stretched.push_back({b, 0, 0, 0, static_cast<std::uint16_t>(l)});
     }
   }
   if (stretched.size() > kFewStretched + high_.size() / kStretchedShare) return;
   for (const BlockPair& of : stretched) {
-    while (move_stray(of.trees, of.a)) {
+    while (move_outlier(of.trees, of.a)) {
     }
   }
 }
 
 /// Moves the box without which the block shrinks most, if that is worth it.
-bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
+bool BoxSet::move_outlier(std::size_t l, std::uint32_t b) {
   const std::uint32_t block = layers_[l].first_block + b;
   Block around = empty_block();  // lane i: the bounds of all lanes but i
   Block all = empty_block();
@@ -293,16 +293,16 @@ bool BoxSet::move_stray(std::size_t l, std::uint32_t b) {
   }
   std::uint32_t best = 0;
   for (std::uint32_t lane = 1; lane < kLanes; ++lane) {
-    if (girth(around, lane) < girth(around, best)) best = lane;
+    if (extent(around, lane) < extent(around, best)) best = lane;
   }
-  const double now = girth(whole, 0);
-  if (now <= kStretched * layers_[l].sorted_girth[b] || girth(around, best) > kWorthMoving * now)
+  const double now = extent(whole, 0);
+  if (now <= kStretched * layers_[l].sorted_extent[b] || extent(around, best) > kWorthMoving * now)
     return false;
-  const std::uint32_t owner = owner_[block * kLanes + best];
-  const OrderedBox box = this->box(owner);
+  const std::uint32_t proxy = proxy_[block * kLanes + best];
+  const OrderedBox box = this->box(proxy);
   reserve(1, 0);
-  erase(owner);
-  append(owner, box);
+  erase(proxy);
+  append(proxy, box);
   return true;
 }
 
@@ -353,12 +353,12 @@ void BoxSet::sort_if_crowded(std::size_t lookups) {
 
 std::size_t BoxSet::bytes() const {
   std::size_t sum = high_.capacity() * sizeof(Block) + low_.capacity() * sizeof(LowBlock) +
-                    (owner_.capacity() + place_.capacity() + touched_.capacity()) * 4 +
+                    (proxy_.capacity() + place_.capacity() + touched_.capacity()) * 4 +
                     filled_.capacity() * sizeof(FilledGroup);
   for (const Layer& layer : layers_) {
     for (const std::vector<Block>& level : layer.upper)
       sum += level.capacity() * sizeof(Block);
-    sum += layer.sorted_girth.capacity() * sizeof(float) + layer.holed.capacity() * 2 +
+    sum += layer.sorted_extent.capacity() * sizeof(float) + layer.holed.capacity() * 2 +
            layer.is_filled.capacity() / 8;
   }
   sum += scratch_.is_named.capacity() / 8 + scratch_.ranked.bytes();

@@ -5,7 +5,7 @@
 #include <graze/bvh/box_set/search/pair_kernels.h>
 #include <graze/bvh/box_set/search/ray_walk.h>
 #include <graze/bvh/box_set/store/layer.h>
-#include <graze/bvh/box_set/store/ranked_owners.h>
+#include <graze/bvh/box_set/store/ranked_proxies.h>
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace graze::bvh {
 
-/// Many boxes that move, each known by a number of its owner's, in blocks of 16 under implicit
+/// Many boxes that move, each known by a number of its proxy's, in blocks of 16 under implicit
 /// trees: one tree for each group of sizes, by factors of 4 or more, and one for
 /// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
 ///
@@ -31,45 +31,45 @@ class BoxSet {
   const Workers& workers() const { return workers_; }
 
   std::size_t size() const { return size_; }
-  bool contains(std::uint32_t owner) const {
-    return owner < place_.size() && place_[owner] != kNobody;
+  bool contains(std::uint32_t proxy) const {
+    return proxy < place_.size() && place_[proxy] != kNobody;
   }
-  OrderedBox box(std::uint32_t owner) const;
-  /// Near boxes have near places. kNobody for an owner without a box.
-  std::uint32_t place(std::uint32_t owner) const {
-    return owner < place_.size() ? place_[owner] : kNobody;
+  OrderedBox box(std::uint32_t proxy) const;
+  /// Near boxes have near places. kNobody for an proxy without a box.
+  std::uint32_t place(std::uint32_t proxy) const {
+    return proxy < place_.size() ? place_[proxy] : kNobody;
   }
   void prefetch(std::uint32_t place) const;
-  /// All owners so far are below this.
-  std::uint32_t owner_limit() const { return static_cast<std::uint32_t>(place_.size()); }
+  /// All proxies so far are below this.
+  std::uint32_t proxy_limit() const { return static_cast<std::uint32_t>(place_.size()); }
 
-  /// Memory for so many more boxes, of owners below the limit: insert() will throw nothing.
-  void reserve(std::size_t boxes, std::uint32_t owner_limit);
+  /// Memory for so many more boxes, of proxies below the limit: insert() will throw nothing.
+  void reserve(std::size_t boxes, std::uint32_t proxy_limit);
 
-  void insert(std::uint32_t owner, const OrderedBox& box);
-  void move(std::uint32_t owner, const OrderedBox& box);
-  void erase(std::uint32_t owner);
+  void insert(std::uint32_t proxy, const OrderedBox& box);
+  void move(std::uint32_t proxy, const OrderedBox& box);
+  void erase(std::uint32_t proxy);
 
-  /// Moves many: boxes[i] belongs to owner_of(i), of equal owners the last counts. Checks nothing.
-  template <typename OwnerOf>
-  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+  /// Moves many: boxes[i] belongs to proxy_of(i), of equal proxies the last counts. Checks nothing.
+  template <typename ProxyOf>
+  void move_many(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     // What a box will be is noted where it was: that place is written next.
-    scratch_.is_named.assign(owner_.size(), false);
+    scratch_.is_named.assign(proxy_.size(), false);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const std::uint32_t place = place_[owner_of(i)];
+      const std::uint32_t place = place_[proxy_of(i)];
       scratch_.is_named[place] = true;
       low_[place >> kLaneBits].row[0][place & (kLanes - 1)] = static_cast<std::uint32_t>(i);
     }
     move_named(boxes);
   }
 
-  /// Moves the owners 0, 1, 2 ...: boxes[i] belongs to owner i. Needs no list of who is where.
+  /// Moves the proxies 0, 1, 2 ...: boxes[i] belongs to proxy i. Needs no list of who is where.
   void move_first(std::span<const Aabb> boxes);
 
-  /// Moves many, in ascending order: boxes[i] belongs to owner_of(i).
-  template <typename OwnerOf>
-  void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
-    scratch_.ranked.assign(owner_limit(), boxes.size(), owner_of);
+  /// Moves many, in ascending order: boxes[i] belongs to proxy_of(i).
+  template <typename ProxyOf>
+  void move_ascending(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
+    scratch_.ranked.assign(proxy_limit(), boxes.size(), proxy_of);
     move_ranked(boxes);
   }
 
@@ -90,7 +90,7 @@ class BoxSet {
   /// All pairs that overlap, each once, in an order that the history of the set decides.
   void find_all_pairs(PairBuffer& out);
 
-  /// Appends the owners of all boxes that overlap `box`.
+  /// Appends the proxies of all boxes that overlap `box`.
   void find_overlapping(const OrderedBox& box, std::vector<std::uint32_t>& out) const;
 
   /// Appends what overlaps movers where they were or where they are, up to 16 at a time.
@@ -113,7 +113,7 @@ class BoxSet {
  private:
   struct Scratch {
     std::vector<bool> is_named;  // by place
-    RankedOwners ranked;
+    RankedProxies ranked;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
     std::vector<std::uint64_t> met;
@@ -128,7 +128,7 @@ class BoxSet {
     std::vector<Layer> layers;
     std::vector<Block> high;
     std::vector<LowBlock> low;
-    std::vector<std::uint32_t> owner;
+    std::vector<std::uint32_t> proxy;
   };
 
   /// A block of the level above those of boxes, below which a hole was filled.
@@ -145,10 +145,10 @@ class BoxSet {
     return lane_box(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1));
   }
   std::uint32_t empty_place(std::uint32_t block) const;
-  void take(std::uint32_t place, std::uint32_t owner, const OrderedBox& box);
-  void append(std::uint32_t owner, const OrderedBox& box);
+  void take(std::uint32_t place, std::uint32_t proxy, const OrderedBox& box);
+  void append(std::uint32_t proxy, const OrderedBox& box);
   bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
-  bool fill_hole(std::uint32_t owner, const OrderedBox& box);
+  bool fill_hole(std::uint32_t proxy, const OrderedBox& box);
   bool has_room_for_one();
   void touch(std::uint32_t block);
   void list_tasks(std::size_t wanted);
@@ -157,8 +157,8 @@ class BoxSet {
   double predicted_excess() const;
   void refit_every_layer();
   void refit_touched();
-  void move_strays();
-  bool move_stray(std::size_t layer, std::uint32_t block);
+  void move_outliers();
+  bool move_outlier(std::size_t layer, std::uint32_t block);
   void sort_newcomers();
   void sort_groups();
   void sort_group(Layer& layer, std::uint32_t group);
@@ -178,8 +178,8 @@ class BoxSet {
 
   std::vector<Block> high_;
   std::vector<LowBlock> low_;
-  std::vector<std::uint32_t> owner_;  // by position: 16 times the block plus the lane
-  std::vector<std::uint32_t> place_;  // by owner: the position
+  std::vector<std::uint32_t> proxy_;  // by position: 16 times the block plus the lane
+  std::vector<std::uint32_t> place_;  // by proxy: the position
   std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
   std::vector<std::uint8_t> layer_of_class_;  // of sizes, as of the last sort; kNoLayer if new
   std::vector<FilledGroup> filled_;

@@ -44,7 +44,7 @@ std::uint32_t holding_lanes(const Block& block, const OrderedBox& box) {
 struct Choice {
   std::uint32_t lane = kNobody;
   double cost = 0;
-  double girth = 0;  // with the box
+  double extent = 0;  // with the box
 };
 
 /// Of some lanes of a block the one that the box widens least; of those that it does not widen the
@@ -54,8 +54,8 @@ Choice best_lane(const Block& block, const OrderedBox& box, std::uint32_t lanes)
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
     if (block.row[0][lane] > block.row[3][lane]) continue;
-    const double with = girth(spanned(block, lane, box), 0);
-    const double cost = with + (with - girth(block, lane));
+    const double with = extent(spanned(block, lane, box), 0);
+    const double cost = with + (with - extent(block, lane));
     if (best.lane == kNobody || cost < best.cost) best = {lane, cost, with};
   }
   return best;
@@ -66,7 +66,7 @@ constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 }  // namespace
 
 /// False if none of the 256 places where the box belongs is empty and near.
-bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
+bool BoxSet::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
   ++arrivals_;
   if (std::max(arrivals_, arrivals_before_) > kFewArrivals + size_ / kArrivalShare) return false;
   if (holes_ == 0 || layers_.size() < 2) return false;
@@ -84,8 +84,8 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   const Choice choice = best_lane(layer.upper[1][block], box, layer.holed[block]);
   if (choice.lane == kNobody) return false;
   const std::uint32_t leaf = block * kLanes + choice.lane;
-  const double usual = layer.sorted_girth[leaf] + girth(spanned(empty_block(), 0, box), 0);
-  if (choice.girth > kWidened * usual) return false;
+  const double usual = layer.sorted_extent[leaf] + extent(spanned(empty_block(), 0, box), 0);
+  if (choice.extent > kWidened * usual) return false;
   if (!layer.is_filled[block]) {
     try {
       filled_.push_back({number, block});
@@ -95,7 +95,7 @@ bool BoxSet::fill_hole(std::uint32_t owner, const OrderedBox& box) {
   }
   layer.is_filled[block] = true;
   --holes_;
-  take(empty_place(layer.first_block + leaf), owner, box);
+  take(empty_place(layer.first_block + leaf), proxy, box);
   if (empty_place(layer.first_block + leaf) == kNobody) layer.note_filled(leaf);
   return true;
 }

@@ -131,11 +131,11 @@ void BoxSet::move_named(std::span<const Aabb> boxes) {
 }
 
 void BoxSet::move_ranked(std::span<const Aabb> boxes) {
-  fill_blocks(boxes, [&](std::size_t place) { return scratch_.ranked.rank(owner_[place]); });
+  fill_blocks(boxes, [&](std::size_t place) { return scratch_.ranked.rank(proxy_[place]); });
 }
 
 void BoxSet::move_first(std::span<const Aabb> boxes) {
-  fill_blocks(boxes, [&](std::size_t place) { return owner_[place]; });
+  fill_blocks(boxes, [&](std::size_t place) { return proxy_[place]; });
 }
 
 }  // namespace graze::bvh

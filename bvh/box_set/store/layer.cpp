@@ -90,30 +90,30 @@ void Layer::refit_paths(const Block* boxes, std::vector<std::uint32_t>& touched)
   touched.clear();
 }
 
-TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const {
+TreeView Layer::view(const Block* boxes, const LowBlock* low, const std::uint32_t* proxy) const {
   TreeView tree;
   tree.level[0] = boxes;
   for (int level = 1; level <= top; ++level)
     tree.level[level] = upper[level].data();
   tree.low = low;
-  tree.owner = owner;
+  tree.proxy = proxy;
   tree.top = top;
   return tree;
 }
 
 void Layer::note_hole(std::uint32_t block) {
-  if (block + 1 < sorted_girth.size())
+  if (block + 1 < sorted_extent.size())
     holed[block >> kLaneBits] |= static_cast<std::uint16_t>(1u << (block & (kLanes - 1)));
 }
 
-double Layer::girth_of(std::uint32_t block) const {
-  return girth(upper[1][block >> kLaneBits], block & (kLanes - 1));
+double Layer::extent_of(std::uint32_t block) const {
+  return extent(upper[1][block >> kLaneBits], block & (kLanes - 1));
 }
 
 // Of the numbers with one high half; the first of some would be infinite.
 constexpr std::uint32_t kMiddle = 0x80000000u;
 
-double girth(const Block& block, std::uint32_t lane) {
+double extent(const Block& block, std::uint32_t lane) {
   if (block.row[0][lane] > block.row[3][lane]) return 0;
   double sum = 0;
   for (int c = 0; c < 3; ++c)

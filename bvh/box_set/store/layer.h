@@ -14,7 +14,7 @@ struct Layer {
   std::uint32_t block_count = 0;
   int top = 0;
   std::vector<Block> upper[kMaxLevels];  // [0] stays empty
-  std::vector<float> sorted_girth;       // of each block when it was sorted, see girth()
+  std::vector<float> sorted_extent;      // of each block when it was sorted, see extent()
   std::vector<std::uint16_t> holed;      // by blocks of upper[1]: which blocks below have holes
   std::vector<bool> is_filled;           // likewise: a box came to a hole since the last refit
 
@@ -27,7 +27,7 @@ struct Layer {
   void reserve(std::uint32_t count);
 
   /// The tree over the blocks, with what belongs to them; all three begin with the first block.
-  TreeView view(const Block* boxes, const LowBlock* low, const std::uint32_t* owner) const;
+  TreeView view(const Block* boxes, const LowBlock* low, const std::uint32_t* proxy) const;
 
   /// A box has gone from a block that was sorted, or a hole of it was filled. The empty lanes at
   /// the end of the layer are no holes.
@@ -36,8 +36,8 @@ struct Layer {
     holed[block >> kLaneBits] &= static_cast<std::uint16_t>(~(1u << (block & (kLanes - 1))));
   }
 
-  /// girth() of all boxes of a block, as of the last refit.
-  double girth_of(std::uint32_t block) const;
+  /// extent() of all boxes of a block, as of the last refit.
+  double extent_of(std::uint32_t block) const;
 
   /// Bounds of all blocks on all levels.
   void refit_all(const Block* boxes);
@@ -53,9 +53,9 @@ struct Layer {
 
 /// An eighth of the sum of the three extents of one lane, metres, rounded: always finite, so that
 /// ratios are numbers. 0 for an empty lane. A measure of quality: no answer depends on it.
-double girth(const Block& block, std::uint32_t lane);
+double extent(const Block& block, std::uint32_t lane);
 
-/// By how much the girth of a block has grown since it was sorted: roughly how many times the
+/// By how much the extent of a block has grown since it was sorted: roughly how many times the
 /// blocks that it meets have become more, less one. At most `limit`.
 double inflation(double now, double sorted, double limit);
 

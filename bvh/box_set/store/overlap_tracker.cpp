@@ -27,28 +27,28 @@ std::size_t OverlapTracker::most_changes() const {
   return kAlwaysFew + set_.size() / kFewShare;
 }
 
-/// Before the owner's box changes. What there is no memory to note is not noted, as if it were one
+/// Before the proxy's box changes. What there is no memory to note is not noted, as if it were one
 /// of many.
-void OverlapTracker::note(std::uint32_t owner) {
+void OverlapTracker::note(std::uint32_t proxy) {
   if (have_many_changed_) return;
   try {
-    note_one(owner);
+    note_one(proxy);
   } catch (const std::bad_alloc&) {
     note_many();
   }
 }
 
-void OverlapTracker::note_one(std::uint32_t owner) {
-  if (owner >= is_changed_.size()) is_changed_.resize(owner + std::size_t{1});
-  if (is_changed_[owner]) return;
+void OverlapTracker::note_one(std::uint32_t proxy) {
+  if (proxy >= is_changed_.size()) is_changed_.resize(proxy + std::size_t{1});
+  if (is_changed_[proxy]) return;
   if (are_many(changed_.size() + 1)) {
     note_many();
     return;
   }
   if (changed_.size() == changed_.capacity())
     changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
-  changed_.push_back({set_.contains(owner) ? set_.box(owner) : no_box(), set_.place(owner), owner});
-  is_changed_[owner] = true;
+  changed_.push_back({set_.contains(proxy) ? set_.box(proxy) : no_box(), set_.place(proxy), proxy});
+  is_changed_[proxy] = true;
 }
 
 /// From here to the next update nobody asks what was where.
@@ -60,46 +60,46 @@ void OverlapTracker::note_many() {
 
 void OverlapTracker::forget_changes() {
   for (const Changed& changed : changed_)
-    is_changed_[changed.owner] = false;
+    is_changed_[changed.proxy] = false;
   changed_.clear();
   have_many_changed_ = false;
 }
 
-void OverlapTracker::insert(std::uint32_t owner, const Aabb& box) {
-  wait({Verb::Insert, owner, box});
+void OverlapTracker::insert(std::uint32_t proxy, const Aabb& box) {
+  wait({Verb::Insert, proxy, box});
 }
 
-void OverlapTracker::move(std::uint32_t owner, const Aabb& box) {
-  wait({Verb::Move, owner, box});
+void OverlapTracker::move(std::uint32_t proxy, const Aabb& box) {
+  wait({Verb::Move, proxy, box});
 }
 
-void OverlapTracker::erase(std::uint32_t owner) {
-  wait({Verb::Erase, owner, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
+void OverlapTracker::erase(std::uint32_t proxy) {
+  wait({Verb::Erase, proxy, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}});
 }
 
 /// Changes are made in the order in which they came. What waits cannot fail any more: each takes at
 /// most one new place.
 void OverlapTracker::wait(const Waiting& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
-  if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.owner + 1);
+  if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
-  const std::uint32_t place = set_.place(change.owner);
+  const std::uint32_t place = set_.place(change.proxy);
   if (place != kNobody) set_.prefetch(place);
 }
 
 void OverlapTracker::end_waiting() {
   for (std::size_t i = 0; i < waiting_count_; ++i) {
-    const auto& [verb, owner, box] = waiting_[i];
-    note(owner);
+    const auto& [verb, proxy, box] = waiting_[i];
+    note(proxy);
     switch (verb) {
       case Verb::Insert:
-        set_.insert(owner, ordered_box(box));
+        set_.insert(proxy, ordered_box(box));
         break;
       case Verb::Move:
-        set_.move(owner, ordered_box(box));
+        set_.move(proxy, ordered_box(box));
         break;
       case Verb::Erase:
-        set_.erase(owner);
+        set_.erase(proxy);
         break;
     }
   }
@@ -152,14 +152,14 @@ void OverlapTracker::list_former_boxes() {
   sort_movers();
   former_.clear();
   for (const Mover& mover : movers_)
-    former_.add(change_of(mover).owner, change_of(mover).before);
+    former_.add(change_of(mover).proxy, change_of(mover).before);
 }
 
 /// Neighbours are looked up together.
 void OverlapTracker::list_movers() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
-    const std::uint32_t place = set_.place(changed_[i].owner);
+    const std::uint32_t place = set_.place(changed_[i].proxy);
     movers_.push_back({place != kNobody ? place : changed_[i].place, i});
   }
   sort_movers();
@@ -169,7 +169,7 @@ void OverlapTracker::list_movers() {
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
 /// what ended between two is found among the places where they were.
 void OverlapTracker::compare_places() {
-  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.owner_limit()));
+  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.proxy_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)
     look_up_some(first);
   end_pairs_of_movers();
@@ -182,17 +182,17 @@ void OverlapTracker::look_up_some(std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) {
     const Changed& change = change_of(movers_[first + i]);
     before[i] = change.before;
-    after[i] = set_.contains(change.owner) ? set_.box(change.owner) : no_box();
+    after[i] = set_.contains(change.proxy) ? set_.box(change.proxy) : no_box();
   }
   hits_.clear();
   set_.find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
   for (const MoverHit& hit : hits_) {
-    const std::uint32_t owner = change_of(movers_[first + hit.mover]).owner;
-    const BoxPair pair = ordered_pair(owner, hit.owner);
-    if (!is_changed_[hit.owner]) {
+    const std::uint32_t proxy = change_of(movers_[first + hit.mover]).proxy;
+    const BoxPair pair = ordered_pair(proxy, hit.proxy);
+    if (!is_changed_[hit.proxy]) {
       if (hit.is > hit.was) begun_.push_back(pair);
       if (hit.is < hit.was) ended_.push_back(pair);
-    } else if (hit.is && owner < hit.owner &&
+    } else if (hit.is && proxy < hit.proxy &&
                index_.position(pairs_, pair) == PairIndex::kNowhere) {
       begun_.push_back(pair);
     }
@@ -239,7 +239,7 @@ void OverlapTracker::search_movers() {
 
 std::span<const BoxPair> OverlapTracker::sorted_pairs() {
   if (!is_sorted_) {
-    sort_pairs(pairs_.pairs(), set_.owner_limit(), starts_, sorted_);
+    sort_pairs(pairs_.pairs(), set_.proxy_limit(), starts_, sorted_);
     is_sorted_ = true;
   }
   return sorted_.pairs();
@@ -252,8 +252,8 @@ void OverlapTracker::work_out_difference() {
     is_difference_sorted_ = true;
   }
   if (has_difference_) return;
-  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.owner_limit());
-  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.owner_limit());
+  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.proxy_limit());
+  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.proxy_limit());
   is_before_grouped_ = is_grouped_ = true;
   begun_.clear(), ended_.clear();  // should it have been thrown out of
   append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);

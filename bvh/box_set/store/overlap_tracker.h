@@ -25,11 +25,11 @@ class OverlapTracker {
   /// As of the last settle(), update() or end_waiting(): a few changes may wait.
   const BoxSet& set() const { return set_; }
 
-  /// As of a box set: of these insert() alone may throw, and has then not happened. An owner that
+  /// As of a box set: of these insert() alone may throw, and has then not happened. An proxy that
   /// is erased must not come again before the next update.
-  void insert(std::uint32_t owner, const Aabb& box);
-  void move(std::uint32_t owner, const Aabb& box);
-  void erase(std::uint32_t owner);
+  void insert(std::uint32_t proxy, const Aabb& box);
+  void move(std::uint32_t proxy, const Aabb& box);
+  void erase(std::uint32_t proxy);
 
   /// Makes the changes that wait for their blocks to be fetched.
   void end_waiting();
@@ -43,17 +43,17 @@ class OverlapTracker {
     note_many();
     set_.move_first(boxes);
   }
-  template <typename OwnerOf>
-  void move_ascending(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+  template <typename ProxyOf>
+  void move_ascending(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_ascending(boxes, owner_of);
+    set_.move_ascending(boxes, proxy_of);
   }
-  template <typename OwnerOf>
-  void move_many(std::span<const Aabb> boxes, const OwnerOf& owner_of) {
+  template <typename ProxyOf>
+  void move_many(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_many(boxes, owner_of);
+    set_.move_many(boxes, proxy_of);
   }
 
   /// Makes the set ready for queries. No list changes.
@@ -81,12 +81,12 @@ class OverlapTracker {
   struct Changed {
     OrderedBox before;    // no_box() for one that is new
     std::uint32_t place;  // in the set; kNobody for one that is new
-    std::uint32_t owner;
+    std::uint32_t proxy;
   };
   enum class Verb { Insert, Move, Erase };
   struct Waiting {
     Verb verb;
-    std::uint32_t owner;
+    std::uint32_t proxy;
     Aabb box;
   };
   struct Mover {
@@ -97,8 +97,8 @@ class OverlapTracker {
   const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
   std::size_t most_changes() const;
   void wait(const Waiting& change);
-  void note(std::uint32_t owner);
-  void note_one(std::uint32_t owner);
+  void note(std::uint32_t proxy);
+  void note_one(std::uint32_t proxy);
   void note_many();
   void forget_changes();
   void search_all();
@@ -129,7 +129,7 @@ class OverlapTracker {
   std::array<Waiting, kMostWaiting> waiting_;
   std::size_t waiting_count_ = 0;
   std::vector<Changed> changed_;  // while they are few
-  std::vector<bool> is_changed_;  // by owner
+  std::vector<bool> is_changed_;  // by proxy
   bool have_many_changed_ = false;
   std::vector<std::uint32_t> starts_;
   std::vector<Mover> movers_;

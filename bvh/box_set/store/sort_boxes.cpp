@@ -38,12 +38,12 @@ void BoxSet::sort_if_worthwhile() {
 /// Centres of some boxes, from an origin that precision does not ask much of.
 std::vector<KdItem> BoxSet::sample_centres(const double* origin) const {
   std::vector<KdItem> sample;
-  const std::size_t count = std::min(kSample, owner_.size());
+  const std::size_t count = std::min(kSample, proxy_.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t place = i * owner_.size() / count;
-    if (owner_[place] == kNobody) continue;
-    const OrderedBox of = box(owner_[place]);
-    sample.push_back({{}, owner_[place]});
+    const std::size_t place = i * proxy_.size() / count;
+    if (proxy_[place] == kNobody) continue;
+    const OrderedBox of = box(proxy_[place]);
+    sample.push_back({{}, proxy_[place]});
     for (std::size_t c = 0; c < 3; ++c)
       sample.back().centre[c] = centre(of[c], of[c + 3], origin[c]);
   }
@@ -75,12 +75,12 @@ std::vector<std::uint8_t> BoxSet::choose_layers(std::span<const std::uint32_t> c
 
 /// Lists the boxes layer by layer.
 void BoxSet::collect_items(SortSpace& space) const {
-  std::vector<std::int16_t> classes(owner_.size());
+  std::vector<std::int16_t> classes(proxy_.size());
   std::vector<std::uint32_t> count(kClasses);
   double origin[3] = {0, 0, 0};
   bool is_first = true;
-  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
-    if (owner_[place] == kNobody) continue;
+  for (std::uint32_t place = 0; place < proxy_.size(); ++place) {
+    if (proxy_[place] == kNobody) continue;
     const OrderedBox of = box_at(place);
     classes[place] = static_cast<std::int16_t>(size_class(of));
     ++count[static_cast<std::size_t>(classes[place])];
@@ -98,14 +98,14 @@ void BoxSet::collect_items(SortSpace& space) const {
   }
   space.items.resize(size_);
   std::vector<std::uint32_t> next(start.begin(), start.end());
-  for (std::uint32_t place = 0; place < owner_.size(); ++place) {
-    if (owner_[place] == kNobody) continue;
+  for (std::uint32_t place = 0; place < proxy_.size(); ++place) {
+    if (proxy_[place] == kNobody) continue;
     const OrderedBox of = box_at(place);
     const auto number = static_cast<std::size_t>(classes[place]);
     KdItem& item = space.items[next[space.layer_of_class[number]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
-    item.owner = owner_[place];
+    item.proxy = proxy_[place];
   }
 }
 
@@ -118,7 +118,7 @@ void BoxSet::make_room_for_items(SortSpace& space) const {
     const std::uint32_t count = i + 1 == start.size() ? 0 : start[i + 1] - start[i];
     Layer& layer = space.layers[i];
     layer.reshape(blocks, (count + kLanes - 1) / kLanes);
-    layer.sorted_girth.resize(layer.block_count);
+    layer.sorted_extent.resize(layer.block_count);
     if (layer.block_count != 0) {
       layer.holed.assign(layer.upper[1].size(), 0);
       layer.is_filled.assign(layer.upper[1].size(), false);
@@ -127,10 +127,10 @@ void BoxSet::make_room_for_items(SortSpace& space) const {
   }
   // With room for newcomers, so that the first of them does not double the memory.
   const std::size_t room = blocks + blocks / kRoomShare + kLanes;
-  space.high.reserve(room), space.low.reserve(room), space.owner.reserve(room * kLanes);
+  space.high.reserve(room), space.low.reserve(room), space.proxy.reserve(room * kLanes);
   space.high.assign(blocks, empty_block());
   space.low.resize(blocks);
-  space.owner.assign(std::size_t{blocks} * kLanes, kNobody);
+  space.proxy.assign(std::size_t{blocks} * kLanes, kNobody);
 }
 
 /// Writes the boxes in the order of the items.
@@ -140,21 +140,21 @@ void BoxSet::place_items(SortSpace& space) {
   for (std::size_t l = 0; l + 1 < start.size(); ++l) {
     std::uint32_t place = space.layers[l].first_block * kLanes;
     for (std::uint32_t i = start[l]; i < start[l + 1]; ++i, ++place) {
-      const std::uint32_t owner = items[i].owner;
-      const std::uint32_t from = place_[owner];
+      const std::uint32_t proxy = items[i].proxy;
+      const std::uint32_t from = place_[proxy];
       Block& high = space.high[place >> kLaneBits];
       LowBlock& low = space.low[place >> kLaneBits];
       for (int c = 0; c < 6; ++c) {
         high.row[c][place & (kLanes - 1)] = high_[from >> kLaneBits].row[c][from & (kLanes - 1)];
         low.row[c][place & (kLanes - 1)] = low_[from >> kLaneBits].row[c][from & (kLanes - 1)];
       }
-      space.owner[place] = owner;
-      place_[owner] = place;
+      space.proxy[place] = proxy;
+      place_[proxy] = place;
     }
   }
   high_.swap(space.high);
   low_.swap(space.low);
-  owner_.swap(space.owner);
+  proxy_.swap(space.proxy);
   layers_.swap(space.layers);
   layer_of_class_.swap(space.layer_of_class);
 }
@@ -164,7 +164,7 @@ void BoxSet::measure_sorted() {
     if (layer.block_count == 0) continue;
     layer.refit_all(high_.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
-      layer.sorted_girth[b] = static_cast<float>(layer.girth_of(b));
+      layer.sorted_extent[b] = static_cast<float>(layer.extent_of(b));
   }
 }
 
@@ -177,29 +177,29 @@ void BoxSet::sort_newcomers() {
   items.reserve(newcomers_), boxes.reserve(newcomers_);
   const std::uint32_t first = last.first_block * kLanes;
   for (std::uint32_t place = first; place < first + newcomers_; ++place) {
-    if (owner_[place] == kNobody) continue;
-    const OrderedBox of = box(owner_[place]);
-    items.push_back({{}, owner_[place]});
+    if (proxy_[place] == kNobody) continue;
+    const OrderedBox of = box(proxy_[place]);
+    items.push_back({{}, proxy_[place]});
     for (std::size_t c = 0; c < 3; ++c)
       items.back().centre[c] = centre(of[c], of[c + 3], 0);
   }
   kd_order(items);
   for (const KdItem& item : items)
-    boxes.push_back(box(item.owner));
+    boxes.push_back(box(item.proxy));
   holes_ -= newcomers_ - items.size();
   newcomers_ = sorted_newcomers_ = items.size();
   const auto blocks = static_cast<std::uint32_t>((newcomers_ + kLanes - 1) / kLanes);
   high_.resize(last.first_block);
   high_.resize(last.first_block + blocks, empty_block());
   low_.resize(last.first_block + blocks);
-  owner_.resize(first);
-  owner_.resize(first + blocks * kLanes, kNobody);
+  proxy_.resize(first);
+  proxy_.resize(first + blocks * kLanes, kNobody);
   last.reshape(last.first_block, blocks);
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     const std::uint32_t place = first + i;
     set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), boxes[i]);
-    owner_[place] = items[i].owner;
-    place_[items[i].owner] = place;
+    proxy_[place] = items[i].proxy;
+    place_[items[i].proxy] = place;
   }
   if (blocks != 0) last.refit_all(high_.data());
 }

@@ -105,7 +105,7 @@ void BoxSet::sort_groups() {
 double BoxSet::inflation_of_group(const Layer& layer, std::uint32_t first) const {
   double sum = 0;
   for (std::uint32_t b = first; b < first + kLanes; ++b)
-    sum += inflation(layer.girth_of(b), layer.sorted_girth[b], layer.block_count);
+    sum += inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
   return sum;
 }
 
@@ -113,23 +113,23 @@ double BoxSet::inflation_of_group(const Layer& layer, std::uint32_t first) const
 void BoxSet::regroup(std::uint32_t base, const GroupBlocks& block_of) {
   struct Mover {
     OrderedBox box;
-    std::uint32_t owner;
+    std::uint32_t proxy;
     std::uint32_t block;
   };
   std::array<Mover, kLanes * kLanes> movers;
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
     const std::uint32_t place = base + i;
-    if (owner_[place] == kNobody || block_of[i] == i / kLanes) continue;
-    movers[count++] = {box_at(place), owner_[place], block_of[i]};
-    owner_[place] = kNobody;
+    if (proxy_[place] == kNobody || block_of[i] == i / kLanes) continue;
+    movers[count++] = {box_at(place), proxy_[place], block_of[i]};
+    proxy_[place] = kNobody;
     clear_lane(high_[place >> kLaneBits], place & (kLanes - 1));
   }
   for (const Mover& mover : std::span(movers).first(count)) {
     const auto place = empty_place(base / kLanes + mover.block);
     set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), mover.box);
-    owner_[place] = mover.owner;
-    place_[mover.owner] = place;
+    proxy_[place] = mover.proxy;
+    place_[mover.proxy] = place;
   }
 }
 
@@ -144,7 +144,7 @@ void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
   double origin[3] = {0, 0, 0};
   const std::uint32_t base = (layer.first_block + first) * kLanes;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
-    if (owner_[base + i] == kNobody) continue;
+    if (proxy_[base + i] == kNobody) continue;
     const OrderedBox box = box_at(base + i);
     GroupItem& item = items[count++];
     for (std::size_t c = 0; c < 3; ++c) {
@@ -162,10 +162,10 @@ void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
   }
   refit_blocks(high_.data() + layer.first_block, first, first + kLanes, layer.upper[1].data());
   // No block may be held to a wider one than the widest: a bad order does not become the norm.
-  const auto girths = layer.sorted_girth.begin() + first;
-  const float widest = *std::max_element(girths, girths + kLanes);
+  const auto extents = layer.sorted_extent.begin() + first;
+  const float widest = *std::max_element(extents, extents + kLanes);
   for (std::uint32_t b = first; b < first + kLanes; ++b)
-    layer.sorted_girth[b] = std::min(static_cast<float>(layer.girth_of(b)), widest);
+    layer.sorted_extent[b] = std::min(static_cast<float>(layer.extent_of(b)), widest);
   inflation_ += inflation_of_group(layer, first) - before;
   ++groups_sorted_;
 }

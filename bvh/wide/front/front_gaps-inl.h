@@ -11,7 +11,7 @@
 #include <graze/bvh/wide/front/front_planes.h>
 #include <graze/bvh/wide/front/leaf_crossings-inl.h>
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
+#include <graze/bvh/wide/lanes/query_gaps-inl.h>
 #include <graze/bvh/wide/lanes/slab_lanes-inl.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -149,12 +149,12 @@ struct PlaneStore<FrontBounds::Meeting> {
   }
 
   /// From `lane` on: the best that was found, and gaps along that. Points of both are no further
-  /// apart than the root of this square, in the units of the host, as gaps are.
+  /// apart than the root of this square, in the units of the tested node, as gaps are.
   template <typename AnyTag, std::size_t lanes>
   HWY_INLINE static void write(AnyTag tag, Planes<lanes>& planes, FoundPlanes<lanes>& found,
                                std::size_t lane, hn::Vec<AnyTag> gap,
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
-                               float unit_of_host) {
+                               float unit_of_tested) {
     const hn::Rebind<std::int16_t, AnyTag> halves;
     const auto shorter = hn::Set(tag, Planes<lanes>::kParts * Planes<lanes>::kPart);
     // Rounding to parts changes a normal by kLongest at most; what it is off by comes on top.
@@ -169,7 +169,7 @@ struct PlaneStore<FrontBounds::Meeting> {
           hn::MulSub(stored, hn::Set(tag, Planes<lanes>::kPart), hn::Mul(normal[i], shorter));
       off = hn::MulAdd(change, change, off);
     }
-    const auto unit = hn::Set(tag, unit_of_host * kShrink);
+    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
     hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
     const auto loss = root_above(tag, hn::Mul(off, squared_distance));
     const auto stored_gap = hn::Mul(hn::MulSub(gap, shorter, loss), unit);
@@ -207,12 +207,12 @@ struct PlaneStore<FrontBounds::Distance> {
   HWY_INLINE static void write(AnyTag tag, Planes<lanes>& planes, FoundPlanes<lanes>& found,
                                std::size_t lane, hn::Vec<AnyTag> gap,
                                const hn::Vec<AnyTag> (&normal)[3], hn::Vec<AnyTag> squared_distance,
-                               float unit_of_host) {
+                               float unit_of_tested) {
     for (int i = 0; i < 3; ++i) {
       hn::Store(normal[i], tag, planes.normal[i] + lane);
       hn::Store(normal[i], tag, found.normal[i] + lane);
     }
-    const auto unit = hn::Set(tag, unit_of_host * kShrink);
+    const auto unit = hn::Set(tag, unit_of_tested * kShrink);
     const auto loss = hn::Mul(root_above(tag, squared_distance), hn::Set(tag, kDirectionError));
     hn::Store(hn::Mul(gap, unit), tag, found.gap + lane);
     const auto stored_gap = hn::Mul(hn::Sub(gap, loss), unit);
@@ -226,23 +226,23 @@ struct PlaneStore<FrontBounds::Distance> {
   }
 };
 
-/// Some children of a host beside a guest, along the axes of the host's node.
+/// Some children of a tested node beside a query box, along the axes of the tested node.
 class BoxGaps {
  public:
-  HWY_INLINE BoxGaps(const WideNode& host, const GuestInNode& guest, std::size_t lane)
-      : host_(host), guest_(guest) {
+  HWY_INLINE BoxGaps(const WideNode& tested, const QueryInNode& query, std::size_t lane)
+      : tested_(tested), query_(query) {
     const Tag tag;
     Lanes step[3], turned[3];
     Lanes square = hn::Zero(tag);
     squared_distance_ = square;
     for (int i = 0; i < 3; ++i) {
-      half_[i] = hn::Load(tag, host.half[i] + lane);
-      way_[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
+      half_[i] = hn::Load(tag, tested.half[i] + lane);
+      way_[i] = hn::Sub(hn::Set(tag, query.way[i]), hn::Load(tag, tested.centre[i] + lane));
       const Lanes size = hn::Abs(way_[i]);
-      const Lanes gap = known(tag, hn::Sub(size, hn::Add(half_[i], hn::Set(tag, guest.reach[i]))));
+      const Lanes gap = known(tag, hn::Sub(size, hn::Add(half_[i], hn::Set(tag, query.reach[i]))));
       step[i] = hn::CopySign(gap, way_[i]);
       square = hn::MulAdd(gap, gap, square);
-      const Lanes farthest = hn::Add(size, hn::Add(half_[i], hn::Set(tag, guest.reach[i])));
+      const Lanes farthest = hn::Add(size, hn::Add(half_[i], hn::Set(tag, query.reach[i])));
       squared_distance_ = hn::MulAdd(farthest, farthest, squared_distance_);
       turned[i] = hn::Zero(tag);
     }
@@ -254,7 +254,7 @@ class BoxGaps {
       const Lanes reach =
           hn::MulAdd(half_[0], size(k, 0),
                      hn::MulAdd(half_[1], size(k, 1),
-                                hn::MulAdd(half_[2], size(k, 2), hn::Set(tag, guest.half[k]))));
+                                hn::MulAdd(half_[2], size(k, 2), hn::Set(tag, query.half[k]))));
       const Lanes gap = known(tag, hn::Sub(hn::Abs(distance), reach));
       const Lanes along = hn::CopySign(gap, distance);
       square = hn::MulAdd(gap, gap, square);
@@ -274,7 +274,7 @@ class BoxGaps {
         const Lanes distance = hn::MulSub(way_[i2], axis(k, i1), hn::Mul(way_[i1], axis(k, i2)));
         const Lanes reach =
             hn::MulAdd(half_[i1], size(k, i2),
-                       hn::MulAdd(half_[i2], size(k, i1), hn::Set(tag, guest_.crossed[k][i])));
+                       hn::MulAdd(half_[i2], size(k, i1), hn::Set(tag, query_.crossed[k][i])));
         const Lanes gap = hn::Sub(hn::Abs(distance), reach);
         const auto is_back = hn::Lt(distance, hn::Zero(tag));
         Lanes normal[3];
@@ -286,12 +286,12 @@ class BoxGaps {
     }
   }
 
-  /// Along the normals of the slabs of the host's children, of which nothing else is known: where
-  /// boxes overlap along all their axes no way is longer than they are.
-  HWY_INLINE void look_along_slabs(std::size_t lane, const GuestSlab& slab) {
+  /// Along the normals of the slabs of the tested node's children, of which nothing else is known:
+  /// where boxes overlap along all their axes no way is longer than they are.
+  HWY_INLINE void look_along_slabs(std::size_t lane, const QuerySlab& slab) {
     const Tag tag;
-    const SlabLanes slabs(host_, lane, half_);
-    const SlabGap found(slabs, way_, OneGuest{guest_}, slab);
+    const SlabLanes slabs(tested_, lane, half_);
+    const SlabGap found(slabs, way_, OneQuery{query_}, slab);
     const Lanes sign = hn::CopySign(hn::Set(tag, 1.0f), found.offset);
     const Lanes normal[3] = {hn::Mul(sign, slabs.slope[0]), hn::Mul(sign, slabs.slope[1]), sign};
     const Lanes gap = known(tag, hn::Sub(hn::Abs(found.offset), found.reach));
@@ -314,30 +314,30 @@ class BoxGaps {
     best_.offer(gap, hn::Set(tag, 1.0f), axes);
   }
 
-  /// What was found, in the frame of the host's tree, in common units.
+  /// What was found, in the frame of the tested node's tree, in common units.
   template <FrontBounds bounds>
   HWY_INLINE void store(FrontPlanes<WideNode::kWidth, bounds>& planes,
                         FoundPlanes<WideNode::kWidth>& found, std::size_t lane,
-                        float unit_of_host) const {
+                        float unit_of_tested) const {
     const Tag tag;
     Lanes normal[3];
     Lanes turned[3];
     const Lanes gap = PlaneStore<bounds>::best_of(best_, normal);
     for (int i = 0; i < 3; ++i) {
-      turned[i] = hn::MulAdd(normal[0], hn::Set(tag, host_.axes[i][0]),
-                             hn::MulAdd(normal[1], hn::Set(tag, host_.axes[i][1]),
-                                        hn::Mul(normal[2], hn::Set(tag, host_.axes[i][2]))));
+      turned[i] = hn::MulAdd(normal[0], hn::Set(tag, tested_.axes[i][0]),
+                             hn::MulAdd(normal[1], hn::Set(tag, tested_.axes[i][1]),
+                                        hn::Mul(normal[2], hn::Set(tag, tested_.axes[i][2]))));
     }
     PlaneStore<bounds>::write(tag, planes, found, lane, gap, turned, squared_distance_,
-                              unit_of_host);
+                              unit_of_tested);
   }
 
  private:
-  HWY_INLINE Lanes axis(int k, int i) const { return hn::Set(Tag(), guest_.axes[k][i]); }
-  HWY_INLINE Lanes size(int k, int i) const { return hn::Set(Tag(), guest_.size[k][i]); }
+  HWY_INLINE Lanes axis(int k, int i) const { return hn::Set(Tag(), query_.axes[k][i]); }
+  HWY_INLINE Lanes size(int k, int i) const { return hn::Set(Tag(), query_.size[k][i]); }
 
-  const WideNode& host_;
-  const GuestInNode& guest_;
+  const WideNode& tested_;
+  const QueryInNode& query_;
   Lanes half_[3];
   Lanes way_[3];
   Lanes squared_distance_;  // than which no points of both are further apart
@@ -358,18 +358,18 @@ class PrimitiveGaps {
     Values square = zero;
     squared_distance_ = zero;
     for (int i = 0; i < 3; ++i) {
-      const auto& p = pairs.host;
-      const auto& q = pairs.guest;
-      const Values host_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
-      const Values host_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
+      const auto& p = pairs.tested;
+      const auto& q = pairs.query;
+      const Values tested_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
+      const Values tested_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
       const Values low = hn::Add(hn::Min(hn::Min(q[0][i], q[1][i]), zero), pairs.way[i]);
       const Values high = hn::Add(hn::Max(hn::Max(q[0][i], q[1][i]), zero), pairs.way[i]);
-      const Values above = hn::Sub(low, host_high);
-      const Values below = hn::Sub(host_low, high);
+      const Values above = hn::Sub(low, tested_high);
+      const Values below = hn::Sub(tested_low, high);
       const Values gap = known(tag, hn::Sub(hn::Max(above, below), hn::Set(tag, 4 * error)));
       step[i] = hn::IfThenElse(hn::Gt(below, above), hn::Neg(gap), gap);
       square = hn::MulAdd(gap, gap, square);
-      const Values farthest = hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low));
+      const Values farthest = hn::Sub(hn::Max(high, tested_high), hn::Min(low, tested_low));
       squared_distance_ = hn::MulAdd(farthest, farthest, squared_distance_);
     }
     best_.offer_sum(square, step);
@@ -378,11 +378,11 @@ class PrimitiveGaps {
   /// The planes and cross products that tell primitives apart.
   HWY_INLINE void look_at(const LeafCrossings<AnyTag>& crossings) {
     const AnyTag tag;
-    offer(crossings.is_guest_beyond, crossings.guest_sides.beyond, crossings.normals.host,
-          crossings.guest_sides.is_negative[0]);
-    // What is above a guest has the guest below it.
-    offer(crossings.is_host_beyond, crossings.host_sides.beyond, crossings.normals.guest,
-          hn::Not(crossings.host_sides.is_negative[0]));
+    offer(crossings.is_query_beyond, crossings.query_sides.beyond, crossings.normals.tested,
+          crossings.query_sides.is_negative[0]);
+    // What is above a query box has the query box below it.
+    offer(crossings.is_tested_beyond, crossings.tested_sides.beyond, crossings.normals.query,
+          hn::Not(crossings.tested_sides.is_negative[0]));
     const Values margin = crossings.errors.of_sides();
     for (int k = 0; k < 2; ++k) {
       offer(crossings.is_cut, hn::Sub(crossings.cuts.gap[k], margin), crossings.cuts.across[k],
@@ -393,30 +393,30 @@ class PrimitiveGaps {
   /// Along cross products of all edges: what straddles a plane may touch it, and is not known to.
   HWY_INLINE void look_across() {
     const AnyTag tag;
-    // With L the extent and delta the error: corners of the host are off by delta, of the guest by
-    // 2 delta + u L in each coordinate, places along any vector n, as computed, round by 3.1 u L
-    // |n|_1, and a difference of two of these, which rounds as well, is off by |n|_1 (3 delta + 11
-    // u L).
+    // With L the extent and delta the error: corners of the tested node are off by delta, of the
+    // query box by 2 delta + u L in each coordinate, places along any vector n, as computed, round
+    // by 3.1 u L |n|_1, and a difference of two of these, which rounds as well, is off by |n|_1 (3
+    // delta + 11 u L).
     const auto bound = hn::MulAdd(root_above(tag, squared_distance_), hn::Set(tag, kAlongRounding),
                                   hn::Set(tag, kAlongError * error_));
-    Values host[3][3], guest[3][3];
+    Values tested[3][3], query[3][3];
     for (int i = 0; i < 3; ++i) {
-      host[0][i] = hn::Zero(tag);
-      guest[0][i] = pairs_.way[i];
+      tested[0][i] = hn::Zero(tag);
+      query[0][i] = pairs_.way[i];
       for (int c = 1; c < 3; ++c) {
-        host[c][i] = pairs_.host[c - 1][i];
-        guest[c][i] = hn::Add(pairs_.way[i], pairs_.guest[c - 1][i]);
+        tested[c][i] = pairs_.tested[c - 1][i];
+        query[c][i] = hn::Add(pairs_.way[i], pairs_.query[c - 1][i]);
       }
     }
     for (int h = 0; h < 3; ++h) {
       for (int g = 0; g < 3; ++g) {
         Values e[3], f[3], normal[3];
         for (int i = 0; i < 3; ++i) {
-          e[i] = hn::Sub(host[(h + 1) % 3][i], host[h][i]);
-          f[i] = hn::Sub(guest[(g + 1) % 3][i], guest[g][i]);
+          e[i] = hn::Sub(tested[(h + 1) % 3][i], tested[h][i]);
+          f[i] = hn::Sub(query[(g + 1) % 3][i], query[g][i]);
         }
         set_cross(tag, e, f, normal);
-        offer_between(host, guest, normal, bound);
+        offer_between(tested, query, normal, bound);
       }
     }
   }
@@ -432,9 +432,9 @@ class PrimitiveGaps {
           hn::MulAdd(p[1], hn::Set(tag, direction[1]), hn::Mul(p[2], hn::Set(tag, direction[2]))));
     };
     const auto zero = hn::Zero(tag);
-    const Values end = hn::Max(hn::Max(along(pairs_.host[0]), along(pairs_.host[1])), zero);
+    const Values end = hn::Max(hn::Max(along(pairs_.tested[0]), along(pairs_.tested[1])), zero);
     const Values start = hn::Add(
-        hn::Min(hn::Min(along(pairs_.guest[0]), along(pairs_.guest[1])), zero), along(pairs_.way));
+        hn::Min(hn::Min(along(pairs_.query[0]), along(pairs_.query[1])), zero), along(pairs_.way));
     // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
     // products once more.
     const Values gap = hn::Sub(hn::Sub(start, end), hn::Set(tag, 8 * error_));
@@ -446,21 +446,21 @@ class PrimitiveGaps {
   /// As in BoxGaps, from `lane` on.
   template <FrontBounds bounds>
   HWY_INLINE void store(FrontPlanes<kLeafPairs, bounds>& planes, FoundPlanes<kLeafPairs>& found,
-                        std::size_t lane, float unit_of_host) const {
+                        std::size_t lane, float unit_of_tested) const {
     Values normal[3];
     const Values gap = PlaneStore<bounds>::best_of(best_, normal);
     PlaneStore<bounds>::write(AnyTag(), planes, found, lane, gap, normal, squared_distance_,
-                              unit_of_host);
+                              unit_of_tested);
   }
 
  private:
   /// Which of the triangles is beyond the other along this vector, or against it.
-  HWY_INLINE void offer_between(const Values (&host)[3][3], const Values (&guest)[3][3],
+  HWY_INLINE void offer_between(const Values (&tested)[3][3], const Values (&query)[3][3],
                                 const Values (&n)[3], Values bound) {
     const AnyTag tag;
     Values low[2], high[2];
-    set_range(n, host, low[0], high[0]);
-    set_range(n, guest, low[1], high[1]);
+    set_range(n, tested, low[0], high[0]);
+    set_range(n, query, low[1], high[1]);
     const Values above = hn::Sub(low[1], high[0]);
     const Values below = hn::Sub(low[0], high[1]);
     const Values gap = hn::Sub(hn::NegMulAdd(one_norm(tag, n), bound, hn::Max(above, below)),

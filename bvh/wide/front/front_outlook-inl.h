@@ -47,24 +47,24 @@ struct alignas(16) StepColumns {
   }
 };
 
-/// Of the guests of one host.
+/// Of the query boxes of one tested node.
 template <FrontBounds bounds>
 class FrontOutlook {
  public:
   template <std::size_t lanes>
   using Planes = FrontPlanes<lanes, bounds>;
 
-  HWY_INLINE void set(const WideFront::Pass& pass, int host_side) {
-    const FrontWay& since = pass.since[host_side];
+  HWY_INLINE void set(const WideFront::Pass& pass, int tested_side) {
+    const FrontWay& since = pass.since[tested_side];
     since_.set(since, Planes<1>::kPart);
     turn_ = since.turn;
     error_ = since.error;
-    is_on_course_ = pass.drift < 1;
-    const FrontWay& course = pass.step[host_side];
-    course_.set(course, -pass.per_way * Planes<1>::kPart);
-    drift_ = pass.drift;
-    turning_ = course.turn * pass.per_way * kRoundUp;
-    least_spent_ = 2 * course.error * pass.per_way * kRoundUp + pass.drift;
+    is_predicted_ = pass.deviation < 1;
+    const FrontWay& prediction = pass.step[tested_side];
+    prediction_.set(prediction, -pass.per_way * Planes<1>::kPart);
+    deviation_ = pass.deviation;
+    turning_ = prediction.turn * pass.per_way * kRoundUp;
+    least_spent_ = 2 * prediction.error * pass.per_way * kRoundUp + pass.deviation;
   }
 
   /// The least of the gaps that planes prove now.
@@ -79,12 +79,12 @@ class FrontOutlook {
     return hn::GetLane(hn::MinOfLanes(tag, least)) * kRoundPlanes;
   }
 
-  /// How long all of these are more than 0, by the clock (front_course.h).
+  /// How long all of these are more than 0, by the motion spent (motion_prediction.h).
   template <std::size_t lanes>
   HWY_INLINE float lasts(const Planes<lanes>& planes) const {
-    if (!is_on_course_) return gap(planes);
+    if (!is_predicted_) return gap(planes);
     const hn::CappedTag<float, lanes> tag;
-    const auto spending = spending_of(tag, planes.guest);
+    const auto spending = spending_of(tag, planes.query);
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
       hn::Vec<decltype(tag)> normal[3];
@@ -105,9 +105,9 @@ class FrontOutlook {
                            std::uint32_t asked, float limit) const {
     const hn::CappedTag<float, lanes> tag;
     float step[4] = {};
-    since_.move(planes.guest.centre, step);
-    const auto gained = hn::Set(tag, planes.guest.radius() * turn_ * kRoundPlanes - error_);
-    const auto spending = spending_of(tag, planes.guest);
+    since_.move(planes.query.centre, step);
+    const auto gained = hn::Set(tag, planes.query.radius() * turn_ * kRoundPlanes - error_);
+    const auto spending = spending_of(tag, planes.query);
     std::uint32_t near = 0;
     auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
@@ -124,7 +124,7 @@ class FrontOutlook {
         normal[i] = hn::Load(tag, found.normal[i] + lane);
         stored = hn::NegMulAdd(normal[i], hn::Set(tag, step[i]), stored);
       }
-      const auto lasts = is_on_course_ ? spending.lasts(stored_gap, normal) : gap;
+      const auto lasts = is_predicted_ ? spending.lasts(stored_gap, normal) : gap;
       least = hn::Min(least, hn::IfThenElse(is_kept, lasts, least));
       near |= bits_of(tag, hn::AndNot(is_far, is_asked)) << lane;
       const auto never = hn::Set(tag, std::numeric_limits<float>::infinity());
@@ -135,7 +135,8 @@ class FrontOutlook {
   }
 
  private:
-  /// How gaps of a guest are used up on its course, for each unit of the clock.
+  /// How gaps of a query box are used up on its predicted motion, for each unit of the motion
+  /// spent.
   template <typename AnyTag>
   struct Spending {
     using Values = hn::Vec<AnyTag>;
@@ -155,14 +156,14 @@ class FrontOutlook {
   };
 
   template <typename AnyTag>
-  HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontGuest& guest) const {
+  HWY_INLINE Spending<AnyTag> spending_of(AnyTag tag, const FrontQuery& query) const {
     float step[4] = {};
-    course_.move(guest.centre, step);
+    prediction_.move(query.centre, step);
     Spending<AnyTag> spending;
     for (int i = 0; i < 3; ++i)
       spending.back[i] = hn::Set(tag, step[i]);
-    spending.all = hn::Set(tag, guest.radius() * turning_ + least_spent_);
-    spending.least = hn::Set(tag, drift_);
+    spending.all = hn::Set(tag, query.radius() * turning_ + least_spent_);
+    spending.least = hn::Set(tag, deviation_);
     return spending;
   }
 
@@ -171,8 +172,8 @@ class FrontOutlook {
   HWY_INLINE hn::Vec<AnyTag> gaps(AnyTag tag, const Planes<lanes>& planes, std::size_t lane,
                                   hn::Vec<AnyTag> (&normal)[3]) const {
     float step[4] = {};
-    since_.move(planes.guest.centre, step);
-    const float lost = planes.guest.radius() * turn_ * (1 / kRoundPlanes) + error_;
+    since_.move(planes.query.centre, step);
+    const float lost = planes.query.radius() * turn_ * (1 / kRoundPlanes) + error_;
     auto gap = hn::Sub(PlaneStore<bounds>::read(tag, planes, lane, normal), hn::Set(tag, lost));
     for (int i = 0; i < 3; ++i)
       gap = hn::MulAdd(normal[i], hn::Set(tag, step[i]), gap);
@@ -180,13 +181,13 @@ class FrontOutlook {
   }
 
   StepColumns since_;
-  StepColumns course_;
+  StepColumns prediction_;
   float turn_;
   float error_;
-  float drift_;
+  float deviation_;
   float turning_;
   float least_spent_;
-  bool is_on_course_;
+  bool is_predicted_;
 };
 
 }  // namespace

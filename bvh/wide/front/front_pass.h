@@ -4,7 +4,7 @@
 
 namespace graze::bvh {
 
-/// What is further apart than `limit`, and has a deadline after `due`, need not be looked at.
+/// What is further apart than `limit`, and has a budget after `due`, need not be looked at.
 struct FrontHorizon {
   float limit;
   float due;
@@ -19,6 +19,6 @@ struct FrontTask {
 };
 
 /// Looks at what is due in a front, and at what is busy. Private to bvh/wide.
-void pass_over(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task);
+void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task);
 
 }  // namespace graze::bvh

@@ -13,10 +13,10 @@ constexpr double kLargest = 0x1p60;
 
 }  // namespace
 
-FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& guest,
+FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
                    double all_turns)
     : turn(static_cast<float>(all_turns)) {
-  const FloatBox& box = guest.box();
+  const FloatBox& box = query.box();
   double sizes = 0;
   for (int i = 0; i < 3; ++i) {
     const double way = now.translation[i] - first.translation[i];
@@ -41,8 +41,8 @@ FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const W
   error = rounded_up(sizes * 0x1p-20 + 0x1p-100);
 }
 
-FrontGuest::FrontGuest(const WideSlot& slot, float units, int side_of_host)
-    : host_side(static_cast<std::uint16_t>(side_of_host)) {
+FrontQuery::FrontQuery(const WideChildRef& slot, float units, int side_of_tested)
+    : tested_side(static_cast<std::uint16_t>(side_of_tested)) {
   const WideNode& node = *slot.node;
   const std::uint32_t lane = slot.lane;
   float square = 0;
@@ -67,24 +67,24 @@ FrontGuest::FrontGuest(const WideSlot& slot, float units, int side_of_host)
       static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(radius) + kLowerHalf) >> 16);
 }
 
-FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontGuest& guest,
+FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
                        const FrontWay& way) {
   float step[3];
-  set_step(step, guest, way);
+  set_step(step, query, way);
   double kept = gap_now;
   for (int i = 0; i < 3; ++i) {
     normal[i] = static_cast<float>(direction[i]);
     kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
   }
-  kept += static_cast<double>(guest.radius()) * static_cast<double>(way.turn * kRoundPlanes);
+  kept += static_cast<double>(query.radius()) * static_cast<double>(way.turn * kRoundPlanes);
   gap = rounded_down(kept - static_cast<double>(way.error));
 }
 
-float FrontPlane::gap_after(const FrontGuest& guest, const FrontWay& way) const {
+float FrontPlane::gap_after(const FrontQuery& query, const FrontWay& way) const {
   float step[3];
-  set_step(step, guest, way);
+  set_step(step, query, way);
   const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
-  return (along - (guest.radius() * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
+  return (along - (query.radius() * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
 }
 
 }  // namespace graze::bvh

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <limits>
 
-// How a gap along a direction n changes with the pose. In the host's frame, in common units, a
-// point b of the guest lies at R b + t in one pose and at S b + v in another. If all b of a guest
-// around c, |b - c| <= r, were g or more beyond some points of the host along n, |n| <= 1, they are
-// now beyond these by at least
+// How a gap along a direction n changes with the pose. In the tested node's frame, in common units,
+// a point b of the query box lies at R b + t in one pose and at S b + v in another. If all b of a
+// query box around c, |b - c| <= r, were g or more beyond some points of the tested node along n,
+// |n| <= 1, they are now beyond these by at least
 //   g + n . ((S - R) c + (v - t)) - r |S - R|.
 // With a pose O, o of reference, u = (R - O) c + (t - o) and u' = (S - O) c + (v - o) that is g + n
 // . (u' - u) - r |S - R|, and |S - R| is no more than what the turns of all steps between add up
@@ -20,28 +20,28 @@
 
 namespace graze::bvh {
 
-/// How a guest has come from where it was at first, common units.
+/// How a query box has come from where it was at first, common units.
 struct FrontWay {
   float turned[3][3] = {};  // what its rotation has changed by
   float moved[3] = {};
   float turn = 0;   // the sum of all changes of its rotation
-  float error = 0;  // of n . u for any point of the guest's tree, whatever rounds
+  float error = 0;  // of n . u for any point of the query box's tree, whatever rounds
 
   FrontWay() = default;
 
-  /// From `first` to `now`, as frames of the guest, which is `guest`, in the host.
-  FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& guest,
+  /// From `first` to `now`, as frames of the query box, which is `query`, in the tested node.
+  FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
            double all_turns);
 };
 
-/// A guest, as a ball around what its box holds in its own tree's frame, common units.
-struct FrontGuest {
+/// A query box, as a ball around what its box holds in its own tree's frame, common units.
+struct FrontQuery {
   float centre[3];
   std::uint16_t upper_radius;  // the upper half of a float, rounded up
-  std::uint16_t host_side;     // whose guest it is
+  std::uint16_t tested_side;   // whose query box it is
 
-  FrontGuest() = default;
-  FrontGuest(const WideSlot& slot, float units, int side_of_host);
+  FrontQuery() = default;
+  FrontQuery(const WideChildRef& slot, float units, int side_of_tested);
 
   float radius() const { return std::bit_cast<float>(std::uint32_t{upper_radius} << 16); }
 };
@@ -53,11 +53,11 @@ inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 /// What is rounded to float, times it, is no more than before.
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
-/// How far the middle of a guest has come since the pose of reference.
-inline void set_step(float (&step)[3], const FrontGuest& guest, const FrontWay& way) {
+/// How far the middle of a query box has come since the pose of reference.
+inline void set_step(float (&step)[3], const FrontQuery& query, const FrontWay& way) {
   for (int i = 0; i < 3; ++i) {
-    step[i] = way.turned[i][0] * guest.centre[0] + way.turned[i][1] * guest.centre[1] +
-              way.turned[i][2] * guest.centre[2] + way.moved[i];
+    step[i] = way.turned[i][0] * query.centre[0] + way.turned[i][1] * query.centre[1] +
+              way.turned[i][2] * query.centre[2] + way.moved[i];
   }
 }
 
@@ -68,21 +68,21 @@ struct FrontPlane {
 
   FrontPlane() = default;
 
-  /// The guest is `gap_now` beyond the host, after this way.
-  FrontPlane(const double (&direction)[3], double gap_now, const FrontGuest& guest,
+  /// The query box is `gap_now` beyond the tested node, after this way.
+  FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
              const FrontWay& way);
 
   /// How far it is at least after another way.
-  float gap_after(const FrontGuest& guest, const FrontWay& way) const;
+  float gap_after(const FrontQuery& query, const FrontWay& way) const;
 };
 
 /// What the bounds of a front are good at: telling that things are apart at all, or how far.
 enum class FrontBounds { Meeting, Distance };
 
-/// What keeps pairs out: lane by lane a direction in the host's frame, no longer than 1 but for
-/// rounding, which kRoundPlanes pays for, and how
-/// far beyond the host a guest is along it. Gaps are those of the reference pose, but for what
-/// turning may have cost; infinite in lanes that need no plane. Nothing is kept out at first.
+/// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
+/// for rounding, which kRoundPlanes pays for, and how far beyond the tested node a query box is
+/// along it. Gaps are those of the reference pose, but for what turning may have cost; infinite in
+/// lanes that need no plane. Nothing is kept out at first.
 template <std::size_t lanes, FrontBounds bounds>
 struct FrontPlanes;
 
@@ -96,9 +96,9 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Meeting> {
 
   float gap[lanes];
   std::int16_t normal[3][lanes];
-  FrontGuest guest;
+  FrontQuery query;
 
-  FrontPlanes() : normal{}, guest{} {
+  FrontPlanes() : normal{}, query{} {
     std::fill_n(gap, lanes, -std::numeric_limits<float>::infinity());
   }
 };
@@ -110,9 +110,9 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
 
   float normal[3][lanes];
   float gap[lanes];
-  FrontGuest guest;
+  FrontQuery query;
 
-  FrontPlanes() : normal{}, guest{} {
+  FrontPlanes() : normal{}, query{} {
     std::fill_n(gap, lanes, -std::numeric_limits<float>::infinity());
   }
 };

@@ -3,11 +3,11 @@
 //
 // What is asked are signs of determinants of three vectors: sums of six products, one component of
 // each, which are no more than the product of the vectors' 1-norms in all. In each component an
-// edge of the host from its first corner is off by a, of the guest by b, and the way between first
-// corners by d, which exceeds both (local_leaves-inl.h), so that one factor after the other may be
-// replaced. With S the sum of the 1-norms of both edges of the host, T of the guest, and V what the
-// way to any corner of the guest adds up to, all of them increased by what they may be off by,
-// heights over the host's plane change by no more than
+// edge of the tested node from its first corner is off by a, of the query box by b, and the way
+// between first corners by d, which exceeds both (local_leaves-inl.h), so that one factor after the
+// other may be replaced. With S the sum of the 1-norms of both edges of the tested node, T of the
+// query box, and V what the way to any corner of the query box adds up to, all of them increased by
+// what they may be off by, heights over the tested node's plane change by no more than
 //   a S V + d S^2 / 2,
 // for edges make a normal of S^2 / 4 at most, and a way to a corner is off by b + d. Of an edge of
 // each, off by 2.44 a and 2.44 b with what rounds where it is a difference of two, and a way of
@@ -25,9 +25,10 @@
 // are on one side of that. As computed it is off by 3.3 (a T + b S) in each component, so that both
 // reach further along it by 3.3 (a T + b S) (S + T) together.
 //
-// The frame of a host is the common one turned by the transpose of a pose, whose determinant is
-// positive, so that placed primitives have the same signs there (law 5: delta has the slack, which
-// is how far the frame's corners are from placed ones). So what signs prove is proved of these.
+// The frame of a tested node is the common one turned by the transpose of a pose, whose determinant
+// is positive, so that placed primitives have the same signs there (law 5: delta has the slack,
+// which is how far the frame's corners are from placed ones). So what signs prove is proved of
+// these.
 
 #if defined(GRAZE_BVH_LEAF_CROSSINGS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LEAF_CROSSINGS
@@ -79,18 +80,18 @@ class CrossingErrors {
 
   HWY_INLINE CrossingErrors(const LocalPairs<AnyTag>& pairs, const LocalErrors& errors)
       : errors_(errors),
-        host_(size(pairs.host, errors.host)),
-        guest_(size(pairs.guest, errors.guest)),
+        tested_(size(pairs.tested, errors.tested)),
+        query_(size(pairs.query, errors.query)),
         way_(hn::Add(one_norm(AnyTag(), pairs.way), hn::Set(AnyTag(), 6 * errors.way))),
-        off_(hn::MulAdd(host_, hn::Set(AnyTag(), errors.guest),
-                        hn::Mul(guest_, hn::Set(AnyTag(), errors.host)))) {}
+        off_(hn::MulAdd(tested_, hn::Set(AnyTag(), errors.query),
+                        hn::Mul(query_, hn::Set(AnyTag(), errors.tested)))) {}
 
   /// Of two edges of one and a way to the other.
-  HWY_INLINE Values of_host_plane() const {
-    return of_plane(host_, hn::Add(way_, guest_), errors_.host);
+  HWY_INLINE Values of_tested_plane() const {
+    return of_plane(tested_, hn::Add(way_, query_), errors_.tested);
   }
-  HWY_INLINE Values of_guest_plane() const {
-    return of_plane(guest_, hn::Add(way_, host_), errors_.guest);
+  HWY_INLINE Values of_query_plane() const {
+    return of_plane(query_, hn::Add(way_, tested_), errors_.query);
   }
 
   /// Of an edge of each and this way.
@@ -100,13 +101,13 @@ class CrossingErrors {
     const auto each =
         hn::MulAdd(length, hn::Set(tag, kSignRounding), hn::Set(tag, kEdgesError * errors_.way));
     return hn::MulAdd(
-        hn::Mul(host_, guest_), each,
+        hn::Mul(tested_, query_), each,
         hn::MulAdd(hn::Mul(off_, length), hn::Set(tag, kEdgeError), hn::Set(tag, kWideUnderflow)));
   }
 
   /// How much closer than the heights of cuts both primitives may be along that cross product.
   HWY_INLINE Values of_sides() const {
-    return hn::Mul(hn::Mul(off_, hn::Add(host_, guest_)), hn::Set(AnyTag(), kReachError));
+    return hn::Mul(hn::Mul(off_, hn::Add(tested_, query_)), hn::Set(AnyTag(), kReachError));
   }
 
  private:
@@ -126,8 +127,8 @@ class CrossingErrors {
   }
 
   const LocalErrors& errors_;
-  Values host_;
-  Values guest_;
+  Values tested_;
+  Values query_;
   Values way_;
   Values off_;  // of what two edges, one of each, span
 };
@@ -203,7 +204,7 @@ struct CutSegments {
   using Masks = hn::Mask<AnyTag>;
 
   Values across[2][3];  // cross products of edges
-  Values height[2];     // of the guest beyond the host along them
+  Values height[2];     // of the query box beyond the tested node along them
   Values gap[2];        // the same where that is where a gap would be, less what it may be off by
   Masks do_overlap;
 
@@ -240,21 +241,21 @@ struct CutSegments {
   HWY_INLINE Masks are_apart() const { return hn::Gt(hn::Max(gap[0], gap[1]), hn::Zero(AnyTag())); }
 };
 
-/// The boxes of pairs along the axes of the host's tree.
+/// The boxes of pairs along the axes of the tested node's tree.
 template <typename AnyTag>
 HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, float error) {
   const AnyTag tag;
   auto most = hn::Zero(tag);
   for (int i = 0; i < 3; ++i) {
-    const auto& p = pairs.host;
-    const auto& q = pairs.guest;
+    const auto& p = pairs.tested;
+    const auto& q = pairs.query;
     const auto zero = hn::Zero(tag);
-    const auto host_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
-    const auto host_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
+    const auto tested_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
+    const auto tested_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
     const auto low = hn::Min(hn::Min(q[0][i], q[1][i]), zero);
     const auto high = hn::Max(hn::Max(q[0][i], q[1][i]), zero);
-    const auto above = hn::Add(hn::Sub(low, host_high), pairs.way[i]);
-    const auto below = hn::Sub(hn::Sub(host_low, high), pairs.way[i]);
+    const auto above = hn::Add(hn::Sub(low, tested_high), pairs.way[i]);
+    const auto below = hn::Sub(hn::Sub(tested_low, high), pairs.way[i]);
     most = hn::Max(most, hn::Max(above, below));
   }
   return hn::Gt(most, hn::Set(tag, 4 * error));
@@ -262,12 +263,12 @@ HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, flo
 
 template <typename AnyTag>
 struct PairNormals {
-  hn::Vec<AnyTag> host[3];
-  hn::Vec<AnyTag> guest[3];
+  hn::Vec<AnyTag> tested[3];
+  hn::Vec<AnyTag> query[3];
 
   HWY_INLINE explicit PairNormals(const LocalPairs<AnyTag>& pairs) {
-    set_cross(AnyTag(), pairs.host[0], pairs.host[1], host);
-    set_cross(AnyTag(), pairs.guest[0], pairs.guest[1], guest);
+    set_cross(AnyTag(), pairs.tested[0], pairs.tested[1], tested);
+    set_cross(AnyTag(), pairs.query[0], pairs.query[1], query);
   }
 };
 
@@ -280,11 +281,11 @@ struct LeafCrossings {
 
   CrossingErrors<AnyTag> errors;
   PairNormals<AnyTag> normals;
-  SidesOfPlane<AnyTag> guest_sides;
-  SidesOfPlane<AnyTag> host_sides;
+  SidesOfPlane<AnyTag> query_sides;
+  SidesOfPlane<AnyTag> tested_sides;
   CutSegments<AnyTag> cuts;
-  Masks is_guest_beyond;  // a plane,
-  Masks is_host_beyond;
+  Masks is_query_beyond;  // a plane,
+  Masks is_tested_beyond;
   Masks is_cut;  // each by the other's plane
   Masks are_apart;
   Masks do_cross;
@@ -292,17 +293,17 @@ struct LeafCrossings {
   HWY_INLINE LeafCrossings(const LocalPairs<AnyTag>& pairs, const LocalErrors& off)
       : errors(pairs, off),
         normals(pairs),
-        guest_sides(normals.host, dot(AnyTag(), normals.host, pairs.way), pairs.guest,
-                    errors.of_host_plane()),
-        host_sides(normals.guest, hn::Neg(dot(AnyTag(), normals.guest, pairs.way)), pairs.host,
-                   errors.of_guest_plane()),
-        cuts(FromLoneCorner<AnyTag>(pairs.host, host_sides),
-             FromLoneCorner<AnyTag>(pairs.guest, guest_sides), pairs.way, errors) {
+        query_sides(normals.tested, dot(AnyTag(), normals.tested, pairs.way), pairs.query,
+                    errors.of_tested_plane()),
+        tested_sides(normals.query, hn::Neg(dot(AnyTag(), normals.query, pairs.way)), pairs.tested,
+                     errors.of_query_plane()),
+        cuts(FromLoneCorner<AnyTag>(pairs.tested, tested_sides),
+             FromLoneCorner<AnyTag>(pairs.query, query_sides), pairs.way, errors) {
     const AnyTag tag;
-    is_guest_beyond = hn::And(guest_sides.is_sure, guest_sides.are_equal());
-    is_host_beyond = hn::And(host_sides.is_sure, host_sides.are_equal());
-    const Masks are_beyond = hn::Or(is_guest_beyond, is_host_beyond);
-    is_cut = hn::AndNot(are_beyond, hn::And(guest_sides.is_sure, host_sides.is_sure));
+    is_query_beyond = hn::And(query_sides.is_sure, query_sides.are_equal());
+    is_tested_beyond = hn::And(tested_sides.is_sure, tested_sides.are_equal());
+    const Masks are_beyond = hn::Or(is_query_beyond, is_tested_beyond);
+    is_cut = hn::AndNot(are_beyond, hn::And(query_sides.is_sure, tested_sides.is_sure));
     are_apart = hn::Or(are_beyond, hn::And(is_cut, cuts.are_apart()));
     do_cross = hn::And(is_cut, cuts.do_overlap);
     const auto is_decided = hn::Or(are_apart, do_cross);

@@ -2,14 +2,15 @@
 // Included once for each SIMD target.
 //
 // A primitive is two edges from its first corner on, and a pair of them these four and the way from
-// the host's first corner to the guest's, all in the host's frame. A corner of the guest, off by u
-// |p| as it is stored, u = 2^-24, is off by 1.74 u g once it is turned, for the guest's reach g; a
-// corner of the host by u h. The ways of both first corners from those of their leaves are
-// differences of floats, no longer than the leaves' sizes t and s, and the way between these, of
-// component o at most, is computed in double and rounded once. With the roundings of the columns,
-// of products and of sums the way between two primitives is off by u (1.74 g + h) + 6 u (o + s +
-// t), an edge of the guest by u (3.47 g + 5 t), one of the host by u (2 h + s). What doubles round
-// is less than a millionth of that. kStoredError is 4 u, kLocalError 8 u.
+// the tested node's first corner to the query box's, all in the tested node's frame. A corner of
+// the query box, off by u |p| as it is stored, u = 2^-24, is off by 1.74 u g once it is turned, for
+// the query box's reach g; a corner of the tested node by u h. The ways of both first corners from
+// those of their leaves are differences of floats, no longer than the leaves' sizes t and s, and
+// the way between these, of component o at most, is computed in double and rounded once. With the
+// roundings of the columns, of products and of sums the way between two primitives is off by u
+// (1.74 g + h) + 6 u (o + s + t), an edge of the query box by u (3.47 g + 5 t), one of the tested
+// node by u (2 h + s). What doubles round is less than a millionth of that. kStoredError is 4 u,
+// kLocalError 8 u.
 
 #if defined(GRAZE_BVH_LOCAL_LEAVES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LOCAL_LEAVES
@@ -25,11 +26,11 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// How far each component is off: of edges of the host, of the guest, and of the way between first
-/// corners, which is off by more than both; infinite where products could overflow.
+/// How far each component is off: of edges of the tested node, of the query box, and of the way
+/// between first corners, which is off by more than both; infinite where products could overflow.
 struct LocalErrors {
-  float host;
-  float guest;
+  float tested;
+  float query;
   float way;
 };
 
@@ -40,54 +41,54 @@ class LocalLeaves {
       : trees_{&tree_a, &tree_b} {}
 
   HWY_INLINE void set(const WideFront::Leaves& leaves, const WideWay& way) {
-    const WideTree::Treelet& host = trees_[leaves.host_side]->treelet(leaves.host.treelet);
-    const WideTree::Treelet& guest = trees_[1 - leaves.host_side]->treelet(leaves.guest.treelet);
+    const WideTree::Treelet& tested = trees_[leaves.tested_side]->treelet(leaves.tested.treelet);
+    const WideTree::Treelet& query = trees_[1 - leaves.tested_side]->treelet(leaves.query.treelet);
     way_ = &way;
-    host_ = rows_of(host, leaves.host.link);
-    guest_ = rows_of(guest, leaves.guest.link);
-    host_count_ = ChildLink::count(leaves.host.link);
-    guest_count_ = ChildLink::count(leaves.guest.link);
+    tested_ = rows_of(tested, leaves.tested.link);
+    query_ = rows_of(query, leaves.query.link);
+    tested_count_ = ChildLink::count(leaves.tested.link);
+    query_count_ = ChildLink::count(leaves.query.link);
     double first[3];
     for (std::uint32_t i = 0; i < 3; ++i) {
-      host_first_[i] = host_[i * host_count_];
-      guest_first_[i] = guest_[i * guest_count_];
-      first[i] = guest.origin[i] + static_cast<double>(guest_first_[i]);
+      tested_first_[i] = tested_[i * tested_count_];
+      query_first_[i] = query_[i * query_count_];
+      first[i] = query.origin[i] + static_cast<double>(query_first_[i]);
     }
     float largest = 0;
     for (int i = 0; i < 3; ++i) {
       const double turned = way.rotation[i][0] * first[0] + way.rotation[i][1] * first[1] +
                             way.rotation[i][2] * first[2];
-      const double place = host.origin[i] + static_cast<double>(host_first_[i]);
+      const double place = tested.origin[i] + static_cast<double>(tested_first_[i]);
       offset_[i] = static_cast<float>((turned * way.scale + way.translation[i]) - place);
       largest = std::max(largest, std::abs(offset_[i]));
     }
     const auto scale = static_cast<float>(way.scale);
-    const float size = (leaves.guest.size * scale + leaves.host.size) + largest;
-    const float host_error = kStoredError * host.reach;
-    const float guest_error = kStoredError * (guest.reach * scale);
-    errors_.host = way.slack + (host_error + kLocalError * leaves.host.size);
-    errors_.guest = way.slack + (guest_error + kLocalError * (leaves.guest.size * scale));
+    const float size = (leaves.query.size * scale + leaves.tested.size) + largest;
+    const float tested_error = kStoredError * tested.reach;
+    const float query_error = kStoredError * (query.reach * scale);
+    errors_.tested = way.slack + (tested_error + kLocalError * leaves.tested.size);
+    errors_.query = way.slack + (query_error + kLocalError * (leaves.query.size * scale));
     errors_.way = size < kLargestPlaneExtent
-                      ? way.slack + ((host_error + guest_error) + kLocalError * size)
+                      ? way.slack + ((tested_error + query_error) + kLocalError * size)
                       : std::numeric_limits<float>::infinity();
   }
 
   /// Which pairs they have.
-  HWY_INLINE std::uint32_t pairs() const { return pairs_of(host_count_, guest_count_); }
+  HWY_INLINE std::uint32_t pairs() const { return pairs_of(tested_count_, query_count_); }
 
   HWY_INLINE const LocalErrors& errors() const { return errors_; }
 
   /// Coordinate i of corner c of the first primitive.
-  HWY_INLINE const float* host_row(std::uint32_t c, std::uint32_t i) const {
-    return host_ + (3 * c + i) * host_count_;
+  HWY_INLINE const float* tested_row(std::uint32_t c, std::uint32_t i) const {
+    return tested_ + (3 * c + i) * tested_count_;
   }
-  HWY_INLINE const float* guest_row(std::uint32_t c, std::uint32_t i) const {
-    return guest_ + (3 * c + i) * guest_count_;
+  HWY_INLINE const float* query_row(std::uint32_t c, std::uint32_t i) const {
+    return query_ + (3 * c + i) * query_count_;
   }
-  HWY_INLINE float host_first(int i) const { return host_first_[i]; }
-  HWY_INLINE float guest_first(int i) const { return guest_first_[i]; }
+  HWY_INLINE float tested_first(int i) const { return tested_first_[i]; }
+  HWY_INLINE float query_first(int i) const { return query_first_[i]; }
 
-  /// From the host's first corner to the guest's.
+  /// From the tested node's first corner to the query box's.
   HWY_INLINE float offset(int i) const { return offset_[i]; }
 
   HWY_INLINE const WideWay& way() const { return *way_; }
@@ -95,12 +96,12 @@ class LocalLeaves {
  private:
   const WideTree* trees_[2];
   const WideWay* way_ = nullptr;
-  const float* host_ = nullptr;
-  const float* guest_ = nullptr;
-  std::uint32_t host_count_ = 0;
-  std::uint32_t guest_count_ = 0;
-  float host_first_[3];
-  float guest_first_[3];
+  const float* tested_ = nullptr;
+  const float* query_ = nullptr;
+  std::uint32_t tested_count_ = 0;
+  std::uint32_t query_count_ = 0;
+  float tested_first_[3];
+  float query_first_[3];
   float offset_[3];
   LocalErrors errors_;
 };
@@ -110,9 +111,9 @@ template <typename AnyTag>
 struct LocalPairs {
   using Values = hn::Vec<AnyTag>;
 
-  Values host[2][3];  // edges from the first corner to the others
-  Values guest[2][3];
-  Values way[3];  // from the host's first corner to the guest's
+  Values tested[2][3];  // edges from the first corner to the others
+  Values query[2][3];
+  Values way[3];  // from the tested node's first corner to the query box's
 
   /// From pair `first` on.
   HWY_INLINE LocalPairs(const LocalLeaves& leaves, std::size_t first) {
@@ -120,15 +121,15 @@ struct LocalPairs {
     const PairLanes<AnyTag> lanes(first);
     Values turned[3][3];  // what is to be turned, coordinate by coordinate
     for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto p = lanes.host(leaves.host_row(0, i));
-      const auto q = lanes.guest(leaves.guest_row(0, i));
+      const auto p = lanes.tested(leaves.tested_row(0, i));
+      const auto q = lanes.query(leaves.query_row(0, i));
       for (std::uint32_t c = 1; c < 3; ++c) {
-        host[c - 1][i] = hn::Sub(lanes.host(leaves.host_row(c, i)), p);
-        turned[c][i] = hn::Sub(lanes.guest(leaves.guest_row(c, i)), q);
+        tested[c - 1][i] = hn::Sub(lanes.tested(leaves.tested_row(c, i)), p);
+        turned[c][i] = hn::Sub(lanes.query(leaves.query_row(c, i)), q);
       }
-      turned[0][i] = hn::Sub(q, hn::Set(tag, leaves.guest_first(i)));
+      turned[0][i] = hn::Sub(q, hn::Set(tag, leaves.query_first(i)));
       way[i] =
-          hn::Sub(hn::Set(tag, leaves.offset(i)), hn::Sub(p, hn::Set(tag, leaves.host_first(i))));
+          hn::Sub(hn::Set(tag, leaves.offset(i)), hn::Sub(p, hn::Set(tag, leaves.tested_first(i))));
     }
     const WideWay& frame = leaves.way();
     for (int i = 0; i < 3; ++i) {
@@ -140,7 +141,7 @@ struct LocalPairs {
       way[i] = hn::MulAdd(turned[0][0], x, way[i]);
       for (int c = 1; c < 3; ++c) {
         const auto& edge = turned[c];
-        guest[c - 1][i] = hn::MulAdd(edge[0], x, hn::MulAdd(edge[1], y, hn::Mul(edge[2], z)));
+        query[c - 1][i] = hn::MulAdd(edge[0], x, hn::MulAdd(edge[1], y, hn::Mul(edge[2], z)));
       }
     }
   }

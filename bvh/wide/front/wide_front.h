@@ -1,8 +1,8 @@
 #pragma once
 
 #include <graze/bvh/tree/box_separation.h>
-#include <graze/bvh/wide/front/front_course.h>
 #include <graze/bvh/wide/front/front_planes.h>
+#include <graze/bvh/wide/front/motion_prediction.h>
 #include <graze/bvh/wide/lanes/wide_way.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
@@ -17,7 +17,7 @@ namespace graze::bvh {
 
 /// Where a walk over two trees ended, kept for the next pose of a motion: the pairs of a box and
 /// the children of a node, the pairs of leaves, and the pairs of primitives that it looked at. Each
-/// has a deadline: how far B may have moved, as measured from begin() on, until what keeps it out
+/// has a budget: how far B may have moved, as measured from begin() on, until what keeps it out
 /// could be gone, and planes that kept it out. A pass looks only at what is due and no longer kept
 /// out, and opens what has come near. What was opened stays so until begin(), so that the front
 /// grows. Leaves in which primitives meet are busy: each pass decides all their pairs anew.
@@ -49,9 +49,9 @@ class WideFront {
     WideWay into[2];
     float units[2];              // of each tree, in common units
     float direction[2][3] = {};  // in each tree's frame, from it to the other
-    FrontWay since[2];           // of guests of the other tree, since begin()
-    float drift = 1;             // kDrift on a course, whose are
-    FrontWay step[2];            // how guests of the other tree go on,
+    FrontWay since[2];           // of query boxes of the other tree, since begin()
+    float deviation = 1;         // kDrift on a predicted motion, whose are
+    FrontWay step[2];            // how query boxes of the other tree go on,
     float per_way = 0;           // each time that B comes so far
 
    private:
@@ -72,11 +72,11 @@ class WideFront {
 
   /// From here on B is expected to go on as it came from these poses, a `step` ago. What it does
   /// not come nearer to is then due later. Other motions are no less certain, but cost time.
-  void set_course(const RelativeFrame (&before)[2], const Motion& step);
-  void drop_course();
-  bool has_course() const { return has_course_; }
-  /// What deadlines are compared with: how far B has come, or more.
-  double clock() const { return clock_; }
+  void set_prediction(const RelativeFrame (&before)[2], const Motion& step);
+  void drop_prediction();
+  bool has_prediction() const { return has_prediction_; }
+  /// What budgets are compared with: how far B has come, or more.
+  double spent() const { return spent_; }
 
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
@@ -144,10 +144,10 @@ class WideFront {
 
   /// A box beside the children of a node: of which of these something further down is in the front.
   struct Visit {
-    WideSlot host;  // the first child
-    WideSlot guest;
-    int host_side;
-    float host_size;  // of the box around the children
+    WideChildRef tested;  // the first child
+    WideChildRef query;
+    int tested_side;
+    float tested_size;  // of the box around the children
     std::uint32_t open;
   };
 
@@ -162,10 +162,10 @@ class WideFront {
 
   /// Two leaves.
   struct Leaves {
-    Leaf host;
-    Leaf guest;
-    int host_side;
-    std::uint32_t listed;  // which pairs are candidates: rows are of the host's primitives
+    Leaf tested;
+    Leaf query;
+    int tested_side;
+    std::uint32_t listed;  // which pairs are candidates: rows are of the tested node's primitives
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
@@ -199,18 +199,18 @@ class WideFront {
     std::vector<Visit> visits;
     Planes<FrontBounds::Meeting> meeting;    // of passes with these bounds,
     Planes<FrontBounds::Distance> distance;  // or these
-    std::vector<float> visit_deadlines;
+    std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
-    std::vector<float> leaves_deadlines;
+    std::vector<float> leaves_budgets;
     std::vector<std::uint32_t> busy;  // of these leaves
     LeafPairs crossing;
     LeafPairs unsure;
     std::vector<std::uint32_t> candidates;  // as those of LeafPairs
-    std::vector<float> candidate_deadlines;
+    std::vector<float> candidate_budgets;
     std::vector<FrontPlane> candidate_planes;
     std::vector<std::uint32_t> due;  // what a pass looks at
     std::size_t looked_at = 0;       // in the last pass, of what there was
-    float least_deadline = 0;        // of visits and leaves, where none is busy
+    float least_budget = 0;          // of visits and leaves, where none is busy
     std::uint64_t lanes = 0;         // of all visits
     WideWalkCounts counts;
   };
@@ -222,9 +222,9 @@ class WideFront {
   RelativeFrame first_[2] = {};  // at begin()
   RelativeFrame last_[2] = {};   // when a pass was last asked for
   Motion motion_;                // until then, since begin()
-  double clock_ = 0;  // what deadlines are compared with: the way, or more (front_course.h)
-  bool has_course_ = false;
-  FrontCourse course_;
+  double spent_ = 0;  // what budgets are compared with: the way, or more (motion_prediction.h)
+  bool has_prediction_ = false;
+  MotionPrediction prediction_;
   std::uint64_t skipped_ = 0;
 };
 

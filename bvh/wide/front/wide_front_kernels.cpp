@@ -13,7 +13,7 @@
 #include <graze/bvh/wide/front/front_pass.h>
 #include <graze/bvh/wide/front/leaf_crossings-inl.h>
 #include <graze/bvh/wide/front/local_leaves-inl.h>
-#include <graze/bvh/wide/lanes/slots-inl.h>
+#include <graze/bvh/wide/lanes/child_refs-inl.h>
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
@@ -73,7 +73,7 @@ class Passer {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
     if (reach_.limit > must_.limit && is_reach_in_vain()) reach_ = must_;
-    const std::size_t open = find_due(planes_.of_visits, state_.visit_deadlines);
+    const std::size_t open = find_due(planes_.of_visits, state_.visit_budgets);
     for (std::size_t i = 0; i < open; ++i) {
       if (i + 2 * kAhead < open) {
         fetch(state_.visits[state_.due[i + 2 * kAhead]]);
@@ -93,8 +93,8 @@ class Passer {
       decide_leaves();
     }
     if (state_.busy.empty()) {
-      state_.least_deadline =
-          std::min(least_of(state_.visit_deadlines), least_of(state_.leaves_deadlines));
+      state_.least_budget =
+          std::min(least_of(state_.visit_budgets), least_of(state_.leaves_budgets));
     }
   }
 
@@ -110,31 +110,31 @@ class Passer {
   /// Whether so much is within reach that most of it could not be opened, or primitives are so near
   /// that no gap is worth it.
   HWY_INLINE bool is_reach_in_vain() const {
-    const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_deadlines);
+    const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
     for (std::size_t i = 0; i < leaves; ++i) {
       const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
-      if (!(outlook_[planes.guest.host_side].gap(planes) > useful_)) return true;
+      if (!(outlook_[planes.query.tested_side].gap(planes) > useful_)) return true;
     }
-    const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_deadlines);
+    const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_budgets);
     return 2 * near > most_held_ - held();
   }
 
-  HWY_INLINE static float least_of(const std::vector<float>& deadlines) {
+  HWY_INLINE static float least_of(const std::vector<float>& budgets) {
     const hn::ScalableTag<float> tag;
     const std::size_t lanes = hn::Lanes(tag);
     auto least = hn::Set(tag, kNever);
     std::size_t i = 0;
-    for (; i + lanes <= deadlines.size(); i += lanes)
-      least = hn::Min(least, hn::LoadU(tag, deadlines.data() + i));
+    for (; i + lanes <= budgets.size(); i += lanes)
+      least = hn::Min(least, hn::LoadU(tag, budgets.data() + i));
     float found = hn::GetLane(hn::MinOfLanes(tag, least));
-    for (; i < deadlines.size(); ++i)
-      found = std::min(found, deadlines[i]);
+    for (; i < budgets.size(); ++i)
+      found = std::min(found, budgets[i]);
     return found;
   }
 
   /// Leaves that are due: which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_deadlines);
+    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
     for (std::size_t i = 0; i < near; ++i)
       compare_leaves(state_.due[i]);
@@ -146,7 +146,7 @@ class Passer {
     state_.crossing.size = 0;
     state_.unsure.size = 0;
     settle(decide_busy());
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_deadlines);
+    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
     settle(near);
   }
@@ -211,14 +211,14 @@ class Passer {
         found.look_at(crossings);
         const auto is_open = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
         if ((bits_of(tag, is_open) & asked >> first) != 0) found.look_across();
-        found.store(planes, gaps, first, pass_.units[leaves.host_side]);
+        found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
       }
       const typename Outlook::Nearness found =
-          outlook_[leaves.host_side].keep(planes, gaps, asked, must_.limit);
+          outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
       // What planes keep apart does not meet, be it unsure or not.
       list(index, found.near, met);
       const std::uint32_t is_busy = found.near != 0;
-      state_.leaves_deadlines[index] = chosen(is_busy, kNever, deadline_after(found.lasts));
+      state_.leaves_budgets[index] = chosen(is_busy, kNever, budget_after(found.lasts));
       state_.busy[busy] = index;
       busy += is_busy;
     }
@@ -226,22 +226,22 @@ class Passer {
   }
 
   /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
-  /// its deadline, but for what its planes still keep out: that is due later. No branches but the
+  /// its budget, but for what its planes still keep out: that is due later. No branches but the
   /// loops: nothing of it can be foretold.
   template <typename Planes>
   HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
-                                  std::vector<float>& deadlines) const {
-    const std::size_t size = list_due(deadlines);
+                                  std::vector<float>& budgets) const {
+    const std::size_t size = list_due(budgets);
     std::uint32_t* const due = state_.due.data();
     std::size_t open = 0;
     for (std::size_t i = 0; i < size; ++i) {
       fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
       const std::uint32_t index = due[i];
       const float later =
-          deadline_after(outlook_[planes[index].guest.host_side].lasts(planes[index]));
+          budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
       // False where it is no number. What lasts so long is further apart than the limit.
       const std::uint32_t kept = later > reach_.due;
-      deadlines[index] = chosen(kept, later, deadlines[index]);
+      budgets[index] = chosen(kept, later, budgets[index]);
       due[open] = index;
       open += 1 - kept;
     }
@@ -255,129 +255,131 @@ class Passer {
       hwy::Prefetch(reinterpret_cast<const char*>(&object) + i);
   }
 
-  /// The indices of all deadlines that are up.
-  HWY_INLINE std::size_t list_due(const std::vector<float>& deadlines) const {
+  /// The indices of all budgets that are up.
+  HWY_INLINE std::size_t list_due(const std::vector<float>& budgets) const {
     const hn::ScalableTag<float> tag;
     const hn::RebindToUnsigned<decltype(tag)> indices;
     const std::size_t lanes = hn::Lanes(tag);
-    const std::size_t size = deadlines.size();
+    const std::size_t size = budgets.size();
     if (state_.due.size() < size + lanes) state_.due.resize(2 * size + lanes);
     std::uint32_t* const list = state_.due.data();
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, deadlines.data() + i), hn::Set(tag, reach_.due));
+      const auto is_due = hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, reach_.due));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
                                  hn::RebindMask(indices, is_due), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);
-      count += deadlines[i] <= reach_.due;
+      count += budgets[i] <= reach_.due;
     }
     return count;
   }
 
-  float deadline_after(float lasts) const {
+  float budget_after(float lasts) const {
     // Rounded down: the sum is not negative where it matters.
     return (moved_ + lasts) * kRoundDown;
   }
 
   HWY_INLINE void fetch_visit(std::size_t index) const {
     const WideFront::Visit& visit = state_.visits[index];
-    fetch(*visit.host.node);
-    fetch(*visit.guest.node);
+    fetch(*visit.tested.node);
+    fetch(*visit.query.node);
   }
 
   HWY_INLINE void visit(std::size_t index) {
     const WideFront::Visit found = state_.visits[index];
-    const int host_side = found.host_side;
-    const WideSlot guest = found.guest;
-    const std::uint32_t guest_link = guest.node->child[guest.lane];
-    const WideSlot below = found.host;
-    const WideWay& way = pass_.into[host_side];
-    if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
-      set_guest(guest_, *guest.node, guest.lane, way);
-      guest_slot_ = guest;
-      guest_side_ = 1 - host_side;
+    const int tested_side = found.tested_side;
+    const WideChildRef query = found.query;
+    const std::uint32_t query_link = query.node->child[query.lane];
+    const WideChildRef below = found.tested;
+    const WideWay& way = pass_.into[tested_side];
+    if (query_side_ != 1 - tested_side || query_slot_ != query) {
+      set_query(query_, *query.node, query.lane, way);
+      query_slot_ = query;
+      query_side_ = 1 - tested_side;
     }
     const WideNode& node = *below.node;
-    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * found.host_size);
+    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * found.tested_size);
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = planes_.of_visits[index];
-    if (state_.visit_deadlines[index] == kAtOnce) {
-      planes.guest = FrontGuest(guest, pass_.units[1 - host_side], host_side);
+    if (state_.visit_budgets[index] == kAtOnce) {
+      planes.query = FrontQuery(query, pass_.units[1 - tested_side], tested_side);
       state_.lanes += node.count;
     }
     const std::uint32_t closed = node.lanes() & ~visit.open;
     FoundPlanes<WideNode::kWidth> gaps;
-    set_gaps(planes, gaps, node, host_side, closed, guest);
+    set_gaps(planes, gaps, node, tested_side, closed, query);
     const typename Outlook::Nearness kept =
-        outlook_[host_side].keep(planes, gaps, closed, reach_.limit);
+        outlook_[tested_side].keep(planes, gaps, closed, reach_.limit);
     std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
     state_.counts.box_rejections += tested - static_cast<std::uint32_t>(std::popcount(near));
     visit.open |= near;
-    state_.visit_deadlines[index] = deadline_after(kept.lasts);
-    const FrontGuest placed = planes.guest;
+    state_.visit_budgets[index] = budget_after(kept.lasts);
+    const FrontQuery placed = planes.query;
     if (held() > most_held_) reach_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-      const WideSlot child = {&node, lane, below.treelet};
-      const WidePairWalk::Waiting pair = host_side == 0 ? WidePairWalk::Waiting{child, guest}
-                                                        : WidePairWalk::Waiting{guest, child};
-      if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(node.child[lane])) {
-        add_leaves(pair, host_side, placed);
+      const WideChildRef child = {&node, lane, below.treelet};
+      const WidePairWalk::Waiting pair = tested_side == 0 ? WidePairWalk::Waiting{child, query}
+                                                          : WidePairWalk::Waiting{query, child};
+      if (ChildLink::is_leaf(query_link) && ChildLink::is_leaf(node.child[lane])) {
+        add_leaves(pair, tested_side, placed);
       } else {
         add_visit(pair);
       }
     }
   }
 
-  /// The larger is opened: it is the host.
+  /// The larger is opened: it is the tested node.
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
-    const int host_side = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_) ? 0 : 1;
-    const WideSlot& host = host_side == 0 ? pair.a : pair.b;
-    const WideSlot below = first_below(*state_.tree[host_side], host,
-                                       host_side == 0 ? link_a : link_b, state_.counts.treelets);
-    state_.visits.push_back({below, host_side == 0 ? pair.b : pair.a, host_side, size_of(host), 0});
+    const int tested_side = is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_) ? 0 : 1;
+    const WideChildRef& tested = tested_side == 0 ? pair.a : pair.b;
+    const WideChildRef below =
+        first_below(*state_.tree[tested_side], tested, tested_side == 0 ? link_a : link_b,
+                    state_.counts.treelets);
+    state_.visits.push_back(
+        {below, tested_side == 0 ? pair.b : pair.a, tested_side, size_of(tested), 0});
     planes_.of_visits.emplace_back();
-    state_.visit_deadlines.push_back(kAtOnce);
+    state_.visit_budgets.push_back(kAtOnce);
   }
 
-  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideSlot& slot) const {
+  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& slot) const {
     const std::uint32_t link = slot.node->child[slot.lane];
     return {slot.treelet, link,
             state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link),
             2 * size_of(slot)};
   }
 
-  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int host_side,
-                             const FrontGuest& placed) {
-    const WideSlot& host = host_side == 0 ? pair.a : pair.b;
-    const WideSlot& guest = host_side == 0 ? pair.b : pair.a;
+  HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int tested_side,
+                             const FrontQuery& placed) {
+    const WideChildRef& tested = tested_side == 0 ? pair.a : pair.b;
+    const WideChildRef& query = tested_side == 0 ? pair.b : pair.a;
     state_.leaves.push_back(
-        {leaf_at(host_side, host), leaf_at(1 - host_side, guest), host_side, 0});
-    planes_.of_leaves.emplace_back().guest = placed;
-    state_.leaves_deadlines.push_back(kAtOnce);
+        {leaf_at(tested_side, tested), leaf_at(1 - tested_side, query), tested_side, 0});
+    planes_.of_leaves.emplace_back().query = placed;
+    state_.leaves_budgets.push_back(kAtOnce);
   }
 
-  /// Of the children of a host beside guest_; of these lanes it matters.
+  /// Of the children of a tested node beside query_; of these lanes it matters.
   HWY_INLINE void set_gaps(VisitPlanes& planes, FoundPlanes<WideNode::kWidth>& found,
-                           const WideNode& node, int host_side, std::uint32_t asked,
-                           const WideSlot& guest) const {
-    const bool are_slabs_asked = node.has_slabs && guest.node->has_slabs;
-    GuestSlab slab{};
+                           const WideNode& node, int tested_side, std::uint32_t asked,
+                           const WideChildRef& query) const {
+    const bool are_slabs_asked = node.has_slabs && query.node->has_slabs;
+    QuerySlab slab{};
     if (!kIsDistance && are_slabs_asked) {
-      slab = slab_of(*guest.node, guest.lane, static_cast<float>(pass_.into[host_side].scale),
+      slab = slab_of(*query.node, query.lane, static_cast<float>(pass_.into[tested_side].scale),
                      in_node_.padding);
     }
     for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(Tag())) {
       BoxGaps gaps(node, in_node_, lane);
       if constexpr (kIsDistance) {
-        gaps.look_along(aim_of(node, in_node_, guest_, pass_.direction[host_side]));
+        gaps.look_along(aim_of(node, in_node_, query_, pass_.direction[tested_side]));
       } else {
         const auto is_any_near = [&]() HWY_ATTR {
           return (bits_of(Tag(), hn::Not(gaps.are_apart())) & asked >> lane) != 0;
@@ -385,15 +387,15 @@ class Passer {
         if (is_any_near()) gaps.look_across();
         if (are_slabs_asked && is_any_near()) gaps.look_along_slabs(lane, slab);
       }
-      gaps.store(planes, found, lane, pass_.units[host_side]);
+      gaps.store(planes, found, lane, pass_.units[tested_side]);
     }
   }
 
   /// Leaves of large meshes are not in the cache.
   HWY_INLINE void fetch_leaves(std::size_t index) const {
     const WideFront::Leaves& leaves = state_.leaves[index];
-    fetch_leaf(leaves.host_side, leaves.host);
-    fetch_leaf(1 - leaves.host_side, leaves.guest);
+    fetch_leaf(leaves.tested_side, leaves.tested);
+    fetch_leaf(1 - leaves.tested_side, leaves.query);
   }
 
   HWY_INLINE void fetch_leaf(int side, const WideFront::Leaf& leaf) const {
@@ -405,7 +407,7 @@ class Passer {
 
   /// Two leaves become leaves_. Returns which pairs they have.
   HWY_INLINE std::uint32_t set_leaves(const WideFront::Leaves& leaves) {
-    leaves_.set(leaves, pass_.into[leaves.host_side]);
+    leaves_.set(leaves, pass_.into[leaves.tested_side]);
     return leaves_.pairs();
   }
 
@@ -453,18 +455,18 @@ class Passer {
       const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
       PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
       found.look_at(crossings);
-      found.look_along(pass_.direction[leaves.host_side]);
-      found.store(planes, gaps, first, pass_.units[leaves.host_side]);
+      found.look_along(pass_.direction[leaves.tested_side]);
+      found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
     }
     const typename Outlook::Nearness found =
-        outlook_[leaves.host_side].keep(planes, gaps, asked, must_.limit);
-    state_.leaves_deadlines[index] = deadline_after(found.lasts);
+        outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
+    state_.leaves_budgets[index] = budget_after(found.lasts);
     leaves.listed |= found.near;
     for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       state_.candidates.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
     }
-    state_.candidate_deadlines.resize(state_.candidates.size(), kAtOnce);
+    state_.candidate_budgets.resize(state_.candidates.size(), kAtOnce);
     state_.candidate_planes.resize(state_.candidates.size());
   }
 
@@ -477,12 +479,12 @@ class Passer {
   std::size_t most_held_;  // what it opens until then may be within reach_
   float moved_;            // rounded down
   float scale_b_;
-  Guest guest_{};
-  WideSlot guest_slot_{};  // of guest_, in the tree of
-  int guest_side_ = -1;    // this side, if of any
-  GuestInNode in_node_;
+  Query query_{};
+  WideChildRef query_slot_{};  // of query_, in the tree of
+  int query_side_ = -1;        // this side, if of any
+  QueryInNode in_node_;
   LocalLeaves leaves_;
-  Outlook outlook_[2];  // by the side of the host
+  Outlook outlook_[2];  // by the side of the tested node
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
@@ -502,7 +504,7 @@ namespace graze::bvh {
 
 HWY_EXPORT(advance);
 
-void pass_over(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
+void update_front(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
   HWY_DYNAMIC_DISPATCH(advance)(state, pass, task);
 }
 

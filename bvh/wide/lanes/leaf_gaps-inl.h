@@ -8,8 +8,8 @@
 #define GRAZE_BVH_LEAF_GAPS
 #endif
 
-#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
 #include <graze/bvh/wide/lanes/pair_lanes-inl.h>
+#include <graze/bvh/wide/lanes/query_gaps-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -37,33 +37,33 @@ HWY_INLINE hn::Vec<AnyTag> along(AnyTag tag, const float (&direction)[3],
 }
 
 /// Lower bounds of the squared distances of pairs: along a direction, by boxes along the axes of
-/// the host's tree, and by the planes of both.
+/// the tested node's tree, and by the planes of both.
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& boxes,
                                         const PairTriangles<AnyTag>& triangles, float leaf_error,
-                                        const float (&direction)[3], float unit_of_host) {
-  const auto unit = hn::Set(tag, unit_of_host);
+                                        const float (&direction)[3], float unit_of_tested) {
+  const auto unit = hn::Set(tag, unit_of_tested);
   const auto error = hn::Set(tag, leaf_error);
   auto of_boxes = hn::Zero(tag);
   for (int i = 0; i < 3; ++i) {
     const auto step = hn::Mul(known(tag, hn::Sub(boxes.gap[i], error)), unit);
     of_boxes = hn::MulAdd(step, step, of_boxes);
   }
-  const auto& host = triangles.host;
-  const auto& guest = triangles.guest;
+  const auto& tested = triangles.tested;
+  const auto& query = triangles.query;
   const auto bound = height_error(tag, boxes.extent, error);
-  const auto of_guest = beyond_plane(Heights<AnyTag>(host, guest), host.normal, bound);
-  const auto of_host = beyond_plane(Heights<AnyTag>(guest, host), guest.normal, bound);
-  auto end = along(tag, direction, host.corner[0]);
-  auto start = along(tag, direction, guest.corner[0]);
+  const auto of_query = beyond_plane(Heights<AnyTag>(tested, query), tested.normal, bound);
+  const auto of_tested = beyond_plane(Heights<AnyTag>(query, tested), query.normal, bound);
+  auto end = along(tag, direction, tested.corner[0]);
+  auto start = along(tag, direction, query.corner[0]);
   for (int c = 1; c < 3; ++c) {
-    end = hn::Max(end, along(tag, direction, host.corner[c]));
-    start = hn::Min(start, along(tag, direction, guest.corner[c]));
+    end = hn::Max(end, along(tag, direction, tested.corner[c]));
+    start = hn::Min(start, along(tag, direction, query.corner[c]));
   }
   // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
   // products once more.
   const auto gap = known(tag, hn::Sub(hn::Sub(start, end), hn::Mul(error, hn::Set(tag, 4.0f))));
-  const auto step = hn::Mul(hn::Max(gap, hn::Max(of_host, of_guest)), unit);
+  const auto step = hn::Mul(hn::Max(gap, hn::Max(of_tested, of_query)), unit);
   return hn::Max(of_boxes, hn::Mul(step, step));
 }
 
@@ -71,8 +71,8 @@ HWY_INLINE hn::Vec<AnyTag> squared_gaps(AnyTag tag, const PairBoxes<AnyTag>& box
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> squared_corners(AnyTag tag, const PairTriangles<AnyTag>& triangles) {
   auto least = hn::Set(tag, std::numeric_limits<float>::infinity());
-  for (const auto& p : triangles.host.corner) {
-    for (const auto& q : triangles.guest.corner) {
+  for (const auto& p : triangles.tested.corner) {
+    for (const auto& q : triangles.query.corner) {
       const auto x = hn::Sub(q[0], p[0]);
       const auto y = hn::Sub(q[1], p[1]);
       const auto z = hn::Sub(q[2], p[2]);

@@ -1,5 +1,5 @@
-// The primitives of a guest's leaf one by one against the boxes of a host node. Included once for
-// each SIMD target.
+// The primitives of a query box's leaf one by one against the boxes of a tested node. Included once
+// for each SIMD target.
 
 #if defined(GRAZE_BVH_LEAF_IN_NODE) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LEAF_IN_NODE
@@ -8,13 +8,13 @@
 #define GRAZE_BVH_LEAF_IN_NODE
 #endif
 
-#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+#include <graze/bvh/wide/lanes/query_leaf-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// A leaf along the axes of a host node, a lane for each primitive: the box around it there, and
+/// A leaf along the axes of a tested node, a lane for each primitive: the box around it there, and
 /// where it lies along its normal. Errors are paid for (wide_bounds.h).
 struct LeafInNode {
   alignas(16) float low[3][4];
@@ -24,12 +24,12 @@ struct LeafInNode {
   alignas(16) float above[4];
 };
 
-HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const GuestLeaf& leaf, const WideNode& host,
+HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const QueryLeaf& leaf, const WideNode& tested,
                                  const double (&treelet_origin)[3]) {
   const FourTag tag;
-  float start[3];  // from the host's origin to that of its treelet
+  float start[3];  // from the tested node's origin to that of its treelet
   for (int i = 0; i < 3; ++i)
-    start[i] = static_cast<float>(treelet_origin[i] - host.origin[i]);
+    start[i] = static_cast<float>(treelet_origin[i] - tested.origin[i]);
   const Four error = hn::Set(tag, kLeafInNodeError * leaf.error);
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
@@ -38,9 +38,9 @@ HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const GuestLeaf& leaf, con
       for (int i = 0; i < 3; ++i)
         way[i] = hn::Add(hn::Load(tag, leaf.corner[c][i] + part), hn::Set(tag, start[i]));
       for (int k = 0; k < 3; ++k) {
-        p[c][k] = hn::MulAdd(way[0], hn::Set(tag, host.axes[0][k]),
-                             hn::MulAdd(way[1], hn::Set(tag, host.axes[1][k]),
-                                        hn::Mul(way[2], hn::Set(tag, host.axes[2][k]))));
+        p[c][k] = hn::MulAdd(way[0], hn::Set(tag, tested.axes[0][k]),
+                             hn::MulAdd(way[1], hn::Set(tag, tested.axes[1][k]),
+                                        hn::Mul(way[2], hn::Set(tag, tested.axes[2][k]))));
       }
     }
     Four e[3], f[3], normal[3];
@@ -75,14 +75,14 @@ HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const GuestLeaf& leaf, con
 
 /// The bits of the children that some of the first `count` primitives are not proved apart from.
 HWY_INLINE std::uint32_t near_primitives_of(const LeafInNode& leaf, std::uint32_t count,
-                                            const WideNode& host) {
+                                            const WideNode& tested) {
   const Tag tag;
   std::uint32_t near = 0;
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
     Lanes centre[3], half[3], low[3], high[3];
     for (int k = 0; k < 3; ++k) {
-      centre[k] = hn::Load(tag, host.centre[k] + lane);
-      half[k] = hn::Load(tag, host.half[k] + lane);
+      centre[k] = hn::Load(tag, tested.centre[k] + lane);
+      half[k] = hn::Load(tag, tested.half[k] + lane);
       low[k] = hn::Sub(centre[k], half[k]);
       high[k] = hn::Add(centre[k], half[k]);
     }

@@ -7,19 +7,19 @@
 #define GRAZE_BVH_PAIR_LANES
 #endif
 
-#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+#include <graze/bvh/wide/lanes/query_leaf-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-// Pair 4 i + j is of the host's primitive i and the guest's j.
+// Pair 4 i + j is of the tested node's primitive i and the query box's j.
 constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 using PairTag = hn::CappedTag<float, kLeafPairs>;
 
 /// The bits of the pairs of two leaves of so many primitives.
-HWY_INLINE std::uint32_t pairs_of(std::uint32_t hosts, std::uint32_t guests) {
-  return 0x1111u * ((1u << guests) - 1) & ((1u << 4 * hosts) - 1);
+HWY_INLINE std::uint32_t pairs_of(std::uint32_t tested, std::uint32_t queries) {
+  return 0x1111u * ((1u << queries) - 1) & ((1u << 4 * tested) - 1);
 }
 
 /// The bits of the lanes of a mask, up to sixteen.
@@ -30,30 +30,30 @@ HWY_INLINE std::uint32_t bits_of(AnyTag tag, Mask mask) {
   return std::uint32_t{bits[0]} | std::uint32_t{bits[1]} << 8;
 }
 
-/// Values of the host's and the guest's primitives in as many pairs as there are lanes, from
-/// `first` on.
+/// Values of the tested node's and the query box's primitives in as many pairs as there are lanes,
+/// from `first` on.
 template <typename AnyTag>
 class PairLanes {
  public:
   using Values = hn::Vec<AnyTag>;
 
   HWY_INLINE explicit PairLanes(std::size_t first) : first_(first) {
-    alignas(64) std::int32_t host[kLeafPairs];
+    alignas(64) std::int32_t tested[kLeafPairs];
     for (std::size_t i = 0; i < hn::Lanes(AnyTag()); ++i)
-      host[i] = static_cast<std::int32_t>((first + i) / 4);
-    host_ = hn::SetTableIndices(AnyTag(), host);
+      tested[i] = static_cast<std::int32_t>((first + i) / 4);
+    tested_ = hn::SetTableIndices(AnyTag(), tested);
   }
 
   /// Of four values.
-  HWY_INLINE Values host(const float* values) const {
+  HWY_INLINE Values tested(const float* values) const {
     const AnyTag tag;
     if constexpr (kHasBlocks) {
-      if (hn::Lanes(tag) > 4) return hn::TableLookupLanes(hn::LoadDup128(tag, values), host_);
+      if (hn::Lanes(tag) > 4) return hn::TableLookupLanes(hn::LoadDup128(tag, values), tested_);
     }
     return hn::Set(tag, values[first_ / 4]);
   }
 
-  HWY_INLINE Values guest(const float* values) const {
+  HWY_INLINE Values query(const float* values) const {
     const AnyTag tag;
     if constexpr (kHasBlocks) return hn::LoadDup128(tag, values);
     return hn::LoadU(tag, values + first_ % 4);
@@ -63,32 +63,32 @@ class PairLanes {
   static constexpr bool kHasBlocks = HWY_TARGET != HWY_SCALAR;
 
   std::size_t first_;
-  decltype(hn::SetTableIndices(AnyTag(), static_cast<const std::int32_t*>(nullptr))) host_;
+  decltype(hn::SetTableIndices(AnyTag(), static_cast<const std::int32_t*>(nullptr))) tested_;
 };
 
-/// The boxes of pairs, along the axes of the host's tree.
+/// The boxes of pairs, along the axes of the tested node's tree.
 template <typename AnyTag>
 struct PairBoxes {
-  hn::Vec<AnyTag> gap[3];         // negative where they overlap
-  hn::Mask<AnyTag> is_below[3];   // the guest, rather than above
-  hn::Vec<AnyTag> size[3];        // what the components of no difference exceed
-  hn::Vec<AnyTag> host_size[3];   // and none of corners of the host alone,
-  hn::Vec<AnyTag> guest_size[3];  // or the guest
-  hn::Vec<AnyTag> extent;         // the largest of all
+  hn::Vec<AnyTag> gap[3];          // negative where they overlap
+  hn::Mask<AnyTag> is_below[3];    // the query box, rather than above
+  hn::Vec<AnyTag> size[3];         // what the components of no difference exceed
+  hn::Vec<AnyTag> tested_size[3];  // and none of corners of the tested node alone,
+  hn::Vec<AnyTag> query_size[3];   // or the query box
+  hn::Vec<AnyTag> extent;          // the largest of all
 
-  HWY_INLINE PairBoxes(const PairLanes<AnyTag>& lanes, const LeafLanes& host,
-                       const LeafLanes& guest) {
+  HWY_INLINE PairBoxes(const PairLanes<AnyTag>& lanes, const LeafLanes& tested,
+                       const LeafLanes& query) {
     extent = hn::Zero(AnyTag());
     for (int i = 0; i < 3; ++i) {
-      const auto low = lanes.guest(guest.low[i]);
-      const auto high = lanes.guest(guest.high[i]);
-      const auto host_low = lanes.host(host.low[i]);
-      const auto host_high = lanes.host(host.high[i]);
-      gap[i] = hn::Max(hn::Sub(low, host_high), hn::Sub(host_low, high));
-      is_below[i] = hn::Gt(hn::Sub(host_low, high), hn::Sub(low, host_high));
-      size[i] = hn::Sub(hn::Max(high, host_high), hn::Min(low, host_low));
-      host_size[i] = hn::Sub(host_high, host_low);
-      guest_size[i] = hn::Sub(high, low);
+      const auto low = lanes.query(query.low[i]);
+      const auto high = lanes.query(query.high[i]);
+      const auto tested_low = lanes.tested(tested.low[i]);
+      const auto tested_high = lanes.tested(tested.high[i]);
+      gap[i] = hn::Max(hn::Sub(low, tested_high), hn::Sub(tested_low, high));
+      is_below[i] = hn::Gt(hn::Sub(tested_low, high), hn::Sub(low, tested_high));
+      size[i] = hn::Sub(hn::Max(high, tested_high), hn::Min(low, tested_low));
+      tested_size[i] = hn::Sub(tested_high, tested_low);
+      query_size[i] = hn::Sub(high, low);
       extent = hn::Max(extent, size[i]);
     }
   }
@@ -101,17 +101,17 @@ struct PairTriangles {
     hn::Vec<AnyTag> corner[3][3];
     hn::Vec<AnyTag> normal[3];
   };
-  Side host;
-  Side guest;
+  Side tested;
+  Side query;
 
-  HWY_INLINE PairTriangles(const PairLanes<AnyTag>& lanes, const LeafLanes& host_leaf,
-                           const LeafLanes& guest_leaf) {
+  HWY_INLINE PairTriangles(const PairLanes<AnyTag>& lanes, const LeafLanes& tested_leaf,
+                           const LeafLanes& query_leaf) {
     for (int i = 0; i < 3; ++i) {
-      host.normal[i] = lanes.host(host_leaf.normal[i]);
-      guest.normal[i] = lanes.guest(guest_leaf.normal[i]);
+      tested.normal[i] = lanes.tested(tested_leaf.normal[i]);
+      query.normal[i] = lanes.query(query_leaf.normal[i]);
       for (int c = 0; c < 3; ++c) {
-        host.corner[c][i] = lanes.host(host_leaf.corner[c][i]);
-        guest.corner[c][i] = lanes.guest(guest_leaf.corner[c][i]);
+        tested.corner[c][i] = lanes.tested(tested_leaf.corner[c][i]);
+        query.corner[c][i] = lanes.query(query_leaf.corner[c][i]);
       }
     }
   }

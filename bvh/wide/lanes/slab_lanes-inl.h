@@ -1,4 +1,4 @@
-// The slabs of children, and how far a guest is from them. Included once for each SIMD target.
+// The slabs of children, and how far a query box is from them. Included once for each SIMD target.
 
 #if defined(GRAZE_BVH_SLAB_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_SLAB_LANES
@@ -7,24 +7,24 @@
 #define GRAZE_BVH_SLAB_LANES
 #endif
 
-#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// The slab of a guest, in the host's units.
-struct GuestSlab {
+/// The slab of a query box, in the tested node's units.
+struct QuerySlab {
   float slope[2];
   float middle;  // from the box's
   float half;
-  float margin;  // what all errors cost along the normal of a host's slab
+  float margin;  // what all errors cost along the normal of a tested node's slab
 };
 
-/// `padding` is that of the guest in the host's node.
-HWY_INLINE GuestSlab slab_of(const WideNode& node, std::uint32_t lane, float scale, float padding) {
-  GuestSlab slab;
+/// `padding` is that of the query box in the tested node.
+HWY_INLINE QuerySlab slab_of(const WideNode& node, std::uint32_t lane, float scale, float padding) {
+  QuerySlab slab;
   float reach = node.half[2][lane] * scale;
   for (int k = 0; k < 2; ++k) {
     slab.slope[k] = WideNode::slope_of(node.slope[k][lane]);
@@ -64,37 +64,38 @@ struct SlabLanes {
   }
 };
 
-// What a host holds is within `half` of the middle of its slab, along the slab's normal n. A point
-// of the guest is sum s_k g_k from its middle, g_k its axes, and with m_k = n . g_k that is
+// What a tested node holds is within `half` of the middle of its slab, along the slab's normal n. A
+// point of the query box is sum s_k g_k from its middle, g_k its axes, and with m_k = n . g_k that
+// is
 //
 //   sum s_k m_k = m_2 (a s_0 + b s_1 + s_2) + (m_0 - a m_2) s_0 + (m_1 - b m_2) s_1
 //
-// along n, a and b the slopes of the guest's own slab, which bounds the first bracket: whatever the
-// other two cost, little where both surfaces are nearly parallel, both slabs are as thin as they
-// are.
+// along n, a and b the slopes of the query box's own slab, which bounds the first bracket: whatever
+// the other two cost, little where both surfaces are nearly parallel, both slabs are as thin as
+// they are.
 struct SlabGap {
-  Lanes offset;  // from the middle of the host's slab to that of the guest's, along n
+  Lanes offset;  // from the middle of the tested node's slab to that of the query box's, along n
   Lanes reach;   // of both
 
-  template <typename AnyGuest>
-  HWY_INLINE SlabGap(const SlabLanes& host, const Lanes (&way)[3], const AnyGuest& guest,
-                     const GuestSlab& slab) {
+  template <typename AnyQuery>
+  HWY_INLINE SlabGap(const SlabLanes& tested, const Lanes (&way)[3], const AnyQuery& query,
+                     const QuerySlab& slab) {
     const Tag tag;
     Lanes m[3];
     for (int k = 0; k < 3; ++k) {
-      m[k] = hn::MulAdd(host.slope[0], hn::Set(tag, guest.axis(k, 0)),
-                        hn::MulAdd(host.slope[1], hn::Set(tag, guest.axis(k, 1)),
-                                   hn::Set(tag, guest.axis(k, 2))));
+      m[k] = hn::MulAdd(tested.slope[0], hn::Set(tag, query.axis(k, 0)),
+                        hn::MulAdd(tested.slope[1], hn::Set(tag, query.axis(k, 1)),
+                                   hn::Set(tag, query.axis(k, 2))));
     }
     reach = hn::MulAdd(hn::Abs(m[2]), hn::Set(tag, slab.half),
-                       hn::Add(host.half, hn::Set(tag, slab.margin)));
+                       hn::Add(tested.half, hn::Set(tag, slab.margin)));
     for (int k = 0; k < 2; ++k) {
       const Lanes rest = hn::NegMulAdd(m[2], hn::Set(tag, slab.slope[k]), m[k]);
-      reach = hn::MulAdd(hn::Abs(rest), hn::Set(tag, guest.half(k)), reach);
+      reach = hn::MulAdd(hn::Abs(rest), hn::Set(tag, query.half(k)), reach);
     }
     const Lanes along =
-        hn::MulAdd(host.slope[0], way[0], hn::MulAdd(host.slope[1], way[1], way[2]));
-    offset = hn::Sub(hn::MulAdd(m[2], hn::Set(tag, slab.middle), along), host.middle);
+        hn::MulAdd(tested.slope[0], way[0], hn::MulAdd(tested.slope[1], way[1], way[2]));
+    offset = hn::Sub(hn::MulAdd(m[2], hn::Set(tag, slab.middle), along), tested.middle);
   }
 };
 

@@ -10,7 +10,7 @@ namespace {
 /// How many times what it cost a treelet may cost: along the axes that it has before others are
 /// chosen, and along the best ones before it is built anew.
 constexpr float kToleratedTurn = 1.1f;
-constexpr float kToleratedDecay = 1.3f;
+constexpr float kToleratedDegradation = 1.3f;
 
 /// What collapse() said when the nodes were built, but for the binary nodes, which are gone.
 /// Children stand behind their parents.
@@ -57,7 +57,7 @@ std::optional<Treelet> refitted_treelet(const Treelet& stock, const TreeletPart&
   treelet.fitted_cost = stock.fitted_cost;
   if (refit_nodes(treelet, corners, topology) > kToleratedTurn * stock.fitted_cost) {
     treelet.fitted_cost = fit_nodes(treelet, corners, topology);
-    if (treelet.fitted_cost > kToleratedDecay * stock.built_cost) return std::nullopt;
+    if (treelet.fitted_cost > kToleratedDegradation * stock.built_cost) return std::nullopt;
   }
   set_corners(treelet, part, corners, topology);
   return treelet;

@@ -11,49 +11,49 @@
 // changes a coordinate by 2.01 u times the sum of all |s_j|. All of it is below 8.1 u of S, the sum
 // of the sizes of o, the centre and the half extents, and kFitError S is added to each half extent.
 //
-// Comparing. Coordinates are those along the host node's axes, y = F (p - o), in which a host's box
-// is a box exactly and every vector is a direction to look along: no axis has to be a unit vector
-// at right angles to others but the guest's, and the deviation of the rotation between the trees is
-// part of the query's slack (tripled, as for obb_separation.cpp). The guest's axes there, M_k = F R
-// g_k, are off by 4 u in each component after the rotation, which rounding R to float begins, and
-// by 10 u in the end; from unit vectors at right angles by 5.5 u, their cross products from the
-// third axis by 10.5 u in each component. The way between the middles is off by 4 u (|c| + W) + u
-// W, where c is the host box's centre and W, for boxes that do meet, at most the sum of both half
-// diagonals. Along a cross product, the worst of the axes, the distance is off by 6 u |c| + 24 u W,
-// the reach by 10 u for each half extent that it takes, 10.5 u more for a guest's, and its
-// rounding.
+// Comparing. Coordinates are those along the tested node's axes, y = F (p - o), in which a tested
+// node's box is a box exactly and every vector is a direction to look along: no axis has to be a
+// unit vector at right angles to others but the query box's, and the deviation of the rotation
+// between the trees is part of the query's slack (tripled, as for obb_separation.cpp). The query
+// box's axes there, M_k = F R g_k, are off by 4 u in each component after the rotation, which
+// rounding R to float begins, and by 10 u in the end; from unit vectors at right angles by 5.5 u,
+// their cross products from the third axis by 10.5 u in each component. The way between the middles
+// is off by 4 u (|c| + W) + u W, where c is the tested node box's centre and W, for boxes that do
+// meet, at most the sum of both half diagonals. Along a cross product, the worst of the axes, the
+// distance is off by 6 u |c| + 24 u W, the reach by 10 u for each half extent that it takes, 10.5 u
+// more for a query box's, and its rounding.
 //
-// All that a host slot's children hold lies in the slot's box. Let D be the sum of its half
+// All that a tested node slot's children hold lies in the slot's box. Let D be the sum of its half
 // extents, which is at least the half diagonal of what it holds plus three times the fit's margin
 // there. An origin inside, and the middle of an interval of length 2 D at most along each of three
 // axes, are |c| <= 2.74 D apart; a child's half extents are D at most each, although its own margin
 // may be 1.74 times the slot's, and its half diagonal 1.74 D. In all less than 101 u D + 54 u times
-// the sum of the guest's half extents. Hosts in the top of the tree have the origin of the
+// the sum of the query box's half extents. Hosts in the top of the tree have the origin of the
 // coordinates in place of one inside, and half extents with 512 u more (treelet_build.cpp).
 //
-// Eight guests that share a node. Their middles are M c + t, t the way between the nodes' origins,
-// c a box's centre in its node, |c| <= 2.74 E for the half diagonal E of the slot that holds them
-// all. M c is off by 10 u |c|_1 in each component for M's sake and rounds by 4 u |c|: 38 u |c| in
-// all. t is longer than the way between middles by |c| at most, which is 4 u |c| more, and the sum
-// rounds by u (|c'| + W), c' the host box's centre. With 52 u of the guest's half diagonal, which
-// is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers it. The last sum is 8
-// u D more for the host, too: 109 u in all.
+// Eight query boxes that share a node. Their middles are M c + t, t the way between the nodes'
+// origins, c a box's centre in its node, |c| <= 2.74 E for the half diagonal E of the slot that
+// holds them all. M c is off by 10 u |c|_1 in each component for M's sake and rounds by 4 u |c|: 38
+// u |c| in all. t is longer than the way between middles by |c| at most, which is 4 u |c| more, and
+// the sum rounds by u (|c'| + W), c' the tested node box's centre. With 52 u of the query box's
+// half diagonal, which is at most 1.74 E, that is less than 210 u E: twice kComparisonError covers
+// it. The last sum is 8 u D more for the tested node, too: 109 u in all.
 //
 // Slabs. Along n = (a, b, 1), whose components add up to 2.969 at most, a component of the way, off
-// by the comparison's margin at most, counts for up to 2.969 margins. The guest's axes along n are
-// off by 36 u, the rest of them beside its own slab by 3.5 u more, two slabs read from bytes by 10
-// u D and 25 u times the sum of the guest's half extents, and the sums round by 26 u D and 37 u of
-// those: less than one margin. kSlabMargins covers both.
+// by the comparison's margin at most, counts for up to 2.969 margins. The query box's axes along n
+// are off by 36 u, the rest of them beside its own slab by 3.5 u more, two slabs read from bytes by
+// 10 u D and 25 u times the sum of the query box's half extents, and the sums round by 26 u D and
+// 37 u of those: less than one margin. kSlabMargins covers both.
 //
-// Leaves. A corner of a guest in the host's treelet, turned (5 u |p|, |p| <= 1.74 reach), scaled
-// and moved by an offset (2 u of it, and u of the turned corner), is off by less than 11 u reach +
-// 2 u offset; a corner of the host by u reach. Differences of two corners of the guest are off by
-// twice as much.
+// Leaves. A corner of a query box in the tested node's treelet, turned (5 u |p|, |p| <= 1.74
+// reach), scaled and moved by an offset (2 u of it, and u of the turned corner), is off by less
+// than 11 u reach + 2 u offset; a corner of the tested node by u reach. Differences of two corners
+// of the query box are off by twice as much.
 //
-// Primitives of a leaf in a node. Beside the error of a corner in the host's treelet, which turned
-// counts 1.74 times, the way to the node's origin, the turn and heights along a normal round by 14
-// u of the sum that kCornerError multiplies, the box's height, reach and ends by 28 u of the host's
-// reach.
+// Primitives of a leaf in a node. Beside the error of a corner in the tested node's treelet, which
+// turned counts 1.74 times, the way to the node's origin, the turn and heights along a normal round
+// by 14 u of the sum that kCornerError multiplies, the box's height, reach and ends by 28 u of the
+// tested node's reach.
 //
 // Shared axes. Boxes of both trees along three axes at right angles, in common units and from a
 // point near what is looked for. Let |o| be the size of the coordinate of a node's origin there,
@@ -74,10 +74,10 @@
 //
 // Distances. A gap along an axis is computed as the excess over a reach that has the margins above,
 // which cover what grows with the boxes; what grows with the gap itself is below 5.1 u of it in
-// each of the host's axes and 24 u in the guest's, for the way is at most the reaches and the gap:
-// as a vector of three, 42 u. Axes lengthen by 5.3 u, squares and sums of three round by 5 u, and a
-// plane's gap, divided by the root of a square, by 6 u. Squared bounds are too large by less than
-// 101 u = 2^-17.3 of themselves.
+// each of the tested node's axes and 24 u in the query box's, for the way is at most the reaches
+// and the gap: as a vector of three, 42 u. Axes lengthen by 5.3 u, squares and sums of three round
+// by 5 u, and a plane's gap, divided by the root of a square, by 6 u. Squared bounds are too large
+// by less than 101 u = 2^-17.3 of themselves.
 
 namespace graze::bvh {
 
@@ -98,8 +98,8 @@ inline constexpr float kPlaneRounding = 0x1p-18f;
 /// Products of three differences up to it cannot overflow.
 inline constexpr float kLargestPlaneExtent = 0x1p40f;
 
-/// A guest's unit in a host's beyond which sums of coordinates could overflow and still belong to
-/// what meets: nothing is proved of such guests.
+/// A query box's unit in a tested node's beyond which sums of coordinates could overflow and still
+/// belong to what meets: nothing is proved of such query boxes.
 inline constexpr double kLargestScale = 0x1p60;
 
 inline constexpr double kBoundGrowth = 1 + 0x1p-15;

@@ -1,6 +1,6 @@
 #include <graze/bvh/build/top_split.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/refit/decayed_nodes.h>
+#include <graze/bvh/refit/degraded_nodes.h>
 #include <graze/bvh/tree/graft.h>
 #include <graze/bvh/tree/node_lanes.h>
 #include <graze/bvh/value/parallel.h>
@@ -17,7 +17,7 @@ constexpr std::size_t kTreeletSize = 2048;
 
 /// How many times what it cost a part of the top may cost before it is split anew. More than for
 /// treelets, because all treelets below are lost with it.
-constexpr float kToleratedDecay = 1.65f;
+constexpr float kToleratedDegradation = 1.65f;
 
 using Places = std::span<std::uint32_t>;
 
@@ -66,10 +66,10 @@ TreeletPart places_below(const WideTop& top, std::uint32_t node) {
 }
 
 /// Splits anew what lies below these nodes. Parts that are left over stay, named by no leaf.
-void rebuild(WideTop& top, std::span<const DecayedNode> decayed, const CornerSource& source,
+void rebuild(WideTop& top, std::span<const DegradedNode> degraded, const CornerSource& source,
              const LocalFrame& frame, Places order) {
   std::vector<Graft> grafts;
-  for (const DecayedNode& node : decayed) {
+  for (const DegradedNode& node : degraded) {
     const TreeletPart below = places_below(top, node.node);
     const Places places = order.subspan(below.first, below.count);
     // All of them in their own order, so that nothing but the positions says what is built.
@@ -121,10 +121,10 @@ WideTop refitted(WideTop stock, const CornerSource& source, const LocalFrame& fr
   fit_parts(top, source, frame, order);
   fit_nodes(top);
   const std::vector<float> now = subtree_costs(top.nodes, kWideSettings.primitive_cost);
-  const std::vector<DecayedNode> decayed =
-      find_decayed(top.nodes, {top.costs, now, kToleratedDecay});
-  if (decayed.empty()) return top;
-  rebuild(top, decayed, source, frame, order);
+  const std::vector<DegradedNode> degraded =
+      find_degraded(top.nodes, {top.costs, now, kToleratedDegradation});
+  if (degraded.empty()) return top;
+  rebuild(top, degraded, source, frame, order);
   number_parts(top);
   return top;
 }

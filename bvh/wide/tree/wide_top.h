@@ -39,7 +39,7 @@ WideTop split_all(const CornerSource& source, const LocalFrame& frame,
                   std::vector<std::uint32_t>& order);
 
 /// The stock's top fitted to where the primitives are now, `order` being the stock's. What has
-/// decayed is split anew, with the primitives below it in a new order. Parallel; linear time but
+/// degraded is split anew, with the primitives below it in a new order. Parallel; linear time but
 /// for what is split anew.
 WideTop refitted(WideTop stock, const CornerSource& source, const LocalFrame& frame,
                  std::vector<std::uint32_t>& order);

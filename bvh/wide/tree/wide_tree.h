@@ -15,11 +15,11 @@
 namespace graze::bvh {
 
 /// A child of a node, by where the node stands: everything that a walk has to remember of it.
-struct WideSlot {
+struct WideChildRef {
   const WideNode* node;
   std::uint32_t lane;
   std::uint32_t treelet;
-  bool operator==(const WideSlot&) const = default;
+  bool operator==(const WideChildRef&) const = default;
 };
 
 /// The one topology collapsed to wide nodes. Its top is built at once, the treelets below it, of
@@ -34,7 +34,7 @@ class WideTree {
   WideTree(const Aabb& bounds, const CornerSource& source);
 
   /// Over the primitives of the tree that left the stock, which may have moved anywhere: refits the
-  /// top, in parallel, and later treelets as they are entered. What has decayed is built anew.
+  /// top, in parallel, and later treelets as they are entered. What has degraded is built anew.
   WideTree(const Aabb& bounds, const CornerSource& source, const WideStock& stock);
 
   /// What the next tree over these primitives can begin with: copies a few bytes a primitive, and
@@ -47,7 +47,7 @@ class WideTree {
   const FloatBox& box() const { return box_; }
 
   /// Where walks begin: the box of everything.
-  WideSlot root() const { return {treelet(0).nodes.data(), 0, 0}; }
+  WideChildRef root() const { return {treelet(0).nodes.data(), 0, 0}; }
 
   /// A treelet that has been built: the first is the top.
   const Treelet& treelet(std::uint32_t index) const {

@@ -8,8 +8,8 @@
 #define GRAZE_BVH_ALIGNED_NODE
 #endif
 
-#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
-#include <graze/bvh/wide/lanes/guest_leaf-inl.h>
+#include <graze/bvh/wide/lanes/query_gaps-inl.h>
+#include <graze/bvh/wide/lanes/query_leaf-inl.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/bvh/wide/walk/aligned_boxes.h>
 #include <algorithm>
@@ -126,8 +126,8 @@ HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t l
 
 /// Boxes of the children. Along the first axis, where it matters, as what they hold reaches: much
 /// of a box along a node's axes is empty.
-HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree, const WideSlot& slot,
-                                   const AlignedWay& way) {
+HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
+                                   const WideChildRef& slot, const AlignedWay& way) {
   const Tag tag;
   const WideNode& node = *slot.node;
   const NodeAlong<3> along(node, way);
@@ -152,17 +152,17 @@ HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree, c
   }
 }
 
-/// Lower bounds of the squared distances of a guest and the children of a host.
-HWY_INLINE void set_aligned_bounds(float (&bounds)[WideNode::kWidth], const AlignedNode& host,
-                                   const AlignedNode& guest, std::uint32_t lane) {
+/// Lower bounds of the squared distances of a query box and the children of a tested node.
+HWY_INLINE void set_aligned_bounds(float (&bounds)[WideNode::kWidth], const AlignedNode& tested,
+                                   const AlignedNode& query, std::uint32_t lane) {
   const Tag tag;
   for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
     Lanes square = hn::Zero(tag);
     for (int k = 0; k < 3; ++k) {
       const Lanes above =
-          hn::Sub(hn::Load(tag, host.low[k] + part), hn::Set(tag, guest.high[k][lane]));
+          hn::Sub(hn::Load(tag, tested.low[k] + part), hn::Set(tag, query.high[k][lane]));
       const Lanes below =
-          hn::Sub(hn::Set(tag, guest.low[k][lane]), hn::Load(tag, host.high[k] + part));
+          hn::Sub(hn::Set(tag, query.low[k][lane]), hn::Load(tag, tested.high[k] + part));
       const Lanes gap = known(tag, hn::Max(above, below));
       square = hn::MulAdd(gap, gap, square);
     }

@@ -20,25 +20,25 @@ HWY_INLINE auto is_on_one_side(const Heights<AnyTag>& heights, hn::Vec<AnyTag> b
   return hn::Or(hn::Gt(heights.low, bound), hn::Lt(heights.high, hn::Neg(bound)));
 }
 
-/// The bits of the pairs that are not proved apart: by boxes along the axes of the host's tree and
-/// by the planes of both.
-HWY_INLINE std::uint32_t near_primitives(const LeafLanes& host, const GuestLeaf& guest) {
+/// The bits of the pairs that are not proved apart: by boxes along the axes of the tested node's
+/// tree and by the planes of both.
+HWY_INLINE std::uint32_t near_primitives(const LeafLanes& tested, const QueryLeaf& query) {
   const PairTag tag;
   std::uint32_t near = 0;
-  const auto error = hn::Set(tag, guest.error);
+  const auto error = hn::Set(tag, query.error);
   for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
     const PairLanes<PairTag> lanes(first);
-    const PairBoxes<PairTag> boxes(lanes, host, guest);
+    const PairBoxes<PairTag> boxes(lanes, tested, query);
     auto apart = hn::Gt(boxes.gap[0], error);
     for (int i = 1; i < 3; ++i)
       apart = hn::Or(apart, hn::Gt(boxes.gap[i], error));
     if (hn::AllTrue(tag, apart)) continue;
     const auto bound = height_error(tag, boxes.extent, error);
-    const PairTriangles<PairTag> triangles(lanes, host, guest);
-    const Heights<PairTag> of_guest(triangles.host, triangles.guest);
-    const Heights<PairTag> of_host(triangles.guest, triangles.host);
-    apart = hn::Or(apart, is_on_one_side(of_guest, bound));
-    apart = hn::Or(apart, is_on_one_side(of_host, bound));
+    const PairTriangles<PairTag> triangles(lanes, tested, query);
+    const Heights<PairTag> of_query(triangles.tested, triangles.query);
+    const Heights<PairTag> of_tested(triangles.query, triangles.tested);
+    apart = hn::Or(apart, is_on_one_side(of_query, bound));
+    apart = hn::Or(apart, is_on_one_side(of_tested, bound));
     near |= bits_of(tag, hn::Not(apart)) << first;
   }
   return near;

@@ -18,16 +18,16 @@ namespace {
 struct NearPairs {
   static constexpr std::size_t kMost = 16;
 
-  alignas(64) float host[3][3][kMost] = {};  // [corner][component]
-  alignas(64) float guest[3][3][kMost] = {};
+  alignas(64) float tested[3][3][kMost] = {};  // [corner][component]
+  alignas(64) float query[3][3][kMost] = {};
   std::uint32_t count = 0;
 
-  void add(const LeafLanes& of_host, std::uint32_t i_host, const LeafLanes& of_guest,
-           std::uint32_t i_guest) {
+  void add(const LeafLanes& of_tested, std::uint32_t i_tested, const LeafLanes& of_query,
+           std::uint32_t i_query) {
     for (int c = 0; c < 3; ++c) {
       for (int i = 0; i < 3; ++i) {
-        host[c][i][count] = of_host.corner[c][i][i_host];
-        guest[c][i][count] = of_guest.corner[c][i][i_guest];
+        tested[c][i][count] = of_tested.corner[c][i][i_tested];
+        query[c][i][count] = of_query.corner[c][i][i_query];
       }
     }
     ++count;
@@ -93,7 +93,7 @@ struct Sides {
   }
 };
 
-/// The shortest way found so far from a host's primitive to its guest.
+/// The shortest way found so far from a tested node's primitive to its query box.
 struct Shortest {
   Many square;
   Way way;
@@ -114,20 +114,20 @@ struct Shortest {
   }
 };
 
-/// Two edges, the guest's begins `between` from the host's: the nearest points of their lines, then
-/// of what is left of them (Ericson, Real-Time Collision Detection, 5.1.9).
-HWY_INLINE void consider_edges(Shortest& shortest, const Sides& host, int i, const Sides& guest,
+/// Two edges, the query box's begins `between` from the tested node's: the nearest points of their
+/// lines, then of what is left of them (Ericson, Real-Time Collision Detection, 5.1.9).
+HWY_INLINE void consider_edges(Shortest& shortest, const Sides& tested, int i, const Sides& query,
                                int j, const Way& between) {
   const ManyTag tag;
-  const Many b = dot(host.edge[i], guest.edge[j]);
-  const Many c = dot(host.edge[i], between);
-  const Many f = dot(guest.edge[j], between);
-  const Many determinant = hn::MulSub(host.square[i], guest.square[j], hn::Mul(b, b));
+  const Many b = dot(tested.edge[i], query.edge[j]);
+  const Many c = dot(tested.edge[i], between);
+  const Many f = dot(query.edge[j], between);
+  const Many determinant = hn::MulSub(tested.square[i], query.square[j], hn::Mul(b, b));
   const Many s =
-      share(hn::Mul(hn::MulSub(c, guest.square[j], hn::Mul(b, f)), inverse(determinant)));
-  const Many t = share(hn::Mul(hn::MulSub(b, s, f), guest.inverse_square[j]));
-  const Many s_of_t = share(hn::Mul(hn::MulAdd(b, t, c), host.inverse_square[i]));
-  const Way way = along(hn::Neg(s_of_t), host.edge[i], along(t, guest.edge[j], between));
+      share(hn::Mul(hn::MulSub(c, query.square[j], hn::Mul(b, f)), inverse(determinant)));
+  const Many t = share(hn::Mul(hn::MulSub(b, s, f), query.inverse_square[j]));
+  const Many s_of_t = share(hn::Mul(hn::MulAdd(b, t, c), tested.inverse_square[i]));
+  const Way way = along(hn::Neg(s_of_t), tested.edge[i], along(t, query.edge[j], between));
   const Many square = dot(way, way);
   shortest.consider_where(hn::Ge(square, hn::Zero(tag)), way, square);
 }
@@ -153,29 +153,30 @@ HWY_INLINE void consider_face(Shortest& shortest, const Sides& sides, const Way&
 /// wrong by anything: whatever direction it gives, a gap along it is one. `error` is that of each
 /// coordinate of a difference of corners.
 HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
-                           float unit_of_host) {
+                           float unit_of_tested) {
   const ManyTag tag;
   for (std::size_t part = 0; part < pairs.count; part += hn::Lanes(tag)) {
-    const Way p[3] = {corner_in(pairs.host[0], part), corner_in(pairs.host[1], part),
-                      corner_in(pairs.host[2], part)};
-    const Way q[3] = {corner_in(pairs.guest[0], part), corner_in(pairs.guest[1], part),
-                      corner_in(pairs.guest[2], part)};
-    const Sides host(p[0], p[1], p[2]);
-    const Sides guest(q[0], q[1], q[2]);
-    const Way host_normal = cross(host.edge[0], host.edge[1]);
-    const Way guest_normal = cross(guest.edge[0], guest.edge[1]);
-    Way between[3][3];  // [host's][guest's]
+    const Way p[3] = {corner_in(pairs.tested[0], part), corner_in(pairs.tested[1], part),
+                      corner_in(pairs.tested[2], part)};
+    const Way q[3] = {corner_in(pairs.query[0], part), corner_in(pairs.query[1], part),
+                      corner_in(pairs.query[2], part)};
+    const Sides tested(p[0], p[1], p[2]);
+    const Sides query(q[0], q[1], q[2]);
+    const Way tested_normal = cross(tested.edge[0], tested.edge[1]);
+    const Way query_normal = cross(query.edge[0], query.edge[1]);
+    Way between[3][3];  // [tested node's][query box's]
     Shortest shortest;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         between[i][j] = minus(q[j], p[i]);
-        consider_edges(shortest, host, i, guest, j, between[i][j]);
+        consider_edges(shortest, tested, i, query, j, between[i][j]);
       }
     }
     for (int k = 0; k < 3; ++k) {
-      consider_face(shortest, host, host_normal, {between[0][k], between[1][k], between[2][k]}, 1);
-      const Way from_guest[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
-      consider_face(shortest, guest, guest_normal, from_guest, -1);
+      consider_face(shortest, tested, tested_normal, {between[0][k], between[1][k], between[2][k]},
+                    1);
+      const Way from_query[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
+      consider_face(shortest, query, query_normal, from_query, -1);
     }
     // The direction is as long as its square says, which is not so where that underflowed.
     const Many scale = hn::IfThenElseZero(hn::Ge(shortest.square, hn::Set(tag, kWideUnderflow)),
@@ -188,7 +189,7 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
         gap = hn::Min(gap, dot(direction, between[i][j]));
     }
     const Many step =
-        hn::Mul(known(tag, hn::Sub(gap, hn::Set(tag, 4 * error))), hn::Set(tag, unit_of_host));
+        hn::Mul(known(tag, hn::Sub(gap, hn::Set(tag, 4 * error))), hn::Set(tag, unit_of_tested));
     hn::Store(hn::Mul(step, step), tag, bounds + part);
   }
 }

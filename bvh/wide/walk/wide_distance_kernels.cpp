@@ -5,8 +5,8 @@
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/walk/wide_distance_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/wide/lanes/guest_gaps-inl.h>
-#include <graze/bvh/wide/lanes/slots-inl.h>
+#include <graze/bvh/wide/lanes/child_refs-inl.h>
+#include <graze/bvh/wide/lanes/query_gaps-inl.h>
 #include <graze/bvh/wide/walk/aligned_node-inl.h>
 #include <graze/bvh/wide/walk/nearest_direction-inl.h>
 #include <graze/bvh/wide/walk/wide_distance_walk.h>
@@ -44,61 +44,64 @@ class Walker {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
     if (is_first_opened(pair.a, link_a, pair.b, link_b, scale_b_)) {
-      open_host(0, pair.a, link_a, pair.b, link_b);
+      open_tested(0, pair.a, link_a, pair.b, link_b);
     } else {
-      open_host(1, pair.b, link_b, pair.a, link_a);
+      open_tested(1, pair.b, link_b, pair.a, link_a);
     }
   }
 
-  HWY_INLINE void open_host(int host_side, const WideSlot& host, std::uint32_t host_link,
-                            const WideSlot& guest, std::uint32_t guest_link) {
-    const WideWay& way = state_.into[host_side];
-    const WideSlot below = first_below(*state_.tree[host_side], host, host_link, counts_.treelets);
+  HWY_INLINE void open_tested(int tested_side, const WideChildRef& tested,
+                              std::uint32_t tested_link, const WideChildRef& query,
+                              std::uint32_t query_link) {
+    const WideWay& way = state_.into[tested_side];
+    const WideChildRef below =
+        first_below(*state_.tree[tested_side], tested, tested_link, counts_.treelets);
     const WideNode& node = *below.node;
     counts_.box_tests += node.count;
     std::uint32_t near = node.lanes();
     const bool is_aligned = can_align();
     if (is_aligned) {
-      set_aligned_bounds(aligned_bounds_, aligned(host_side, below), aligned(1 - host_side, guest),
-                         guest.lane);
+      set_aligned_bounds(aligned_bounds_, aligned(tested_side, below),
+                         aligned(1 - tested_side, query), query.lane);
       near = not_beyond(near, aligned_bounds_);
       if (near == 0) {
         counts_.box_rejections += node.count;
         return;
       }
     }
-    if (guest_side_ != 1 - host_side || guest_slot_ != guest) {
-      set_guest(guest_, *guest.node, guest.lane, way);
-      guest_slot_ = guest;
-      guest_side_ = 1 - host_side;
+    if (query_side_ != 1 - tested_side || query_slot_ != query) {
+      set_query(query_, *query.node, query.lane, way);
+      query_slot_ = query;
+      query_side_ = 1 - tested_side;
     }
-    set_guest_in_node(in_node_, guest_, node, way.slack + kComparisonError * size_of(host));
+    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * size_of(tested));
     set_promises(promises_, node, in_node_,
-                 aim_of(node, in_node_, guest_, state_.direction[host_side]),
-                 state_.units[host_side]);
+                 aim_of(node, in_node_, query_, state_.direction[tested_side]),
+                 state_.units[tested_side]);
     if (is_aligned) {
       for (std::uint32_t lane = 0; lane < WideNode::kWidth; ++lane)
         promises_.bound[lane] = std::max(promises_.bound[lane], aligned_bounds_[lane]);
     }
     near = not_beyond(node.lanes(), promises_.bound);
     counts_.box_rejections += node.count - static_cast<std::uint32_t>(std::popcount(near));
-    bool is_guest_leaf_set = false;
+    bool is_query_leaf_set = false;
     while (near != 0) {
       const std::uint32_t lane = farthest(near, promises_.key);
       near &= ~(1u << lane);
       const std::uint32_t link = node.child[lane];
-      if (ChildLink::is_leaf(guest_link) && ChildLink::is_leaf(link)) {
-        const WideTree::Treelet& host_treelet = state_.tree[host_side]->treelet(below.treelet);
-        const WideTree::Treelet& guest_treelet = state_.tree[1 - host_side]->treelet(guest.treelet);
-        if (!is_guest_leaf_set)
-          set_guest_leaf(guest_leaf_, guest_treelet, guest_link, host_treelet, way);
-        is_guest_leaf_set = true;
-        compare_leaves(host_side, host_treelet, link, guest_treelet, guest_link);
+      if (ChildLink::is_leaf(query_link) && ChildLink::is_leaf(link)) {
+        const WideTree::Treelet& tested_treelet = state_.tree[tested_side]->treelet(below.treelet);
+        const WideTree::Treelet& query_treelet =
+            state_.tree[1 - tested_side]->treelet(query.treelet);
+        if (!is_query_leaf_set)
+          set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet, way);
+        is_query_leaf_set = true;
+        compare_leaves(tested_side, tested_treelet, link, query_treelet, query_link);
         continue;
       }
-      const WideSlot child = {&node, lane, below.treelet};
-      state_.open.push(
-          {host_side == 0 ? child : guest, host_side == 0 ? guest : child, promises_.bound[lane]});
+      const WideChildRef child = {&node, lane, below.treelet};
+      state_.open.push({tested_side == 0 ? child : query, tested_side == 0 ? query : child,
+                        promises_.bound[lane]});
     }
   }
 
@@ -121,7 +124,7 @@ class Walker {
     return state_.is_aligned;
   }
 
-  HWY_INLINE const AlignedNode& aligned(int side, const WideSlot& slot) {
+  HWY_INLINE const AlignedNode& aligned(int side, const WideChildRef& slot) {
     AlignedNodes::Entry& entry = state_.aligned[side].entry_of(slot.node);
     if (entry.node != slot.node) {
       set_aligned_node(entry.boxes, *state_.tree[side], slot, state_.aligned_way[side]);
@@ -130,44 +133,45 @@ class Walker {
     return entry.boxes;
   }
 
-  HWY_INLINE void compare_leaves(int host_side, const WideTree::Treelet& host,
-                                 std::uint32_t host_link, const WideTree::Treelet& guest,
-                                 std::uint32_t guest_link) {
-    const std::uint32_t count = ChildLink::count(host_link);
-    const std::uint32_t guests = ChildLink::count(guest_link);
-    const std::uint32_t first = host.first + ChildLink::first(host_link);
-    const std::uint32_t first_guest = guest.first + ChildLink::first(guest_link);
-    const float unit = state_.units[host_side];
+  HWY_INLINE void compare_leaves(int tested_side, const WideTree::Treelet& tested,
+                                 std::uint32_t tested_link, const WideTree::Treelet& query,
+                                 std::uint32_t query_link) {
+    const std::uint32_t count = ChildLink::count(tested_link);
+    const std::uint32_t queries = ChildLink::count(query_link);
+    const std::uint32_t first = tested.first + ChildLink::first(tested_link);
+    const std::uint32_t first_query = query.first + ChildLink::first(query_link);
+    const float unit = state_.units[tested_side];
     const std::size_t begin = size_;
-    set_host_leaf(host_leaf_, host, host_link);
-    set_pairs(host_side);
-    std::uint32_t pairs = pairs_of(count, guests);
+    set_tested_leaf(tested_leaf_, tested, tested_link);
+    set_pairs(tested_side);
+    std::uint32_t pairs = pairs_of(count, queries);
     counts_.primitive_tests += static_cast<std::uint32_t>(std::popcount(pairs));
     for (; pairs != 0; pairs &= pairs - 1) {
       const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
       const float bound = bounds_[pair] > 0 ? bounds_[pair] : 0;  // infinities may have made it NaN
       if (bound > limit_) continue;
       reach_to(corners_[pair], unit);
-      const std::uint32_t of_host = pair / 4;
-      const std::uint32_t of_guest = pair % 4;
-      const PlacePair places = host_side == 0 ? PlacePair{first + of_host, first_guest + of_guest}
-                                              : PlacePair{first_guest + of_guest, first + of_host};
+      const std::uint32_t of_tested = pair / 4;
+      const std::uint32_t of_query = pair % 4;
+      const PlacePair places = tested_side == 0
+                                   ? PlacePair{first + of_tested, first_query + of_query}
+                                   : PlacePair{first_query + of_query, first + of_tested};
       found_[begin + near_.count] = {places, bound};
-      near_.add(host_leaf_, of_host, guest_leaf_, of_guest);
+      near_.add(tested_leaf_, of_tested, query_leaf_, of_query);
     }
     if (near_.count > 0) look_closer(begin, unit);
   }
 
   /// Of all pairs of the two leaves: lower bounds of their squared distances, and squared distances
   /// of their nearest corners.
-  HWY_INLINE void set_pairs(int host_side) {
+  HWY_INLINE void set_pairs(int tested_side) {
     const PairTag tag;
     for (std::size_t part = 0; part < kLeafPairs; part += hn::Lanes(tag)) {
       const PairLanes<PairTag> lanes(part);
-      const PairBoxes<PairTag> boxes(lanes, host_leaf_, guest_leaf_);
-      const PairTriangles<PairTag> triangles(lanes, host_leaf_, guest_leaf_);
-      hn::Store(squared_gaps(tag, boxes, triangles, guest_leaf_.error, state_.direction[host_side],
-                             state_.units[host_side]),
+      const PairBoxes<PairTag> boxes(lanes, tested_leaf_, query_leaf_);
+      const PairTriangles<PairTag> triangles(lanes, tested_leaf_, query_leaf_);
+      hn::Store(squared_gaps(tag, boxes, triangles, query_leaf_.error,
+                             state_.direction[tested_side], state_.units[tested_side]),
                 tag, bounds_ + part);
       hn::Store(squared_corners(tag, triangles), tag, corners_ + part);
     }
@@ -176,7 +180,7 @@ class Walker {
   /// Keeps those that are not beyond the limit along the way between their nearest points either.
   HWY_INLINE void look_closer(std::size_t begin, float unit) {
     alignas(64) float bounds[NearPairs::kMost];
-    set_bounds(bounds, near_, guest_leaf_.error, unit);
+    set_bounds(bounds, near_, query_leaf_.error, unit);
     for (std::uint32_t i = 0; i < near_.count; ++i) {
       BoundedPlaces pair = found_[begin + i];
       pair.squared_bound = std::max(pair.squared_bound, bounds[i]);
@@ -189,7 +193,7 @@ class Walker {
   /// corner's coordinates in each direction, and a thousandth of a thousandth for rounding.
   HWY_INLINE void reach_to(float squared_corners, float unit) {
     if (!(unit > 0)) return;  // it is too small for a float to say how far that is
-    const float distance = (std::sqrt(squared_corners) + 4 * guest_leaf_.error) * unit;
+    const float distance = (std::sqrt(squared_corners) + 4 * query_leaf_.error) * unit;
     const float reach = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
     const float square = reach * reach * static_cast<float>(kBoundGrowth) + kWideUnderflow;
     if (square < state_.squared_reach) state_.squared_reach = square;
@@ -202,12 +206,12 @@ class Walker {
   WideWalkCounts& counts_;
   std::size_t size_ = 0;
   float scale_b_;
-  Guest guest_{};
-  WideSlot guest_slot_{};  // of guest_, in the tree of
-  int guest_side_ = -1;    // this side, if of any
-  GuestInNode in_node_;
-  LeafLanes host_leaf_;
-  GuestLeaf guest_leaf_;
+  Query query_{};
+  WideChildRef query_slot_{};  // of query_, in the tree of
+  int query_side_ = -1;        // this side, if of any
+  QueryInNode in_node_;
+  LeafLanes tested_leaf_;
+  QueryLeaf query_leaf_;
   alignas(64) float bounds_[kLeafPairs];
   alignas(64) float corners_[kLeafPairs];
   NearPairs near_;

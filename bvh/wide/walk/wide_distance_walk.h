@@ -59,8 +59,8 @@ class WideDistanceWalk {
   // What the kernels see.
 
   struct Waiting {
-    WideSlot a;
-    WideSlot b;
+    WideChildRef a;
+    WideChildRef b;
     float squared_bound;
   };
 
@@ -76,7 +76,7 @@ class WideDistanceWalk {
 
     const WideTree* tree[2];
     RelativeFrame b_in_a;
-    WideWay into[2];  // of guests from the other tree
+    WideWay into[2];  // of query boxes from the other tree
     float units[2];   // of each tree, in common units
     float growth;     // LengthMargins, twice over
     float margin;

@@ -50,8 +50,8 @@ class WidePairWalk {
 
   /// Two children that wait to be compared: what lies below them is a walk of its own.
   struct Waiting {
-    WideSlot a;
-    WideSlot b;
+    WideChildRef a;
+    WideChildRef b;
   };
 
   /// Appends half of what waits to `half`, nodes near the roots among them: others can walk these.
@@ -80,7 +80,7 @@ class WidePairWalk {
         : tree{trees[0], trees[1]}, into{ways[0], ways[1]} {}
 
     const WideTree* tree[2];
-    WideWay into[2];  // of guests from the other tree
+    WideWay into[2];  // of query boxes from the other tree
     TraversalStack<Waiting, 192> open;
     std::uint32_t patience = 0;    // steps until the walk looks elsewhere
     std::uint32_t steps_left = 0;  // of these; 0 if it never does

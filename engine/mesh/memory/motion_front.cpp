@@ -6,7 +6,7 @@
 namespace graze {
 namespace {
 
-/// Measured. Where nearly all is due by its deadline, there was a jump, and planes hold no better;
+/// Measured. Where nearly all is due by its budget, there was a jump, and planes hold no better;
 /// to look at a third of a front of distances costs as much as a walk of its own.
 constexpr double kMostDue = 0.7;
 constexpr double kMostLookedAt = 0.35;
@@ -20,13 +20,14 @@ constexpr double kFast = 0.005;
 /// To begin a front costs three times a walk: so many passes pay for that.
 constexpr int kEnoughPasses = 4;
 
-/// Measured. What a smaller front has due is looked at in less time than the course takes.
-constexpr std::size_t kWorthACourse = 200;
+/// Measured. What a smaller front has due is looked at in less time than the predicted motion
+/// takes.
+constexpr std::size_t kWorthAPrediction = 200;
 
-/// Of a course that is worth it: how fast its clock may run, for each unit of the way, and in how
-/// many passes another may follow at once.
-constexpr double kFastestClock = 1.5;
-constexpr int kEnoughOnCourse = 8;
+/// Of a predicted motion that is worth it: how fast its motion spent may run, for each unit of the
+/// way, and in how many passes another may follow at once.
+constexpr double kFastestSpending = 1.5;
+constexpr int kEnoughPredicted = 8;
 
 /// A front grows with what opens and never closes.
 constexpr int kMostPasses = 1000;
@@ -95,23 +96,24 @@ bool MotionFront::is_outgrown() const {
 }
 
 void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
-  if (front_.has_course()) {
-    ++passes_on_course_;
-    way_on_course_ += since_last_.way;
-    if (front_.clock() - clock_at_course_ > kFastestClock * way_on_course_) {
-      front_.drop_course();
-      next_off_course_ =
-          passes_on_course_ >= kEnoughOnCourse ? 1 : std::min(2 * next_off_course_, kLongestPause);
-      passes_off_course_ = next_off_course_ - 1;
+  if (front_.has_prediction()) {
+    ++passes_predicted_;
+    way_predicted_ += since_last_.way;
+    if (front_.spent() - spent_at_prediction_ > kFastestSpending * way_predicted_) {
+      front_.drop_prediction();
+      next_unpredicted_ = passes_predicted_ >= kEnoughPredicted
+                              ? 1
+                              : std::min(2 * next_unpredicted_, kLongestPause);
+      passes_unpredicted_ = next_unpredicted_ - 1;
     }
   }
-  if (!front_.has_course() && is_last_known_ && front_.size() >= kWorthACourse &&
+  if (!front_.has_prediction() && is_last_known_ && front_.size() >= kWorthAPrediction &&
       front_.crossing_count() + front_.unsure_count() > 0 && since_last_.way > 0 &&
-      passes_off_course_-- <= 0) {
-    front_.set_course(last_, since_last_);
-    passes_on_course_ = 0;
-    way_on_course_ = 0;
-    clock_at_course_ = front_.clock();
+      passes_unpredicted_-- <= 0) {
+    front_.set_prediction(last_, since_last_);
+    passes_predicted_ = 0;
+    way_predicted_ = 0;
+    spent_at_prediction_ = front_.spent();
   }
   std::copy_n(now, 2, last_);
   since_last_ = {};
@@ -126,7 +128,7 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
   if (!(limit < bvh::WideFront::kFarthest)) return std::nullopt;
   if (is_live_ && !is_outgrown()) {
     front_.follow(b_in_a, a_in_b, motion_);
-    if (!(front_.clock() < bvh::WideFront::kFarthest)) {
+    if (!(front_.spent() < bvh::WideFront::kFarthest)) {
       is_live_ = false;
       return std::nullopt;
     }

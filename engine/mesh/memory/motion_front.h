@@ -53,7 +53,7 @@ class MotionFront {
   /// What a pass that cost so much was worth.
   void learn(const bvh::WideFront::Pass& pass, double cost);
 
-  /// Gives the front a course where there is one, and none where it would not be kept to.
+  /// Gives the front a predicted motion where there is one, and none where it would not be kept to.
   void steer(const bvh::RelativeFrame (&now)[2]);
 
   bvh::WideFront::Bounds bounds_;
@@ -73,11 +73,11 @@ class MotionFront {
   bvh::RelativeFrame last_[2] = {};  // when a pass was last asked for
   bvh::WideFront::Motion since_last_;
   bool is_last_known_ = false;
-  int passes_on_course_ = 0;
-  double way_on_course_ = 0;
-  double clock_at_course_ = 0;
-  int passes_off_course_ = 0;  // until another is tried
-  int next_off_course_ = 1;
+  int passes_predicted_ = 0;
+  double way_predicted_ = 0;
+  double spent_at_prediction_ = 0;
+  int passes_unpredicted_ = 0;  // until another is tried
+  int next_unpredicted_ = 1;
 };
 
 }  // namespace graze

@@ -2,7 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/solid.h>
-#include <graze/engine/mesh/memory/remembered.h>
+#include <graze/engine/mesh/memory/pair_cache.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
@@ -21,27 +21,27 @@ PairMemory& PairMemory::operator=(PairMemory&& other) noexcept = default;
 PairMemory::~PairMemory() = default;
 
 PairMemory::PairMemory(const PairMemory& other)
-    : remembered_(other.remembered_ ? std::make_unique<Remembered>(*other.remembered_) : nullptr) {}
+    : cache_(other.cache_ ? std::make_unique<PairCache>(*other.cache_) : nullptr) {}
 
 PairMemory& PairMemory::operator=(const PairMemory& other) {
   PairMemory copy(other);
-  remembered_ = std::move(copy.remembered_);
+  cache_ = std::move(copy.cache_);
   return *this;
 }
 
 std::uint64_t PairMemory::still_apart() const {
-  return remembered_ ? remembered_->still_apart : 0;
+  return cache_ ? cache_->still_apart : 0;
 }
 
 std::uint64_t PairMemory::still_touching() const {
-  return remembered_ ? remembered_->still_touching : 0;
+  return cache_ ? cache_->still_touching : 0;
 }
 
-Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
-  if (!memory.remembered_ || !memory.remembered_->is_about(mesh_a, mesh_b))
-    memory.remembered_ = std::make_unique<Remembered>(mesh_a.mesh, mesh_b.mesh);
-  memory.remembered_->place(mesh_a.pose, mesh_b.pose);
-  return *memory.remembered_;
+PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+  if (!memory.cache_ || !memory.cache_->is_about(mesh_a, mesh_b))
+    memory.cache_ = std::make_unique<PairCache>(mesh_a.mesh, mesh_b.mesh);
+  memory.cache_->place(mesh_a.pose, mesh_b.pose);
+  return *memory.cache_;
 }
 
 namespace {
@@ -53,24 +53,24 @@ void require_wide(Volume volume) {
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
-  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, Remembered& remembered, Touch touch,
+  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, PairCache& remembered, Touch touch,
                Work& work)
       : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
-        remembered_(remembered),
+        cache_(remembered),
         touch_(touch),
         work_(work) {}
 
   /// Whether the boxes of all prove it, which is then remembered. A front has them, too.
   bool are_far_apart() {
-    if (remembered_.meeting.is_live()) return false;
+    if (cache_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;
-    remembered_.learn_gap(gap_of_bounds(query_));
+    cache_.learn_gap(gap_of_bounds(query_));
     return true;
   }
 
   /// Whether triangles that touched when last asked still do.
-  bool does_remembered_pair_touch() {
-    const std::span<const TrianglePair> pairs = remembered_.pairs();
+  bool does_cached_pair_touch() {
+    const std::span<const TrianglePair> pairs = cache_.pairs();
     if (pairs.empty()) return false;
     Candidates candidates(touch_, work_);
     std::size_t touching = pairs.size();
@@ -85,8 +85,8 @@ class MeetingQuery {
       if (i == 0 || i + 1 == pairs.size()) candidates.decide(on_pair);
     }
     if (touching == pairs.size()) return false;
-    remembered_.put_first(touching);
-    ++remembered_.still_touching;
+    cache_.put_first(touching);
+    ++cache_.still_touching;
     ++work_.skipped_by_memory;
     return true;
   }
@@ -95,13 +95,12 @@ class MeetingQuery {
   /// otherwise it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    if (remembered_.meeting.rests() || !remembered_.follow(query_)) return false;
+    if (cache_.meeting.rests() || !cache_.follow(query_)) return false;
     const bvh::RelativeFrame a_in_b = query_.a_in_b();
-    const auto pass =
-        remembered_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
+    const auto pass = cache_.meeting.pass(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b, 0);
     if (!pass) return false;
-    remembered_.meeting.advance(*pass, 0, work_);
-    const bvh::WideFront& front = remembered_.meeting.front();
+    cache_.meeting.advance(*pass, 0, work_);
+    const bvh::WideFront& front = cache_.meeting.front();
     for (std::size_t i = 0; i < front.crossing_count(); ++i) {
       if (on_pair(query_.pair_at(front.crossing(i))) == bvh::Walk::Stop) return true;
     }
@@ -113,7 +112,7 @@ class MeetingQuery {
     if (front.unsure_count() > 0 && decide_unsure(front, on_met) == bvh::Walk::Stop) return true;
     if (!is_any_met) {
       const double unit = std::max(query_.frame_a.frame.unit(), query_.frame_b.frame.unit());
-      remembered_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
+      cache_.learn_gap(front.proven_gap(*pass) * unit * (1 - 1e-5));
     }
     return true;
   }
@@ -126,7 +125,7 @@ class MeetingQuery {
     Candidates candidates(touch_, done);
     const bvh::Walk end = query_.decide_at_once(walk, candidates, on_pair);
     add_counts(walk.counts(), done);
-    if (end == bvh::Walk::Continue) remembered_.meeting.learn_walk(done);
+    if (end == bvh::Walk::Continue) cache_.meeting.learn_walk(done);
     work_ += done;
   }
 
@@ -144,7 +143,7 @@ class MeetingQuery {
   }
 
   WideQuery query_;
-  Remembered& remembered_;
+  PairCache& cache_;
   Touch touch_;
   Work& work_;
 };
@@ -153,14 +152,14 @@ class MeetingQuery {
 // counters for all that.
 
 HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                   Remembered& remembered, Touch touch, Work* work) {
+                                   PairCache& remembered, Touch touch, Work* work) {
   CountedWork counted(work);
   MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
   if (query.are_far_apart()) return false;
-  if (query.does_remembered_pair_touch()) return true;
+  if (query.does_cached_pair_touch()) return true;
   // After a hit another is likelier than a gap.
   const bool was_apart = remembered.pairs().empty();
-  TrianglePair found[Remembered::kMostPairs];
+  TrianglePair found[PairCache::kMostPairs];
   std::size_t count = 0;
   const auto on_pair = [&](TrianglePair pair) {
     found[count++] = pair;
@@ -177,7 +176,7 @@ HWY_NOINLINE bool is_one_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh
 }
 
 HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                      Remembered& remembered, const PairSettings& settings,
+                                      PairCache& remembered, const PairSettings& settings,
                                       Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
@@ -216,7 +215,7 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& 
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
-    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    PairCache& remembered = recall(memory, mesh_a, mesh_b);
     if (!remembered.are_still_beyond(0, work) &&
         do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
       return true;
@@ -230,7 +229,7 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     require_wide(settings.volume);
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);
-    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    PairCache& remembered = recall(memory, mesh_a, mesh_b);
     if (remembered.are_still_beyond(0, work)) return {};
     return find_pairs(mesh_a, mesh_b, remembered, settings, work);
   });

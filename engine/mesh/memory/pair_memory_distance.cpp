@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/engine/mesh/memory/remembered.h>
+#include <graze/engine/mesh/memory/pair_cache.h>
 #include <graze/engine/mesh/nearest/distance_parts.h>
 #include <graze/engine/mesh/nearest/distance_reach.h>
 #include <graze/engine/mesh/pair_memory.h>
@@ -16,12 +16,12 @@ namespace {
 /// A query that knows a pair of triangles near each other.
 class NearQuery {
  public:
-  NearQuery(const WideQuery& query, Remembered& remembered, Work& work)
+  NearQuery(const WideQuery& query, PairCache& remembered, Work& work)
       : query_(query),
         reach_(query_.frame_a, query_.frame_b, query_.b_in_a),
         largest_(std::max(largest_of(query.a), largest_of(query.b))),
         gap_(largest_),
-        remembered_(remembered),
+        cache_(remembered),
         work_(work) {}
 
   /// Looks for what separates along the way between these points, beyond so many metres.
@@ -36,8 +36,8 @@ class NearQuery {
   /// none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
-    MotionFront& near = remembered_.near;
-    if (near.rests() || !remembered_.follow(query_)) return false;
+    MotionFront& near = cache_.near;
+    if (near.rests() || !cache_.follow(query_)) return false;
     auto pass =
         near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), reach_.units());
     if (!pass) return false;
@@ -69,7 +69,7 @@ class NearQuery {
       }
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
-    remembered_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
+    cache_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
     return true;
   }
 
@@ -110,12 +110,12 @@ class NearQuery {
   double largest_;
   narrowphase::DirectedGap gap_;
   double limit_ = 0;
-  Remembered& remembered_;
+  PairCache& cache_;
   Work& work_;
 };
 
 /// What is nearest, beginning with a pair that was.
-MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, Remembered& remembered,
+MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& remembered,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);
   if (known.distance == 0) return find_distance(meshes, pair, work);
@@ -148,7 +148,7 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
   return bvh::in_standard_arithmetic([&]() -> MeshDistance {
     CountedWork counted(work);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    PairCache& remembered = recall(memory, mesh_a, mesh_b);
     const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
                           counted.work());
     const std::optional<TrianglePair> hint =
@@ -168,7 +168,7 @@ bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_clearance(clearance);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-    Remembered& remembered = recall(memory, mesh_a, mesh_b);
+    PairCache& remembered = recall(memory, mesh_a, mesh_b);
     if (remembered.are_still_beyond(clearance, work)) return false;
     CountedWork counted(work);
     const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),

@@ -11,7 +11,7 @@ std::vector<ScenePair> meeting_pairs(const Scene& scene) {
     for (std::size_t b = a + 1; b < scene.bodies.size(); ++b) {
       const SceneBody& body_a = scene.bodies[a];
       const SceneBody& body_b = scene.bodies[b];
-      if (body_a.motion != Motion::Dynamic && body_b.motion != Motion::Dynamic) continue;
+      if (body_a.kind != BodyKind::Dynamic && body_b.kind != BodyKind::Dynamic) continue;
       if (!lets_pass(body_a.filter, body_b.filter) || excluded.contains({a, b})) continue;
       pairs.push_back({a, b});
     }

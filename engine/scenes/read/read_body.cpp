@@ -17,9 +17,11 @@ namespace {
 using cases::at_place;
 using cases::JsonCursor;
 
-Motion read_motion(const JsonCursor& at) {
-  constexpr std::array<std::pair<const char*, Motion>, 3> kMotions = {
-      {{"static", Motion::Static}, {"kinematic", Motion::Kinematic}, {"dynamic", Motion::Dynamic}}};
+BodyKind read_motion(const JsonCursor& at) {
+  constexpr std::array<std::pair<const char*, BodyKind>, 3> kMotions = {
+      {{"static", BodyKind::Static},
+       {"kinematic", BodyKind::Kinematic},
+       {"dynamic", BodyKind::Dynamic}}};
   for (const auto& [name, motion] : kMotions)
     if (at.text() == name) return motion;
   at.fail(mesh_io::quoted(at.text()) + " is none of static, kinematic and dynamic");
@@ -148,11 +150,11 @@ SceneBody read_body(const JsonCursor& at, const SceneUnits& units, const Scene& 
   const Shape& shape = scene.shapes[body.shape].shape;
   body.pose = Pose::Identity();
   if (at.has("pose")) body.pose = read_pose(at.member("pose"), units, shape);
-  if (at.has("motion")) body.motion = read_motion(at.member("motion"));
+  if (at.has("motion")) body.kind = read_motion(at.member("motion"));
   if (at.has("filter")) body.filter = read_filter(at.member("filter"));
   if (!at.has("path")) return body;
   const JsonCursor path = at.member("path");
-  if (body.motion == Motion::Static) path.fail("a static body has no path");
+  if (body.kind == BodyKind::Static) path.fail("a static body has no path");
   body.path = read_path(path, units, shape);
   if (!std::holds_alternative<KeyPath>(body.path)) return body;
   if (at.has("pose")) at.member("pose").fail("a body with keys begins where they say");

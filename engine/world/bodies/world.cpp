@@ -179,7 +179,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
     }
     state.all.ids.take();
     body.pose = pose;
-    body.motion = settings.motion;
+    body.kind = settings.kind;
     body.role = settings.role;
     body.filter = settings.filter;
     body.user_data = settings.user_data;
@@ -266,10 +266,10 @@ void World::set_filter(BodyId id, const Filter& filter) {
   state_->note_other_filter(id.index);
 }
 
-void World::set_motion(BodyId id, Motion motion) {
-  Bodies::Body& body = state_->body(id, "set_motion");
+void World::set_kind(BodyId id, BodyKind kind) {
+  Bodies::Body& body = state_->body(id, "set_kind");
   state_->make_room_for_changes(1);
-  body.motion = motion;
+  body.kind = kind;
   state_->note_other_filter(id.index);
 }
 
@@ -345,8 +345,8 @@ const BodyShape& World::shape(BodyId id) const {
   return *state_->body(id, "shape").shape;
 }
 
-Motion World::motion(BodyId id) const {
-  return state_->body(id, "motion").motion;
+BodyKind World::kind(BodyId id) const {
+  return state_->body(id, "kind").kind;
 }
 
 Role World::role(BodyId id) const {

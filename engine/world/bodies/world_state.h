@@ -29,7 +29,7 @@ struct Bodies {
     std::uint64_t user_data = 0;
     std::uint32_t box = 0;  // its index in the broad phase
     std::uint32_t exclusions = 0;
-    Motion motion = Motion::Dynamic;
+    BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
     bool is_users = false;  // the shape's class is
@@ -38,7 +38,7 @@ struct Bodies {
     auto ask(const Question& question) const {
       return ask_shape(is_users, [&] { return question(*shape); });
     }
-    bool is_static() const { return motion == Motion::Static && role == Role::Solid; }
+    bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
   };
 
   /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.

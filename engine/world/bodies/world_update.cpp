@@ -32,9 +32,9 @@ namespace {
 /// Whether bodies of these roles and motions are of interest to each other at all.
 bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   if (s.role == Role::Sensor && t.role == Role::Sensor) return false;
-  if (s.role == Role::Sensor) return t.motion != Motion::Static;
-  if (t.role == Role::Sensor) return s.motion != Motion::Static;
-  return s.motion == Motion::Dynamic || t.motion == Motion::Dynamic;
+  if (s.role == Role::Sensor) return t.kind != BodyKind::Static;
+  if (t.role == Role::Sensor) return s.kind != BodyKind::Static;
+  return s.kind == BodyKind::Dynamic || t.kind == BodyKind::Dynamic;
 }
 
 /// What it finds begun and ended stays listed if it ends by an exception.

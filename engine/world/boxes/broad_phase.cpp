@@ -138,16 +138,16 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
     }
     if (ids.empty()) return;
     state.unsettle();
-    const auto owner_of = [&](std::size_t i) { return ids[i].index; };
+    const auto proxy_of = [&](std::size_t i) { return ids[i].index; };
     if (!state.tracker.are_many(ids.size())) {
       for (std::size_t i = 0; i < ids.size(); ++i)
         state.tracker.move(ids[i].index, boxes[i]);
     } else if (is_in_order) {
       state.tracker.move_first(boxes);
     } else if (is_ascending) {
-      state.tracker.move_ascending(boxes, owner_of);
+      state.tracker.move_ascending(boxes, proxy_of);
     } else {
-      state.tracker.move_many(boxes, owner_of);
+      state.tracker.move_many(boxes, proxy_of);
     }
   });
 }

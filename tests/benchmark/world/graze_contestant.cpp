@@ -11,7 +11,7 @@ namespace {
 class Graze final : public Contestant {
  public:
   void start(const Scene& scene, const Frame& frame) override {
-    world_.add(scene.ground, Pose::Identity(), {.motion = Motion::Static});
+    world_.add(scene.ground, Pose::Identity(), {.kind = BodyKind::Static});
     std::vector<std::shared_ptr<const BodyShape>> shapes;
     for (const Kind& kind : scene.kinds)
       shapes.push_back(share(kind.shape));

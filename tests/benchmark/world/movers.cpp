@@ -12,7 +12,7 @@ namespace graze::benchmark {
 
 std::vector<MoverTime> measure_movers(const Scene& scene, const std::vector<Frame>& path) {
   World world;
-  world.add(scene.ground, Pose::Identity(), {.motion = Motion::Static});
+  world.add(scene.ground, Pose::Identity(), {.kind = BodyKind::Static});
   std::vector<std::shared_ptr<const BodyShape>> shapes;
   for (const Kind& kind : scene.kinds)
     shapes.push_back(share(kind.shape));

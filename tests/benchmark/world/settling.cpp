@@ -24,7 +24,7 @@ class Settling {
  public:
   explicit Settling(const Scene& scene) : scene_(scene), solver_(settings_) {
     world_.add(scene.ground, Pose::Identity(),
-               {.motion = Motion::Static, .user_data = ContactSolver::kFixed});
+               {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
     for (const Kind& kind : scene.kinds) {
       shapes_.push_back(share(kind.shape));
       reach_ = std::max(reach_, kind.reach);

@@ -22,13 +22,14 @@ struct Merry {
     for (int i = 0; i < count; ++i) {
       const ShapeKind kind = kShapeKinds[static_cast<std::size_t>(i) % kShapeKinds.size()];
       if (kind == ShapeKind::HalfSpace && i > 54) continue;
-      const Motion motion = kind == ShapeKind::HalfSpace ? Motion::Kinematic : Motion::Dynamic;
+      const BodyKind motion =
+          kind == ShapeKind::HalfSpace ? BodyKind::Kinematic : BodyKind::Dynamic;
       const bool is_alone = kind == ShapeKind::Mesh && settings.contacts;
       const Role role = i % 7 == 0 ? Role::Sensor : Role::Solid;
       const Pose start = tests::random_pose(0.6 * std::cbrt(count), source);
       ids.push_back(
           world.add(tests::random_shape(kind, 0.8, source), start,
-                    {.motion = motion, .filter = {.group = is_alone ? -1 : 0}, .role = role}));
+                    {.kind = motion, .filter = {.group = is_alone ? -1 : 0}, .role = role}));
       paths.emplace_back();
       const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
       for (int k = 0; k < kPeriod; ++k) {

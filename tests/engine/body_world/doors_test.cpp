@@ -64,7 +64,7 @@ TEST(WorldDoors, WithinAnUpdateAWorldCannotBeChanged) {
         world.set_shape(a, Sphere{{0, 0, 0}, 2});
       },
       [&] { world.set_filter(a, {}); },
-      [&] { world.set_motion(a, Motion::Static); },
+      [&] { world.set_kind(a, BodyKind::Static); },
       [&] { world.set_role(a, Role::Sensor); },
       [&] { world.set_user_data(a, 7); },
       [&] { world.sleep(a); },

@@ -26,7 +26,7 @@ struct Body {
   BodyId id;
   Shape shape;
   Pose pose;
-  Motion motion;
+  BodyKind kind;
   Role role;
 };
 
@@ -41,7 +41,7 @@ bool are_of_interest(const Body& s, const Body& t) {
   };
   const auto row = [](const Body& b) {
     if (b.role == Role::Sensor) return 3;
-    return b.motion == Motion::Static ? 0 : b.motion == Motion::Kinematic ? 1 : 2;
+    return b.kind == BodyKind::Static ? 0 : b.kind == BodyKind::Kinematic ? 1 : 2;
   };
   return kMeets[row(s)][row(t)];
 }
@@ -70,7 +70,7 @@ Body random_body(RandomSource& source) {
   return {{},
           tests::random_shape(kind == ShapeKind::HalfSpace ? ShapeKind::Box : kind, 0.8, source),
           tests::random_pose(2, source),
-          static_cast<Motion>(source.integer(0, 2)),
+          static_cast<BodyKind>(source.integer(0, 2)),
           source.uniform(0, 1) < 0.4 ? Role::Sensor : Role::Solid};
 }
 
@@ -82,8 +82,8 @@ void change(Body& body, World& world, RandomSource& source) {
       body.role = next.role;
       return world.set_role(body.id, body.role);
     case 1:
-      body.motion = next.motion;
-      return world.set_motion(body.id, body.motion);
+      body.kind = next.kind;
+      return world.set_kind(body.id, body.kind);
     case 2:
       body.shape = next.shape;
       return world.set_shape(body.id, body.shape);
@@ -99,7 +99,7 @@ TEST(Sensors, EqualBruteForceOverRandomHistories) {
   std::vector<Body> bodies;
   for (int i = 0; i < 30; ++i) {
     Body body = random_body(source);
-    body.id = world.add(body.shape, body.pose, {.motion = body.motion, .role = body.role});
+    body.id = world.add(body.shape, body.pose, {.kind = body.kind, .role = body.role});
     EXPECT_EQ(world.role(body.id), body.role);
     bodies.push_back(body);
   }
@@ -165,7 +165,7 @@ TEST(SetShape, VoidsWhatWasKnownOfGaps) {
 TEST(SetShape, ADeformingMeshIsANewOneInEachStep) {
   World world;
   const Shape ball = Sphere{{0, 0, 0}, 0.5};
-  world.add(ball, at(1.6, 0, 0), {.motion = Motion::Static});
+  world.add(ball, at(1.6, 0, 0), {.kind = BodyKind::Static});
   const BodyId body = world.add(tests::make_sphere(1, 8, 12), at(0, 0, 0));
   int touching = 0;
   for (int i = 0; i < 40; ++i) {
@@ -186,7 +186,7 @@ TEST(Sensors, QueriesMayLeaveThemOut) {
   World world;
   const Shape ball = Sphere{{0, 0, 0}, 1};
   const BodyId zone = world.add(ball, at(3, 0, 0), {.role = Role::Sensor});
-  const BodyId wall = world.add(ball, at(6, 0, 0), {.motion = Motion::Static});
+  const BodyId wall = world.add(ball, at(6, 0, 0), {.kind = BodyKind::Static});
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(world.cast_ray(ray)->id, zone);
   EXPECT_EQ(world.cast_ray(ray, {.role = Role::Solid})->id, wall);

@@ -182,7 +182,7 @@ TEST(ShapeWorld, CountsTurningAsMotion) {
   const Shape rod = Cylinder{0.1, 5}, post = Cylinder{0.2, 1};
   const BodyId turning = world.add(rod, at(0, 0, 0));
   const Pose place = at(0, 4, 1);
-  world.add(post, place, {.motion = Motion::Static});
+  world.add(post, place, {.kind = BodyKind::Static});
   bool has_touched = false, has_parted = false;
   std::uint64_t skipped = 0;
   for (int frame = 0; frame < 400; ++frame) {
@@ -255,7 +255,7 @@ TEST(ShapeWorld, QueriesFindFarBodiesAndFilterThem) {
 
 TEST(ShapeWorld, TakesShapesAsTheyAre) {
   World world;
-  const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.motion = Motion::Static});
+  const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.kind = BodyKind::Static});
   const BodyId ball = world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.6));
   world.add(Capsule{0.1, 0.5}, at(0, 0, 3));
   world.add(tests::make_torus(1, 0.4, 8, 6), at(0, 0, -5));

@@ -21,7 +21,7 @@ Pairs list(std::span<const BodyPair> pairs) {
 /// Three boxes in a row on a floor, each touching the next, and the update that has seen them.
 struct Row {
   explicit Row(const WorldSettings& settings = {}) : world(settings) {
-    floor = world.add(HalfSpace{{0, 0, 1}, 0}, at(0), {.motion = Motion::Static});
+    floor = world.add(HalfSpace{{0, 0, 1}, 0}, at(0), {.kind = BodyKind::Static});
     for (int i = 0; i < 3; ++i)
       box[i] = world.add(Box{{0.5, 0.5, 0.5}}, at(i, 0, 0.5));
     world.update();
@@ -104,10 +104,10 @@ TEST(WorldSleep, WhatWakesIsListedWithAllThatItTouches) {
 }
 
 TEST(WorldSleep, AMoverMeetsASleeperAndWakesNobody) {
-  for (const Motion motion : {Motion::Dynamic, Motion::Kinematic, Motion::Static}) {
+  for (const BodyKind motion : {BodyKind::Dynamic, BodyKind::Kinematic, BodyKind::Static}) {
     Row row;
     row.sleep();
-    const BodyId ball = row.world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 3), {.motion = motion});
+    const BodyId ball = row.world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 3), {.kind = motion});
     row.world.update();
     row.world.move(ball, at(0, 0, 1.4));
     const WorldUpdate hit = row.world.update();
@@ -123,7 +123,7 @@ TEST(WorldSleep, AMoverMeetsASleeperAndWakesNobody) {
     EXPECT_TRUE(row.world.update().moved.empty());
     row.world.move(ball, at(0, 0, 3));
     EXPECT_EQ(list(row.world.update().ended), Pairs{pair});
-    EXPECT_EQ(row.world.is_awake(ball), motion != Motion::Static);
+    EXPECT_EQ(row.world.is_awake(ball), motion != BodyKind::Static);
   }
 }
 
@@ -177,9 +177,9 @@ TEST(WorldSleep, AFilterEndsPairsOfSleepers) {
 
 /// A zone that never moves is awake, as one that is carried along is.
 TEST(WorldSleep, ASensorSeesWhatIsPutToSleepInIt) {
-  for (const Motion motion : {Motion::Static, Motion::Kinematic, Motion::Dynamic}) {
+  for (const BodyKind motion : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
     World world;
-    const BodyId zone = world.add(Box{{1, 1, 1}}, at(0), {.motion = motion, .role = Role::Sensor});
+    const BodyId zone = world.add(Box{{1, 1, 1}}, at(0), {.kind = motion, .role = Role::Sensor});
     const BodyId body = world.add(Sphere{{0, 0, 0}, 0.5}, at(5));
     world.update();
     EXPECT_TRUE(world.is_awake(zone));

@@ -80,9 +80,9 @@ class WorldHistory {
       world_.set_filter(id, bodies_[id].settings.filter);
     } else if (what == 5) {
       const BodyId id = pick();
-      bodies_[id].settings.motion = random_motion();
+      bodies_[id].settings.kind = random_motion();
       changed_.insert(id);
-      world_.set_motion(id, bodies_[id].settings.motion);
+      world_.set_kind(id, bodies_[id].settings.kind);
     } else if (what == 6) {
       exclude_or_include();
     } else if (what == 7) {
@@ -99,7 +99,7 @@ class WorldHistory {
       world_.move(id, bodies_[id].pose);
       touched_.insert(id);
       changed_.insert(id);
-      EXPECT_EQ(world_.is_awake(id), bodies_[id].settings.motion != Motion::Static);
+      EXPECT_EQ(world_.is_awake(id), bodies_[id].settings.kind != BodyKind::Static);
       if (chance_.one_in(6)) sleep(id);
     }
   }
@@ -150,7 +150,7 @@ class WorldHistory {
   bool is_looked_at(const BodyPair& pair) const {
     const auto is_up = [&](BodyId id) {
       const Body& body = bodies_.at(id);
-      return body.is_awake && (changed_.contains(id) || body.settings.motion != Motion::Static);
+      return body.is_awake && (changed_.contains(id) || body.settings.kind != BodyKind::Static);
     };
     return (changed_.contains(pair.a) || changed_.contains(pair.b)) &&
            (is_up(pair.a) || is_up(pair.b));
@@ -162,7 +162,9 @@ class WorldHistory {
       p[c] = chance_.between(-5, 5);
     return at(p[0], p[1], p[2]);
   }
-  Motion random_motion() { return static_cast<Motion>(chance_.one_in(2) ? 2 : chance_.below(3)); }
+  BodyKind random_motion() {
+    return static_cast<BodyKind>(chance_.one_in(2) ? 2 : chance_.below(3));
+  }
   Filter random_filter() {
     return {1u << chance_.below(3), chance_.one_in(2) ? ~0u : chance_.below(8),
             static_cast<std::int32_t>(chance_.below(4)) - 1};
@@ -185,7 +187,7 @@ class WorldHistory {
     }
   }
   bool meet(const BodyId& a, const Body& s, const BodyId& b, const Body& t) const {
-    if (s.settings.motion != Motion::Dynamic && t.settings.motion != Motion::Dynamic) return false;
+    if (s.settings.kind != BodyKind::Dynamic && t.settings.kind != BodyKind::Dynamic) return false;
     if (!lets_pass(s.settings.filter, t.settings.filter) || excluded_.contains({a, b}))
       return false;
     if (is_looked_at({a, b})) return s.ball->touches(s.pose, *t.ball, t.pose);
@@ -268,7 +270,7 @@ TEST(World, AsksTheUsersFilterLast) {
   const auto ball = std::make_shared<Ball>(1);
   const BodyId a = world.add(ball, at(0));
   world.add(ball, at(1));
-  world.add(ball, at(0.5), {.motion = Motion::Dynamic, .filter = {.category = 2, .mask = 0}});
+  world.add(ball, at(0.5), {.kind = BodyKind::Dynamic, .filter = {.category = 2, .mask = 0}});
   EXPECT_TRUE(world.update().begun.empty());
   EXPECT_EQ(asked, 1);
   world.set_pair_filter({});

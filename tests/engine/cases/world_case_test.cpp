@@ -30,7 +30,7 @@ class WorldCases : public testing::Test {
                                        Mesh(tests::make_box({0.4, 0.4, 0.4}))};
     for (std::size_t i = 0; i < shapes.size(); ++i)
       bodies_.push_back(world_.add(shapes[i], pose_at(i, 0)));
-    world_.add(HalfSpace{{0, 0, 1}, -0.75}, Pose::Identity(), {.motion = Motion::Static});
+    world_.add(HalfSpace{{0, 0, 1}, -0.75}, Pose::Identity(), {.kind = BodyKind::Static});
   }
 
   static Pose pose_at(std::size_t i, int step) {

@@ -83,8 +83,8 @@ TEST(OnePointSlow, OfTenThousandBodiesFewMayMeet) {
   const auto ball = share(Sphere{{0, 0, 0}, 1});
   std::vector<BodyId> ids;
   for (int i = 0; i < 10000; ++i) {
-    const Motion motion = i % 1000 == 0 ? Motion::Dynamic : Motion::Static;
-    ids.push_back(world.add(ball, at(1, 2, 3), {.motion = motion}));
+    const BodyKind motion = i % 1000 == 0 ? BodyKind::Dynamic : BodyKind::Static;
+    ids.push_back(world.add(ball, at(1, 2, 3), {.kind = motion}));
   }
   const WorldUpdate all = world.update();
   EXPECT_EQ(all.begun.size(), 10u * 9990 + 45);
@@ -97,7 +97,7 @@ TEST(OnePointSlow, OfTenThousandBodiesFewMayMeet) {
 TEST(Sizes, AGrainOnAContinentIsExactToTheGrain) {
   for (const Shape& ground : {Shape(Box{{1e6, 1e6, 1e6}}), Shape(Sphere{{0, 0, 0}, 1e6})}) {
     World world;
-    world.add(ground, at(0, 0, -1e6), {.motion = Motion::Static});
+    world.add(ground, at(0, 0, -1e6), {.kind = BodyKind::Static});
     const BodyId grain = world.add(Sphere{{0, 0, 0}, 1e-6}, at(0, 0, 3e-6));
     EXPECT_TRUE(world.update().begun.empty());
     world.move(grain, at(0, 0, 0.99e-6));

@@ -61,7 +61,7 @@ template <typename Visit>
 void visit_parts(Operation& operation, unsigned parts, const Visit& visit) {
   if ((parts & kBody) != 0) visit(operation.body);
   if ((parts & kNumber) != 0) visit(operation.number);
-  if ((parts & kMotion) != 0) visit(operation.settings.motion);
+  if ((parts & kMotion) != 0) visit(operation.settings.kind);
   if ((parts & kFilter) != 0) {
     visit(operation.settings.filter.category);
     visit(operation.settings.filter.mask);

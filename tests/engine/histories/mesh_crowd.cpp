@@ -74,13 +74,13 @@ void MeshCrowd::add_actor(std::size_t index) {
   Actor& actor = actors_[index];
   actor = {};
   actor.mesh = one_of(50) == 0 ? kBoulder : kUsual[one_of(10)];
-  constexpr Motion kMotions[] = {Motion::Static, Motion::Kinematic, Motion::Dynamic,
-                                 Motion::Dynamic, Motion::Dynamic};
-  actor.motion = kMotions[one_of(5)];
+  constexpr BodyKind kMotions[] = {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic,
+                                   BodyKind::Dynamic, BodyKind::Dynamic};
+  actor.kind = kMotions[one_of(5)];
   actor.role = one_of(20) == 0 ? Role::Sensor : Role::Solid;
   actor.pose = random_place();
   actor.id = world_.add(shapes_[actor.mesh], actor.pose,
-                        {.motion = actor.motion, .filter = actor.filter, .role = actor.role});
+                        {.kind = actor.kind, .filter = actor.filter, .role = actor.role});
   actor.version = ++versions_;
   actor.box = box_of(meshes_[actor.mesh], actor.pose);
   set_out(actor);
@@ -134,8 +134,8 @@ void MeshCrowd::change_rules(Actor& actor) {
       world_.set_filter(actor.id, actor.filter);
       break;
     case 1:
-      actor.motion = static_cast<Motion>(one_of(3));
-      world_.set_motion(actor.id, actor.motion);
+      actor.kind = static_cast<BodyKind>(one_of(3));
+      world_.set_kind(actor.id, actor.kind);
       break;
     case 2:
       actor.role = static_cast<Role>(one_of(2));
@@ -172,7 +172,7 @@ void MeshCrowd::act(std::size_t index) {
     actor.is_asleep = true;
     return;
   }
-  if (actor.motion == Motion::Static || dice >= 800) return;
+  if (actor.kind == BodyKind::Static || dice >= 800) return;
   Pose pose = actor.pose;
   pose.translation() += actor.velocity;
   const double angle = actor.spin.norm();
@@ -210,9 +210,9 @@ bool MeshCrowd::meet(std::size_t i, std::size_t j) const {
   const Actor &s = actors_[i], &t = actors_[j];
   const bool is_s = s.role == Role::Sensor, is_t = t.role == Role::Sensor;
   if (is_s && is_t) return false;
-  if (is_s && t.motion == Motion::Static) return false;
-  if (is_t && s.motion == Motion::Static) return false;
-  if (!is_s && !is_t && s.motion != Motion::Dynamic && t.motion != Motion::Dynamic) return false;
+  if (is_s && t.kind == BodyKind::Static) return false;
+  if (is_t && s.kind == BodyKind::Static) return false;
+  if (!is_s && !is_t && s.kind != BodyKind::Dynamic && t.kind != BodyKind::Dynamic) return false;
   if (excluded_.contains({i, j})) return false;
   if (s.filter.group != 0 && s.filter.group == t.filter.group) return s.filter.group > 0;
   return (s.filter.category & t.filter.mask) != 0 && (t.filter.category & s.filter.mask) != 0;

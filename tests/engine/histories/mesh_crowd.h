@@ -40,7 +40,7 @@ class MeshCrowd {
     BodyId id;
     std::size_t mesh;
     Pose pose = Pose::Identity();
-    Motion motion = Motion::Dynamic;
+    BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     Filter filter = {};
     bool is_asleep = false;

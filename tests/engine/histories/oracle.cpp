@@ -25,7 +25,7 @@ bool are_of_interest(const Oracle::Being& s, const Oracle::Being& t) {
   };
   const auto row = [](const Oracle::Being& b) {
     if (b.role == Role::Sensor) return 3;
-    return b.motion == Motion::Static ? 0 : b.motion == Motion::Kinematic ? 1 : 2;
+    return b.kind == BodyKind::Static ? 0 : b.kind == BodyKind::Kinematic ? 1 : 2;
   };
   return kMeets[row(s)][row(t)];
 }
@@ -38,7 +38,7 @@ NamePair ordered(std::uint32_t a, std::uint32_t b) {
 
 bool Oracle::is_awake(std::uint32_t name) const {
   const Being& being = beings_.at(name);
-  return being.is_awake && (being.motion != Motion::Static || being.role == Role::Sensor);
+  return being.is_awake && (being.kind != BodyKind::Static || being.role == Role::Sensor);
 }
 
 bool Oracle::are_alike(std::uint32_t a, std::uint32_t b) const {
@@ -96,13 +96,8 @@ void Oracle::change(const Operation& operation) {
   Being& being = beings_[name];
   switch (operation.verb) {
     case Verb::Add:
-      being = {operation.number,
-               operation.pose,
-               settings.motion,
-               settings.role,
-               settings.filter,
-               true,
-               0};
+      being = {
+          operation.number, operation.pose, settings.kind, settings.role, settings.filter, true, 0};
       break;
     case Verb::Move:
     case Verb::MoveToo:
@@ -117,7 +112,7 @@ void Oracle::change(const Operation& operation) {
       being.filter = settings.filter;
       break;
     case Verb::SetMotion:
-      being.motion = settings.motion;
+      being.kind = settings.kind;
       break;
     case Verb::SetRole:
       being.role = settings.role;

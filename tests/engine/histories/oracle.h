@@ -22,7 +22,7 @@ class Oracle {
   struct Being {
     std::uint32_t shape = 0;
     Pose pose = Pose::Identity();
-    Motion motion = Motion::Dynamic;
+    BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     Filter filter = {};
     bool is_awake = true;

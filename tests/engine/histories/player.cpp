@@ -123,7 +123,7 @@ void Contestant::tell(const Operation& operation) {
       if (fault == Fault::DeafToFilters) return;
       return world.set_filter(id, settings.filter);
     case Verb::SetMotion:
-      return world.set_motion(id, settings.motion);
+      return world.set_kind(id, settings.kind);
     case Verb::SetRole:
       return world.set_role(id, settings.role);
     case Verb::Sleep:
@@ -297,7 +297,7 @@ void Player::check_body(std::uint32_t name) {
   const Oracle::Being& being = oracle_.beings().at(name);
   const Filter& filter = world.filter(id);
   const bool is_as_told =
-      world.pose(id).matrix() == being.pose.matrix() && world.motion(id) == being.motion &&
+      world.pose(id).matrix() == being.pose.matrix() && world.kind(id) == being.kind &&
       world.role(id) == being.role && world.user_data(id) == name &&
       filter.group == being.filter.group && filter.category == being.filter.category &&
       filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name);

@@ -125,7 +125,7 @@ class Author {
         break;
       case 7:
         next.verb = Verb::SetMotion;
-        next.settings.motion = random_motion();
+        next.settings.kind = random_motion();
         break;
       case 8:
         next.verb = Verb::SetRole;
@@ -162,7 +162,7 @@ class Author {
   void add(std::vector<Operation>& all) {
     Operation next{.verb = Verb::Add, .body = next_name_++};
     next.number = chance_.below(shape_count_);
-    next.settings.motion = random_motion();
+    next.settings.kind = random_motion();
     next.settings.role = random_role();
     if (chance_.one_in(3)) next.settings.filter = random_filter();
     next.pose = random_pose();
@@ -212,7 +212,9 @@ class Author {
     beings_ = saved_;
   }
 
-  Motion random_motion() { return static_cast<Motion>(chance_.one_in(2) ? 2 : chance_.below(3)); }
+  BodyKind random_motion() {
+    return static_cast<BodyKind>(chance_.one_in(2) ? 2 : chance_.below(3));
+  }
   Role random_role() { return chance_.one_in(6) ? Role::Sensor : Role::Solid; }
   Filter random_filter() {
     return {1u << chance_.below(3), chance_.one_in(2) ? ~0u : chance_.below(8),

@@ -77,8 +77,8 @@ TEST(Skips, OfTreesThatNobodyWalksSaveBuildingThem) {
 TEST(Skips, OfTreesAreCountedWhereTheyEnd) {
   World world;
   const Mesh near = tests::make_sphere(1, 8, 12), far = tests::make_sphere(1, 8, 12);
-  world.add(near, at(0, 0, 0), {.motion = Motion::Static});
-  world.add(far, at(90, 0, 0), {.motion = Motion::Static});
+  world.add(near, at(0, 0, 0), {.kind = BodyKind::Static});
+  world.add(far, at(90, 0, 0), {.kind = BodyKind::Static});
   const BodyId ball = world.add(Sphere{{0, 0, 0}, 1}, at(50, 0, 0));
   EXPECT_EQ(world.update().work.shapes.trees_built, 0u);
   world.move(ball, at(1.5, 0, 0));
@@ -230,7 +230,7 @@ TEST(Skips, OfFilteredPairsAreCountedOnce) {
   EXPECT_EQ(update.ended.size(), 1u);
   world.include(a, b);
   world.set_pair_filter([&](BodyId, BodyId) { return ++asked, false; });
-  world.add(Box{{1, 1, 1}}, at(0, 1, 0), {.motion = Motion::Static});
+  world.add(Box{{1, 1, 1}}, at(0, 1, 0), {.kind = BodyKind::Static});
   EXPECT_EQ(world.update().work.pairs_filtered, 3u);
   EXPECT_EQ(asked, 3);
 }

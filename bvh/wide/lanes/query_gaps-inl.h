@@ -7,7 +7,7 @@
 #define GRAZE_BVH_GUEST_GAPS
 #endif
 
-#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,31 +16,31 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// A direction along the axes of a host node, and how far a guest reaches along it.
+/// A direction along the axes of a tested node, and how far a query box reaches along it.
 struct Aim {
   float axes[3];
   float size[3];
   float reach;
 };
 
-HWY_INLINE Aim aim_of(const WideNode& host, const GuestInNode& guest, const Guest& box,
+HWY_INLINE Aim aim_of(const WideNode& tested, const QueryInNode& query, const Query& box,
                       const float (&direction)[3]) {
   Aim aim;
   for (int i = 0; i < 3; ++i) {
-    aim.axes[i] = host.axes[0][i] * direction[0] + host.axes[1][i] * direction[1] +
-                  host.axes[2][i] * direction[2];
+    aim.axes[i] = tested.axes[0][i] * direction[0] + tested.axes[1][i] * direction[1] +
+                  tested.axes[2][i] * direction[2];
     aim.size[i] = std::abs(aim.axes[i]);
   }
-  aim.reach = guest.half[0] - box.half[0];  // the margins alone
+  aim.reach = query.half[0] - box.half[0];  // the margins alone
   for (int k = 0; k < 3; ++k) {
     aim.reach +=
-        box.half[k] * std::abs(guest.axes[k][0] * aim.axes[0] + guest.axes[k][1] * aim.axes[1] +
-                               guest.axes[k][2] * aim.axes[2]);
+        box.half[k] * std::abs(query.axes[k][0] * aim.axes[0] + query.axes[k][1] * aim.axes[1] +
+                               query.axes[k][2] * aim.axes[2]);
   }
   return aim;
 }
 
-/// What the children of a host promise of a guest: lanes of squares.
+/// What the children of a tested node promise of a query box: lanes of squares.
 struct Promises {
   alignas(32) float bound[WideNode::kWidth];  // of their distance, from below
   alignas(32) float key[WideNode::kWidth];    // what to look at first: less is nearer
@@ -63,25 +63,26 @@ HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
   return hn::Mul(gap, gap);
 }
 
-// In the axes of the host the way between two points has components of at least the gaps between a
-// host's box and the box around the guest along these axes; so has it in the axes of the guest,
-// with the roles exchanged. Each triple of gaps, squared and summed, is a lower bound.
-HWY_INLINE void set_promises(Promises& promises, const WideNode& host, const GuestInNode& guest,
-                             const Aim& aim, float unit_of_host) {
+// In the axes of the tested node the way between two points has components of at least the gaps
+// between a tested node's box and the box around the query box along these axes; so has it in the
+// axes of the query box, with the roles exchanged. Each triple of gaps, squared and summed, is a
+// lower bound.
+HWY_INLINE void set_promises(Promises& promises, const WideNode& tested, const QueryInNode& query,
+                             const Aim& aim, float unit_of_tested) {
   const Tag tag;
-  const Lanes unit = hn::Set(tag, unit_of_host);
+  const Lanes unit = hn::Set(tag, unit_of_tested);
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
     Lanes half[3], way[3];
-    Lanes in_host = hn::Zero(tag);
-    Lanes in_guest = in_host;
-    Lanes middles = in_host;
-    Lanes along = in_host;
+    Lanes in_tested = hn::Zero(tag);
+    Lanes in_query = in_tested;
+    Lanes middles = in_tested;
+    Lanes along = in_tested;
     Lanes reach_along = hn::Set(tag, aim.reach);
     for (int i = 0; i < 3; ++i) {
-      half[i] = hn::Load(tag, host.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, guest.way[i]), hn::Load(tag, host.centre[i] + lane));
-      in_host = hn::Add(in_host,
-                        squared_gap(way[i], hn::Add(half[i], hn::Set(tag, guest.reach[i])), unit));
+      half[i] = hn::Load(tag, tested.half[i] + lane);
+      way[i] = hn::Sub(hn::Set(tag, query.way[i]), hn::Load(tag, tested.centre[i] + lane));
+      in_tested = hn::Add(
+          in_tested, squared_gap(way[i], hn::Add(half[i], hn::Set(tag, query.reach[i])), unit));
       const Lanes step = hn::Mul(way[i], unit);
       middles = hn::MulAdd(step, step, middles);
       along = hn::MulAdd(way[i], hn::Set(tag, aim.axes[i]), along);
@@ -89,17 +90,17 @@ HWY_INLINE void set_promises(Promises& promises, const WideNode& host, const Gue
     }
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, guest.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, guest.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, guest.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, guest.size[k][0]),
-                                     hn::MulAdd(half[1], hn::Set(tag, guest.size[k][1]),
-                                                hn::MulAdd(half[2], hn::Set(tag, guest.size[k][2]),
-                                                           hn::Set(tag, guest.half[k]))));
-      in_guest = hn::Add(in_guest, squared_gap(distance, reach, unit));
+          hn::MulAdd(way[0], hn::Set(tag, query.axes[k][0]),
+                     hn::MulAdd(way[1], hn::Set(tag, query.axes[k][1]),
+                                hn::Mul(way[2], hn::Set(tag, query.axes[k][2]))));
+      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, query.size[k][0]),
+                                     hn::MulAdd(half[1], hn::Set(tag, query.size[k][1]),
+                                                hn::MulAdd(half[2], hn::Set(tag, query.size[k][2]),
+                                                           hn::Set(tag, query.half[k]))));
+      in_query = hn::Add(in_query, squared_gap(distance, reach, unit));
     }
     const Lanes gap = hn::Mul(known(tag, hn::Sub(along, reach_along)), unit);
-    const Lanes bound = hn::Max(hn::Max(in_host, in_guest), hn::Mul(gap, gap));
+    const Lanes bound = hn::Max(hn::Max(in_tested, in_query), hn::Mul(gap, gap));
     hn::Store(bound, tag, promises.bound + lane);
     hn::Store(hn::MulAdd(middles, hn::Set(tag, kMiddleWeight), bound), tag, promises.key + lane);
   }

@@ -20,9 +20,9 @@ namespace graze {
 bool are_equal(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
-class RememberedMesh {
+class CachedMesh {
  public:
-  explicit RememberedMesh(const Mesh& mesh);
+  explicit CachedMesh(const Mesh& mesh);
 
   const Mesh& mesh() const { return mesh_; }
   const Pose& pose() const { return pose_; }
@@ -54,11 +54,11 @@ class RememberedMesh {
 };
 
 /// What a PairMemory holds of one pair of meshes.
-class Remembered {
+class PairCache {
  public:
   static constexpr std::size_t kMostPairs = 8;
 
-  Remembered(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
+  PairCache(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
 
   bool is_about(const PlacedMesh& a, const PlacedMesh& b) const {
     return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
@@ -97,16 +97,16 @@ class Remembered {
   std::uint64_t still_touching = 0;
 
  private:
-  RememberedMesh a_;
-  RememberedMesh b_;
+  CachedMesh a_;
+  CachedMesh b_;
 
   struct Place {
     alignas(64) Pose pose = Pose::Identity();
     std::uint64_t number = 0;
   };
-  static Place place_of(const RememberedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
-  static RememberedMesh::Motion motion_from(const Place& before, const RememberedMesh& mesh) {
-    return before.number == mesh.pose_number() ? RememberedMesh::Motion()
+  static Place place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static CachedMesh::Motion motion_from(const Place& before, const CachedMesh& mesh) {
+    return before.number == mesh.pose_number() ? CachedMesh::Motion()
                                                : mesh.motion_from(before.pose);
   }
 
@@ -125,7 +125,7 @@ class Remembered {
 };
 
 /// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
-Remembered& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
 
 /// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
 /// less than 0.

@@ -8,14 +8,14 @@
 #define GRAZE_BVH_GUEST_NODE
 #endif
 
-#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// What GuestInNode says of one guest, of eight that share their axes: a lane each.
-struct GuestsInNode {
+/// What GuestInNode says of one query box, of eight that share their axes: a lane each.
+struct QueriesInNode {
   alignas(16) float axes[3][4];
   alignas(16) float size[3][4];
   alignas(32) float crossed[3][3][WideNode::kWidth];
@@ -25,14 +25,14 @@ struct GuestsInNode {
 };
 
 /// `padding` is the slack of the query and the rounding of all that is done here (wide_bounds.h).
-HWY_INLINE void set_guests_in_node(GuestsInNode& guests, const WideNode& node, const WideNode& host,
-                                   const WideWay& way, float padding) {
+HWY_INLINE void set_queries_in_node(QueriesInNode& queries, const WideNode& node,
+                                    const WideNode& tested, const WideWay& way, float padding) {
   const FourTag four;
-  float start[3];  // from the host's origin to the guests'
+  float start[3];  // from the tested node's origin to the query boxes'
   for (int i = 0; i < 3; ++i) {
     const double turned = way.rotation[i][0] * node.origin[0] +
                           way.rotation[i][1] * node.origin[1] + way.rotation[i][2] * node.origin[2];
-    start[i] = static_cast<float>((turned * way.scale + way.translation[i]) - host.origin[i]);
+    start[i] = static_cast<float>((turned * way.scale + way.translation[i]) - tested.origin[i]);
   }
   alignas(16) float axes[3][4];
   for (std::size_t part = 0; part < 4; part += hn::Lanes(four)) {
@@ -44,12 +44,12 @@ HWY_INLINE void set_guests_in_node(GuestsInNode& guests, const WideNode& node, c
   }
   alignas(16) float from_origin[4];
   for (std::size_t part = 0; part < 4; part += hn::Lanes(four)) {
-    const Rows rows(host, part);
+    const Rows rows(tested, part);
     hn::Store(rows.combined(start[0], start[1], start[2]), four, from_origin + part);
     for (int k = 0; k < 3; ++k) {
       const Four in_node = rows.combined(axes[k][0], axes[k][1], axes[k][2]);
-      hn::Store(in_node, four, guests.axes[k] + part);
-      hn::Store(hn::Abs(in_node), four, guests.size[k] + part);
+      hn::Store(in_node, four, queries.axes[k] + part);
+      hn::Store(hn::Abs(in_node), four, queries.size[k] + part);
     }
   }
   const Tag tag;
@@ -60,23 +60,23 @@ HWY_INLINE void set_guests_in_node(GuestsInNode& guests, const WideNode& node, c
     for (int k = 0; k < 3; ++k) {
       half[k] = hn::Mul(hn::Load(tag, node.half[k] + lane), scale);
       centre[k] = hn::Mul(hn::Load(tag, node.centre[k] + lane), scale);
-      hn::Store(hn::Add(half[k], margin), tag, guests.half[k] + lane);
+      hn::Store(hn::Add(half[k], margin), tag, queries.half[k] + lane);
     }
     for (int i = 0; i < 3; ++i) {
       const auto along = [&](int k) HWY_ATTR {
-        return hn::Mul(hn::Set(tag, guests.axes[k][i]), centre[k]);
+        return hn::Mul(hn::Set(tag, queries.axes[k][i]), centre[k]);
       };
       // Not fused: the order of the walk depends on it.
       const Lanes way_there = hn::Add(hn::Add(along(0), along(1)), along(2));
-      hn::Store(hn::Add(way_there, hn::Set(tag, from_origin[i])), tag, guests.way[i] + lane);
-      const auto size = [&](int k) HWY_ATTR { return hn::Set(tag, guests.size[k][i]); };
+      hn::Store(hn::Add(way_there, hn::Set(tag, from_origin[i])), tag, queries.way[i] + lane);
+      const auto size = [&](int k) HWY_ATTR { return hn::Set(tag, queries.size[k][i]); };
       const Lanes reach = hn::MulAdd(half[1], size(1), hn::MulAdd(half[0], size(0), margin));
-      hn::Store(hn::MulAdd(half[2], size(2), reach), tag, guests.reach[i] + lane);
+      hn::Store(hn::MulAdd(half[2], size(2), reach), tag, queries.reach[i] + lane);
       for (int k = 0; k < 3; ++k) {
         const int k1 = (k + 1) % 3;
         const int k2 = (k + 2) % 3;
         hn::Store(hn::MulAdd(half[k1], size(k2), hn::MulAdd(half[k2], size(k1), margin)), tag,
-                  guests.crossed[k][i] + lane);
+                  queries.crossed[k][i] + lane);
       }
     }
   }

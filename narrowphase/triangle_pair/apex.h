@@ -6,15 +6,15 @@ namespace graze::narrowphase {
 
 /// The vertex of a triangle that is alone on one closed side of a plane, the other two being on the
 /// other closed side, not all three in the plane.
-struct LoneVertex {
+struct Apex {
   int index;
   Sign side;
 };
 
 /// Finds it from the signs of the vertices, which are neither all zero nor all of one sign that is
-/// not zero. Both edges at the lone vertex then reach the plane, and between their points of it
+/// not zero. Both edges at the apex then reach the plane, and between their points of it
 /// lies the triangle's share of the plane.
-constexpr LoneVertex find_lone_vertex(const Sign (&signs)[3]) {
+constexpr Apex find_apex(const Sign (&signs)[3]) {
   for (int i = 0; i < 3; ++i) {
     const Sign second = signs[(i + 1) % 3];
     const Sign third = signs[(i + 2) % 3];

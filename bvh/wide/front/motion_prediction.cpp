@@ -1,12 +1,13 @@
-#include <graze/bvh/wide/front/front_course.h>
+#include <graze/bvh/wide/front/motion_prediction.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace graze::bvh {
 
-FrontCourse::FrontCourse(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
-                         const WideTree& tree_a, const WideTree& tree_b, double way, double turn)
+MotionPrediction::MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                                   const WideTree& tree_a, const WideTree& tree_b, double way,
+                                   double turn)
     : step_{FrontWay(before[0], now[0], tree_b, turn), FrontWay(before[1], now[1], tree_a, turn)},
       way_(way) {
   const WideTree* const trees[2] = {&tree_b, &tree_a};
@@ -14,17 +15,17 @@ FrontCourse::FrontCourse(const RelativeFrame (&before)[2], const RelativeFrame (
     const FloatBox& box = trees[side]->box();
     const double unit = now[side].units_b;
     for (int i = 0; i < 3; ++i) {
-      guest_[side].middle[i] = (0.5 * box.min[i] + 0.5 * box.max[i]) * unit;
-      guest_[side].half[i] = (0.5 * box.max[i] - 0.5 * box.min[i]) * unit;
-      guest_[side].translation[i] = now[side].translation[i] - before[side].translation[i];
+      query_[side].middle[i] = (0.5 * box.min[i] + 0.5 * box.max[i]) * unit;
+      query_[side].half[i] = (0.5 * box.max[i] - 0.5 * box.min[i]) * unit;
+      query_[side].translation[i] = now[side].translation[i] - before[side].translation[i];
       for (int j = 0; j < 3; ++j)
-        guest_[side].rotation[i][j] = now[side].rotation[i][j] - before[side].rotation[i][j];
+        query_[side].rotation[i][j] = now[side].rotation[i][j] - before[side].rotation[i][j];
     }
   }
 }
 
-double FrontCourse::Guest::drift(const RelativeFrame& before, const RelativeFrame& now,
-                                 double share) const {
+double MotionPrediction::Query::deviation(const RelativeFrame& before, const RelativeFrame& now,
+                                          double share) const {
   double off[3];
   double sizes = 0;
   double turned = 0;
@@ -45,16 +46,16 @@ double FrontCourse::Guest::drift(const RelativeFrame& before, const RelativeFram
     }
     turned += half[j] * std::sqrt(square);
   }
-  // As in engine/mesh/memory/remembered.cpp, with differences of what is itself rounded.
+  // As in engine/mesh/memory/pair_cache.cpp, with differences of what is itself rounded.
   const double along = std::sqrt(off[0] * off[0] + off[1] * off[1] + off[2] * off[2]);
   return (along + turned) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
 }
 
-double FrontCourse::drift(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
-                          double way) const {
+double MotionPrediction::deviation(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
+                                   double way) const {
   const double share = way / way_;
-  return std::max(guest_[0].drift(before[0], now[0], share),
-                  guest_[1].drift(before[1], now[1], share));
+  return std::max(query_[0].deviation(before[0], now[0], share),
+                  query_[1].deviation(before[1], now[1], share));
 }
 
 }  // namespace graze::bvh

@@ -7,17 +7,17 @@
 
 namespace graze::bvh {
 
-/// Which owners an ascending list names, and where in it: a bit and a half an owner, where a table
+/// Which proxies an ascending list names, and where in it: a bit and a half an proxy, where a table
 /// would take 32.
-class RankedOwners {
+class RankedProxies {
  public:
-  /// `owner_of(i)`, for i below `count`, ascends and stays below `owners`.
-  template <typename OwnerOf>
-  void assign(std::size_t owners, std::size_t count, const OwnerOf& owner_of) {
-    words_.assign((owners + kBits - 1) / kBits, {});
+  /// `proxy_of(i)`, for i below `count`, ascends and stays below `proxies`.
+  template <typename ProxyOf>
+  void assign(std::size_t proxies, std::size_t count, const ProxyOf& proxy_of) {
+    words_.assign((proxies + kBits - 1) / kBits, {});
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t owner = owner_of(i);
-      words_[owner / kBits].named |= std::uint64_t{1} << owner % kBits;
+      const std::uint32_t proxy = proxy_of(i);
+      words_[proxy / kBits].named |= std::uint64_t{1} << proxy % kBits;
     }
     std::uint32_t before = 0;
     for (Word& word : words_) {
@@ -26,12 +26,12 @@ class RankedOwners {
     }
   }
 
-  /// Where the list names an owner; beyond its end if it does not.
-  std::size_t rank(std::uint32_t owner) const {
+  /// Where the list names an proxy; beyond its end if it does not.
+  std::size_t rank(std::uint32_t proxy) const {
     constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
-    if (owner / kBits >= words_.size()) return kNowhere;
-    const Word& word = words_[owner / kBits];
-    const std::uint64_t bit = std::uint64_t{1} << owner % kBits;
+    if (proxy / kBits >= words_.size()) return kNowhere;
+    const Word& word = words_[proxy / kBits];
+    const std::uint64_t bit = std::uint64_t{1} << proxy % kBits;
     if ((word.named & bit) == 0) return kNowhere;
     return word.before + static_cast<std::size_t>(std::popcount(word.named & (bit - 1)));
   }

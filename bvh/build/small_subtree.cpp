@@ -1,5 +1,5 @@
-#include <graze/bvh/build/quartet.h>
 #include <graze/bvh/build/sah_sweep.h>
+#include <graze/bvh/build/small_subtree.h>
 #include <graze/bvh/tree/node_lanes.h>
 
 #include <algorithm>
@@ -71,7 +71,8 @@ struct Costs {
   Lanes three;       // i, i + 1, i + 2
 };
 
-Costs costs_of(const Reference (&r)[kQuartet], Measure measure, const BuildSettings& settings) {
+Costs costs_of(const Reference (&r)[kSmallSubtree], Measure measure,
+               const BuildSettings& settings) {
   FourBoxes ones;
   transpose(r[0].box.minus_min, r[1].box.minus_min, r[2].box.minus_min, r[3].box.minus_min,
             ones.minus_min);
@@ -104,7 +105,7 @@ class Builder {
         settings_(settings),
         measure_(measure),
         nodes_(nodes) {
-    for (std::size_t i = 0; i < kQuartet; ++i)
+    for (std::size_t i = 0; i < kSmallSubtree; ++i)
       references_[i] = range[i < range.size() ? i : 0];
   }
 
@@ -215,7 +216,7 @@ class Builder {
     }
   }
 
-  Reference references_[kQuartet];
+  Reference references_[kSmallSubtree];
   Reference* out_;
   std::uint32_t position_;
   const BuildSettings& settings_;
@@ -226,8 +227,8 @@ class Builder {
 
 }  // namespace
 
-void build_quartet(std::span<Reference> references, const Part& part, const BuildSettings& settings,
-                   std::size_t at, std::vector<Node>& nodes) {
+void build_small_subtree(std::span<Reference> references, const Part& part,
+                         const BuildSettings& settings, std::size_t at, std::vector<Node>& nodes) {
   Builder(references.subspan(part.begin, part.size()), part.begin, settings, measure_for(part.box),
           nodes)
       .build(at, part.size(), part.box);

@@ -1,8 +1,8 @@
 #include <graze/bvh/build/build_nodes.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/refit/decay.h>
-#include <graze/bvh/refit/decayed_nodes.h>
+#include <graze/bvh/refit/degradation.h>
+#include <graze/bvh/refit/degraded_nodes.h>
 #include <graze/bvh/refit/refit_references.h>
 #include <graze/bvh/tree/graft.h>
 #include <graze/bvh/value/parallel.h>
@@ -40,12 +40,12 @@ std::vector<Range> ranges_of(const Tree& tree) {
   return ranges;
 }
 
-Graft built_anew(Tree& tree, const DecayedNode& decayed, const Range& range,
+Graft built_anew(Tree& tree, const DegradedNode& degraded, const Range& range,
                  std::span<const Reference> fitted, const BuildSettings& settings) {
   References references(range.count);
   std::copy_n(fitted.begin() + range.begin, range.count, references.data.get());
-  return {decayed.node, range.begin,
-          build_nodes(std::move(references), decayed.depth, settings,
+  return {degraded.node, range.begin,
+          build_nodes(std::move(references), degraded.depth, settings,
                       std::span(tree.primitives).subspan(range.begin, range.count))};
 }
 
@@ -67,14 +67,15 @@ std::size_t refit_and_rebuild(Tree& tree, std::vector<float>& costs,
   refit(tree, references, frame);
   const float primitive_cost = settings.build.primitive_cost;
   const std::vector<float> now = subtree_costs(tree, primitive_cost);
-  const std::vector<DecayedNode> decayed =
-      find_decayed(tree.nodes, {costs, now, settings.tolerated_decay});
-  if (decayed.empty()) return 0;
+  const std::vector<DegradedNode> degraded =
+      find_degraded(tree.nodes, {costs, now, settings.tolerated_degradation});
+  if (degraded.empty()) return 0;
   const std::vector<Range> ranges = ranges_of(tree);
-  std::vector<Graft> grafts(decayed.size());
-  for_in_parallel(std::size_t{0}, decayed.size(), [&](std::size_t i) {
+  std::vector<Graft> grafts(degraded.size());
+  for_in_parallel(std::size_t{0}, degraded.size(), [&](std::size_t i) {
     in_standard_arithmetic([&] {
-      grafts[i] = built_anew(tree, decayed[i], ranges[decayed[i].node], references, settings.build);
+      grafts[i] =
+          built_anew(tree, degraded[i], ranges[degraded[i].node], references, settings.build);
     });
   });
   GraftedNodes renewed = grafted(tree.nodes, std::move(grafts));
@@ -84,7 +85,7 @@ std::size_t refit_and_rebuild(Tree& tree, std::vector<float>& costs,
     kept_costs[node.at] = costs[node.of_stock];
   costs = std::move(kept_costs);
   std::size_t primitives = 0;
-  for (const DecayedNode& node : decayed)
+  for (const DegradedNode& node : degraded)
     primitives += ranges[node.node].count;
   return primitives;
 }

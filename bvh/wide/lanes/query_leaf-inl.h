@@ -8,7 +8,7 @@
 #define GRAZE_BVH_GUEST_LEAF
 #endif
 
-#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/tree/corner_rows.h>
 #include <algorithm>
 #include <cmath>
@@ -50,10 +50,11 @@ HWY_INLINE const float* rows_of(const WideTree::Treelet& treelet, std::uint32_t 
   return treelet.corners.data() + CornerRows::kRows * ChildLink::first(link);
 }
 
-HWY_INLINE void set_host_leaf(LeafLanes& leaf, const WideTree::Treelet& host, std::uint32_t link) {
+HWY_INLINE void set_tested_leaf(LeafLanes& leaf, const WideTree::Treelet& tested,
+                                std::uint32_t link) {
   const FourTag tag;
   const std::uint32_t count = ChildLink::count(link);
-  const float* rows = rows_of(host, link);
+  const float* rows = rows_of(tested, link);
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -64,27 +65,27 @@ HWY_INLINE void set_host_leaf(LeafLanes& leaf, const WideTree::Treelet& host, st
   }
 }
 
-/// A leaf of the guest in the coordinates of the host's treelet.
-struct GuestLeaf : LeafLanes {
-  float error;  // of each coordinate of a difference of corners, the host's included
+/// A leaf of the query box in the coordinates of the tested node's treelet.
+struct QueryLeaf : LeafLanes {
+  float error;  // of each coordinate of a difference of corners, the tested node's included
 };
 
-HWY_INLINE void set_guest_leaf(GuestLeaf& leaf, const WideTree::Treelet& guest, std::uint32_t link,
-                               const WideTree::Treelet& host, const WideWay& way) {
+HWY_INLINE void set_query_leaf(QueryLeaf& leaf, const WideTree::Treelet& query, std::uint32_t link,
+                               const WideTree::Treelet& tested, const WideWay& way) {
   const FourTag tag;
   const std::uint32_t count = ChildLink::count(link);
-  const float* rows = rows_of(guest, link);
+  const float* rows = rows_of(query, link);
   const auto scale = static_cast<float>(way.scale);
   float offset[3];
   float largest = 0;
   for (int i = 0; i < 3; ++i) {
-    const double turned = way.rotation[i][0] * guest.origin[0] +
-                          way.rotation[i][1] * guest.origin[1] +
-                          way.rotation[i][2] * guest.origin[2];
-    offset[i] = static_cast<float>((turned * way.scale + way.translation[i]) - host.origin[i]);
+    const double turned = way.rotation[i][0] * query.origin[0] +
+                          way.rotation[i][1] * query.origin[1] +
+                          way.rotation[i][2] * query.origin[2];
+    offset[i] = static_cast<float>((turned * way.scale + way.translation[i]) - tested.origin[i]);
     largest = std::max(largest, std::abs(offset[i]));
   }
-  leaf.error = way.slack + kCornerError * (guest.reach * scale + host.reach + largest);
+  leaf.error = way.slack + kCornerError * (query.reach * scale + tested.reach + largest);
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
     for (std::uint32_t c = 0; c < 3; ++c) {

@@ -4,13 +4,13 @@
 // box_bound.h.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "graze/narrowphase/triangle_box/ten_axes.cpp"
+#define HWY_TARGET_INCLUDE "graze/narrowphase/triangle_box/remaining_axes.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
 #include <graze/narrowphase/triangle_box/box_bound.h>
-#include <graze/narrowphase/triangle_box/ten_axes.h>
+#include <graze/narrowphase/triangle_box/remaining_axes.h>
 #include <hwy/highway.h>
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ HWY_INLINE Interval interval(double low, double high) {
   return {hn::Set(tag, 0.5 * (low + high)), hn::Set(tag, 0.5 * (high - low))};
 }
 
-Verdict triage_ten_axes(const double* t, const double* low, const double* high, double size) {
+Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size) {
   const Tag tag;
   const Corners corner = corners(t);
   const Interval x = interval(low[0], high[0]);
@@ -134,7 +134,7 @@ TwoLanes largest(TwoLanes x, TwoLanes y, TwoLanes z) {
 }
 
 /// The ten axes, for valid input of this sum of sizes.
-Verdict triage_ten_axes(const double* t, const double* low, const double* high, double size) {
+Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size) {
   const TwoLanes centre_xy = 0.5 * (load(low) + load(high));
   const TwoLanes half_xy = 0.5 * (load(high) - load(low));
   const double centre_z = 0.5 * (low[2] + high[2]);
@@ -196,10 +196,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace graze::narrowphase {
 
-HWY_EXPORT(triage_ten_axes);
+HWY_EXPORT(triage_remaining_axes);
 
-Verdict triage_ten_axes(const double* t, const double* low, const double* high, double size) {
-  return HWY_DYNAMIC_DISPATCH(triage_ten_axes)(t, low, high, size);
+Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size) {
+  return HWY_DYNAMIC_DISPATCH(triage_remaining_axes)(t, low, high, size);
 }
 
 }  // namespace graze::narrowphase

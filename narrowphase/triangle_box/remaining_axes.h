@@ -8,6 +8,6 @@ namespace graze::narrowphase {
 /// Akenine-Möller's test, in rounded arithmetic; apart from them the two must overlap. Takes the
 /// triangle's nine coordinates, the box's minimum and maximum, and the sum of the absolute values
 /// of all fifteen, which is finite.
-Verdict triage_ten_axes(const double* t, const double* low, const double* high, double size);
+Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size);
 
 }  // namespace graze::narrowphase

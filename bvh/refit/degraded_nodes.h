@@ -8,7 +8,7 @@
 
 namespace graze::bvh {
 
-/// subtree_costs() of decay.h, of nodes that need not be all of a tree.
+/// subtree_costs() of degradation.h, of nodes that need not be all of a tree.
 std::vector<float> subtree_costs(std::span<const Node> nodes, float primitive_cost);
 
 /// What each node cost when it was built, costs now, and by how much it may have grown.
@@ -17,16 +17,16 @@ struct Growth {
   std::span<const float> now;
   float tolerated;
 
-  bool is_decayed(std::size_t node) const { return now[node] > tolerated * then[node]; }
+  bool is_degraded(std::size_t node) const { return now[node] > tolerated * then[node]; }
 };
 
 /// A node to be built anew.
-struct DecayedNode {
+struct DegradedNode {
   std::uint32_t node;
   int depth;
 };
 
-/// The uppermost of the decayed nodes that are to blame for it.
-std::vector<DecayedNode> find_decayed(std::span<const Node> nodes, const Growth& growth);
+/// The uppermost of the degraded nodes that are to blame for it.
+std::vector<DegradedNode> find_degraded(std::span<const Node> nodes, const Growth& growth);
 
 }  // namespace graze::bvh

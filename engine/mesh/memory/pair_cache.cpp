@@ -12,7 +12,7 @@
 // T2 no b of the box m +- h moves by more than |dC m + dT| + sum h_j |dC_j|. So a gap less this
 // motion that exceeds twice the new slack leaves no two triangles that meet.
 
-#include <graze/engine/mesh/memory/remembered.h>
+#include <graze/engine/mesh/memory/pair_cache.h>
 #include <graze/engine/mesh/placing/placement_check.h>
 
 #include <algorithm>
@@ -69,8 +69,7 @@ bool are_equal(const Pose& one, const Pose& other) {
   return difference == 0;
 }
 
-RememberedMesh::RememberedMesh(const Mesh& mesh)
-    : mesh_(mesh), sizes_(sum_of_sizes(mesh.bounds())) {
+CachedMesh::CachedMesh(const Mesh& mesh) : mesh_(mesh), sizes_(sum_of_sizes(mesh.bounds())) {
   const double* low = mesh.bounds().min.data();
   const double* high = mesh.bounds().max.data();
   double square = 0;
@@ -84,7 +83,7 @@ RememberedMesh::RememberedMesh(const Mesh& mesh)
   radius_ = std::sqrt(square) * (1 + 0x1p-40) + 0x1p-48 * largest_ + 0x1p-500;
 }
 
-void RememberedMesh::place(const Pose& pose, const char* what) {
+void CachedMesh::place(const Pose& pose, const char* what) {
   if (is_placed_ && are_equal(pose, pose_)) return;
   is_placed_ = false;
   error_ = bvh::RotationError(pose);
@@ -94,7 +93,7 @@ void RememberedMesh::place(const Pose& pose, const char* what) {
   is_placed_ = true;
 }
 
-RememberedMesh::Motion RememberedMesh::motion_from(const Pose& before) const {
+CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
   const double* m = pose_.data();  // column-major 4x4
   const double* n = before.data();
   double moved[3];
@@ -115,17 +114,17 @@ RememberedMesh::Motion RememberedMesh::motion_from(const Pose& before) const {
           0x1p-46 * sizes + 0x1p-500};
 }
 
-void Remembered::place(const Pose& pose_a, const Pose& pose_b) {
+void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
   a_.place(pose_a, "pose of mesh A");
   b_.place(pose_b, "pose of mesh B");
   // No number of queries is too large: some are over in nanoseconds.
   queries_ = std::min(queries_ + 1, kMostQueries);
 }
 
-bool Remembered::are_beyond(double metres) const {
+bool PairCache::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const RememberedMesh::Motion of_a = motion_from(gap_place_a_, a_);
-  const RememberedMesh::Motion of_b = motion_from(gap_place_b_, b_);
+  const CachedMesh::Motion of_a = motion_from(gap_place_a_, a_);
+  const CachedMesh::Motion of_b = motion_from(gap_place_b_, b_);
   const double left =
       gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
   // Of two motions of which one is none the other is the sum.
@@ -134,21 +133,21 @@ bool Remembered::are_beyond(double metres) const {
   return left > 0 && left * left * (1 - 0x1p-40) > square;
 }
 
-bool Remembered::are_still_beyond(double metres, Work* work) {
+bool PairCache::are_still_beyond(double metres, Work* work) {
   if (!are_beyond(metres)) return false;
   ++still_apart;
   if (work != nullptr) ++work->skipped_by_memory;
   return true;
 }
 
-void Remembered::learn_gap(double metres) {
+void PairCache::learn_gap(double metres) {
   if (!(metres > 0) || !std::isfinite(metres)) return;
   gap_ = metres;
   gap_place_a_ = place_of(a_);
   gap_place_b_ = place_of(b_);
 }
 
-bool Remembered::follow(const WideQuery& query) {
+bool PairCache::follow(const WideQuery& query) {
   const bvh::RelativeFrame& now = query.b_in_a;
   const bool was_followed = is_followed_;
   if (was_followed) {
@@ -166,7 +165,7 @@ bool Remembered::follow(const WideQuery& query) {
   return was_followed;
 }
 
-void Remembered::remember(std::span<const TrianglePair> found) {
+void PairCache::remember(std::span<const TrianglePair> found) {
   pair_count_ = std::min(found.size(), kMostPairs);
   std::copy_n(found.begin(), pair_count_, pairs_.begin());
 }

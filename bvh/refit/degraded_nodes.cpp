@@ -1,5 +1,5 @@
 #include <graze/bvh/build/sah_sweep.h>
-#include <graze/bvh/refit/decayed_nodes.h>
+#include <graze/bvh/refit/degraded_nodes.h>
 
 #include <algorithm>
 
@@ -26,15 +26,15 @@ float inner_cost(std::span<const Node> nodes, const Node& node, const CostOf& co
   return 1 + (cost_of(a) + cost_of(b));
 }
 
-bool has_decayed(std::span<const Node> nodes, const Growth& growth) {
+bool has_degraded(std::span<const Node> nodes, const Growth& growth) {
   bool is_any = false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    is_any |= growth.is_decayed(i);
+    is_any |= growth.is_degraded(i);
   return is_any;
 }
 
 /// Whether a node is itself to blame: its boxes have grown into each other, which shows if its
-/// children are thought as good as new, or nothing below has decayed as a whole. The former needs
+/// children are thought as good as new, or nothing below has degraded as a whole. The former needs
 /// no more than a quarter of the growth that is tolerated, because it adds up over the levels.
 bool is_to_blame(std::span<const Node> nodes, const Node& node, const Growth& growth) {
   const auto repaired_cost = [&](std::size_t child) {
@@ -43,7 +43,7 @@ bool is_to_blame(std::span<const Node> nodes, const Node& node, const Growth& gr
   const auto at = static_cast<std::size_t>(&node - nodes.data());
   return inner_cost(nodes, node, repaired_cost) >
              (0.75f + 0.25f * growth.tolerated) * growth.then[at] ||
-         !(growth.is_decayed(node.first) || growth.is_decayed(node.first + 1));
+         !(growth.is_degraded(node.first) || growth.is_degraded(node.first + 1));
 }
 
 }  // namespace
@@ -59,16 +59,16 @@ std::vector<float> subtree_costs(std::span<const Node> nodes, float primitive_co
   return costs;
 }
 
-std::vector<DecayedNode> find_decayed(std::span<const Node> nodes, const Growth& growth) {
-  std::vector<DecayedNode> found;
-  if (!has_decayed(nodes, growth)) return found;
-  std::vector<DecayedNode> open{{0, 0}};
+std::vector<DegradedNode> find_degraded(std::span<const Node> nodes, const Growth& growth) {
+  std::vector<DegradedNode> found;
+  if (!has_degraded(nodes, growth)) return found;
+  std::vector<DegradedNode> open{{0, 0}};
   while (!open.empty()) {
-    const DecayedNode at = open.back();
+    const DegradedNode at = open.back();
     open.pop_back();
     const Node& node = nodes[at.node];
     if (node.is_leaf()) continue;
-    if (growth.is_decayed(at.node) && is_to_blame(nodes, node, growth)) {
+    if (growth.is_degraded(at.node) && is_to_blame(nodes, node, growth)) {
       found.push_back(at);
       continue;
     }

@@ -17,10 +17,10 @@ struct RebuildSettings {
   /// The settings that the tree was built with.
   BuildSettings build;
   /// A subtree is built anew where it costs more than this many times what it did.
-  float tolerated_decay = 1.5f;
+  float tolerated_degradation = 1.5f;
 };
 
-/// refit(), and then builds anew what has decayed, where it has: of the subtrees that cost more
+/// refit(), and then builds anew what has degraded, where it has: of the subtrees that cost more
 /// than is tolerated, those whose own boxes have grown into each other, rather than all that hold
 /// them. The rest of the tree stays. `costs` are subtree_costs() of the tree when it was built;
 /// they come back as those of the new tree when each of its nodes was built. Returns how many

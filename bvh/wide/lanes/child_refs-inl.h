@@ -7,7 +7,7 @@
 #define GRAZE_BVH_SLOTS
 #endif
 
-#include <graze/bvh/wide/lanes/guest_box-inl.h>
+#include <graze/bvh/wide/lanes/query_box-inl.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <bit>
 
@@ -17,15 +17,16 @@ namespace {
 
 /// Which of two slots is opened, whose links these are: the larger, unless it is a leaf. `scale` is
 /// the unit of the second in that of the first.
-HWY_INLINE bool is_first_opened(const WideSlot& first, std::uint32_t first_link,
-                                const WideSlot& second, std::uint32_t second_link, float scale) {
+HWY_INLINE bool is_first_opened(const WideChildRef& first, std::uint32_t first_link,
+                                const WideChildRef& second, std::uint32_t second_link,
+                                float scale) {
   return ChildLink::is_leaf(second_link) ||
          (!ChildLink::is_leaf(first_link) && size_of(first) >= size_of(second) * scale);
 }
 
 /// The first lane of the node that a link leads to.
-HWY_INLINE WideSlot first_below(const WideTree& tree, const WideSlot& slot, std::uint32_t link,
-                                TreeletCounts& counts) {
+HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& slot,
+                                    std::uint32_t link, TreeletCounts& counts) {
   const std::uint32_t index = ChildLink::index(link);
   if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
   return {tree.entered(index, counts).nodes.data(), 0, index};
