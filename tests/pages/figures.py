@@ -1,4 +1,4 @@
-"""Whether the tables of README.md have the figures of the files in data/benchmark/ that their commands wrote."""
+"""Whether the tables of tests/benchmark/figures.md have the figures of the files in data/benchmark/ that their commands wrote."""
 
 import json
 import math
@@ -35,7 +35,7 @@ def breaches_of(rows, wanted, what):
     for name, figures in wanted.items():
         written = rows.get(name, [])
         if len(written) != len(figures) or not all(map(fits, written, figures)):
-            yield f"README.md: the row '{name}' has {rows.get(name)}, {what} says {figures}"
+            yield f"tests/benchmark/figures.md: the row '{name}' has {rows.get(name)}, {what} says {figures}"
 
 
 def broad_phase_breaches(root, page):

@@ -1,4 +1,4 @@
-// The programs of README.md, word for word as they stand there, between what they take for granted
+// The programs of README.md and of samples/tour.md, word for word as they stand there, between what they take for granted
 // and what must have come of them.
 
 #include <graze/graze.h>
@@ -32,7 +32,7 @@ class ReadmePrograms : public testing::Test {
   std::filesystem::path before_ = std::filesystem::current_path();
 };
 
-TEST_F(ReadmePrograms, OfTwoMeshes) {
+TEST_F(ReadmePrograms, OfTheTour) {
   const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), d(0.2, 0.2, -1), e(0.2, 0.2, 1),
       f(3, 3, 3), p(0, 0, 0.005);
   std::vector<Eigen::Vector3d> new_vertices;
@@ -40,7 +40,7 @@ TEST_F(ReadmePrograms, OfTwoMeshes) {
   for (const Eigen::Vector3d& v : straight.vertices())
     new_vertices.push_back(v + Eigen::Vector3d(0.1 * v.z() * v.z(), 0, 0));
 
-#include "readme_1.inc"
+#include "tour_1.inc"
 
   EXPECT_TRUE(hit);
   EXPECT_EQ(same, hit);
@@ -72,6 +72,23 @@ TEST_F(ReadmePrograms, OfTwoMeshes) {
   EXPECT_GT(voxels.size(), 1000u);
 }
 
+TEST_F(ReadmePrograms, OfTwoMeshes) {
+  int warnings = 0;
+  const auto warn = [&](const graze::Pose&) { ++warnings; };
+
+#include "readme_1.inc"
+#include "readme_2.inc"
+
+  EXPECT_TRUE(hit);
+  EXPECT_FALSE(pairs.empty());
+  EXPECT_FALSE(contacts.empty());
+  EXPECT_EQ(gap.distance, 0);
+  ASSERT_EQ(hits.size(), 25u);
+  EXPECT_FALSE(hits.front());
+  EXPECT_TRUE(hits.back());
+  EXPECT_GT(warnings, 0);
+}
+
 /// True so many times.
 struct Running {
   int steps;
@@ -95,7 +112,7 @@ TEST_F(ReadmePrograms, OfManyBodies) {
     aimed = distance;
   };
 
-#include "readme_2.inc"
+#include "readme_3.inc"
 
   EXPECT_TRUE(world.contains(floor));
   EXPECT_GT(resolved, 0);
