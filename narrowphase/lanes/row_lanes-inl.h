@@ -17,7 +17,7 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-constexpr std::size_t kBlock = 8;  // elements whose verdicts are written at once
+inline constexpr std::size_t kBlock = 8;  // elements whose verdicts are written at once
 using Tag = hn::CappedTag<double, kBlock>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;

@@ -19,22 +19,22 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 /// Pays for kBoundGrowth, roots and products.
-constexpr float kShrink = 1 - 0x1p-13f;
+inline constexpr float kShrink = 1 - 0x1p-13f;
 
 /// What is further counts as so far.
-constexpr float kFarthest = 0x1p60f;
+inline constexpr float kFarthest = 0x1p60f;
 
 /// Of how far apart things are, what a direction costs that is rounded after the gap along it was
 /// found: 15 u for the directions of boxes, with the turn to the tree's axes; u = 2^-24.
-constexpr float kDirectionError = 0x1p-19f;
+inline constexpr float kDirectionError = 0x1p-19f;
 
 /// Of gaps along any vector, for each unit of its 1-norm: how many errors of differences of
 /// corners, and of their extent.
-constexpr float kAlongError = 5;
-constexpr float kAlongRounding = 0x1p-20f;
+inline constexpr float kAlongError = 5;
+inline constexpr float kAlongRounding = 0x1p-20f;
 
 /// What estimates of reciprocals and of reciprocal roots are off by at most, on any target.
-constexpr float kEstimateError = 0x1p-7f;
+inline constexpr float kEstimateError = 0x1p-7f;
 
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> padded_square(AnyTag tag, const hn::Vec<AnyTag> (&v)[3]) {

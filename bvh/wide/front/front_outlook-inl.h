@@ -16,10 +16,10 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 /// What is rounded to float four times, times it, is no less than before.
-constexpr float kRoundUp = 1 + 0x1p-20f;
+inline constexpr float kRoundUp = 1 + 0x1p-20f;
 
 /// Of a quotient, for what reciprocals are off on any target.
-constexpr float kReciprocalError = 1 - kEstimateError;
+inline constexpr float kReciprocalError = 1 - kEstimateError;
 
 /// A linear motion of points, column by column.
 struct alignas(16) StepColumns {

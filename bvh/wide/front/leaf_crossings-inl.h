@@ -43,13 +43,13 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-constexpr float kSignRounding = 0x1p-20f;
+inline constexpr float kSignRounding = 0x1p-20f;
 
 // What errors are multiplied by: as above, and more than that.
-constexpr float kWayError = 1.125f;
-constexpr float kEdgeError = 2.5f;
-constexpr float kEdgesError = 8;
-constexpr float kReachError = 3.5f;
+inline constexpr float kWayError = 1.125f;
+inline constexpr float kEdgeError = 2.5f;
+inline constexpr float kEdgesError = 8;
+inline constexpr float kReachError = 3.5f;
 
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> dot(AnyTag, const hn::Vec<AnyTag> (&a)[3],

@@ -14,7 +14,7 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 // Pair 4 i + j is of the tested node's primitive i and the query box's j.
-constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
+inline constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 using PairTag = hn::CappedTag<float, kLeafPairs>;
 
 /// The bits of the pairs of two leaves of so many primitives.

@@ -47,7 +47,7 @@ struct Promises {
 };
 
 // Middles tell where bounds do not.
-constexpr float kMiddleWeight = 0.1f;
+inline constexpr float kMiddleWeight = 0.1f;
 
 /// A gap as far as it is known: one that is negative is none, and so is what overflowed.
 template <typename AnyTag>

@@ -126,8 +126,8 @@ HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t l
 
 /// Boxes of the children. Along the first axis, where it matters, as what they hold reaches: much
 /// of a box along a node's axes is empty.
-HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
-                                   const WideChildRef& slot, const AlignedWay& way) {
+inline HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
+                                          const WideChildRef& slot, const AlignedWay& way) {
   const Tag tag;
   const WideNode& node = *slot.node;
   const NodeAlong<3> along(node, way);
