@@ -30,7 +30,7 @@ class Runner:
             for name in ("poses.txt", "path.txt"):
                 (scratch / name).write_text("".join(lines[:2] + lines[-1:]), encoding="utf-8")
 
-    def run(self, line, folder=None, timeout=60):
+    def run(self, line, folder=None, timeout=240):
         environment = dict(os.environ, LC_ALL="C", PATH=f"{self.build / 'bin'}:{os.environ['PATH']}")
         return subprocess.run(["bash", "-c", line], cwd=folder or self.scratch, env=environment, timeout=timeout,
                               stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
