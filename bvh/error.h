@@ -1,13 +1,36 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace graze {
 
-/// Everything that graze throws derives from this; what() is one line that names the place.
+/// Where in its input an error lies, as far as that is known. Error::what() says the same in words;
+/// this is for programs.
+struct ErrorPlace {
+  std::string file = {};                  ///< as it was named; empty if no file is to blame
+  std::optional<std::size_t> line = {};   ///< of a text file, counted from 1
+  std::optional<std::size_t> byte = {};   ///< of a binary file, counted from 0
+  std::string element = {};               ///< "vertex", "triangle", "pose", ...; empty if none
+  std::optional<std::size_t> index = {};  ///< of that element, counted from 0
+
+  bool operator==(const ErrorPlace&) const = default;
+};
+
+/// Everything that graze throws derives from this, but for what the standard library throws when
+/// memory is short. what() is one line that names the place. A copy shares the place: copying does
+/// not throw.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& what, ErrorPlace place = {});
+
+  const ErrorPlace& place() const noexcept;
+
+ private:
+  std::shared_ptr<const ErrorPlace> place_;  // nullptr: nothing is known
 };
 
 /// A value that no query can answer for: NaN, infinity, a box whose minimum exceeds its maximum.
@@ -19,6 +42,37 @@ class InputError : public Error {
 /// A pose that is not rigid, not finite, moves a mesh out of the range of double, or cannot be
 /// read.
 class PoseError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A mesh that cannot be: what() reads `file:line: why`, `file: byte N: why`, `file: why`, or
+/// `triangle 12: why` for a mesh made from arrays.
+class MeshError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// An id of what was removed, or which was never given out.
+class StaleIdError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Two shapes of kinds for which a question has no answer; what() names both.
+class UnsupportedPairError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A case file that cannot be read: what() reads `file:line: /place/in/it: why`.
+class CaseError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A scene that cannot be read: what() reads `file:line: /place/in/it: why`.
+class SceneError : public Error {
  public:
   using Error::Error;
 };

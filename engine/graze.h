@@ -45,7 +45,6 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
-#include <graze/engine/world/stale_id_error.h>
 #include <graze/engine/world/world.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/touch.h>

@@ -59,7 +59,8 @@ void name_invalid(std::span<const Aabb> boxes) {
     try {
       check_box(boxes[i], "box");
     } catch (const InputError& error) {
-      throw InputError("tree: box " + std::to_string(i) + ": " + error.what());
+      throw InputError("tree: box " + std::to_string(i) + ": " + error.what(),
+                       {.element = "box", .index = i});
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include <graze/engine/cases/case.h>
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 
 namespace graze {
 

@@ -64,7 +64,8 @@ OutputTarget target_of_process(const fs::path& given, const fs::path& path) {
 
 void fail_to_write(const fs::path& path, int error) {
   throw FileError(mesh_io::printable(path.string()) +
-                  ": cannot be written: " + std::generic_category().message(error));
+                      ": cannot be written: " + std::generic_category().message(error),
+                  {.file = path.string()});
 }
 
 OutputTarget find_output_target(const fs::path& given) {

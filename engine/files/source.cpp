@@ -1,5 +1,7 @@
 #include <graze/engine/files/source.h>
-#include <graze/engine/mesh/mesh_error.h>
+#include <graze/bvh/error.h>
+
+#include <utility>
 
 namespace graze::mesh_io {
 namespace {
@@ -20,13 +22,17 @@ bool is_control(unsigned char byte) {
 }  // namespace
 
 void fail(const Source& source, std::string_view why) {
-  throw MeshError(std::string(source.name) + ": " + std::string(why));
+  throw MeshError(std::string(source.name) + ": " + std::string(why),
+                  {.file = std::string(source.name)});
 }
 
 void fail(const Source& source, Place place, std::string_view why) {
-  const char* separator = place.unit == Place::Unit::Line ? ":" : ": byte ";
-  throw MeshError(std::string(source.name) + separator + std::to_string(place.at) + ": " +
-                  std::string(why));
+  const bool is_line = place.unit == Place::Unit::Line;
+  ErrorPlace where{.file = std::string(source.name)};
+  (is_line ? where.line : where.byte) = place.at;
+  throw MeshError(std::string(source.name) + (is_line ? ":" : ": byte ") +
+                      std::to_string(place.at) + ": " + std::string(why),
+                  std::move(where));
 }
 
 std::string quoted(std::string_view text) {

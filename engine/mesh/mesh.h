@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <graze/bvh/aabb.h>
-#include <graze/engine/mesh/mesh_error.h>
+#include <graze/bvh/error.h>
 #include <graze/narrowphase/triangle.h>
 #include <Eigen/Core>
 

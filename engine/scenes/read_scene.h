@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include <graze/engine/scenes/scene.h>
-#include <graze/engine/scenes/scene_error.h>
+#include <graze/bvh/error.h>
 
 namespace graze {
 

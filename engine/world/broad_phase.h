@@ -3,7 +3,7 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/box_pair.h>
 #include <graze/bvh/ray.h>
-#include <graze/engine/world/stale_id_error.h>
+#include <graze/bvh/error.h>
 
 #include <compare>
 #include <cstddef>

@@ -99,10 +99,4 @@ class Shape {
   Value value_;
 };
 
-/// Two shapes of kinds for which a question has no answer; what() names both.
-class UnsupportedPairError : public Error {
- public:
-  using Error::Error;
-};
-
 }  // namespace graze

@@ -4,7 +4,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/engine/world/stale_id_error.h>
+#include <graze/bvh/error.h>
 
 #include <cstdint>
 #include <functional>

@@ -12,7 +12,8 @@ namespace {
     for (int k = 0; k < 3; ++k) {
       if (!std::isfinite(points[i].data()[k])) {
         throw InputError("point " + std::to_string(i) + ": coordinate " + "xyz"[k] +
-                         " is not finite");
+                             " is not finite",
+                         {.element = "point", .index = i});
       }
     }
   }

@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/cases/read_case.h>
 

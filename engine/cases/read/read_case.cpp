@@ -190,7 +190,7 @@ Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settin
       mesh_io::require_regular_file(path, name);
       bytes = mesh_io::read_file(path, name);
     } catch (const MeshError& error) {
-      throw CaseError(error.what());
+      throw CaseError(error.what(), error.place());
     }
     ReadCaseSettings here = settings;
     if (here.mesh_folder.empty()) here.mesh_folder = path.parent_path();

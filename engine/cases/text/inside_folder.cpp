@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/inside_folder.h>
 #include <graze/engine/files/source.h>
 

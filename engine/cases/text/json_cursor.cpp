@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/hex_float.h>
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/text/json_text.h>
@@ -26,7 +26,8 @@ std::string JsonCursor::pointer() const {
 void JsonCursor::fail(const std::string& why) const {
   const std::string place = pointer();
   throw CaseError(file_ + ":" + std::to_string(value_.line) + ": " +
-                  (place.empty() ? "" : place + ": ") + why);
+                      (place.empty() ? "" : place + ": ") + why,
+                  {.file = std::string(file_), .line = value_.line, .element = place});
 }
 
 void JsonCursor::require(JsonKind kind) const {

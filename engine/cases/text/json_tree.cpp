@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_tree.h>
 #include <graze/engine/files/source.h>
 
@@ -138,7 +138,8 @@ class Builder {
   }
 
   [[noreturn]] void fail(const std::string& why) {
-    throw CaseError(name_ + ":" + std::to_string(reading_.line_now()) + ": " + why);
+    throw CaseError(name_ + ":" + std::to_string(reading_.line_now()) + ": " + why,
+                    {.file = name_, .line = reading_.line_now()});
   }
 
   JsonValue& add(JsonKind kind) {

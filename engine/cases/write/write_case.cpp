@@ -1,11 +1,10 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/output_file.h>
-#include <graze/engine/mesh/mesh_error.h>
 
 #include <cmath>
 #include <vector>
@@ -162,7 +161,7 @@ void write_case(const std::filesystem::path& path, const Case& query) {
   try {
     files::write_file(path, to_json(query));
   } catch (const files::FileError& error) {
-    throw CaseError(error.what());
+    throw CaseError(error.what(), error.place());
   }
 }
 

@@ -3,7 +3,7 @@
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/job_key.h>
 #include <graze/engine/files/source.h>
-#include <graze/engine/scenes/scene_error.h>
+#include <graze/bvh/error.h>
 
 #include <fstream>
 #include <iterator>

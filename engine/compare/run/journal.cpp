@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/run/journal.h>
 #include <graze/engine/files/source.h>

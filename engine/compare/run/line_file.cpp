@@ -1,4 +1,4 @@
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/compare/run/line_file.h>
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/source.h>
@@ -16,7 +16,7 @@ LineFile::LineFile(const std::filesystem::path& path, std::span<const std::strin
     }
     file_->publish();
   } catch (const files::FileError& error) {
-    throw CaseError(error.what());
+    throw CaseError(error.what(), error.place());
   }
 }
 
@@ -25,7 +25,7 @@ void LineFile::add(const std::string& line) {
     file_->append(line + '\n');
     file_->flush();
   } catch (const files::FileError& error) {
-    throw CaseError(error.what());
+    throw CaseError(error.what(), error.place());
   }
 }
 

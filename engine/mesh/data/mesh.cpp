@@ -16,7 +16,8 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double* p = vertices[i].data();
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
-      throw MeshError("vertex " + std::to_string(i) + ": a coordinate is not finite");
+      throw MeshError("vertex " + std::to_string(i) + ": a coordinate is not finite",
+                      {.element = "vertex", .index = i});
     }
   }
 }
@@ -34,7 +35,8 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
       if (std::cmp_less(index, 0) || std::cmp_greater_equal(index, vertex_count)) {
         throw MeshError("triangle " + std::to_string(i) + ": index " + std::to_string(index) +
                         " is out of range, there are " + std::to_string(vertex_count) +
-                        " vertices");
+                            " vertices",
+                        {.element = "triangle", .index = i});
       }
       checked[i][k] = static_cast<std::uint32_t>(index);
     }

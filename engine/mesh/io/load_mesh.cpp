@@ -1,8 +1,10 @@
+#include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/io/format.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <string>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -39,7 +41,9 @@ Mesh load_mesh(const std::filesystem::path& path) {
     try {
       return Mesh(arrays.vertices, arrays.triangles);
     } catch (const MeshError& error) {
-      mesh_io::fail({name, {}}, error.what());
+      ErrorPlace place = error.place();
+      place.file = name;
+      throw MeshError(name + ": " + error.what(), std::move(place));
     }
   });
 }

@@ -25,6 +25,10 @@ constexpr std::size_t kMaxLineLength = 1 << 16;
   throw PoseError(place + ": " + why);
 }
 
+[[noreturn]] void fail_in_file(const std::string& name, const std::string& why) {
+  throw PoseError(name + ": " + why, {.file = name});
+}
+
 /// The fields of a line: runs of what is neither blank nor comma. A comma stands between two
 /// fields.
 std::vector<std::string_view> split(std::string_view text, const std::string& place) {
@@ -85,9 +89,9 @@ std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<PoseLine> {
     const std::string name = mesh_io::printable(path.string());
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail(name, "is a directory");
+    if (std::filesystem::is_directory(path, ignored)) fail_in_file(name, "is a directory");
     std::ifstream file(path);
-    if (!file) fail(name, std::strerror(errno));
+    if (!file) fail_in_file(name, std::strerror(errno));
 
     std::vector<PoseLine> poses;
     std::vector<char> buffer(kMaxLineLength);
@@ -95,15 +99,22 @@ std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
       const std::string place = name + ":" + std::to_string(line);
       file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
       if (file.bad()) break;
-      if (file.fail()) fail(place, "longer than " + std::to_string(kMaxLineLength - 1) + " bytes");
+      if (file.fail()) {
+        throw PoseError(place + ": longer than " + std::to_string(kMaxLineLength - 1) + " bytes",
+                        {.file = name, .line = line});
+      }
       // gcount() includes the end of the line, unless the file ends first.
       const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
       const std::string_view text(buffer.data(), length);
       if (text.find_first_not_of(kBlanks) == text.npos) continue;
-      poses.push_back({parse_pose(text, place), line});
+      try {
+        poses.push_back({parse_pose(text, place), line});
+      } catch (const PoseError& error) {
+        throw PoseError(error.what(), {.file = name, .line = line});
+      }
     }
-    if (file.bad()) fail(name, "cannot be read to its end");
-    if (poses.empty()) fail(name, "no poses");
+    if (file.bad()) fail_in_file(name, "cannot be read to its end");
+    if (poses.empty()) fail_in_file(name, "no poses");
     return poses;
   });
 }

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/query/threads.h>
@@ -19,8 +20,10 @@ constexpr std::size_t kPartsPerThread = 16;
 void check_poses(const PlacedMesh& a, const MeshInPoses& b) {
   check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
   for (std::size_t i = 0; i < b.poses.size(); ++i) {
-    check_placement(b.poses[i], b.mesh.bounds(),
-                    ("pose " + std::to_string(i) + " of mesh B").c_str());
+    bvh::at_element("pose", i, [&] {
+      check_placement(b.poses[i], b.mesh.bounds(),
+                      ("pose " + std::to_string(i) + " of mesh B").c_str());
+    });
   }
 }
 

@@ -2,7 +2,7 @@
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
-#include <graze/engine/mesh/mesh_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/mesh/voxel/voxel_corners.h>
 #include <graze/engine/mesh/voxel/voxel_format.h>
 #include <graze/engine/mesh/write_voxels.h>
@@ -28,10 +28,12 @@ void check_voxels(const Voxels& voxels) {
   if (voxels.empty()) throw InputError("no voxels to write");
   for (std::size_t n = 0; n < voxels.size(); ++n) {
     if (!is_within(voxels.grid, voxels.voxels[n])) {
-      throw InputError("voxel " + std::to_string(n) + ": not within the grid");
+      throw InputError("voxel " + std::to_string(n) + ": not within the grid",
+                       {.element = "voxel", .index = n});
     }
     if (n > 0 && !(voxels.voxels[n - 1] < voxels.voxels[n])) {
-      throw InputError("voxel " + std::to_string(n) + ": not above the one before it");
+      throw InputError("voxel " + std::to_string(n) + ": not above the one before it",
+                       {.element = "voxel", .index = n});
     }
   }
 }
@@ -106,7 +108,7 @@ void write_voxels(const std::filesystem::path& path, const Voxels& voxels,
       add_quads(voxels, corners, reporting);
       file.finish();
     } catch (const files::FileError& error) {
-      throw MeshError(error.what());
+      throw MeshError(error.what(), error.place());
     }
   });
 }

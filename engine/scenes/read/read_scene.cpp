@@ -1,8 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
-#include <graze/engine/mesh/mesh_error.h>
 #include <graze/engine/scenes/read/scene_parts.h>
 #include <graze/engine/scenes/read_scene.h>
 
@@ -90,7 +89,7 @@ Scene parse_scene(std::string_view bytes, const std::string& name,
       scenes::MeshFiles files(settings.mesh_folder);
       return scene_of(JsonCursor(tree, printable), files);
     } catch (const CaseError& error) {
-      throw SceneError(error.what());
+      throw SceneError(error.what(), error.place());
     }
   });
 }
@@ -105,7 +104,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& set
       mesh_io::require_regular_file(path, mesh_io::printable(name));
       bytes = mesh_io::read_file(path, mesh_io::printable(name));
     } catch (const MeshError& error) {
-      throw SceneError(error.what());
+      throw SceneError(error.what(), error.place());
     }
     return parse_scene(bytes, name, here);
   });

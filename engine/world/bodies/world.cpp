@@ -1,5 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/bodies/world_state.h>
@@ -25,8 +26,9 @@ Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const ch
 const Bodies::Body& World::State::body(BodyId id, const char* what) const {
   if (!all.ids.is_live(id.index, id.generation)) {
     throw StaleIdError(std::string(what) + ": there is no body with index " +
-                       std::to_string(id.index) + " and generation " +
-                       std::to_string(id.generation));
+                           std::to_string(id.index) + " and generation " +
+                           std::to_string(id.generation),
+                       {.element = "body", .index = id.index});
   }
   return all.bodies[id.index];
 }
@@ -231,7 +233,9 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
         state.prepare_move(ids[i], poses[i], "move");
     } catch (const std::exception&) {
       const std::string what = "move, element " + std::to_string(i);
-      state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+      bvh::at_element("element", i, [&] {
+        state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+      });
       throw;
     }
     state.move_prepared(ids, poses);

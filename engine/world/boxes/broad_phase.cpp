@@ -1,6 +1,7 @@
 #include <graze/bvh/box_set/store/overlap_tracker.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/boxes/id_table.h>
 #include <graze/engine/world/broad_phase.h>
 
@@ -49,8 +50,9 @@ struct BroadPhase::State {
   void check(BoxId id, const char* what) const {
     if (ids.is_live(id.index, id.generation)) return;
     throw StaleIdError(std::string(what) + ": there is no box with index " +
-                       std::to_string(id.index) + " and generation " +
-                       std::to_string(id.generation));
+                           std::to_string(id.index) + " and generation " +
+                           std::to_string(id.generation),
+                       {.element = "box", .index = id.index});
   }
 
   void unsettle() { is_settled.store(false, std::memory_order_relaxed); }
@@ -133,8 +135,10 @@ void BroadPhase::move(std::span<const BoxId> ids, std::span<const Aabb> boxes) {
     });
     for (std::size_t i = 0; !is_valid && i < ids.size(); ++i) {
       const std::string what = "move, element " + std::to_string(i);
-      state.check(ids[i], what.c_str());
-      bvh::check_box(boxes[i], what.c_str());
+      bvh::at_element("element", i, [&] {
+        state.check(ids[i], what.c_str());
+        bvh::check_box(boxes[i], what.c_str());
+      });
     }
     if (ids.empty()) return;
     state.unsettle();
@@ -195,7 +199,8 @@ Aabb BroadPhase::box(BoxId id) const {
 
 BoxId BroadPhase::id(std::uint32_t index) const {
   if (!state_->ids.is_live(index)) {
-    throw StaleIdError("id: there is no box with index " + std::to_string(index));
+    throw StaleIdError("id: there is no box with index " + std::to_string(index),
+                       {.element = "box", .index = index});
   }
   return {index, state_->ids.generation(index)};
 }

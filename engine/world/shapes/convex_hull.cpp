@@ -47,7 +47,8 @@ ConvexHull::ConvexHull(std::span<const Eigen::Vector3d> points) {
       for (int i = 0; i < 3; ++i) {
         if (std::abs(point.data()[i]) <= kLargestLength) continue;
         throw InputError("convex hull: point " + std::to_string(copied.size()) + ": coordinate " +
-                         "xyz"[i] + " is not finite or beyond the largest length");
+                             "xyz"[i] + " is not finite or beyond the largest length",
+                         {.element = "point", .index = copied.size()});
       }
       copied.push_back({point.data()[0], point.data()[1], point.data()[2]});
     }

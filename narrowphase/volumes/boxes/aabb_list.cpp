@@ -1,5 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/narrowphase/volumes/aabb_list.h>
 #include <graze/narrowphase/volumes/boxes/batch_sizes.h>
 #include <graze/narrowphase/volumes/boxes/kdop_kernels.h>
@@ -24,7 +25,9 @@ Aabb AabbList::operator[](std::size_t index) const {
 
 void AabbList::add(const Aabb& box) {
   bvh::in_standard_arithmetic([&] {
-    bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    bvh::at_element("box", size(), [&] {
+      bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    });
     rows_.add(row_of(box));
   });
 }

@@ -1,5 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/narrowphase/volumes/boxes/batch_sizes.h>
 #include <graze/narrowphase/volumes/boxes/kdop_kernels.h>
 #include <graze/narrowphase/volumes/kdop_list.h>
@@ -29,7 +30,9 @@ KDop<18> KDopList::operator[](std::size_t index) const {
 
 void KDopList::add(const KDop<18>& kdop) {
   bvh::in_standard_arithmetic([&] {
-    bvh::check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
+    bvh::at_element("k-DOP", size(), [&] {
+      bvh::check_kdop(kdop, ("k-DOPs[" + std::to_string(size()) + "]").c_str());
+    });
     rows_.add(row_of(kdop));
   });
 }

@@ -1,5 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/narrowphase/volumes/boxes/batch_sizes.h>
 #include <graze/narrowphase/volumes/boxes/obb_kernels.h>
 #include <graze/narrowphase/volumes/obb_list.h>
@@ -13,7 +14,9 @@ Obb ObbList::operator[](std::size_t index) const {
 
 void ObbList::add(const Obb& box) {
   bvh::in_standard_arithmetic([&] {
-    bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    bvh::at_element("box", size(), [&] {
+      bvh::check_box(box, ("boxes[" + std::to_string(size()) + "]").c_str());
+    });
     rows_.add(narrowphase::row_of(box));
   });
 }

@@ -4,6 +4,7 @@
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/narrowphase/predicates/finite.h>
 #include <graze/narrowphase/triangle_fit.h>
 
@@ -23,7 +24,9 @@ Corners corners_of(std::span<const Triangle> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& triangle = triangles[i];
     if (!triangle.a.allFinite() || !triangle.b.allFinite() || !triangle.c.allFinite()) {
-      narrowphase::check_finite(triangle, ("triangle " + std::to_string(i)).c_str());
+      bvh::at_element("triangle", i, [&] {
+        narrowphase::check_finite(triangle, ("triangle " + std::to_string(i)).c_str());
+      });
     }
     corners.insert(corners.end(), {triangle.a, triangle.b, triangle.c});
   }

@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/element_error.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
@@ -46,13 +47,13 @@ std::string name_of(const char* array, std::size_t index) {
 
 Sphere checked(const SphereArray& spheres, std::size_t index, const char* name) {
   Sphere sphere = narrowphase::element(spheres, index);
-  bvh::check_sphere(sphere, name_of(name, index).c_str());
+  bvh::at_element(name, index, [&] { bvh::check_sphere(sphere, name_of(name, index).c_str()); });
   return sphere;
 }
 
 Aabb checked(const AabbArray& boxes, std::size_t index, const char* name) {
   Aabb box = narrowphase::element(boxes, index);
-  bvh::check_box(box, name_of(name, index).c_str());
+  bvh::at_element(name, index, [&] { bvh::check_box(box, name_of(name, index).c_str()); });
   return box;
 }
 

@@ -1,6 +1,6 @@
 // Answers and settings that are none are refused by one line that names the file and the place.
 
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <gtest/gtest.h>
 #include <string>

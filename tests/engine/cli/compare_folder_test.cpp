@@ -1,6 +1,6 @@
 // `graze compare FOLDER`: records, baselines and reports of cases, and what is wrong in them.
 
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/to_case.h>

@@ -1,6 +1,6 @@
 // A run that is interrupted, and records of another run: what is kept, what is said.
 
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cli/output/interruption.h>
 #include <graze/engine/cli/output/usage_error.h>
 #include <gtest/gtest.h>

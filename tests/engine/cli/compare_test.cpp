@@ -1,7 +1,7 @@
 // `graze compare` and `graze replay` with engines that are wrong on purpose: what is found, what is
 // written, what the exit codes say.
 
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cli/compare/compare_report.h>

@@ -2,7 +2,7 @@
 // good ones.
 
 #include <graze/engine/cases/answer_case.h>
-#include <graze/engine/cases/case_error.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/cli/replay/replay_run.h>
