@@ -9,6 +9,8 @@ namespace graze {
 struct Aabb {
   Eigen::Vector3d min;
   Eigen::Vector3d max;
+
+  bool operator==(const Aabb&) const = default;
 };
 
 /// Throws InputError, which begins with `what`, unless the box is finite and `min <= max`.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <graze/bvh/hash.h>
+
 #include <compare>
 #include <cstdint>
+#include <functional>
 
 namespace graze {
 
@@ -13,3 +16,10 @@ struct BoxPair {
 };
 
 }  // namespace graze
+
+template <>
+struct std::hash<graze::BoxPair> {
+  std::size_t operator()(const graze::BoxPair& pair) const noexcept {
+    return graze::hash_of({pair.a, pair.b});
+  }
+};

@@ -31,6 +31,8 @@ struct KDop {
   static constexpr int kSlabs = K / 2;
   std::array<double, static_cast<std::size_t>(kSlabs)> min;
   std::array<double, static_cast<std::size_t>(kSlabs)> max;
+
+  bool operator==(const KDop&) const = default;
 };
 
 /// Throws InputError, which begins with `what`, unless all slabs are finite and `min <= max`.

@@ -10,6 +10,10 @@ namespace graze {
 struct Obb {
   Pose pose;
   Eigen::Vector3d half_extents;
+
+  bool operator==(const Obb& other) const {
+    return are_equal(pose, other.pose) && half_extents == other.half_extents;
+  }
 };
 
 /// Throws InputError or PoseError, which begins with `what`, unless the box is valid.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Geometry>
 
 namespace graze {
@@ -8,6 +10,21 @@ namespace graze {
 /// layout of every public type is the same whatever SIMD flags its user compiles with.
 /// Eigen::Isometry3d converts to it.
 using Pose = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
+
+/// Whether all entries are equal: Eigen's poses have no operator.
+inline bool are_equal(const Pose& pose_a, const Pose& pose_b) {
+  return pose_a.matrix() == pose_b.matrix();
+}
+
+/// For tables of poses, with PoseEqual.
+struct PoseHash {
+  std::size_t operator()(const Pose& pose) const noexcept;
+};
+struct PoseEqual {
+  bool operator()(const Pose& pose_a, const Pose& pose_b) const noexcept {
+    return are_equal(pose_a, pose_b);
+  }
+};
 
 /// The largest deviation from a rotation that the door lets in (law 10).
 inline constexpr double kMaxRotationDeviation = 1e-6;

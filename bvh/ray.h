@@ -12,6 +12,8 @@ struct Ray {
   Eigen::Vector3d origin;                                         // metres
   Eigen::Vector3d direction;                                      // of any length but 0
   double max_distance = std::numeric_limits<double>::infinity();  // metres along the ray
+
+  bool operator==(const Ray&) const = default;
 };
 
 /// Throws InputError, which begins with `what`, unless origin and direction are finite, the

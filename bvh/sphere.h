@@ -8,6 +8,8 @@ namespace graze {
 struct Sphere {
   Eigen::Vector3d centre;
   double radius;
+
+  bool operator==(const Sphere&) const = default;
 };
 
 /// Throws InputError, which begins with `what`, unless the sphere is finite and its radius is not

@@ -4,27 +4,35 @@
 
 namespace graze {
 
-/// Which bounding volumes a query compares. All of them lie over one tree, and no answer depends on
-/// the choice (law 9): only the time does.
+/// Bounding volumes that lie over the nodes of a mesh's binary tree. No answer depends on the
+/// choice (law 9): only the time does.
 enum class Volume {
-  Wide,  ///< oriented boxes, eight to a node, that share its axes: the default. Only queries on two
-         ///< meshes have them; others use Aabb instead
-  Aabb,  ///< boxes in each mesh's own frame
+  Aabb,    ///< boxes in each mesh's own frame
   Sphere,  ///< minimal spheres: the cheapest test, the loosest fit
   Obb,     ///< a box for each node with axes of its own: the tightest fit, the dearest test
   KDop,    ///< 18 half-spaces in each mesh's own frame
-  // Cascades: the sphere first, and the tighter volume where spheres overlap.
-  SphereThenAabb,
-  SphereThenObb,
-  SphereThenKDop,
 };
 
-inline constexpr std::array kVolumes{
-    Volume::Wide, Volume::Aabb,           Volume::Sphere,        Volume::Obb,
-    Volume::KDop, Volume::SphereThenAabb, Volume::SphereThenObb, Volume::SphereThenKDop};
+inline constexpr std::array kVolumes{Volume::Aabb, Volume::Sphere, Volume::Obb, Volume::KDop};
 
-/// Its name on the command line: "sphere-obb" for SphereThenObb. Throws InputError for what is none
-/// of kVolumes.
+/// What queries on two meshes can compare: a wide tree's boxes, or one of the above.
+enum class PairVolume {
+  WideObb,  ///< the default: oriented boxes, eight to a node, whose children share its axes
+  Aabb,
+  Sphere,
+  Obb,
+  KDop,
+};
+
+inline constexpr std::array kPairVolumes{PairVolume::WideObb, PairVolume::Aabb, PairVolume::Sphere,
+                                         PairVolume::Obb, PairVolume::KDop};
+
+/// Its name on the command line: "obb" for Obb, "wide" for WideObb. Throws InputError for what is
+/// none of the above.
 const char* name_of(Volume volume);
+const char* name_of(PairVolume volume);
+
+/// Of a volume other than WideObb, which is no Volume and for which this throws InputError.
+Volume binary_volume(PairVolume volume);
 
 }  // namespace graze

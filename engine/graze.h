@@ -3,12 +3,14 @@
 // Everything that a user of graze meets.
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/box_pair.h>
 #include <graze/bvh/error.h>
 #include <graze/bvh/fit/aabb_fit.h>
 #include <graze/bvh/fit/kdop_fit.h>
 #include <graze/bvh/fit/measure.h>
 #include <graze/bvh/fit/obb_fit.h>
 #include <graze/bvh/fit/sphere_fit.h>
+#include <graze/bvh/hash.h>
 #include <graze/bvh/kdop.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
@@ -29,18 +31,24 @@
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
+#include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
+#include <graze/engine/print.h>
+#include <graze/engine/version.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>

@@ -29,6 +29,8 @@ struct Work {
 
   /// Adds counter by counter.
   Work& operator+=(const Work& other);
+
+  bool operator==(const Work&) const = default;
 };
 
 }  // namespace graze

@@ -10,6 +10,8 @@ struct Triangle {
   Eigen::Vector3d a;
   Eigen::Vector3d b;
   Eigen::Vector3d c;
+
+  bool operator==(const Triangle&) const = default;
 };
 
 }  // namespace graze

@@ -15,6 +15,8 @@ struct TriangleDistance {
   Eigen::Vector3d point_b;  ///< and that of B nearest to A
   Feature feature_a;        ///< in which `point_a` lies, before rounding
   Feature feature_b;
+
+  bool operator==(const TriangleDistance&) const = default;
 };
 
 /// The distance is 0 if and only if intersects() says yes; it is off by at most 4 ulp of the

@@ -14,12 +14,12 @@ namespace graze {
 // All throw InputError for no triangles, for the first with a coordinate that is not finite, and
 // where the volume overflows.
 
-Aabb fit_aabb(std::span<const Triangle> triangles);
+Aabb bounding_aabb(std::span<const Triangle> triangles);
 Sphere ritter_sphere(std::span<const Triangle> triangles);
-Sphere minimal_sphere(std::span<const Triangle> triangles);
-KDop<18> fit_kdop(std::span<const Triangle> triangles);
+Sphere bounding_sphere(std::span<const Triangle> triangles);
+KDop<18> bounding_kdop(std::span<const Triangle> triangles);
 Obb ditetrahedron_box(std::span<const Triangle> triangles);
-Obb tight_box(std::span<const Triangle> triangles);
+Obb bounding_obb(std::span<const Triangle> triangles);
 
 /// Along the principal axes of the triangles' surface, so that it does not matter how finely which
 /// part of it is divided; of their corners, if no triangle has area. Linear time (Gottschalk,

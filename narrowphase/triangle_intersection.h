@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include <graze/narrowphase/triangle.h>
@@ -18,6 +19,11 @@ struct TriangleIntersection {
 
   auto begin() const { return corner.begin(); }
   auto end() const { return corner.begin() + count; }
+
+  /// Of the corners that there are.
+  bool operator==(const TriangleIntersection& other) const {
+    return kind == other.kind && std::equal(begin(), end(), other.begin(), other.end());
+  }
 };
 
 /// The kind is exact, for every finite input; each coordinate of a corner is off by at most 2 ulp

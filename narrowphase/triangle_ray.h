@@ -14,6 +14,8 @@ struct TriangleRayHit {
   Eigen::Vector3d point;   ///< in the triangle's frame
   Eigen::Vector3d normal;  ///< unit; of the triangle, on the side that the ray comes from; against
                            ///< the ray if the triangle has no area or the ray lies in its plane
+
+  bool operator==(const TriangleRayHit&) const = default;
 };
 
 /// Whether the closed triangle and the ray share a point is decided exactly, for all finite input,

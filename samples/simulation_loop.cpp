@@ -75,8 +75,7 @@ class Simulation {
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/bolt.obj"), "bolt");
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/nut.stl"), "nut");
     bodies_.reserve(static_cast<std::size_t>(options.bodies));
-    world_.add(bin_mesh_, graze::Pose::Identity(),
-               {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
+    world_.add({bin_mesh_, graze::Pose::Identity()}, {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
   }
 
   int run() {
@@ -134,7 +133,7 @@ class Simulation {
     } while (turn.norm() > 1 || turn.norm() < 0.1);
     turn.normalize();
     RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
-    body.id = world_.add(kind.shape, body.pose(), {.user_data = bodies_.size()});
+    body.id = world_.add({kind.shape, body.pose()}, {.user_data = bodies_.size()});
     poured_energy_ += energy_of(body);
     bodies_.push_back(body);
     seen_.push_back(body);

@@ -10,7 +10,7 @@ namespace graze {
 /// exact one or the next double beyond it. Throws InputError for no points, for the first that is
 /// not finite, and if a sum overflows. Points scaled by a power of two give the k-DOP scaled, as
 /// long as nothing overflows or becomes denormal. Linear time.
-KDop<18> fit_kdop(std::span<const Eigen::Vector3d> points);
+KDop<18> bounding_kdop(std::span<const Eigen::Vector3d> points);
 
 /// The smallest k-DOP around both, exactly. Both must be valid.
 KDop<18> merged(const KDop<18>& kdop_a, const KDop<18>& kdop_b);

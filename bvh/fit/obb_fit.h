@@ -26,7 +26,7 @@ Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points);
 /// shadow, until that gains nothing. Volume counts with a billionth of the size added to each
 /// extent, so that flat sets get the least area and straight ones the least length. O(n log n) for
 /// each turn. A local minimum, for boxes of whole meshes rather than for each node of a tree.
-Obb tight_box(std::span<const Eigen::Vector3d> points);
+Obb bounding_obb(std::span<const Eigen::Vector3d> points);
 
 /// A box around both, rounded outward: the tight box of their corners, with a margin for how the
 /// corners and the coordinates by law 3 round. Throws InputError or PoseError for a box that is not

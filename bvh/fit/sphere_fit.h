@@ -22,7 +22,7 @@ Sphere ritter_sphere(std::span<const Eigen::Vector3d> points);
 /// larger than Ritter's. Linear in practice, some ten passes. Deterministic (Welzl, "Smallest
 /// enclosing disks (balls and ellipsoids)", 1991; the pivoting of Gärtner, "Fast and robust
 /// smallest enclosing balls", 1999).
-Sphere minimal_sphere(std::span<const Eigen::Vector3d> points);
+Sphere bounding_sphere(std::span<const Eigen::Vector3d> points);
 
 /// The smallest sphere around both, rounded outward: if one surely contains the other, that one.
 /// Throws InputError, naming it, for a sphere that is not valid, or if the radius overflows.

@@ -10,7 +10,7 @@ namespace graze::bvh {
 namespace {
 
 FloatSphere fitted(std::span<const Eigen::Vector3d> points) {
-  const Sphere sphere = minimal_sphere(points);
+  const Sphere sphere = bounding_sphere(points);
   FloatSphere result;
   double centre[3];
   for (int k = 0; k < 3; ++k) {

@@ -1,14 +1,24 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/hash.h>
 #include <graze/bvh/pose.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/bvh/value/rigid.h>
 
+#include <bit>
 #include <cmath>
 #include <sstream>
 #include <string>
 
 namespace graze {
+
+// Adding 0 makes one zero of both, which are equal.
+std::size_t PoseHash::operator()(const Pose& pose) const noexcept {
+  std::size_t hash = 0;
+  for (int i = 0; i < 16; ++i)
+    hash = hash_of({hash, std::bit_cast<std::uint64_t>(pose.data()[i] + 0.0)});
+  return hash;
+}
 
 double rotation_deviation(const Pose& pose) {
   return bvh::in_standard_arithmetic(

@@ -3,11 +3,16 @@
 #include <string>
 
 namespace graze {
+namespace {
+
+[[noreturn]] void refuse(int volume) {
+  throw InputError("there is no volume " + std::to_string(volume));
+}
+
+}  // namespace
 
 const char* name_of(Volume volume) {
   switch (volume) {
-    case Volume::Wide:
-      return "wide";
     case Volume::Aabb:
       return "aabb";
     case Volume::Sphere:
@@ -16,14 +21,27 @@ const char* name_of(Volume volume) {
       return "obb";
     case Volume::KDop:
       return "kdop";
-    case Volume::SphereThenAabb:
-      return "sphere-aabb";
-    case Volume::SphereThenObb:
-      return "sphere-obb";
-    case Volume::SphereThenKDop:
-      return "sphere-kdop";
   }
-  throw InputError("there is no volume " + std::to_string(static_cast<int>(volume)));
+  refuse(static_cast<int>(volume));
+}
+
+const char* name_of(PairVolume volume) {
+  return volume == PairVolume::WideObb ? "wide" : name_of(binary_volume(volume));
+}
+
+Volume binary_volume(PairVolume volume) {
+  switch (volume) {
+    case PairVolume::Aabb:
+      return Volume::Aabb;
+    case PairVolume::Sphere:
+      return Volume::Sphere;
+    case PairVolume::Obb:
+      return Volume::Obb;
+    case PairVolume::KDop:
+      return Volume::KDop;
+    default:
+      refuse(static_cast<int>(volume));
+  }
 }
 
 }  // namespace graze

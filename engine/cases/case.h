@@ -34,7 +34,7 @@ struct CaseMeshFile {
 /// A mesh of a case, in its pose.
 struct CaseMesh {
   CaseMesh(Mesh the_mesh, const Pose& the_pose) : mesh(std::move(the_mesh)), pose(the_pose) {}
-  CaseMesh(const PlacedMesh& placed) : mesh(placed.mesh), pose(placed.pose) {}
+  CaseMesh(const PlacedMeshView& placed) : mesh(placed.mesh), pose(placed.pose) {}
 
   Mesh mesh;
   Pose pose;
@@ -61,7 +61,7 @@ using CaseShape = std::variant<Triangle, Aabb, Obb, Sphere, CasePoint, CaseMesh,
 /// Which query a case is. The names in brackets are those of the file. README.md has the table of
 /// all queries.
 enum class Ask {
-  Any,           ///< "any": intersects(A, B), or overlaps(A, B) of two volumes
+  Any,           ///< "any": intersects(A, B), or intersects(A, B) of two volumes
   Pairs,         ///< "pairs": find_triangle_pairs(A, B), find_triangles(A, B) for a volume B
   Distance,      ///< "distance": distance(A, B) of meshes, triangles or bodies
   Within,        ///< "within": within(A, B, clearance)

@@ -20,28 +20,30 @@
 
 namespace graze {
 
-/// intersects(): two meshes; a mesh and a volume; triangles, whose touch alone may be a setting;
-/// two bodies; overlaps() of two volumes.
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, bool says,
+/// intersects() of two meshes; a mesh and a volume; triangles; two bodies; two volumes.
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, bool says,
              const QuerySettings& settings = {});
-Case to_case(const CaseShape& a, const CaseShape& b, bool says, const QuerySettings& settings = {});
+Case to_case(const PlacedMeshView& a, const CaseShape& volume, bool says,
+             const VolumeQuerySettings& settings);
+Case to_case(const Triangle& a, const Triangle& b, Touch touch, bool says);
+Case to_case(const CaseShape& a, const CaseShape& b, bool says);
 
 /// find_triangle_pairs() and find_triangles() with these settings. Throws InputError for a list
 /// that a limit has cut if the settings name another limit, or another volume than is theirs by
 /// default: which pairs are found may then be others when the case is asked again.
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const TrianglePairs& pairs,
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const TrianglePairs& pairs,
              const PairSettings& settings = {});
-Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles,
+Case to_case(const PlacedMeshView& a, const CaseShape& volume, const TriangleList& triangles,
              const TriangleSettings& settings = {});
 
 /// distance(), within(), find_contacts() without a limit, find_intersection().
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshDistance& gap);
-Case to_case_within(const PlacedMesh& a, const PlacedMesh& b, double clearance, bool says);
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshContacts& contacts);
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshIntersection& intersection);
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshDistance& gap);
+Case to_case_within(const PlacedMeshView& a, const PlacedMeshView& b, double clearance, bool says);
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshContacts& contacts);
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshIntersection& intersection);
 
 /// separating_translation(), without a direction or along one.
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation,
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const Separation& separation,
              const std::optional<Eigen::Vector3d>& direction = std::nullopt);
 
 /// distance() and intersection() of triangles.
@@ -55,12 +57,12 @@ Case to_case(const CaseBody& a, const CaseBody& b, const Manifold& manifold);
 /// cast_ray() of a mesh or a body, of a triangle, and cast_ray_all().
 Case to_case(const CaseShape& shape, const Ray& ray, const std::optional<RayHit>& first);
 Case to_case(const Triangle& triangle, const Ray& ray, const std::optional<TriangleRayHit>& hit);
-Case to_case(const PlacedMesh& mesh, const Ray& ray, const std::vector<RayHit>& all);
+Case to_case(const PlacedMeshView& mesh, const Ray& ray, const std::vector<RayHit>& all);
 
 /// contains() of a mesh or a volume, self_intersects(), find_self_pairs().
 Case to_case_contains(const Mesh& mesh, const Eigen::Vector3d& point, bool is_inside);
 Case to_case_contains(const CaseShape& volume, const Eigen::Vector3d& point, bool is_inside);
-Case to_case_self(const Mesh& mesh, bool crosses_itself, const QuerySettings& settings = {});
+Case to_case_self(const Mesh& mesh, bool crosses_itself);
 Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs,
                   const SelfSettings& settings = {});
 

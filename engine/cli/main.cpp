@@ -13,6 +13,7 @@
 #include <graze/engine/cli/output/standard_streams.h>
 #include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/files/source.h>
+#include <graze/engine/version.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -88,7 +89,7 @@ ExitCode parse_and_run(CLI::App& program, std::vector<std::string> arguments, co
 
 ExitCode run(const std::vector<std::string>& arguments) {
   CLI::App program("Exact collision queries between triangle meshes", "graze");
-  program.set_version_flag("--version", "graze " GRAZE_VERSION);
+  program.set_version_flag("--version", std::string("graze ") + graze::library_version());
   program.require_subcommand(1);
   program.footer(kFooter);
   Action action;

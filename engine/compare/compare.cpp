@@ -8,7 +8,7 @@
 namespace graze::compare {
 namespace {
 
-bool settle(const TrianglePair& pair, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+bool settle(const TrianglePair& pair, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
   return referee_intersects(place(mesh_a.pose, mesh_a.mesh.triangle(pair.a)),
                             place(mesh_b.pose, mesh_b.mesh.triangle(pair.b)));
 }
@@ -22,8 +22,8 @@ void add(Comparison& comparison, const Difference& difference) {
 }  // namespace
 
 Comparison compare_pairs(std::span<const TrianglePair> graze_pairs,
-                         std::span<const TrianglePair> fcl_pairs, const PlacedMesh& mesh_a,
-                         const PlacedMesh& mesh_b) {
+                         std::span<const TrianglePair> fcl_pairs, const PlacedMeshView& mesh_a,
+                         const PlacedMeshView& mesh_b) {
   Comparison comparison;
   comparison.graze_intersects = !graze_pairs.empty();
   comparison.fcl_intersects = !fcl_pairs.empty();
@@ -48,8 +48,8 @@ Comparison compare_pairs(const Side& side_a, const Side& side_b) {
 }
 
 Comparison compare_any(bool graze_intersects, bool fcl_intersects,
-                       std::span<const TrianglePair> witnesses, const PlacedMesh& mesh_a,
-                       const PlacedMesh& mesh_b) {
+                       std::span<const TrianglePair> witnesses, const PlacedMeshView& mesh_a,
+                       const PlacedMeshView& mesh_b) {
   Comparison comparison;
   comparison.graze_intersects = graze_intersects;
   comparison.fcl_intersects = fcl_intersects;

@@ -35,15 +35,15 @@ struct Comparison {
 
 /// One side of a query, as both engines hold it. Both must outlive it.
 struct Side {
-  PlacedMesh placed;
+  PlacedMeshView placed;
   const FclMesh& fcl;
 };
 
 /// Compares lists of pairs that are already there, both ascending and without duplicates: each pair
 /// in one of them only is settled by the referee for the placed triangles (laws 1 and 2).
 Comparison compare_pairs(std::span<const TrianglePair> graze_pairs,
-                         std::span<const TrianglePair> fcl_pairs, const PlacedMesh& mesh_a,
-                         const PlacedMesh& mesh_b);
+                         std::span<const TrianglePair> fcl_pairs, const PlacedMeshView& mesh_a,
+                         const PlacedMeshView& mesh_b);
 
 /// Runs find_triangle_pairs() of both engines and compares the lists.
 Comparison compare_pairs(const Side& side_a, const Side& side_b);
@@ -52,8 +52,8 @@ Comparison compare_pairs(const Side& side_a, const Side& side_b);
 /// the engine that says yes. The referee looks for one that intersects: the first, if any, decides
 /// that "no" was wrong, and if there is none, nothing supports the "yes", which counts as wrong.
 Comparison compare_any(bool graze_intersects, bool fcl_intersects,
-                       std::span<const TrianglePair> witnesses, const PlacedMesh& mesh_a,
-                       const PlacedMesh& mesh_b);
+                       std::span<const TrianglePair> witnesses, const PlacedMeshView& mesh_a,
+                       const PlacedMeshView& mesh_b);
 
 /// Runs intersects() of both engines, and where they differ finds the pairs of the one that says
 /// yes.

@@ -11,6 +11,8 @@ struct MeshDistance {
   Eigen::Vector3d point_a;  ///< the point of mesh A that is nearest to B
   Eigen::Vector3d point_b;  ///< and that of B nearest to A
   TrianglePair pair;        ///< the triangles that these lie in
+
+  bool operator==(const MeshDistance&) const = default;
 };
 
 struct DistanceSettings {
@@ -26,13 +28,13 @@ struct DistanceSettings {
 /// that is refused by law 10 or by law 1, InputError for a hint that is out of range. Bounds of
 /// boxes after Quinlan, "Efficient distance computation between non-convex objects", ICRA 1994:
 /// depth first, nearer boxes before others.
-MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                       const DistanceSettings& settings = {}, Work* work = nullptr);
 
 /// distance() <= clearance, without finding the distance: it stops at the first pair of triangles
 /// that is as near, and skips all that is surely further. Throws as distance() does, and InputError
 /// for a clearance that is negative or NaN.
-bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             const DistanceSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -41,6 +41,8 @@ struct VolumeFit {
   /// Nothing where either is 0 or overflows.
   std::optional<double> empty_share;
   std::optional<double> relative_volume;
+
+  bool operator==(const VolumeFit&) const = default;
 };
 
 struct MeshFit {
@@ -49,6 +51,8 @@ struct MeshFit {
   /// would be negative by it is given as 0.
   std::optional<double> enclosed_volume;
   std::array<VolumeFit, 4> volumes;  ///< Aabb, Sphere, Obb, KDop
+
+  bool operator==(const MeshFit&) const = default;
 };
 
 /// Fits and measures all of them.

@@ -13,18 +13,13 @@
 
 namespace graze {
 
-namespace bvh {
-struct Tree;
-class WideTree;
-struct FloatSphere;
-struct FloatObb;
-struct FloatKDop;
-}  // namespace bvh
-struct VertexFans;
-struct Work;
-
 /// Three indices into the vertices of a mesh.
 using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// A matrix of any size and strides, not copied unless its storage order is another.
+template <typename Scalar>
+using MatrixView = Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>, 0,
+                              Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
 
 /// What the triangles of a mesh form once bit-equal positions are welded into one vertex.
 struct Topology {
@@ -34,6 +29,8 @@ struct Topology {
   std::uint32_t duplicate_triangles = 0;   ///< with the same welded vertices as an earlier one
   std::uint64_t boundary_edges = 0;        ///< welded edges with an odd number of triangles
   bool is_closed = false;                  ///< every welded edge has an even number of triangles
+
+  bool operator==(const Topology&) const = default;
 };
 
 /// An immutable triangle mesh in metres. A copy is a handle to the same data: cheap, and sharing
@@ -46,6 +43,10 @@ class Mesh {
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles);
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles);
 
+  /// The same from matrices of three columns, a vertex or a triangle each row, as libigl and others
+  /// keep them, in any storage order. Throws MeshError for another number of columns.
+  Mesh(const MatrixView<double>& vertices, const MatrixView<int>& triangles);
+
   /// The mesh with its vertices elsewhere: as many, in the same order, between the same triangles,
   /// whose indices both meshes share. What has been built of this mesh's trees is fitted to the new
   /// positions when a query first walks it, a fraction of the time that building takes, except for
@@ -54,9 +55,15 @@ class Mesh {
   /// part of this mesh than what it still has to fit. Safe beside queries on this mesh. Throws
   /// MeshError for another number of vertices, or a coordinate that is not finite. Linear time.
   Mesh deformed(std::span<const Eigen::Vector3d> vertices) const;
+  Mesh deformed(const MatrixView<double>& vertices) const;
 
   std::span<const Eigen::Vector3d> vertices() const;
   std::span<const TriangleIndices> triangles() const;
+
+  /// The same numbers as matrices of three columns, without a copy: valid as long as a handle.
+  Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> vertex_matrix() const;
+  Eigen::Map<const Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>>
+  triangle_matrix() const;
 
   /// The corners of triangle `index`, which must be below triangles().size().
   Triangle triangle(std::size_t index) const;
@@ -74,31 +81,13 @@ class Mesh {
   /// for, O(n log n).
   std::span<const std::uint32_t> welded() const;
 
-  /// The triangles around each welded vertex. Computed when first asked for, O(n log n).
-  const VertexFans& vertex_fans() const;
-
-  /// The hierarchy over the triangles, built when first asked for, O(n log n), or, of a deformed
-  /// mesh, fitted to the one before. The call that does it counts that in `work`.
-  const bvh::Tree& tree(Work* work = nullptr) const;
-
-  /// The same hierarchy in wide nodes, whose parts are built when a query first walks them.
-  const bvh::WideTree& wide_tree(Work* work = nullptr) const;
-
-  /// Whether anything of either has been built, by whoever asked. Builds nothing; O(1).
-  bool has_tree() const;
-
-  /// The skins of the tree: one volume for each of its nodes, in the tree's frame. Fitted when
-  /// first asked for, O(n log n), which the call that does it counts in `work`.
-  std::span<const bvh::FloatSphere> sphere_skin(Work* work = nullptr) const;
-  std::span<const bvh::FloatObb> obb_skin(Work* work = nullptr) const;
-  std::span<const bvh::FloatKDop> kdop_skin(Work* work = nullptr) const;
-
   /// True if both are handles to the same mesh.
   friend bool operator==(const Mesh& mesh_a, const Mesh& mesh_b) {
     return mesh_a.data_ == mesh_b.data_;
   }
 
  private:
+  friend struct MeshAccess;
   struct Data;
   explicit Mesh(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
   template <typename Indices>

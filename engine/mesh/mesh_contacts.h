@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,6 +17,8 @@ struct MeshContact {
   double depth;               ///< metres, >= 0
   std::uint32_t first_point;  ///< of the corners of the intersection, in MeshContacts::points
   std::uint32_t point_count;
+
+  bool operator==(const MeshContact&) const = default;
 };
 
 struct MeshContacts {
@@ -33,13 +34,8 @@ struct MeshContacts {
   std::span<const Eigen::Vector3d> points_of(const MeshContact& contact) const {
     return {points.data() + contact.first_point, contact.point_count};
   }
-};
 
-struct ContactSettings {
-  /// At most so many contacts, the deepest ones. All are found, whatever the limit.
-  std::size_t limit = std::numeric_limits<std::size_t>::max();
-  /// What prunes: changes the time, never the contacts.
-  Volume volume = Volume::Wide;
+  bool operator==(const MeshContacts&) const = default;
 };
 
 /// One contact for each connected piece of find_intersection(): a loop, several loops and patches
@@ -68,7 +64,7 @@ struct ContactSettings {
 /// separating_translation() adds to a last contact. Swapping A and B gives the same contacts with
 /// opposite normals and `point_a` and `point_b` swapped, bit for bit (law 4), unless the meshes are
 /// the same in the same pose. Throws as separating_translation() does.
-MeshContacts find_contacts(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+MeshContacts find_contacts(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                            const ContactSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -15,6 +15,8 @@ struct IntersectionPoint {
   Eigen::Vector3d position;  ///< metres, off by at most 2 ulp of the largest placed coordinate
   Feature feature_a;         ///< the smallest feature of A in which it lies, exactly
   Feature feature_b;
+
+  bool operator==(const IntersectionPoint&) const = default;
 };
 
 /// A segment between two points, and which pairs of triangles meet in it: two triangles cross in a
@@ -24,6 +26,8 @@ struct IntersectionSegment {
   std::uint32_t to;
   std::uint32_t first_pair;
   std::uint32_t pair_count;
+
+  bool operator==(const IntersectionSegment&) const = default;
 };
 
 /// Segments end to end: `segment_count` of them from `first_segment` on.
@@ -31,6 +35,8 @@ struct IntersectionCurve {
   std::uint32_t first_segment;
   std::uint32_t segment_count;
   bool is_closed;  ///< it ends where it began
+
+  bool operator==(const IntersectionCurve&) const = default;
 };
 
 /// Triangles in one plane meet in a convex polygon of three to six points.
@@ -39,12 +45,16 @@ struct IntersectionPolygon {
   std::uint32_t corner_count;
   std::uint32_t first_pair;
   std::uint32_t pair_count;
+
+  bool operator==(const IntersectionPolygon&) const = default;
 };
 
 /// Polygons that are connected by their edges, in one plane or more.
 struct IntersectionPatch {
   std::uint32_t first_polygon;
   std::uint32_t polygon_count;
+
+  bool operator==(const IntersectionPatch&) const = default;
 };
 
 /// A point in which triangles meet and which is on no segment and no polygon.
@@ -52,6 +62,8 @@ struct TouchingPoint {
   std::uint32_t point;
   std::uint32_t first_pair;
   std::uint32_t pair_count;
+
+  bool operator==(const TouchingPoint&) const = default;
 };
 
 /// All points that two meshes' surfaces share: curves, patches of coplanar surface, and points.
@@ -80,6 +92,8 @@ struct MeshIntersection {
   std::span<const TrianglePair> pairs_of(const Part& part) const {
     return {pairs.data() + part.first_pair, part.pair_count};
   }
+
+  bool operator==(const MeshIntersection&) const = default;
 };
 
 /// Where the surfaces of two placed meshes meet; empty exactly when intersects() is false. Which
@@ -93,10 +107,9 @@ struct MeshIntersection {
 /// edge with an edge, nor touch along a plane, meet in closed curves only. A mesh that crosses
 /// itself, or whose edges are not welded, has its curves on each sheet. Swapping A and B gives the
 /// same points and curves with the sides of all features and pairs swapped (law 4). Time as for
-/// find_triangle_pairs(), and O(k log k) in the pairs. Throws as intersects() does, and InputError
-/// if touching is not to count or solids are asked for: it speaks of surfaces, touching points
-/// included.
-MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                   const QuerySettings& settings = {}, Work* work = nullptr);
+/// find_triangle_pairs(), and O(k log k) in the pairs. It speaks of surfaces, touching points
+/// included. Throws as intersects() does.
+MeshIntersection find_intersection(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                   const IntersectionSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -20,6 +20,8 @@ struct RayHit {
   Eigen::Vector3d normal;  ///< unit, against the ray: of the surface, or of a triangle on the side
                            ///< that the ray comes from; the ray's own where there is no other
   std::uint32_t triangle = kNoTriangle;  ///< of a mesh
+
+  bool operator==(const RayHit&) const = default;
 };
 
 /// The placed triangle that the ray meets first (law 1), if any: the hit of least distance, of
@@ -27,10 +29,10 @@ struct RayHit {
 /// one triangle (narrowphase/triangle_ray.h): nothing slips through between neighbours.
 /// O(log n) for compact meshes. Throws as check_ray() does, and PoseError for a pose that is
 /// refused by law 10 or by law 1.
-std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work = nullptr);
+std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work* work = nullptr);
 
 /// All triangles that the ray meets, by distance, then by index: a ray through an edge meets both.
 /// Throws as cast_ray() does.
-std::vector<RayHit> cast_ray_all(const PlacedMesh& mesh, const Ray& ray, Work* work = nullptr);
+std::vector<RayHit> cast_ray_all(const PlacedMeshView& mesh, const Ray& ray, Work* work = nullptr);
 
 }  // namespace graze

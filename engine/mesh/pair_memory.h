@@ -33,29 +33,29 @@ class PairMemory {
   std::uint64_t still_touching() const;
 
  private:
-  friend PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+  friend PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
   std::unique_ptr<PairCache> cache_;
 };
 
-/// intersects(), beginning with what the memory holds and leaving in it what was learned. Volumes
-/// other than Volume::Wide are refused by InputError.
-bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
-                const QuerySettings& settings = {}, Work* work = nullptr);
+/// intersects(), beginning with what the memory holds and leaving in it what was learned,
+/// always by PairVolume::WideObb.
+bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
+                const MemoryQuerySettings& settings = {}, Work* work = nullptr);
 
 /// find_triangle_pairs(), likewise. With more threads than one, and where there are more pairs than
 /// a limit, it saves only where nothing touches.
-TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                  PairMemory& memory, const PairSettings& settings = {},
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  PairMemory& memory, const MemoryPairSettings& settings = {},
                                   Work* work = nullptr);
 
 /// distance(), likewise, to the last bit. The settings' hint is looked at where the memory has none
 /// of its own.
-MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                       const DistanceSettings& settings = {}, Work* work = nullptr);
 
 /// within(), likewise.
-bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -5,9 +5,24 @@
 
 namespace graze {
 
-/// A mesh in a pose, as an argument of queries: `intersects({bolt}, {nut, pose})`. It refers to the
-/// mesh, which must outlive it.
+/// A mesh in a pose: a value, which holds a handle to the mesh.
 struct PlacedMesh {
+  Mesh mesh;
+  Pose pose = Pose::Identity();
+};
+
+/// What queries take: a mesh in a pose, made of a PlacedMesh or within the call itself, as in
+/// `intersects({bolt}, {nut, pose})`. It refers to the mesh, which must outlive it, as everything
+/// does that stands within a call; to keep one, keep a PlacedMesh. A query would otherwise count
+/// handles up and down, which takes half as long as to find two meshes far apart, and threads that
+/// ask about one mesh would wait for each other.
+struct PlacedMeshView {
+  // NOLINTBEGIN(google-explicit-constructor): queries are asked about meshes and placed meshes
+  PlacedMeshView(const Mesh& of_mesh) : mesh(of_mesh) {}
+  PlacedMeshView(const Mesh& of_mesh, const Pose& in_pose) : mesh(of_mesh), pose(in_pose) {}
+  PlacedMeshView(const PlacedMesh& placed) : mesh(placed.mesh), pose(placed.pose) {}
+  // NOLINTEND(google-explicit-constructor)
+
   const Mesh& mesh;
   Pose pose = Pose::Identity();
 };

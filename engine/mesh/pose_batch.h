@@ -17,24 +17,18 @@ struct MeshInPoses {
   std::span<const Pose> poses;
 };
 
-struct BatchSettings {
-  /// How many threads answer at most; 0: all that there are, 1: the caller's alone. Changes the
-  /// time, never a result.
-  int threads = 0;
-};
-
 /// What the queries of pair.h and distance.h answer for each pose of B, in the order of the poses.
 /// `settings` are those of each single query. They throw as these do, before the first answer where
 /// a pose is to blame, which the error names by its index. What has to be built is built once;
 /// other threads wait for it.
-std::vector<bool> intersects(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings = {}, const BatchSettings& batch = {},
                              Work* work = nullptr);
-std::vector<TrianglePairs> find_triangle_pairs(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                                                const PairSettings& settings = {},
                                                const BatchSettings& batch = {},
                                                Work* work = nullptr);
-std::vector<MeshDistance> distance(const PlacedMesh& mesh_a, const MeshInPoses& mesh_b,
+std::vector<MeshDistance> distance(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                                    const DistanceSettings& settings = {},
                                    const BatchSettings& batch = {}, Work* work = nullptr);
 

@@ -5,11 +5,21 @@
 
 namespace graze {
 
-/// Builds now, with all threads, what pair queries would build of the mesh's tree as they walk it,
-/// so that none of them has to: for programs that ask much, or must answer the first query as fast
-/// as the next. Changes no answer. What is built already, by this or by queries, is not built
-/// again; safe to call from many threads, beside queries too. Counts what it built in `work`. The
-/// binary tree, which distance(), self queries and other volumes walk, is Mesh::tree(). O(n log n).
-void prepare(const Mesh& mesh, Work* work = nullptr);
+/// Which queries are to find nothing left to build.
+enum class PreparedFor {
+  Pairs,  ///< those on two meshes, with or without a PairMemory, by PairVolume::WideObb
+  All,    ///< these, and those that walk the binary tree: rays, boxes and balls, points inside,
+          ///< voxels, a mesh with itself, the contacts of bodies
+};
+
+struct PrepareSettings {
+  PreparedFor queries = PreparedFor::Pairs;
+};
+
+/// Builds now, with all threads, what queries would build of the mesh's trees as they walk them, so
+/// that none of them has to: for programs that ask much, or must answer the first query as fast as
+/// the next. Changes no answer. What is built already, by this or by queries, is not built again;
+/// safe to call from many threads, beside queries too. Counts what it built in `work`. O(n log n).
+void prepare(const Mesh& mesh, const PrepareSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -11,6 +11,11 @@ struct Separation {
   Eigen::Vector3d direction;    ///< a unit vector, to a few ulp
   Eigen::Vector3d translation;  ///< distance * direction, metres, each product rounded
   Pose pose_b;                  ///< that of B, with `translation` added to its own, rounded
+
+  bool operator==(const Separation& other) const {
+    return distance == other.distance && direction == other.direction &&
+           translation == other.translation && are_equal(pose_b, other.pose_b);
+  }
 };
 
 /// The last contact along a direction of any length, which is normalised: intersects() is false for
@@ -23,14 +28,14 @@ struct Separation {
 ///
 /// Surfaces only: a mesh inside another is led out of it. Throws InputError for a direction that is
 /// zero or not finite, PoseError as intersects() does, also for a pose of B that would overflow.
-Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   const Eigen::Vector3d& direction, Work* work = nullptr);
 
 /// The shortest of these along the normals of the deepest contacts, the axes and the line between
 /// the middles of the meshes, each both ways: a translation that separates them, and so no less
 /// than the smallest one that does, by how much is not known. Zero if the surfaces do not meet.
 /// Throws likewise.
-Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   Work* work = nullptr);
 
 }  // namespace graze

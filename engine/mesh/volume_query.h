@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <graze/bvh/aabb.h>
@@ -14,47 +13,28 @@
 
 namespace graze {
 
-/// Indices of triangles in ascending order.
-struct TriangleList {
-  std::vector<std::uint32_t> triangles;
-  Completeness completeness = Completeness::Complete;
-
-  std::size_t size() const { return triangles.size(); }
-  bool empty() const { return triangles.empty(); }
-  auto begin() const { return triangles.begin(); }
-  auto end() const { return triangles.end(); }
-};
-
-struct TriangleSettings {
-  /// Stop after this many triangles. Which ones these are is reproducible, and may depend on
-  /// `volume`.
-  std::size_t limit = std::numeric_limits<std::size_t>::max();
-  /// What prunes: changes the time, never which triangles there are.
-  Volume volume = Volume::Aabb;
-};
-
 /// True if and only if some placed triangle of the mesh shares a point with the closed box or ball
 /// (laws 1 and 3). Surface only, unless Interior::Solid says otherwise: a box wholly inside a
 /// closed mesh does not touch it. Stops at the first triangle. Throws MeshError for Interior::Solid
 /// and a mesh that is not closed. Throws InputError or PoseError for an invalid box or sphere,
 /// PoseError for a pose that is refused by law 10 or by law 1, or an oriented box in whose frame
 /// the mesh could overflow.
-bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work = nullptr);
-bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work = nullptr);
-bool intersects(const PlacedMesh& mesh, const Sphere& sphere, Work* work = nullptr);
-bool intersects(const PlacedMesh& mesh, const Aabb& box, const QuerySettings& settings,
+bool intersects(const PlacedMeshView& mesh, const Aabb& box, Work* work = nullptr);
+bool intersects(const PlacedMeshView& mesh, const Obb& box, Work* work = nullptr);
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, Work* work = nullptr);
+bool intersects(const PlacedMeshView& mesh, const Aabb& box, const VolumeQuerySettings& settings,
                 Work* work = nullptr);
-bool intersects(const PlacedMesh& mesh, const Obb& box, const QuerySettings& settings,
+bool intersects(const PlacedMeshView& mesh, const Obb& box, const VolumeQuerySettings& settings,
                 Work* work = nullptr);
-bool intersects(const PlacedMesh& mesh, const Sphere& sphere, const QuerySettings& settings,
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, const VolumeQuerySettings& settings,
                 Work* work = nullptr);
 
 /// All such triangles, sorted. Throws as intersects() does.
-TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Aabb& box,
                             const TriangleSettings& settings = {}, Work* work = nullptr);
-TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Obb& box,
                             const TriangleSettings& settings = {}, Work* work = nullptr);
-TriangleList find_triangles(const PlacedMesh& mesh, const Sphere& sphere,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Sphere& sphere,
                             const TriangleSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/hash.h>
 #include <Eigen/Core>
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 
 namespace graze {
 
@@ -53,6 +55,15 @@ struct VoxelGrid {
 
   /// All voxels, of which a mesh touches some.
   std::uint64_t size() const;
+
+  bool operator==(const VoxelGrid&) const = default;
 };
 
 }  // namespace graze
+
+template <>
+struct std::hash<graze::Voxel> {
+  std::size_t operator()(const graze::Voxel& voxel) const noexcept {
+    return graze::hash_of({voxel.i, voxel.j, voxel.k});
+  }
+};

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/work.h>
 
@@ -22,8 +22,8 @@ struct VoxelSettings {
   /// Voxels along the longest side of the mesh's bounds, 1 to 65535; see VoxelGrid::over().
   std::uint32_t resolution = 64;
   VoxelFill fill = VoxelFill::Surface;
-  /// Work on at most this many threads, at most 1024; 0 leaves it to oneTBB.
-  std::uint32_t threads = 0;
+  /// How many threads share the work at most; 0: all that there are.
+  int threads = 0;
   /// More voxels than this are an error, found before they fill the memory. Which resolution is too
   /// high does not depend on threads.
   std::uint64_t max_voxels = std::numeric_limits<std::uint64_t>::max();
@@ -41,15 +41,19 @@ struct Voxels {
   bool empty() const { return voxels.empty(); }
   auto begin() const { return voxels.begin(); }
   auto end() const { return voxels.end(); }
+
+  bool operator==(const Voxels&) const = default;
 };
 
-/// All voxels that the mesh's surface touches, exactly (law 3: closed boxes, closed triangles), or
+/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3: closed boxes, closed triangles), or
 /// the solid. In a solid, a voxel that touches no triangle is inside if its points are enclosed as
 /// contains() says. The result is the same for any number of threads. Time follows the surface, not
 /// the volume: blocks of voxels that no triangle touches are decided as a whole.
 /// Throws InputError as VoxelGrid::over() does for bad settings and for more than
-/// max_voxels, and MeshError for the solid of
-/// a mesh that is not closed.
-Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings = {}, Work* work = nullptr);
+/// max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose that
+/// is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
+/// whole, and its tree fitted to where it is, which takes O(n) time and memory.
+Voxels find_voxels(const PlacedMeshView& mesh, const VoxelSettings& settings = {},
+                   Work* work = nullptr);
 
 }  // namespace graze

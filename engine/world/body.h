@@ -3,29 +3,14 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
 
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
 namespace graze {
-
-/// A body of a World, by value. An index is used again when its body is gone; the generation tells
-/// its users apart.
-struct BodyId {
-  std::uint32_t index = 0xffffffffu;
-  std::uint32_t generation = 0;
-  friend auto operator<=>(const BodyId&, const BodyId&) = default;
-};
-
-/// Two bodies, the one with the smaller index first.
-struct BodyPair {
-  BodyId a;
-  BodyId b;
-  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
-};
 
 /// What a world asks of a shape. Shapes are immutable and may be shared by bodies and threads.
 /// share() makes one of any Shape; a user's own class may stand beside those, if it can tell
@@ -68,6 +53,12 @@ class BodyShape {
 
 /// A Shape as a world asks it, for World::add(): one for many bodies.
 std::shared_ptr<const BodyShape> share(const Shape& shape);
+
+/// A user's own shape, or one that bodies share, in a pose.
+struct PlacedBodyShape {
+  std::shared_ptr<const BodyShape> shape;
+  Pose pose = Pose::Identity();
+};
 
 enum class BodyKind : std::uint8_t {
   Static,     // does not move by itself; meets only dynamic bodies

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
-#include <graze/bvh/box_pair.h>
 #include <graze/bvh/ray.h>
+#include <graze/engine/world/ids.h>
 #include <graze/bvh/error.h>
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -15,14 +14,6 @@
 
 namespace graze {
 
-/// A box of a BroadPhase, by value. Indices are small numbers that are used again when a box is
-/// gone; the generation tells its users apart.
-struct BoxId {
-  std::uint32_t index = 0xffffffffu;
-  std::uint32_t generation = 0;
-  friend auto operator<=>(const BoxId&, const BoxId&) = default;
-};
-
 /// What an update did.
 struct BroadPhaseWork {
   std::uint64_t updates = 0;
@@ -31,10 +22,14 @@ struct BroadPhaseWork {
   std::uint64_t sorts = 0;                // times that all boxes were put into a new order
   std::uint64_t groups_sorted = 0;        // times that up to 256 neighbours were
   std::uint64_t blocks_met = 0;           // pairs of 16 boxes in the last search for all pairs
+
+  bool operator==(const BroadPhaseWork&) const = default;
 };
 
 struct BroadPhaseSettings {
-  int threads = 1;  // at least 1, more than 256 are as good as 256; no result depends on it
+  /// How many threads share an update at most; 0: all that there are, of which 256 are used. No
+  /// result depends on it.
+  int threads = 1;
 };
 
 /// Is told of a box that a ray may meet, by index; returns the distance along the ray, metres,

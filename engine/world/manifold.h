@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
+#include <graze/bvh/hash.h>
 #include <graze/engine/world/shape_pairs.h>
 
 namespace graze {
@@ -25,6 +28,8 @@ struct ShapeContact {
   Eigen::Vector3d normal;   ///< unit, from A to B
   double depth;             ///< metres, >= 0: how far the two reach past each other here
   ContactFeature feature;
+
+  bool operator==(const ShapeContact&) const = default;
 };
 
 /// Up to four contacts that stand for all of a pair, the deepest first.
@@ -37,6 +42,11 @@ struct Manifold {
   auto begin() const { return contacts.begin(); }
   auto end() const { return contacts.begin() + static_cast<std::ptrdiff_t>(count); }
   const ShapeContact& operator[](std::size_t index) const { return contacts[index]; }
+
+  /// Of the contacts that there are.
+  bool operator==(const Manifold& other) const {
+    return std::equal(begin(), end(), other.begin(), other.end());
+  }
 };
 
 /// Where two placed shapes meet; empty exactly when intersects() is false.
@@ -85,7 +95,18 @@ struct Manifold {
 /// places. Of equal shapes in equal poses there is nothing to mirror, as the swapped question is
 /// the same one: then the result is the same, too. Throws as intersects() does, and
 /// UnsupportedPairError for two half-spaces that intersect: no finite translation parts them.
-Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
-                       const Pose& pose_b, Work* work = nullptr);
+///
+/// Of two meshes `find_contacts({bolt}, {nut, pose})` is that of mesh_contacts.h: say
+/// `{Shape(bolt)}` where a manifold is meant.
+template <typename = void>
+Manifold find_contacts(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
+                       Work* work = nullptr);
 
 }  // namespace graze
+
+template <>
+struct std::hash<graze::ContactFeature> {
+  std::size_t operator()(const graze::ContactFeature& feature) const noexcept {
+    return graze::hash_of({feature.a, feature.b});
+  }
+};

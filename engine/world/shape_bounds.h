@@ -2,7 +2,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
-#include <graze/engine/world/shape.h>
+#include <graze/engine/world/placed_shape.h>
 
 namespace graze {
 
@@ -13,7 +13,7 @@ namespace graze {
 /// box as that is turned, so that the cost does not depend on the mesh. A half-space reaches to the
 /// largest doubles wherever no coordinate axis bounds it. O(vertices) for a hull. Throws PoseError
 /// for a pose that is refused by law 10, or that moves the shape beyond kLargestLength.
-Aabb bounds_of(const Shape& shape, const Pose& pose);
+Aabb bounding_aabb(const PlacedShapeView& shape);
 
 /// How far apart two boxes are along the axis along which that is most, metres, rounded down, and
 /// the axis; 0 only if they share a point.
@@ -21,10 +21,12 @@ struct BoxGap {
   double gap = 0;
   int axis = 0;
   bool is_a_below = false;  ///< A lies on the negative side
+
+  bool operator==(const BoxGap&) const = default;
 };
 BoxGap gap_between(const Aabb& a, const Aabb& b);
 
-/// Throws as bounds_of() does; what() begins with `what`.
+/// Throws as bounding_aabb() does; what() begins with `what`.
 /// Returns the pose's deviation from a rotation.
 double check_pose(const Pose& pose, const char* what);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <graze/bvh/pose.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <Eigen/Core>
 
@@ -53,25 +53,32 @@ struct ShapeDistance {
                             ///< right angles to it that support both are no nearer to each other
                             ///< than lower_bound, but for 2^-46 of the scale
   PairStatus status;
+
+  bool operator==(const ShapeDistance&) const = default;
 };
 // Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
 // greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
 // points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh
 // and a sphere or a box: apart, by the exact test, and by less than the distance's rounding.
 
-// All questions: shapes in poses in the world's frame. Convex shapes and half-spaces are solid;
-// meshes are surfaces. Swapping A and B gives the same booleans and mirrored results, bit for bit
-// (law 4): points change places and normals turn round. One case is left out, as no rule could tell
-// A from B: of equal shapes in equal poses, all their numbers the same bits, the swapped question
-// is the same one and so is its answer, normal and all. Throw PoseError for a pose that is refused
-// by law 10 or moves a shape beyond kLargestLength.
+// All questions: shapes in poses in the world's frame, each in one argument: `distance({Box{{1, 1,
+// 1}}}, {hull, pose})`. They are templates, of which there is one, only so that C++ prefers the
+// functions on two meshes for two meshes: `intersects({bolt}, {nut, pose})` is that of pair.h,
+// which answers the same; and a mesh goes beside any other shape.
+//
+// Convex shapes and half-spaces are solid; meshes are surfaces. Swapping A and B gives the same
+// booleans and mirrored results, bit for bit (law 4): points change places and normals turn round.
+// One case is left out, as no rule could tell A from B: of equal shapes in equal poses, all their
+// numbers the same bits, the swapped question is the same one and so is its answer, normal and all.
+// Throw PoseError for a pose that is refused by law 10 or moves a shape beyond kLargestLength.
 
 /// False only if the closed shapes share no point. Exact for spheres among themselves and with
 /// boxes and meshes, for boxes with meshes, and mesh/mesh. For all others "apart" alone is sure
 /// (law 11): shapes that are apart by less than kTouchTolerance times the scale of the pair may
 /// come out as intersecting, and a search that does not end counts as a hit and in
 /// Work::convex_failures; but never shapes whose boxes, as a World sees them, share no point.
-bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
+template <typename = void>
+bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                 Work* work = nullptr);
 
 /// The distance is off by at most kTouchTolerance times the scale of the pair where the status is
@@ -79,8 +86,9 @@ bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, 
 /// boxes that their tests find apart by less than rounding are measured again, in twice the
 /// precision or by all their features, so that their distance is above 0 and that of the points.
 /// Two half-spaces are apart only where their normals are exactly opposite.
-ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
-                       const Pose& pose_b, Work* work = nullptr);
+template <typename = void>
+ShapeDistance distance(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
+                       Work* work = nullptr);
 
 inline constexpr double kTouchTolerance = 0x1p-34;
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/work.h>
-#include <graze/engine/world/shape.h>
+#include <graze/engine/world/placed_shape.h>
 
 #include <optional>
 
@@ -18,7 +17,8 @@ namespace graze {
 /// much hits. A hull's middle lies where law 1 places it, and all else of it is exact.
 /// Throws as check_ray() does, and PoseError for a pose that is refused by law 10 or that moves the
 /// shape beyond kLargestLength.
-std::optional<RayHit> cast_ray(const Shape& shape, const Pose& pose, const Ray& ray,
-                               Work* work = nullptr);
+/// (A template for the reason given in shape_pairs.h.)
+template <typename = void>
+std::optional<RayHit> cast_ray(const PlacedShapeView& shape, const Ray& ray, Work* work = nullptr);
 
 }  // namespace graze

@@ -2,7 +2,7 @@
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
-#include <graze/engine/world/shape.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/bvh/error.h>
 
@@ -23,15 +23,16 @@ struct BodySettings {
 };
 
 struct WorldSettings {
-  int threads = 1;  // at least 1, of the broad phase: shapes are asked by the thread that calls
-                    // update(). No result depends on it
-  bool contacts = true;  // update() finds contacts; without, only World::contacts() does
+  /// How many threads share the broad phase at most; 0: all that there are. Shapes are asked by the
+  /// thread that calls update(). No result depends on it.
+  int threads = 1;
+  bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
 
   // What need not be done is left out. Switching that off changes no answer, only what it costs.
-  bool skip_apart = true;         // pairs whose gap cannot have closed are not tested
-  bool skip_at_rest = true;       // pairs in which nothing moved are not tested again
-  bool skip_unused_trees = true;  // a mesh's tree is built where a question first walks it; else
-                                  // when a body takes the mesh
+  bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
+  bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
+  bool skip_unused_trees = true;  ///< a mesh's tree is built where a query first walks it; else
+                                  ///< when a body takes the mesh
 };
 
 /// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own
@@ -39,6 +40,8 @@ struct WorldSettings {
 struct BodyContact {
   BodyPair pair;
   Manifold manifold;  // as find_contacts() says, normals from pair.a to pair.b
+
+  bool operator==(const BodyContact&) const = default;
 };
 
 /// What an update did, and what it could leave out.
@@ -63,16 +66,18 @@ struct WorldWork {
   /// meshes being left until something walks them; and searches among convex shapes that proved
   /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.
   Work shapes;
+
+  bool operator==(const WorldWork&) const = default;
 };
 
 /// What changed between two updates, each list in ascending order. The spans are valid until the
-/// world is next changed.
+/// world's next update() or restore(): a loop that reads them may add, move and remove bodies.
 struct WorldUpdate {
-  std::span<const BodyPair> begun;  // touch now and did not
-  std::span<const BodyPair> ended;  // touched and do not now, or one body is gone or filtered
+  std::span<const BodyPair> begun;  ///< touch now and did not
+  std::span<const BodyPair> ended;  ///< touched and do not now, or one body is gone or filtered
   std::span<const BodyPair>
-      moved;  // touch now, and one of them moved, came, woke or changed its filter
-  std::span<const BodyContact> contacts;  // of the solid pairs in `moved`, if the settings ask
+      moved;  ///< touch now, and one of them moved, came, woke or changed its filter
+  std::span<const BodyContact> contacts;  ///< of the solid pairs in `moved`, if the settings ask
   WorldWork work;
 };
 
@@ -85,12 +90,16 @@ struct BodyQuerySettings {
 struct BodyDistance {
   BodyId id;
   ShapeDistance distance;
+
+  bool operator==(const BodyDistance&) const = default;
 };
 
 /// A body and where a ray meets it first.
 struct BodyRayHit {
   BodyId id;
   RayHit hit;
+
+  bool operator==(const BodyRayHit&) const = default;
 };
 
 /// A copy of a world's state, for World::restore().
@@ -116,9 +125,8 @@ class World {
   World& operator=(World&&) noexcept;
 
   /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
-  BodyId add(const Shape& shape, const Pose& pose, const BodySettings& settings = {});
-  BodyId add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
-             const BodySettings& settings = {});
+  BodyId add(const PlacedShapeView& shape, const BodySettings& settings = {});
+  BodyId add(const PlacedBodyShape& shape, const BodySettings& settings = {});
 
   /// All of these throw StaleIdError for the id of a body that is gone.
   void remove(BodyId id);
@@ -192,15 +200,15 @@ class World {
   // negative, and those that measure UnsupportedPairError if they meet a shape of a user's own.
 
   /// The bodies that touch it.
-  std::vector<BodyId> find_touching(const Shape& shape, const Pose& pose,
+  std::vector<BodyId> find_touching(const PlacedShapeView& shape,
                                     const BodyQuerySettings& settings = {}) const;
 
   /// The bodies whose distance() to it is at most the clearance, metres.
-  std::vector<BodyDistance> find_within(const Shape& shape, const Pose& pose, double clearance,
+  std::vector<BodyDistance> find_within(const PlacedShapeView& shape, double clearance,
                                         const BodyQuerySettings& settings = {}) const;
 
   /// The body whose distance() is least, the first of equals; none if the settings ask for none.
-  std::optional<BodyDistance> find_closest(const Shape& shape, const Pose& pose,
+  std::optional<BodyDistance> find_closest(const PlacedShapeView& shape,
                                            const BodyQuerySettings& settings = {}) const;
 
   // What a ray meets, as cast_ray() of a shape says, bodies being as they are now. Throw as

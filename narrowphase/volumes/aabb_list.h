@@ -34,14 +34,14 @@ class AabbList {
 };
 
 // Many tests at once, a SIMD width at a time on whatever SIMD the CPU has: hits[i] becomes 1 or 0,
-// what overlaps() answers for element i alone, on every SIMD target. `hits` has the length of the
+// what intersects() answers for element i alone, on every SIMD target. `hits` has the length of the
 // list, which may be 0. Linear time, no allocation. They throw InputError for lengths that differ
 // and for a bad box.
 
 /// One box against each of many.
-void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits);
+void intersects(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits);
 
 /// Pairs: element i of one list against element i of the other.
-void overlaps(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits);
+void intersects(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

@@ -9,6 +9,8 @@ namespace graze {
 struct Ellipsoid {
   Eigen::Vector3d centre;
   Eigen::Vector3d semi_axes;
+
+  bool operator==(const Ellipsoid&) const = default;
 };
 
 /// Throws InputError, which begins with `what`, unless the ellipsoid is finite and no semi-axis is

@@ -10,12 +10,12 @@ namespace graze {
 /// on their doubles. Throws InputError for values that are not finite, a negative semi-axis, or a
 /// box with min > max.
 /// Arvo, "A simple method for box-sphere intersection testing", Graphics Gems, 1990.
-bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box);
-bool overlaps(const Aabb& box, const Ellipsoid& ellipsoid);
+bool intersects(const Ellipsoid& ellipsoid, const Aabb& box);
+bool intersects(const Aabb& box, const Ellipsoid& ellipsoid);
 
 namespace narrowphase {
 
-/// What overlaps() answers for valid volumes, with the stage that decided. Does not check them.
+/// What intersects() answers for valid volumes, with the stage that decided. Does not check them.
 Decision decide(const Ellipsoid& ellipsoid, const Aabb& box);
 
 }  // namespace narrowphase

@@ -7,23 +7,23 @@ namespace graze {
 
 // The variants of Arvo's test ("A simple method for box-sphere intersection testing", Graphics
 // Gems, 1990). Each is true if and only if the two sets share a point, in real arithmetic, on their
-// doubles. All throw InputError as overlaps(Sphere, Aabb) does.
+// doubles. All throw InputError as intersects(Sphere, Aabb) does.
 
 /// The solid ball and the surface of the box.
-bool overlaps(const Sphere& sphere, const HollowAabb& box);
-bool overlaps(const HollowAabb& box, const Sphere& sphere);
+bool intersects(const Sphere& sphere, const HollowAabb& box);
+bool intersects(const HollowAabb& box, const Sphere& sphere);
 
 /// The surface of the ball and the solid box.
-bool overlaps(const HollowSphere& sphere, const Aabb& box);
-bool overlaps(const Aabb& box, const HollowSphere& sphere);
+bool intersects(const HollowSphere& sphere, const Aabb& box);
+bool intersects(const Aabb& box, const HollowSphere& sphere);
 
 /// The two surfaces.
-bool overlaps(const HollowSphere& sphere, const HollowAabb& box);
-bool overlaps(const HollowAabb& box, const HollowSphere& sphere);
+bool intersects(const HollowSphere& sphere, const HollowAabb& box);
+bool intersects(const HollowAabb& box, const HollowSphere& sphere);
 
 namespace narrowphase {
 
-/// What overlaps() answers for valid volumes, with the stage that decided. These do not check.
+/// What intersects() answers for valid volumes, with the stage that decided. These do not check.
 Decision decide(const Sphere& sphere, const HollowAabb& box);
 Decision decide(const HollowSphere& sphere, const Aabb& box);
 Decision decide(const HollowSphere& sphere, const HollowAabb& box);

@@ -29,12 +29,12 @@ class KDopList {
   narrowphase::VolumeRows<18> rows_;
 };
 
-// Many tests at once, as in aabb_list.h; the answers are those of overlaps() for two k-DOPs.
+// Many tests at once, as in aabb_list.h; the answers are those of intersects() for two k-DOPs.
 
 /// One k-DOP against each of many.
-void overlaps(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits);
+void intersects(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits);
 
 /// Pairs: element i of one list against element i of the other.
-void overlaps(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits);
+void intersects(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

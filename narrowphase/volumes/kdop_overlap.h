@@ -9,6 +9,6 @@ namespace graze {
 /// than its polytope. Throws InputError for a k-DOP that is not finite or has min > max.
 /// Klosowski and others, "Efficient collision detection using bounding volume hierarchies of
 /// k-DOPs", 1998; "Real-Time Rendering", 3rd ed., 16.13.4.
-bool overlaps(const KDop<18>& kdop_a, const KDop<18>& kdop_b);
+bool intersects(const KDop<18>& kdop_a, const KDop<18>& kdop_b);
 
 }  // namespace graze

@@ -30,13 +30,13 @@ class ObbList {
   narrowphase::VolumeRows<narrowphase::kObbRows> rows_;
 };
 
-// Many tests at once, as in aabb_list.h; the answers are bit for bit those of overlaps() for two
+// Many tests at once, as in aabb_list.h; the answers are bit for bit those of intersects() for two
 // oriented boxes, only "apart" being sure.
 
 /// One box against each of many.
-void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits);
+void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits);
 
 /// Pairs: element i of one list against element i of the other.
-void overlaps(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits);
+void intersects(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits);
 
 }  // namespace graze

@@ -16,10 +16,10 @@ namespace graze {
 /// 20 d. Boxes whose half extents add up to more than 2^1000 always come out as overlapping.
 /// Symmetric. Throws InputError or PoseError for an invalid box.
 /// Gottschalk, Lin, Manocha, "OBBTree", 1996; "Real-Time Rendering", 3rd ed., 16.13.5.
-bool overlaps(const Obb& box_a, const Obb& box_b);
+bool intersects(const Obb& box_a, const Obb& box_b);
 
 /// Likewise, for an axis-aligned box given by its minimum and maximum.
-bool overlaps(const Aabb& aligned, const Obb& oriented);
-bool overlaps(const Obb& oriented, const Aabb& aligned);
+bool intersects(const Aabb& aligned, const Obb& oriented);
+bool intersects(const Obb& oriented, const Aabb& aligned);
 
 }  // namespace graze

@@ -10,19 +10,19 @@ namespace graze {
 /// True if and only if the closed ball and the closed box share a point, in real arithmetic, on
 /// their doubles. Throws InputError for values that are not finite, a negative radius, or a box
 /// with min > max. Hollow ones: hollow_overlap.h.
-bool overlaps(const Sphere& sphere, const Aabb& box);
-bool overlaps(const Aabb& box, const Sphere& sphere);
+bool intersects(const Sphere& sphere, const Aabb& box);
+bool intersects(const Aabb& box, const Sphere& sphere);
 
 /// As above for an oriented box: the centre c goes into the box's frame as law 3 says, q = c - t
 /// and then ((R_0i q_x + R_1i q_y) + R_2i q_z), each operation rounded to double, and the ball
 /// about the result meets [-half_extents, half_extents] exactly. Throws InputError or PoseError for
 /// an invalid volume, and InputError if the centre overflows on its way into the frame.
-bool overlaps(const Sphere& sphere, const Obb& box);
-bool overlaps(const Obb& box, const Sphere& sphere);
+bool intersects(const Sphere& sphere, const Obb& box);
+bool intersects(const Obb& box, const Sphere& sphere);
 
 namespace narrowphase {
 
-/// What overlaps() answers for valid volumes, with the stage that decided. Does not check them.
+/// What intersects() answers for valid volumes, with the stage that decided. Does not check them.
 Decision decide(const Sphere& sphere, const Aabb& box);
 
 // The same by three methods, which differ in speed and in how often rounded arithmetic suffices,

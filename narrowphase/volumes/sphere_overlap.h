@@ -10,7 +10,7 @@ namespace graze {
 /// squared distance of their centres is at most (r_a + r_b)^2. Throws InputError for a sphere that
 /// is not finite or has a negative radius.
 /// "Real-Time Rendering", 3rd ed., 16.13.1.
-bool overlaps(const Sphere& sphere_a, const Sphere& sphere_b);
+bool intersects(const Sphere& sphere_a, const Sphere& sphere_b);
 
 /// True if and only if the point lies in the closed ball, likewise. Throws InputError for a bad
 /// sphere or a point that is not finite.
@@ -18,7 +18,7 @@ bool contains(const Sphere& sphere, const Eigen::Vector3d& point);
 
 namespace narrowphase {
 
-/// What overlaps() answers for valid spheres, with the stage that decided. Does not check them.
+/// What intersects() answers for valid spheres, with the stage that decided. Does not check them.
 Decision decide(const Sphere& sphere_a, const Sphere& sphere_b);
 
 /// What contains() answers, likewise.

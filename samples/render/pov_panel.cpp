@@ -51,7 +51,7 @@ std::string cut_part(const Panel& panel, std::size_t part) {
          cap_name(part) + " }" + within(object(solid_name(part))) + " }\n";
 }
 
-std::string overlaps(const Panel& panel) {
+std::string intersects(const Panel& panel) {
   const std::vector<std::size_t>& parts = panel.cut->parts;
   const double offset = kOverlapOffset * panel.height * kMillimetres;
   std::string text;
@@ -96,7 +96,7 @@ std::string place_panel(const Panel& panel, std::size_t part_count, const Slot& 
     text += is_cut(panel, i) ? cut_part(panel, i)
                              : "    " + object(coloured_name(i, panel.marks)) + "\n";
   }
-  if (panel.cut) text += overlaps(panel);
+  if (panel.cut) text += intersects(panel);
   return text + "  }\n  " + to_page(panel, slot) + "\n  " + clip_to(slot) + "\n}\n";
 }
 

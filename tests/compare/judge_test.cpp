@@ -430,7 +430,7 @@ TEST(JudgeVolumes, OverlapsAndGapsAgree) {
     if (do_faces_meet) {
       EXPECT_TRUE(overlap);
     }
-    if (!overlaps(a, b)) {
+    if (!intersects(a, b)) {
       EXPECT_FALSE(overlap);
     }
     if (!overlap) {

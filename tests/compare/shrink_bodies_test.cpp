@@ -105,7 +105,7 @@ TEST(ShrinkBodies, NumbersAreOfTheShapeThatTheyMake) {
     EXPECT_EQ(numbers_of(with_numbers(same, numbers_of(same))), numbers_of(same));
     Pose pose = Pose::Identity();
     pose.translation() << 1, 2, 3;
-    EXPECT_EQ(intersects(same, pose, shape, pose), true);
+    EXPECT_EQ(intersects({same, pose}, {shape, pose}), true);
   }
 }
 

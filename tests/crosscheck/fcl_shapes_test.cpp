@@ -74,8 +74,8 @@ Counts compare(ShapeKind kind_a, ShapeKind kind_b, int poses, RandomSource& sour
     const double away = source.uniform(0.2, 0.9) * (tests::size_of(a) + tests::size_of(b));
     pose_b.translation() = pose_a.translation() + source.vector(-1, 1).normalized() * away;
 
-    const ShapeDistance found = distance(a, pose_a, b, pose_b);
-    const Manifold manifold = find_contacts(a, pose_a, b, pose_b);
+    const ShapeDistance found = distance({a, pose_a}, {b, pose_b});
+    const Manifold manifold = find_contacts({a, pose_a}, {b, pose_b});
     const bool is_hit = found.distance == 0;
     const double depth = manifold.empty() ? 0 : manifold[0].depth;
     ++(is_hit ? counts.hits : counts.apart);

@@ -262,7 +262,7 @@ TEST(BundledParts, TheTurningNutNeedsNoExactArithmetic) {
     EXPECT_GT(work.volume_tests, 40000u);
     EXPECT_EQ(work.exact_tests, 0u);
     Work by_boxes;
-    intersects({bolt}, {nut, pose}, {.volume = Volume::Aabb}, &by_boxes);
+    intersects({bolt}, {nut, pose}, {.volume = PairVolume::Aabb}, &by_boxes);
     EXPECT_GT(by_boxes.triangle_tests, 40000u);
     EXPECT_EQ(by_boxes.exact_tests, 0u);
   }

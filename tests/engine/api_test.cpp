@@ -52,8 +52,8 @@ TEST(Api, TheReadmesManyBodies) {
   start_pose.translation().z() = 1;
   graze::World world;
   graze::BodyId floor =
-      world.add(graze::Box{{10, 10, 0.1}}, floor_pose, {.kind = graze::BodyKind::Static});
-  graze::BodyId body = world.add(bolt, start_pose);
+      world.add({graze::Box{{10, 10, 0.1}}, floor_pose}, {.kind = graze::BodyKind::Static});
+  graze::BodyId body = world.add({bolt, start_pose});
   EXPECT_TRUE(world.update().begun.empty());
   world.move(body, graze::Pose::Identity());
   const graze::WorldUpdate down = world.update();

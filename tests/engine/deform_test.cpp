@@ -1,6 +1,7 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/bvh/tree/validate.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
@@ -73,8 +74,8 @@ void expect_brute_force(const PlacedMesh& a, const PlacedMesh& b, const std::str
     }
   }
   EXPECT_EQ(find_triangle_pairs(a, b).pairs, expected) << what;
-  EXPECT_EQ(find_triangle_pairs(a, b, {.volume = Volume::Aabb}).pairs, expected) << what;
-  EXPECT_EQ(find_triangle_pairs(a, b, {.volume = Volume::Obb}).pairs, expected) << what;
+  EXPECT_EQ(find_triangle_pairs(a, b, {.volume = PairVolume::Aabb}).pairs, expected) << what;
+  EXPECT_EQ(find_triangle_pairs(a, b, {.volume = PairVolume::Obb}).pairs, expected) << what;
   EXPECT_EQ(intersects(a, b), !expected.empty()) << what;
   EXPECT_EQ(distance(a, b).distance, least) << what;
 }
@@ -85,7 +86,7 @@ void expect_valid_binary_tree(const Mesh& mesh) {
     const Triangle t = mesh.triangle(i);
     boxes.push_back({t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)});
   }
-  EXPECT_EQ(bvh::find_broken_invariant(mesh.tree(), boxes).value_or(""), "");
+  EXPECT_EQ(bvh::find_broken_invariant(tree_of(mesh), boxes).value_or(""), "");
 }
 
 /// One of many ways to move vertices, some of which leave nothing of the mesh's shape.
@@ -156,7 +157,7 @@ TEST(Law9Deform, LargeMeshesAnswerAsFreshOnes) {
   const Mesh sphere = tests::make_sphere(1, 90, 90);
   const Mesh other = tests::make_torus(0.8, 0.3, 40, 20);
   prepare(sphere);
-  sphere.tree();
+  tree_of(sphere);
   for (const Vertices& vertices :
        {with_noise(vertices_of(sphere), 0.003, source),
         with_noise(vertices_of(sphere), 0.2, source), twisted(vertices_of(sphere), 8),
@@ -164,7 +165,7 @@ TEST(Law9Deform, LargeMeshesAnswerAsFreshOnes) {
     const Mesh moved = sphere.deformed(vertices);
     const Mesh anew = fresh(moved);
     const Pose pose = tests::random_pose(0.2, source);
-    for (const Volume volume : {Volume::Wide, Volume::Aabb}) {
+    for (const PairVolume volume : {PairVolume::WideObb, PairVolume::Aabb}) {
       const TrianglePairs pairs = find_triangle_pairs({moved}, {other, pose}, {.volume = volume});
       EXPECT_EQ(pairs.pairs, find_triangle_pairs({anew}, {other, pose}).pairs);
       EXPECT_FALSE(pairs.empty());
@@ -178,8 +179,8 @@ TEST(Law9Deform, LargeMeshesAnswerAsFreshOnes) {
 
 Work prepared(const Mesh& mesh) {
   Work work;
-  prepare(mesh, &work);
-  mesh.tree(&work);
+  prepare(mesh, {}, &work);
+  tree_of(mesh, &work);
   return work;
 }
 
@@ -261,7 +262,7 @@ TEST(Deform, WhatWasNeverBuiltIsBuilt) {
 }
 
 /// Pairs of boxes that a walk compares.
-std::uint64_t tests_of(const Mesh& mesh, const Mesh& other, Volume volume) {
+std::uint64_t tests_of(const Mesh& mesh, const Mesh& other, PairVolume volume) {
   Work work;
   for (const double z : {-0.4, 0.0, 0.5}) {
     Pose pose = Pose::Identity();
@@ -290,7 +291,7 @@ TEST(Deform, QueriesCostAboutWhatTheyDoOnFreshTrees) {
     }
     const Mesh anew = fresh(moved);
     const Mesh other = tests::make_torus(0.8, 0.3, 24, 12);
-    for (const Volume volume : {Volume::Wide, Volume::Aabb}) {
+    for (const PairVolume volume : {PairVolume::WideObb, PairVolume::Aabb}) {
       EXPECT_LT(static_cast<double>(tests_of(moved, other, volume)),
                 1.4 * static_cast<double>(tests_of(anew, other, volume)));
     }

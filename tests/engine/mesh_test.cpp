@@ -1,5 +1,6 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/bvh/tree/validate.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/work.h>
 #include <gtest/gtest.h>
@@ -56,9 +57,9 @@ TEST(Mesh, CopiesShareTheTreeWhichIsBuiltOnce) {
   EXPECT_TRUE(copy == mesh);
   EXPECT_FALSE(copy == tests::make_sphere(1, 20, 20));
   Work work;
-  const bvh::Tree& tree = copy.tree(&work);
+  const bvh::Tree& tree = tree_of(copy, &work);
   EXPECT_EQ(work.trees_built, 1u);
-  EXPECT_EQ(&mesh.tree(&work), &tree);
+  EXPECT_EQ(&tree_of(mesh, &work), &tree);
   EXPECT_EQ(work.trees_built, 1u);
 }
 
@@ -69,7 +70,7 @@ TEST(Mesh, TheTreeHoldsItsTriangles) {
     const Triangle t = mesh.triangle(i);
     boxes.push_back({t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)});
   }
-  EXPECT_EQ(bvh::find_broken_invariant(mesh.tree(), boxes).value_or(""), "");
+  EXPECT_EQ(bvh::find_broken_invariant(tree_of(mesh), boxes).value_or(""), "");
 }
 
 }  // namespace

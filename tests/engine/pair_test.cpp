@@ -41,7 +41,7 @@ std::size_t expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
   EXPECT_EQ(found.completeness, Completeness::Complete);
   EXPECT_EQ(intersects(a, b), !expected.empty());
   EXPECT_EQ(intersects(b, a), !expected.empty());
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     EXPECT_EQ(find_triangle_pairs(a, b, {.volume = volume}).pairs, expected) << name_of(volume);
     EXPECT_EQ(intersects(b, a, {.volume = volume}), !expected.empty()) << name_of(volume);
   }
@@ -170,7 +170,7 @@ TEST(Law5, ATouchingVertexIsNeverPruned) {
     const Mesh probe = kissing(extreme, outward, std::pow(10.0, source.integer(-3, 3)));
     ASSERT_TRUE(intersects({mesh, pose}, {probe})) << n;
     ASSERT_TRUE(intersects({probe}, {mesh, pose})) << n;
-    for (const Volume volume : kVolumes) {
+    for (const PairVolume volume : kPairVolumes) {
       ASSERT_TRUE(intersects({mesh, pose}, {probe}, {.volume = volume})) << n << name_of(volume);
       ASSERT_TRUE(intersects({probe}, {mesh, pose}, {.volume = volume})) << n << name_of(volume);
     }
@@ -224,7 +224,7 @@ TEST(Pair, ABooleanStopsAtItsFirstYesWhateverPrunes) {
   const Mesh sphere = tests::make_sphere(1, 40, 40);
   Pose pose = Pose::Identity();
   pose.translation().x() = 0.5;
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     Work yes;
     Work all;
     ASSERT_TRUE(intersects({sphere}, {sphere, pose}, {.volume = volume}, &yes));
@@ -235,17 +235,18 @@ TEST(Pair, ABooleanStopsAtItsFirstYesWhateverPrunes) {
 
 TEST(Pair, SkinsAreMadeByTheFirstQueryThatNeedsThem) {
   const Mesh sphere = tests::make_sphere(1, 20, 20);
-  const auto work_of = [&](Volume volume) {
+  const auto work_of = [&](PairVolume volume) {
     Work work;
     intersects({sphere}, {sphere}, {.volume = volume}, &work);
     return work;
   };
-  EXPECT_EQ(work_of(Volume::Aabb).skins_built, 0u);
-  EXPECT_EQ(work_of(Volume::SphereThenObb).skins_built, 2u) << "both are the same mesh";
-  EXPECT_EQ(work_of(Volume::Sphere).skins_built, 0u);
-  EXPECT_EQ(work_of(Volume::Obb).skins_built, 0u);
-  EXPECT_EQ(work_of(Volume::KDop).skins_built, 1u);
-  EXPECT_EQ(work_of(Volume::KDop).trees_built, 0u);
+  EXPECT_EQ(work_of(PairVolume::Aabb).skins_built, 0u);
+  EXPECT_EQ(work_of(PairVolume::Sphere).skins_built, 1u) << "both are the same mesh";
+  EXPECT_EQ(work_of(PairVolume::Sphere).skins_built, 0u);
+  EXPECT_EQ(work_of(PairVolume::Obb).skins_built, 1u);
+  EXPECT_EQ(work_of(PairVolume::Obb).skins_built, 0u);
+  EXPECT_EQ(work_of(PairVolume::KDop).skins_built, 1u);
+  EXPECT_EQ(work_of(PairVolume::KDop).trees_built, 0u);
 }
 
 TEST(Pair, TighterVolumesPruneMore) {
@@ -253,19 +254,18 @@ TEST(Pair, TighterVolumesPruneMore) {
   Pose pose = Pose::Identity();
   pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
   pose.translation() << 1.2, 0.4, 0.3;
-  const auto tests_of = [&](Volume volume) {
+  const auto tests_of = [&](PairVolume volume) {
     Work work;
     find_triangle_pairs({torus}, {torus, pose}, {.volume = volume}, &work);
     return work.triangle_tests;
   };
-  EXPECT_LT(tests_of(Volume::Obb), tests_of(Volume::Aabb));
-  EXPECT_LT(tests_of(Volume::KDop), tests_of(Volume::Sphere));
-  EXPECT_LE(tests_of(Volume::SphereThenObb), tests_of(Volume::Obb));
+  EXPECT_LT(tests_of(PairVolume::Obb), tests_of(PairVolume::Aabb));
+  EXPECT_LT(tests_of(PairVolume::KDop), tests_of(PairVolume::Sphere));
 }
 
 TEST(Law10Pair, AVolumeThatIsNoneIsRefused) {
   const Mesh sphere = tests::make_sphere(1, 4, 4);
-  EXPECT_THROW(intersects({sphere}, {sphere}, {.volume = static_cast<Volume>(99)}), InputError);
+  EXPECT_THROW(intersects({sphere}, {sphere}, {.volume = static_cast<PairVolume>(99)}), InputError);
 }
 
 TEST(Pair, AMeshWhollyInsideAnotherDoesNotTouchIt) {

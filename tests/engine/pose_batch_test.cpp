@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <gtest/gtest.h>
@@ -34,9 +35,9 @@ TEST(Prepare, BuildsAllAtOnceAndChangesNoAnswer) {
   const Mesh lazy = tests::make_sphere(1, 80, 80);
   const Mesh eager = tests::make_sphere(1, 80, 80);
   Work work;
-  prepare(eager, &work);
+  prepare(eager, {}, &work);
   EXPECT_EQ(work.trees_built, 1u);
-  EXPECT_EQ(work.treelets_built + 1, eager.wide_tree().treelet_count());
+  EXPECT_EQ(work.treelets_built + 1, wide_tree_of(eager).treelet_count());
   EXPECT_GT(work.treelets_built, 4u);
   Work again;
   prepare(eager, &again);
@@ -58,7 +59,7 @@ TEST(Prepare, FromManyThreadsBesideQueriesBuildsOnce) {
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < works.size(); ++i) {
     threads.emplace_back([&, i] {
-      if (i % 2 == 0) prepare(mesh, &works[i]);
+      if (i % 2 == 0) prepare(mesh, {}, &works[i]);
       found[i] = find_triangle_pairs({mesh}, {mesh, pose}, {}, &works[i]);
     });
   }
@@ -69,7 +70,7 @@ TEST(Prepare, FromManyThreadsBesideQueriesBuildsOnce) {
     EXPECT_EQ(found[i].pairs, found[0].pairs);
   }
   EXPECT_EQ(sum.trees_built, 1u);
-  EXPECT_EQ(sum.treelets_built + 1, mesh.wide_tree().treelet_count());
+  EXPECT_EQ(sum.treelets_built + 1, wide_tree_of(mesh).treelet_count());
 }
 
 TEST(Law8, BatchesAnswerAsSingleQueriesForAnyNumberOfThreads) {

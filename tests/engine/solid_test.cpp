@@ -21,7 +21,8 @@ namespace {
 
 using oracle::contains_by_slanted_ray;
 
-constexpr QuerySettings kSolid{.interior = Interior::Solid};
+constexpr QuerySettings kSolid{.hit = Hit::Solid};
+constexpr VolumeQuerySettings kSolidMesh{.interior = Interior::Solid};
 
 Pose moved_by(const Eigen::Vector3d& translation) {
   Pose pose = Pose::Identity();
@@ -96,8 +97,8 @@ TEST(Solid, NestedSpheres) {
   EXPECT_TRUE(intersects({inner}, {outer, moved_by({0.5, 0.25, -0.25})}, kSolid));
   EXPECT_FALSE(intersects({inner}, {outer, moved_by({3.5, 0, 0})}, kSolid));
   EXPECT_FALSE(intersects({inner}, {outer, moved_by({2.2, 2.2, 0})}, kSolid)) << "boxes overlap";
-  for (const Volume volume : kVolumes) {
-    EXPECT_TRUE(intersects({outer}, {inner}, {.volume = volume, .interior = Interior::Solid}));
+  for (const PairVolume volume : kPairVolumes) {
+    EXPECT_TRUE(intersects({outer}, {inner}, {.volume = volume, .hit = Hit::Solid}));
   }
 }
 
@@ -277,7 +278,7 @@ TEST(Solid, ABarThatIsTurnedReachesWhereItLies) {
   for (const Eigen::Vector3d& end : {Eigen::Vector3d(0, 3.5, 0), Eigen::Vector3d(1.5, 0, 0)}) {
     EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(end)}, kSolid));
     EXPECT_TRUE(intersects({bar, pose}, {small, moved_by(-end)}, kSolid));
-    EXPECT_TRUE(intersects({bar, pose}, Aabb{end, end}, kSolid));
+    EXPECT_TRUE(intersects({bar, pose}, Aabb{end, end}, kSolidMesh));
   }
   EXPECT_FALSE(intersects({bar, pose}, {small, moved_by({3.5, 0, 0})}, kSolid));
 }
@@ -290,14 +291,14 @@ TEST(Solid, BoxesAndBallsInsideAMesh) {
   RandomSource source(7);
   const Obb tilted{tests::random_pose(0, source), {0.1, 0.2, 0.3}};
   EXPECT_FALSE(intersects(placed, box));
-  EXPECT_TRUE(intersects(placed, box, kSolid));
-  EXPECT_FALSE(intersects(placed, beside, kSolid));
-  EXPECT_TRUE(intersects(placed, Sphere{{5, 6, 7.5}, 0.5}, kSolid));
+  EXPECT_TRUE(intersects(placed, box, kSolidMesh));
+  EXPECT_FALSE(intersects(placed, beside, kSolidMesh));
+  EXPECT_TRUE(intersects(placed, Sphere{{5, 6, 7.5}, 0.5}, kSolidMesh));
   EXPECT_FALSE(intersects(placed, Sphere{{5, 6, 7.5}, 0.5}));
-  EXPECT_FALSE(intersects(placed, Sphere{{9, 6, 7.5}, 0.5}, kSolid));
-  EXPECT_TRUE(intersects({ball}, tilted, kSolid));
+  EXPECT_FALSE(intersects(placed, Sphere{{9, 6, 7.5}, 0.5}, kSolidMesh));
+  EXPECT_TRUE(intersects({ball}, tilted, kSolidMesh));
   EXPECT_FALSE(intersects({ball}, tilted));
-  EXPECT_FALSE(intersects(placed, tilted, kSolid));
+  EXPECT_FALSE(intersects(placed, tilted, kSolidMesh));
 }
 
 TEST(Solid, RandomBoxesAgreeWithRationalsInTheirFrames) {
@@ -315,7 +316,7 @@ TEST(Solid, RandomBoxesAgreeWithRationalsInTheirFrames) {
     });
     const bool expected = contains_by_slanted_ray(framed, Eigen::Vector3d::Zero());
     ++(expected ? inside : outside);
-    ASSERT_EQ(intersects(placed, box, kSolid), expected) << n;
+    ASSERT_EQ(intersects(placed, box, kSolidMesh), expected) << n;
   }
   EXPECT_GT(inside, 20);
   EXPECT_GT(outside, 100);
@@ -336,16 +337,15 @@ TEST(Law10Solid, OpenMeshesAreRefusedAndNamed) {
   EXPECT_EQ(message_of(open, box), "mesh A is not closed: it has 9 boundary edges");
   EXPECT_EQ(message_of(box, open), "mesh B is not closed: it has 9 boundary edges");
   EXPECT_EQ(message_of(box, box), "");
-  EXPECT_THROW(intersects({open}, Aabb{{0, 0, 0}, {1, 1, 1}}, kSolid), MeshError);
-  EXPECT_THROW(intersects({open}, Sphere{{0, 0, 0}, 1}, kSolid), MeshError);
+  EXPECT_THROW(intersects({open}, Aabb{{0, 0, 0}, {1, 1, 1}}, kSolidMesh), MeshError);
+  EXPECT_THROW(intersects({open}, Sphere{{0, 0, 0}, 1}, kSolidMesh), MeshError);
 }
 
 TEST(Law10Solid, SettingsThatMeanNothingAreRefused) {
   const Mesh box = tests::make_box({1, 1, 1});
-  EXPECT_THROW(intersects({box}, {box}, {.interior = static_cast<Interior>(5)}), InputError);
-  EXPECT_THROW(intersects({box}, {box}, {.touch = Touch::Exclude, .interior = Interior::Solid}),
+  EXPECT_THROW(intersects({box}, {box}, {.hit = static_cast<Hit>(5)}), InputError);
+  EXPECT_THROW(intersects({box}, Sphere{{0, 0, 0}, 1}, {.interior = static_cast<Interior>(5)}),
                InputError);
-  EXPECT_THROW(self_intersects(box, kSolid), InputError);
 }
 
 }  // namespace

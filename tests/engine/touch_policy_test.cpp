@@ -27,14 +27,14 @@ std::vector<TrianglePair> brute_force(const PlacedMesh& a, const PlacedMesh& b) 
 
 std::size_t expect_brute_force(const PlacedMesh& a, const PlacedMesh& b) {
   const std::vector<TrianglePair> expected = brute_force(a, b);
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     const TrianglePairs found =
         find_triangle_pairs(a, b, {.volume = volume, .touch = Touch::Exclude});
     EXPECT_EQ(found.pairs, expected) << name_of(volume);
     EXPECT_EQ(found.completeness, Completeness::Complete);
     for (const bool is_swapped : {false, true}) {
       EXPECT_EQ(intersects(is_swapped ? b : a, is_swapped ? a : b,
-                           {.volume = volume, .touch = Touch::Exclude}),
+                           {.volume = volume, .hit = Hit::Crossing}),
                 !expected.empty())
           << name_of(volume);
     }
@@ -76,9 +76,9 @@ TEST(TouchPolicyMeshes, ABoxOnABoxTouchesAndDoesNotCross) {
   Pose above = Pose::Identity();
   above.translation() << 0.25, 0.5, 2;
   EXPECT_TRUE(intersects({box}, {box, above}));
-  EXPECT_FALSE(intersects({box}, {box, above}, {.touch = Touch::Exclude}));
+  EXPECT_FALSE(intersects({box}, {box, above}, {.hit = Hit::Crossing}));
   above.translation().z() = 2 - 0x1p-52;
-  EXPECT_TRUE(intersects({box}, {box, above}, {.touch = Touch::Exclude})) << "one double lower";
+  EXPECT_TRUE(intersects({box}, {box, above}, {.hit = Hit::Crossing})) << "one double lower";
 }
 
 TEST(TouchPolicyMeshes, LimitsHold) {
@@ -95,13 +95,31 @@ TEST(TouchPolicyMeshes, LimitsHold) {
   EXPECT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
 }
 
-TEST(Law10TouchPolicy, QueriesThatWouldIgnoreItRefuseIt) {
+template <typename Settings>
+concept HasTouch = requires(Settings settings) { settings.touch; };
+template <typename Settings>
+concept HasHit = requires(Settings settings) { settings.hit; };
+template <typename Settings>
+concept HasInterior = requires(Settings settings) { settings.interior; };
+template <typename Settings>
+concept HasVolume = requires(Settings settings) { settings.volume; };
+template <typename Settings>
+concept HasWideVolume = requires(Settings settings) { settings.volume = PairVolume::WideObb; };
+
+// What a query would have to ignore or refuse does not compile.
+static_assert(HasHit<QuerySettings> && HasWideVolume<QuerySettings>);
+static_assert(!HasTouch<QuerySettings> && !HasInterior<QuerySettings>);
+static_assert(!HasVolume<MemoryQuerySettings> && !HasVolume<MemoryPairSettings>);
+static_assert(HasInterior<VolumeQuerySettings> && !HasHit<VolumeQuerySettings>);
+static_assert(!HasTouch<VolumeQuerySettings> && !HasWideVolume<VolumeQuerySettings>);
+static_assert(!HasTouch<TriangleSettings> && !HasWideVolume<TriangleSettings>);
+static_assert(!HasTouch<SelfQuerySettings> && !HasInterior<SelfQuerySettings>);
+static_assert(!HasWideVolume<SelfQuerySettings> && !HasWideVolume<SelfSettings>);
+static_assert(!HasTouch<IntersectionSettings> && !HasHit<IntersectionSettings>);
+
+TEST(Law10TouchPolicy, WhatIsNoneIsRefused) {
   const Mesh box = tests::make_box({1, 1, 1});
-  const QuerySettings settings{.touch = Touch::Exclude};
-  EXPECT_THROW(intersects({box}, Aabb{{0, 0, 0}, {1, 1, 1}}, settings), InputError);
-  EXPECT_THROW(intersects({box}, Sphere{{0, 0, 0}, 1}, settings), InputError);
-  EXPECT_THROW(self_intersects(box, settings), InputError);
-  EXPECT_THROW(intersects({box}, {box}, {.touch = static_cast<Touch>(9)}), InputError);
+  EXPECT_THROW(intersects({box}, {box}, {.hit = static_cast<Hit>(9)}), InputError);
   EXPECT_THROW(find_triangle_pairs({box}, {box}, {.touch = static_cast<Touch>(9)}), InputError);
 }
 

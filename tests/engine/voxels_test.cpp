@@ -188,7 +188,7 @@ TEST(Law8Voxels, AnyNumberOfThreadsFindsTheSame) {
   for (VoxelFill fill : {VoxelFill::Surface, VoxelFill::Solid}) {
     const Voxels one = find_voxels(torus, {.resolution = 120, .fill = fill, .threads = 1});
     EXPECT_GT(one.size(), 20000u);
-    for (std::uint32_t threads : {0u, 2u, 4u}) {
+    for (int threads : {0, 2, 4}) {
       const Voxels many = find_voxels(torus, {.resolution = 120, .fill = fill, .threads = threads});
       EXPECT_EQ(many.voxels, one.voxels) << threads;
     }
@@ -269,7 +269,7 @@ TEST(Law10Voxels, BadInputIsRefused) {
   const Mesh box = tests::make_box({1, 1, 1});
   EXPECT_THROW(find_voxels(box, {.resolution = 0}), InputError);
   EXPECT_THROW(find_voxels(box, {.resolution = 65536}), InputError);
-  EXPECT_THROW(find_voxels(box, {.threads = 1025}), InputError);
+  EXPECT_THROW(find_voxels(box, {.threads = -1}), InputError);
   EXPECT_THROW(find_voxels(tests::make_row(1), {.fill = VoxelFill::Solid}), MeshError);
   EXPECT_THROW(find_voxels(tests::make_box({1.7e308, 1, 1})), InputError);
 }

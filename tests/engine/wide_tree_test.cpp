@@ -1,4 +1,5 @@
 #include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
@@ -76,7 +77,7 @@ std::vector<std::uint32_t> checked_places(const Mesh& mesh, const WideTree& tree
 }
 
 void expect_sound(const Mesh& mesh) {
-  const WideTree& tree = mesh.wide_tree();
+  const WideTree& tree = wide_tree_of(mesh);
   tree.build_all();
   std::vector<std::uint32_t> places =
       checked_places(mesh, tree, 0, *tree.root().node, tree.root().lane);
@@ -109,7 +110,7 @@ TEST(Law5WideTree, BoxesOfDeformedMeshesHoldAllCornersBelowThem) {
   for (const double size : {1e-3, 0.05, 0.5}) {
     Mesh mesh = tests::make_torus(1, 0.3, 80, 40);
     for (int n = 0; n < 3; ++n) {
-      mesh.wide_tree().build_all();
+      wide_tree_of(mesh).build_all();
       std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
       const double scale = std::exp2(source.integer(-300, 300));
       for (Eigen::Vector3d& p : vertices) {
@@ -143,21 +144,21 @@ std::vector<unsigned char> bytes_of(const WideTree& tree) {
 TEST(WideTree, IsTheSameInWhateverOrderItIsBuilt) {
   const Mesh one = tests::make_sphere(1, 120, 120);
   const Mesh other(one.vertices(), one.triangles());
-  one.wide_tree().build_all();
-  const WideTree& tree = other.wide_tree();
+  wide_tree_of(one).build_all();
+  const WideTree& tree = wide_tree_of(other);
   ASSERT_GT(tree.treelet_count(), 5u);
   bvh::TreeletCounts counts;
   for (auto i = static_cast<std::uint32_t>(tree.treelet_count()); i-- > 1;)
     tree.entered(i, counts);
   EXPECT_EQ(counts.built, tree.treelet_count() - 1);
   EXPECT_EQ(tree.build_all().built, 0u);
-  EXPECT_EQ(bytes_of(one.wide_tree()), bytes_of(tree));
+  EXPECT_EQ(bytes_of(wide_tree_of(one)), bytes_of(tree));
 }
 
 TEST(WideTree, IsTheSameInWhateverOrderItIsRefitted) {
   RandomSource source(508);
   const Mesh mesh = tests::random_soup({.count = 12000, .size = 0.02}, source);
-  mesh.wide_tree().build_all();
+  wide_tree_of(mesh).build_all();
   // On one side triangles trade places, on the other they tremble.
   std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -167,15 +168,15 @@ TEST(WideTree, IsTheSameInWhateverOrderItIsRefitted) {
   }
   const Mesh one = mesh.deformed(vertices);
   const Mesh other = mesh.deformed(vertices);
-  const bvh::TreeletCounts all = one.wide_tree().build_all();
+  const bvh::TreeletCounts all = wide_tree_of(one).build_all();
   bvh::TreeletCounts counts;
-  for (auto i = static_cast<std::uint32_t>(other.wide_tree().treelet_count()); i-- > 1;)
-    other.wide_tree().entered(i, counts);
+  for (auto i = static_cast<std::uint32_t>(wide_tree_of(other).treelet_count()); i-- > 1;)
+    wide_tree_of(other).entered(i, counts);
   EXPECT_EQ(counts.built, all.built);
   EXPECT_EQ(counts.refitted, all.refitted);
   EXPECT_GT(counts.built, 0u);
   EXPECT_GT(counts.refitted, 0u);
-  EXPECT_EQ(bytes_of(one.wide_tree()), bytes_of(other.wide_tree()));
+  EXPECT_EQ(bytes_of(wide_tree_of(one)), bytes_of(wide_tree_of(other)));
 }
 
 TEST(WideTree, OnlyWhatIsWalkedIsBuilt) {
@@ -193,12 +194,12 @@ TEST(WideTree, OnlyWhatIsWalkedIsBuilt) {
   EXPECT_GT(near, 0u);
   EXPECT_LT(near, 20u);
   EXPECT_EQ(built_at(2.001), 0u);
-  EXPECT_GT(a.wide_tree().treelet_count(), 30u);
+  EXPECT_GT(wide_tree_of(a).treelet_count(), 30u);
 }
 
 TEST(WideTree, TakesAtMostSixtyBytesATriangle) {
   const Mesh mesh = tests::make_sphere(1, 200, 200);
-  const WideTree& tree = mesh.wide_tree();
+  const WideTree& tree = wide_tree_of(mesh);
   tree.build_all();
   EXPECT_LE(static_cast<double>(tree.bytes()), 60.0 * static_cast<double>(mesh.triangles().size()));
 }

@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;  // law 10 refuses it
   }
   const std::vector<TrianglePair> truth = true_pairs(a, b);
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     if (find_triangle_pairs(a, b, {.volume = volume}).pairs == truth) continue;
     std::fprintf(stderr, "wrong with %s\n", name_of(volume));
     print("A", a);

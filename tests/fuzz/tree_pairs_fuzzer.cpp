@@ -131,7 +131,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const PlacedMesh b{mesh_b, pose_beside(shapes, a, mesh_b)};
     check_placement(b.pose, mesh_b.bounds(), "B");
     const std::vector<TrianglePair> truth = pairs_by_force(a, b);
-    for (const Volume volume : kVolumes) {
+    for (const PairVolume volume : kPairVolumes) {
       if (find_triangle_pairs(a, b, {.volume = volume}).pairs != truth)
         report(name_of(volume), a, b);
       if (intersects(a, b, {.volume = volume}) == truth.empty()) report(name_of(volume), a, b);

@@ -46,15 +46,15 @@ TEST(TriangleFit, IsTheFitOfTheCorners) {
   RandomSource source(1);
   const Triangles triangles = random_triangles(40, source);
   const Points corners = corners_of(triangles);
-  EXPECT_EQ(fit_aabb(triangles).min, fit_aabb(corners).min);
-  EXPECT_EQ(fit_aabb(triangles).max, fit_aabb(corners).max);
-  EXPECT_EQ(minimal_sphere(triangles).centre, minimal_sphere(corners).centre);
-  EXPECT_EQ(minimal_sphere(triangles).radius, minimal_sphere(corners).radius);
+  EXPECT_EQ(bounding_aabb(triangles).min, bounding_aabb(corners).min);
+  EXPECT_EQ(bounding_aabb(triangles).max, bounding_aabb(corners).max);
+  EXPECT_EQ(bounding_sphere(triangles).centre, bounding_sphere(corners).centre);
+  EXPECT_EQ(bounding_sphere(triangles).radius, bounding_sphere(corners).radius);
   EXPECT_EQ(ritter_sphere(triangles).radius, ritter_sphere(corners).radius);
-  EXPECT_EQ(fit_kdop(triangles).min, fit_kdop(corners).min);
-  EXPECT_EQ(fit_kdop(triangles).max, fit_kdop(corners).max);
+  EXPECT_EQ(bounding_kdop(triangles).min, bounding_kdop(corners).min);
+  EXPECT_EQ(bounding_kdop(triangles).max, bounding_kdop(corners).max);
   expect_equal(ditetrahedron_box(triangles), ditetrahedron_box(corners));
-  expect_equal(tight_box(triangles), tight_box(corners));
+  expect_equal(bounding_obb(triangles), bounding_obb(corners));
 }
 
 /// Each triangle in four by its edges' middles: the same surface.
@@ -100,7 +100,7 @@ TEST(TriangleFit, WithoutAreaTheCornersCount) {
 }
 
 TEST(TriangleFit, BadInputIsRefused) {
-  EXPECT_THROW(minimal_sphere(Triangles{}), InputError);
+  EXPECT_THROW(bounding_sphere(Triangles{}), InputError);
   EXPECT_THROW(covariance_box(Triangles{}), InputError);
   RandomSource source(3);
   Triangles triangles = random_triangles(5, source);

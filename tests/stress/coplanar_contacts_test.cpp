@@ -114,8 +114,8 @@ void check_resting(int cells_below, int cell_below, const Eigen::Vector3d& low, 
   const std::size_t expected = count_in_plane(below, above);
   EXPECT_GT(expected, 2000u);
   EXPECT_EQ(find_triangle_pairs({below}, {above}).size(), expected);
-  EXPECT_EQ(find_triangle_pairs({above}, {below}, {.volume = Volume::Obb}).size(), expected);
-  EXPECT_FALSE(intersects({below}, {above}, {.touch = Touch::Exclude})) << "nothing crosses";
+  EXPECT_EQ(find_triangle_pairs({above}, {below}, {.volume = PairVolume::Obb}).size(), expected);
+  EXPECT_FALSE(intersects({below}, {above}, {.hit = Hit::Crossing})) << "nothing crosses";
   Pose lifted = Pose::Identity();
   lifted.translation().z() = 0x1p-1074;
   EXPECT_FALSE(intersects({below}, {above, lifted})) << "lifted by the smallest double";

@@ -27,7 +27,7 @@ Pose pose_at(const BundledPair& pair, double value) {
 Flip find_flip(const BundledPair& pair) {
   const auto is_hit = [&](double value) {
     return intersects({pair.mesh_a, pair.pose_a}, {pair.mesh_b, pose_at(pair, value)},
-                      {.volume = Volume::Obb});
+                      {.volume = PairVolume::Obb});
   };
   Flip flip{pair.apart.translation()[pair.axis], 0};
   if (is_hit(flip.apart)) throw std::logic_error(pair.name + ": begins with a hit");
@@ -59,7 +59,7 @@ FlipReport report_flip(const BundledPair& pair, const Flip& flip, std::size_t po
   for (std::size_t i = 0; i < poses; ++i) {
     const Pose pose = pose_at(pair, value);
     const bool truth = is_any_hit(near, placed_a, {pair.mesh_b, pose});
-    const bool graze = intersects(placed_a, {pair.mesh_b, pose}, {.volume = Volume::Obb});
+    const bool graze = intersects(placed_a, {pair.mesh_b, pose}, {.volume = PairVolume::Obb});
     report.hits += truth;
     report.changes += i > 0 && truth != was_hit;
     report.graze_wrong += graze != truth;

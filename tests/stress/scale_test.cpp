@@ -114,7 +114,7 @@ TEST(StressScale, PlacedMeshesAreTheReferees) {
       const PlacedMesh b{scaled_box, Pose(above)};
       const auto expected = pairs_by_referee(a, b);
       found += expected.size();
-      for (const Volume volume : kVolumes)
+      for (const PairVolume volume : kPairVolumes)
         ASSERT_EQ(find_triangle_pairs(a, b, {.volume = volume}).pairs, expected)
             << scale << ' ' << offset << ' ' << name_of(volume);
     }

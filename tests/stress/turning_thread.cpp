@@ -85,7 +85,7 @@ class ParallelQueries {
       for (std::size_t i = next++; i < poses.size(); i = next++) {
         const std::size_t step = first + i;
         const Mesh& nut = is_whole(step) ? nut_ : pieces_[step % kPieces];
-        hits += intersects({bolt_}, {nut, poses[i]}, {.volume = Volume::Obb});
+        hits += intersects({bolt_}, {nut, poses[i]}, {.volume = PairVolume::Obb});
       }
     };
     std::vector<std::thread> threads(std::max(1u, std::thread::hardware_concurrency()));

@@ -22,7 +22,7 @@ namespace {
 
 }  // namespace
 
-Aabb fit_aabb(std::span<const Eigen::Vector3d> points) {
+Aabb bounding_aabb(std::span<const Eigen::Vector3d> points) {
   return bvh::in_standard_arithmetic([&]() -> Aabb {
     if (points.empty()) refuse(points);
     const double* first = points.front().data();

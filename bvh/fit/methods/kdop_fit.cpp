@@ -88,9 +88,9 @@ void refuse_overflow(const KDop<18>& kdop) {
 
 }  // namespace
 
-KDop<18> fit_kdop(std::span<const Eigen::Vector3d> points) {
+KDop<18> bounding_kdop(std::span<const Eigen::Vector3d> points) {
   return bvh::in_standard_arithmetic([&]() -> KDop<18> {
-    const Aabb box = fit_aabb(points);
+    const Aabb box = bounding_aabb(points);
     double low[kSums];
     double high[kSums];
     std::fill_n(low, kSums, kInfinity);

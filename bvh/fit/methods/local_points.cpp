@@ -32,7 +32,7 @@ double largest_squared_distance(const LocalPoints& points, const double* c, std:
 }  // namespace
 
 LocalPoints::LocalPoints(std::span<const Eigen::Vector3d> points)
-    : bounds_(fit_aabb(points)),
+    : bounds_(bounding_aabb(points)),
       frame_(LocalFrame::around(bounds_)),
       scale_(std::ldexp(1.0, -frame_.exponent)),
       size_(points.size()),

@@ -16,7 +16,7 @@ namespace graze::bvh {
 /// or loses precision to underflow.
 class LocalPoints {
  public:
-  /// Throws InputError as fit_aabb does.
+  /// Throws InputError as bounding_aabb does.
   explicit LocalPoints(std::span<const Eigen::Vector3d> points);
 
   std::size_t size() const { return size_; }

@@ -67,7 +67,7 @@ Obb ditetrahedron_box(std::span<const Eigen::Vector3d> points) {
   });
 }
 
-Obb tight_box(std::span<const Eigen::Vector3d> points) {
+Obb bounding_obb(std::span<const Eigen::Vector3d> points) {
   return bvh::in_standard_arithmetic([&]() -> Obb {
     const LocalPoints local(points);
     Axes best = Axes::Identity();

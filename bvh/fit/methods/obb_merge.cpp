@@ -54,7 +54,7 @@ Obb merged(const Obb& box_a, const Obb& box_b) {
     std::array<Eigen::Vector3d, 16> corners;
     write_corners(box_a, corners.data());
     write_corners(box_b, corners.data() + 8);
-    Obb box = tight_box(corners);
+    Obb box = bounding_obb(corners);
     box.half_extents.array() += margin(box_a, box_b, box);
     if (!box.half_extents.allFinite()) {
       throw InputError("boxes too far apart: the box around them overflows");

@@ -123,7 +123,7 @@ Sphere ritter_sphere(std::span<const Eigen::Vector3d> points) {
   });
 }
 
-Sphere minimal_sphere(std::span<const Eigen::Vector3d> points) {
+Sphere bounding_sphere(std::span<const Eigen::Vector3d> points) {
   return bvh::in_standard_arithmetic([&]() -> Sphere {
     const LocalPoints local(points);
     if (local.is_single()) return {points.front(), 0};

@@ -57,7 +57,7 @@ CaseBody read_body(const JsonCursor& at) {
       read_body_shape(body, {.length = [](const JsonCursor& length) { return length.number(); },
                              .mesh = read_inline_mesh});
   const Pose pose = pose_of(at);
-  at_place(at.has("pose") ? at.member("pose") : at, [&] { return bounds_of(shape, pose); });
+  at_place(at.has("pose") ? at.member("pose") : at, [&] { return bounding_aabb({shape, pose}); });
   return {shape, pose};
 }
 

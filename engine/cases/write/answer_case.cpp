@@ -2,7 +2,9 @@
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/inside/solid.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/version.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/narrowphase/crossing.h>
@@ -29,15 +31,11 @@ namespace {
                    name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
 }
 
-PlacedMesh placed(const CaseMesh& mesh) {
+PlacedMeshView placed(const CaseMesh& mesh) {
   return {mesh.mesh, mesh.pose};
 }
 
-QuerySettings settings_of(const Case& query) {
-  return {.touch = query.settings.touch, .interior = query.settings.interior};
-}
-
-/// intersects(A, B) or overlaps(A, B), whichever there is.
+/// intersects(A, B), if there is one.
 struct AnyAnswer {
   const Case& query;
   Work* work;
@@ -51,21 +49,23 @@ struct AnyAnswer {
     refuse(query);
   }
   bool operator()(const CaseMesh& a, const CaseMesh& b) const {
-    return intersects(placed(a), placed(b), settings_of(query), work);
+    return intersects(placed(a), placed(b),
+                      {.hit = hit_of(query.settings.touch, query.settings.interior)}, work);
   }
   bool operator()(const CaseBody& a, const CaseBody& b) const {
-    return intersects(a.shape, a.pose, b.shape, b.pose, work);
+    return intersects({a.shape, a.pose}, {b.shape, b.pose}, work);
   }
   template <typename B>
   bool operator()(const CaseMesh& a, const B& b) const {
-    if constexpr (requires { intersects(placed(a), b, settings_of(query), work); }) {
-      return intersects(placed(a), b, settings_of(query), work);
+    if constexpr (requires { intersects(placed(a), b, VolumeQuerySettings{}, work); }) {
+      hit_of(query.settings.touch, query.settings.interior);
+      return intersects(placed(a), b, {.interior = query.settings.interior}, work);
     }
     refuse(query);
   }
   template <typename A, typename B>
   bool operator()(const A& a, const B& b) const {
-    if constexpr (requires { overlaps(a, b); }) return overlaps(a, b);
+    if constexpr (requires { intersects(a, b); }) return intersects(a, b);
     refuse(query);
   }
 };
@@ -119,7 +119,7 @@ CaseAnswer about_ray(const Case& query, const Ray& ray, Work* work) {
   if (query.ask == Ask::RayAll) refuse(query);
   if (const auto* t = std::get_if<Triangle>(&query.a)) return answer_of(cast_ray(*t, ray));
   if (const auto* body = std::get_if<CaseBody>(&query.a)) {
-    return answer_of(cast_ray(body->shape, body->pose, ray, work));
+    return answer_of(cast_ray({body->shape, body->pose}, ray, work));
   }
   refuse(query);
 }
@@ -132,15 +132,15 @@ CaseAnswer about_triangles(const Case& query, const Triangle& a, const Triangle&
 
 CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b, Work* work) {
   if (query.ask == Ask::Distance) {
-    return answer_of(distance(a.shape, a.pose, b.shape, b.pose, work));
+    return answer_of(distance({a.shape, a.pose}, {b.shape, b.pose}, work));
   }
   if (query.ask == Ask::Contacts) {
-    return answer_of(find_contacts(a.shape, a.pose, b.shape, b.pose, work));
+    return answer_of(find_contacts({a.shape, a.pose}, {b.shape, b.pose}, work));
   }
   refuse(query);
 }
 
-CaseAnswer about_two_meshes(const Case& query, const PlacedMesh& a, const PlacedMesh& b,
+CaseAnswer about_two_meshes(const Case& query, const PlacedMeshView& a, const PlacedMeshView& b,
                             Work* work) {
   switch (query.ask) {
     case Ask::Distance:
@@ -205,7 +205,7 @@ CaseAnswer answer_case(const Case& query, Work* work) {
 }
 
 CaseWitness this_library() {
-  return {"graze", GRAZE_VERSION};
+  return {"graze", library_version()};
 }
 
 }  // namespace graze

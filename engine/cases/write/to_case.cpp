@@ -1,6 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/to_case.h>
+#include <graze/engine/mesh/inside/solid.h>
 
 #include <utility>
 
@@ -31,7 +32,8 @@ Case make_case(Ask ask, CaseShape a, std::optional<CaseShape> b, CaseAnswer answ
 }
 
 CaseSettings settings_of(const QuerySettings& settings) {
-  return {.touch = settings.touch, .interior = settings.interior};
+  return {.touch = touch_of(settings.hit),
+          .interior = settings.hit == Hit::Solid ? Interior::Solid : Interior::Surface};
 }
 
 CaseAnswer says_so(bool is_so) {
@@ -42,46 +44,55 @@ CaseAnswer says_so(bool is_so) {
 
 }  // namespace
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, bool says, const QuerySettings& settings) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, bool says, const QuerySettings& settings) {
   return make_case(Ask::Any, CaseMesh(a), CaseMesh(b), says_so(says), settings_of(settings));
 }
 
-Case to_case(const CaseShape& a, const CaseShape& b, bool says, const QuerySettings& settings) {
-  return make_case(Ask::Any, a, b, says_so(says), settings_of(settings));
+Case to_case(const PlacedMeshView& a, const CaseShape& volume, bool says,
+             const VolumeQuerySettings& settings) {
+  return make_case(Ask::Any, CaseMesh(a), volume, says_so(says), {.interior = settings.interior});
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const TrianglePairs& pairs,
+Case to_case(const Triangle& a, const Triangle& b, Touch touch, bool says) {
+  return make_case(Ask::Any, a, b, says_so(says), {.touch = touch});
+}
+
+Case to_case(const CaseShape& a, const CaseShape& b, bool says) {
+  return make_case(Ask::Any, a, b, says_so(says));
+}
+
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const TrianglePairs& pairs,
              const PairSettings& settings) {
   return make_case(Ask::Pairs, CaseMesh(a), CaseMesh(b), answer_of(pairs),
                    {.touch = settings.touch, .limit = limit_of(pairs, settings)});
 }
 
-Case to_case(const PlacedMesh& a, const CaseShape& volume, const TriangleList& triangles,
+Case to_case(const PlacedMeshView& a, const CaseShape& volume, const TriangleList& triangles,
              const TriangleSettings& settings) {
   return make_case(Ask::Pairs, CaseMesh(a), volume, answer_of(triangles),
                    {.limit = limit_of(triangles, settings)});
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshDistance& gap) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshDistance& gap) {
   return make_case(Ask::Distance, CaseMesh(a), CaseMesh(b), answer_of(gap));
 }
 
-Case to_case_within(const PlacedMesh& a, const PlacedMesh& b, double clearance, bool says) {
+Case to_case_within(const PlacedMeshView& a, const PlacedMeshView& b, double clearance, bool says) {
   return make_case(Ask::Within, CaseMesh(a), CaseMesh(b), says_so(says), {.clearance = clearance});
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshContacts& contacts) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshContacts& contacts) {
   if (contacts.completeness != Completeness::Complete) {
     throw InputError("to_case: contacts that a limit has cut are no answer to ask for again");
   }
   return make_case(Ask::Contacts, CaseMesh(a), CaseMesh(b), answer_of(contacts));
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const MeshIntersection& intersection) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshIntersection& intersection) {
   return make_case(Ask::Intersection, CaseMesh(a), CaseMesh(b), answer_of(intersection));
 }
 
-Case to_case(const PlacedMesh& a, const PlacedMesh& b, const Separation& separation,
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const Separation& separation,
              const std::optional<Eigen::Vector3d>& direction) {
   return make_case(Ask::Separation, CaseMesh(a), CaseMesh(b), answer_of(separation),
                    {.direction = direction});
@@ -111,7 +122,7 @@ Case to_case(const Triangle& triangle, const Ray& ray, const std::optional<Trian
   return make_case(Ask::Ray, triangle, ray, answer_of(hit));
 }
 
-Case to_case(const PlacedMesh& mesh, const Ray& ray, const std::vector<RayHit>& all) {
+Case to_case(const PlacedMeshView& mesh, const Ray& ray, const std::vector<RayHit>& all) {
   return make_case(Ask::RayAll, CaseMesh(mesh), ray, answer_of(all));
 }
 
@@ -124,9 +135,9 @@ Case to_case_contains(const CaseShape& volume, const Eigen::Vector3d& point, boo
   return make_case(Ask::Contains, volume, CasePoint{point}, says_so(is_inside));
 }
 
-Case to_case_self(const Mesh& mesh, bool crosses_itself, const QuerySettings& settings) {
+Case to_case_self(const Mesh& mesh, bool crosses_itself) {
   return make_case(Ask::SelfAny, CaseMesh(mesh, Pose::Identity()), std::nullopt,
-                   says_so(crosses_itself), settings_of(settings));
+                   says_so(crosses_itself));
 }
 
 Case to_case_self(const Mesh& mesh, const TrianglePairs& self_pairs, const SelfSettings& settings) {

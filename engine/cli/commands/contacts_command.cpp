@@ -58,8 +58,8 @@ ExitCode run_contacts(const ContactsOptions& options, Output& output) {
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
   check_placement(pose_b, mesh_b.bounds(), "--pose-b");
-  const PlacedMesh a{mesh_a, pose_a};
-  const PlacedMesh b{mesh_b, pose_b};
+  const PlacedMeshView a{mesh_a, pose_a};
+  const PlacedMeshView b{mesh_b, pose_b};
   ContactsAnswer answer;
   answer.is_listing = options.is_listing;
   answer.contacts = find_contacts(a, b, {.limit = options.limit}, &answer.work);

@@ -28,8 +28,8 @@ and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b
 With --touch exclude, "intersects", "pairs" and "list" speak of triangles that cross.
 With --solid, which needs closed meshes, "intersects" is true also where one is wholly inside the
 other; pairs stay pairs of triangles, and there may be none.
-Volumes are wide, aabb, sphere, obb, kdop, and the cascades sphere-aabb, sphere-obb and
-sphere-kdop, which try the sphere first. Times are in microseconds; the first query's time
+Volumes are wide (oriented boxes, eight to a node), aabb, sphere, obb and kdop. Times are in
+microseconds; the first query's time
 includes building both trees and their volumes.
 
 Examples:
@@ -46,8 +46,8 @@ Exit codes:
 
 std::vector<std::string> volume_names() {
   std::vector<std::string> names;
-  names.reserve(kVolumes.size());
-  for (const Volume volume : kVolumes)
+  names.reserve(kPairVolumes.size());
+  for (const PairVolume volume : kPairVolumes)
     names.emplace_back(name_of(volume));
   return names;
 }

@@ -83,7 +83,7 @@ void add_simulate_command(CLI::App& program, Action& action) {
       ->type_name("DIR");
   command->add_option("--threads", options->threads, "no answer depends on it (default: 1)")
       ->type_name("N")
-      ->check(whole_number(1, kMaxThreads));
+      ->check(whole_number(0, kMaxThreads));
   command->add_flag("--contacts", options->has_contacts, "also where bodies touch");
   command->add_flag("--json", options->is_json, "one JSON object per line and step");
   command->footer(kSimulateFooter);

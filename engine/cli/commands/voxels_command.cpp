@@ -64,7 +64,7 @@ void check_file(const VoxelsOptions& options) {
 VoxelSettings settings_of(const VoxelsOptions& options) {
   return {.resolution = parse_count(options.resolution, "--resolution", 1, kMaxResolution),
           .fill = options.is_solid ? VoxelFill::Solid : VoxelFill::Surface,
-          .threads = parse_count(options.threads, "--threads", 0, kMaxThreads),
+          .threads = static_cast<int>(parse_count(options.threads, "--threads", 0, kMaxThreads)),
           .max_voxels = kMaxWrittenVoxels};
 }
 
@@ -78,7 +78,9 @@ Voxels find(const VoxelsOptions& options, const Mesh& mesh, VoxelSettings settin
   try {
     return find_voxels(mesh, settings, &work);
   } catch (const Error& error) {
-    throw MeshError(mesh_io::printable(options.mesh) + ": " + error.what());
+    ErrorPlace place = error.place();
+    place.file = options.mesh;
+    throw MeshError(mesh_io::printable(options.mesh) + ": " + error.what(), std::move(place));
   }
 }
 

@@ -52,7 +52,7 @@ void check_combinations(const CompareOptions& options) {
   }
 }
 
-std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMesh& a, const Mesh& b) {
+std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMeshView& a, const Mesh& b) {
   const std::uint64_t seed = options.seed.value_or(1);
   if (options.random > 0) return compare::random_poses(a, b, options.random, seed);
   if (options.grazing > 0) return compare::grazing_poses(a, b, options.grazing, seed);

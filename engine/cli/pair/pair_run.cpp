@@ -52,8 +52,8 @@ std::vector<PoseLine> read_poses_b(const PairOptions& options) {
   return {{Pose::Identity(), 0}};
 }
 
-Volume volume_named(const std::string& name) {
-  for (const Volume volume : kVolumes) {
+PairVolume volume_named(const std::string& name) {
+  for (const PairVolume volume : kPairVolumes) {
     if (name == name_of(volume)) return volume;
   }
   throw UsageError("--volume: there is no volume " + name);
@@ -66,7 +66,7 @@ struct PairJob {
   Pose pose_a;
   std::vector<PoseLine> poses_b;
   PairQuery query;
-  Volume volume;
+  PairVolume volume;
   Touch touch;
   Interior interior;
   int threads;
@@ -118,7 +118,7 @@ PairJob read_job(const PairOptions& options) {
 }
 
 QuerySettings settings_of(const PairJob& job) {
-  return {.volume = job.volume, .touch = job.touch, .interior = job.interior};
+  return {.volume = job.volume, .hit = hit_of(job.touch, job.interior)};
 }
 
 PairAnswer ask(const PairJob& job, std::size_t index) {

@@ -114,7 +114,7 @@ std::string decision_text(const Explanation& e) {
 
 }  // namespace
 
-Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+Explanation explain(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
   Explanation result;
   result.intersects = intersects(mesh_a, mesh_b, &result.first);
   if (result.intersects) {
@@ -140,13 +140,13 @@ Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
     result.boxes = separated_boxes(mesh_a, mesh_b, result.pair);
     if (mesh_a.mesh.topology().is_closed && mesh_b.mesh.topology().is_closed) {
       result.solids =
-          intersects(mesh_a, mesh_b, {.interior = Interior::Solid}) ? Solids::Meet : Solids::Apart;
+          intersects(mesh_a, mesh_b, {.hit = Hit::Solid}) ? Solids::Meet : Solids::Apart;
     }
   }
   result.widest = widest_axis(mesh_a, mesh_b);
   result.all_pairs = static_cast<double>(mesh_a.mesh.triangles().size()) *
                      static_cast<double>(mesh_b.mesh.triangles().size());
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     intersects(mesh_a, mesh_b, {.volume = volume});  // fits what it needs
     Work work;
     intersects(mesh_a, mesh_b, {.volume = volume}, &work);

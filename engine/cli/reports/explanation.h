@@ -12,7 +12,7 @@ namespace graze::cli {
 
 /// What the query did with one kind of volume.
 struct VolumeWork {
-  Volume volume;
+  PairVolume volume;
   Work work;
 };
 
@@ -41,7 +41,7 @@ struct Explanation {
   Work first;                       ///< of the very first query, with its trees built
 };
 
-Explanation explain(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+Explanation explain(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
 std::string to_text(const Explanation& explanation);
 std::string to_json(const Explanation& explanation);

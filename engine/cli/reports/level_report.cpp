@@ -1,6 +1,7 @@
 #include <graze/bvh/skins/level_volumes.h>
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/cli/reports/level_report.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 
 #include <fmt/format.h>
 #include <cmath>
@@ -26,11 +27,11 @@ nlohmann::ordered_json to_value(const std::optional<double>& ratio) {
 }  // namespace
 
 std::vector<LevelFit> fit_by_level(const Mesh& mesh) {
-  const bvh::Tree& tree = mesh.tree();
+  const bvh::Tree& tree = tree_of(mesh);
   const auto boxes = bvh::volumes_by_level(tree);
-  const auto spheres = bvh::volumes_by_level(tree, mesh.sphere_skin());
-  const auto obbs = bvh::volumes_by_level(tree, mesh.obb_skin());
-  const auto kdops = bvh::volumes_by_level(tree, mesh.kdop_skin());
+  const auto spheres = bvh::volumes_by_level(tree, sphere_skin_of(mesh));
+  const auto obbs = bvh::volumes_by_level(tree, obb_skin_of(mesh));
+  const auto kdops = bvh::volumes_by_level(tree, kdop_skin_of(mesh));
   std::vector<LevelFit> levels;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const double of_boxes = boxes[i].volume;

@@ -1,6 +1,7 @@
 #include <graze/engine/cli/reports/fit_report.h>
 #include <graze/engine/cli/reports/mesh_report.h>
 #include <graze/engine/files/source.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/self.h>
 
@@ -66,7 +67,7 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .topology = mesh.topology(),
                     .fit = fit_of(mesh),
                     .levels = fit_by_level(mesh),
-                    .tree = bvh::statistics_of(mesh.tree()),
+                    .tree = bvh::statistics_of(tree_of(mesh)),
                     .crossing_pairs = std::nullopt};
   if (settings.has_crossing_pairs) report.crossing_pairs = find_self_pairs(mesh).size();
   return report;

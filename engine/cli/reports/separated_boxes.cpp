@@ -1,5 +1,6 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/cli/reports/separated_boxes.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 
 #include <fmt/format.h>
@@ -56,8 +57,8 @@ BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
 /// A way from the root of a mesh's tree down to the leaf that holds a triangle.
 class WayDown {
  public:
-  WayDown(const PlacedMesh& placed, std::uint32_t triangle)
-      : pose_(placed.pose), tree_(placed.mesh.tree()) {
+  WayDown(const PlacedMeshView& placed, std::uint32_t triangle)
+      : pose_(placed.pose), tree_(tree_of(placed.mesh)) {
     const std::vector<std::uint32_t>& all = tree_.primitives;
     place_ = static_cast<std::size_t>(std::find(all.begin(), all.end(), triangle) - all.begin());
     end_ = all.size();
@@ -111,12 +112,12 @@ class WayDown {
 
 }  // namespace
 
-BoxAxis widest_axis(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+BoxAxis widest_axis(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
   return widest_axis(PlacedBox{mesh_a.mesh.bounds(), mesh_a.pose},
                      PlacedBox{mesh_b.mesh.bounds(), mesh_b.pose});
 }
 
-std::optional<SeparatedBoxes> separated_boxes(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                               TrianglePair pair) {
   WayDown a(mesh_a, pair.a);
   WayDown b(mesh_b, pair.b);

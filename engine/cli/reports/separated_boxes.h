@@ -16,7 +16,7 @@ struct BoxAxis {
 };
 
 /// Of the fifteen axes of the boxes around two meshes the one along which they are furthest apart.
-BoxAxis widest_axis(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+BoxAxis widest_axis(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
 /// Boxes of the two trees around a pair of triangles, and what is in them.
 struct SeparatedBoxes {
@@ -28,7 +28,7 @@ struct SeparatedBoxes {
 /// The first boxes that are apart on the way from the roots down to the pair, the larger opened
 /// first; none if those of its leaves overlap. In double, for people to read: a query's own boxes
 /// are wider by its slack (law 5), and those of wide trees are others.
-std::optional<SeparatedBoxes> separated_boxes(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                               TrianglePair pair);
 
 }  // namespace graze::cli

@@ -34,7 +34,7 @@ class GrazeShapes : public LoadedShapes {
 
   std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
                                  const Pose& pose_b) const override {
-    return graze::intersects(shapes_[shape_a], pose_a, shapes_[shape_b], pose_b);
+    return graze::intersects({shapes_[shape_a], pose_a}, {shapes_[shape_b], pose_b});
   }
 
  private:

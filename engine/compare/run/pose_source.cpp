@@ -77,7 +77,7 @@ Pose with_middle_at(const Pose& rotation, const Reach& b, const Eigen::Vector3d&
 
 }  // namespace
 
-std::vector<Pose> random_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
+std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
                                std::uint64_t seed) {
   const Reach a = reach_of(mesh_a.mesh.bounds());
   const Reach b = reach_of(mesh_b.bounds());
@@ -92,7 +92,7 @@ std::vector<Pose> random_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std
   return poses;
 }
 
-std::vector<Pose> grazing_poses(const PlacedMesh& mesh_a, const Mesh& mesh_b, std::size_t count,
+std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
                                 std::uint64_t seed) {
   constexpr int kSteps = 64;        // on the way in
   constexpr int kMaxMisses = 1000;  // lines through A that meet nothing

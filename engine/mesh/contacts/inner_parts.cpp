@@ -1,6 +1,7 @@
 #include <graze/engine/mesh/contacts/inner_parts.h>
 #include <graze/engine/mesh/curves/surface_sides.h>
 #include <graze/engine/mesh/curves/vertex_numbers.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/placement.h>
 
@@ -142,7 +143,7 @@ class Search {
       : complex_(complex),
         side_(side),
         regions_(regions),
-        fans_(side.own_mesh.mesh.vertex_fans()),
+        fans_(vertex_fans_of(side.own_mesh.mesh)),
         welded_(side.own_mesh.mesh.welded()),
         corners_(side),
         nodes_(complex, side),

@@ -9,7 +9,7 @@ namespace graze::contacts {
 
 /// One mesh of the two that meet, and the other one as it looks from there.
 struct MeshSide {
-  const PlacedMesh& own_mesh;
+  const PlacedMeshView& own_mesh;
   const PlacedCorners& own;
   const PlacedCorners& other;
   FeatureName NodeName::*own_name;

@@ -64,7 +64,7 @@ Eigen::Vector3d opposite(const Eigen::Vector3d& v) {
 
 class ContactQuery {
  public:
-  ContactQuery(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work& work)
+  ContactQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume, Work& work)
       : a_(a),
         b_(b),
         work_(work),
@@ -119,8 +119,8 @@ class ContactQuery {
     return contact;
   }
 
-  const PlacedMesh& a_;
-  const PlacedMesh& b_;
+  const PlacedMeshView& a_;
+  const PlacedMeshView& b_;
   Work& work_;
   CellComplex complex_;
   std::vector<contacts::CurveSteps> curves_;
@@ -129,7 +129,7 @@ class ContactQuery {
 
 }  // namespace
 
-MeshContacts find_contacts(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+MeshContacts find_contacts(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                            const ContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> MeshContacts {
     CountedWork counted(work);

@@ -59,7 +59,7 @@ std::vector<std::uint32_t> distinct(std::vector<std::uint32_t> values) {
   return values;
 }
 
-PlacedCorners corners_of(const PlacedMesh& placed, const TrianglePairs& pairs,
+PlacedCorners corners_of(const PlacedMeshView& placed, const TrianglePairs& pairs,
                          std::uint32_t TrianglePair::*side) {
   std::vector<std::uint32_t> triangles;
   for (const TrianglePair& pair : pairs)
@@ -210,7 +210,7 @@ void join_cells(const Pieces& found, std::span<const std::uint32_t> numbers, Cel
 
 }  // namespace
 
-CellComplex intersect_cells(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work* work) {
+CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume, Work* work) {
   const TrianglePairs pairs = find_triangle_pairs(a, b, {.volume = volume}, work);
   CellComplex complex{corners_of(a, pairs, &TrianglePair::a),
                       corners_of(b, pairs, &TrianglePair::b),

@@ -47,6 +47,6 @@ struct CellComplex {
   }
 };
 
-CellComplex intersect_cells(const PlacedMesh& a, const PlacedMesh& b, Volume volume, Work* work);
+CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume, Work* work);
 
 }  // namespace graze::contacts

@@ -3,7 +3,6 @@
 #include <graze/engine/mesh/curves/curves.h>
 #include <graze/engine/mesh/curves/disjoint_sets.h>
 #include <graze/engine/mesh/mesh_intersection.h>
-#include <graze/engine/mesh/query/query_policies.h>
 
 #include <algorithm>
 #include <map>
@@ -82,11 +81,9 @@ void add_touching_points(const CellComplex& complex, MeshIntersection& result) {
 
 }  // namespace
 
-MeshIntersection find_intersection(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                   const QuerySettings& settings, Work* work) {
+MeshIntersection find_intersection(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                   const IntersectionSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> MeshIntersection {
-    require_touch_included(settings, "find_intersection");
-    require_surface(settings, "find_intersection");
     CellComplex complex = contacts::intersect_cells(mesh_a, mesh_b, settings.volume, work);
     MeshIntersection result;
     add_points(complex, result);

@@ -14,7 +14,7 @@ bool is_lower(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
 }
 
 /// Without negative zeros, so that equal positions are equal bit for bit.
-Eigen::Vector3d placed_corner(const PlacedMesh& placed, std::uint32_t vertex) {
+Eigen::Vector3d placed_corner(const PlacedMeshView& placed, std::uint32_t vertex) {
   Eigen::Vector3d p = narrowphase::place(placed.pose, placed.mesh.vertices()[vertex]);
   for (int k = 0; k < 3; ++k)
     p.data()[k] += 0.0;
@@ -23,7 +23,7 @@ Eigen::Vector3d placed_corner(const PlacedMesh& placed, std::uint32_t vertex) {
 
 }  // namespace
 
-PlacedCorners::PlacedCorners(const PlacedMesh& placed, std::vector<std::uint32_t> triangles)
+PlacedCorners::PlacedCorners(const PlacedMeshView& placed, std::vector<std::uint32_t> triangles)
     : triangles_(std::move(triangles)) {
   std::vector<Eigen::Vector3d> all;
   for (std::uint32_t triangle : triangles_) {

@@ -25,7 +25,7 @@ struct Elements {
 class PlacedCorners {
  public:
   /// `triangles` ascend.
-  PlacedCorners(const PlacedMesh& placed, std::vector<std::uint32_t> triangles);
+  PlacedCorners(const PlacedMeshView& placed, std::vector<std::uint32_t> triangles);
 
   const Eigen::Vector3d& position(std::uint32_t corner) const { return positions_[corner]; }
   const Elements& elements(std::uint32_t triangle) const { return elements_[slot_of(triangle)]; }

@@ -52,15 +52,15 @@ bool is_ratio(double numerator, double denominator) {
 
 Sphere bounding_sphere(const Mesh& mesh) {
   return bvh::in_standard_arithmetic(
-      [&]() -> Sphere { return minimal_sphere(used_vertices(mesh)); });
+      [&]() -> Sphere { return bounding_sphere(used_vertices(mesh)); });
 }
 
 Obb bounding_obb(const Mesh& mesh) {
-  return bvh::in_standard_arithmetic([&]() -> Obb { return tight_box(used_vertices(mesh)); });
+  return bvh::in_standard_arithmetic([&]() -> Obb { return bounding_obb(used_vertices(mesh)); });
 }
 
 KDop<18> bounding_kdop(const Mesh& mesh) {
-  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return fit_kdop(used_vertices(mesh)); });
+  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return bounding_kdop(used_vertices(mesh)); });
 }
 
 double signed_volume(const Mesh& mesh) {

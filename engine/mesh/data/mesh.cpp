@@ -85,6 +85,51 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIn
 Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles)
     : data_(make(vertices, triangles)) {}
 
+namespace {
+
+void check_columns(Eigen::Index columns, const char* what) {
+  if (columns == 3) return;
+  throw MeshError(std::string(what) + ": a matrix of " + std::to_string(columns) +
+                  " columns, not 3");
+}
+
+std::vector<Eigen::Vector3d> rows_of(const MatrixView<double>& vertices) {
+  check_columns(vertices.cols(), "vertices");
+  std::vector<Eigen::Vector3d> rows(static_cast<std::size_t>(vertices.rows()));
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i)
+    rows[static_cast<std::size_t>(i)] = vertices.row(i).transpose();
+  return rows;
+}
+
+std::vector<Eigen::Vector3i> rows_of(const MatrixView<int>& triangles) {
+  check_columns(triangles.cols(), "triangles");
+  std::vector<Eigen::Vector3i> rows(static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
+    rows[static_cast<std::size_t>(i)] = triangles.row(i).transpose();
+  return rows;
+}
+
+}  // namespace
+
+Mesh::Mesh(const MatrixView<double>& vertices, const MatrixView<int>& triangles)
+    : Mesh(rows_of(vertices), rows_of(triangles)) {}
+
+Mesh Mesh::deformed(const MatrixView<double>& vertices) const {
+  return deformed(rows_of(vertices));
+}
+
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> Mesh::vertex_matrix()
+    const {
+  static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double));
+  return {data_->vertices.data()->data(), static_cast<Eigen::Index>(data_->vertices.size()), 3};
+}
+
+Eigen::Map<const Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>>
+Mesh::triangle_matrix() const {
+  static_assert(sizeof(TriangleIndices) == 3 * sizeof(std::uint32_t));
+  return {data_->triangles.data()->data(), static_cast<Eigen::Index>(data_->triangles.size()), 3};
+}
+
 Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
   return bvh::in_standard_arithmetic([&]() -> Mesh {
     if (vertices.size() != data_->vertices.size()) {

@@ -6,6 +6,7 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/data/inherited.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/mesh.h>
 
@@ -61,6 +62,11 @@ struct Mesh::Data {
   /// have been made of; nothing if there are none. Safe beside queries.
   std::shared_ptr<const AgedTree> tree_to_inherit() const;
   std::shared_ptr<const bvh::WideStock> wide_to_inherit() const;
+};
+
+/// The way to what the handles share, for the sources of this room.
+struct MeshAccess {
+  static const Mesh::Data& data(const Mesh& mesh) { return *mesh.data_; }
 };
 
 }  // namespace graze

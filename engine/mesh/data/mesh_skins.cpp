@@ -21,7 +21,7 @@ std::vector<Eigen::Vector3d> corners_of(std::span<const Eigen::Vector3d> vertice
 /// Fits `skin.volumes` once, isolated as the building of the tree is.
 template <typename Skin, typename Fit>
 void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
-  const bvh::Tree& tree = mesh.tree(work);
+  const bvh::Tree& tree = tree_of(mesh, work);
   std::call_once(skin.flag, [&] {
     bvh::in_standard_arithmetic([&] {
       tbb::this_task_arena::isolate([&] {
@@ -35,19 +35,22 @@ void fit_once(Skin& skin, const Mesh& mesh, Work* work, const Fit& fit) {
 
 }  // namespace
 
-std::span<const bvh::FloatSphere> Mesh::sphere_skin(Work* work) const {
-  fit_once(data_->spheres, *this, work, bvh::fit_spheres);
-  return data_->spheres.volumes;
+std::span<const bvh::FloatSphere> sphere_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.spheres, mesh, work, bvh::fit_spheres);
+  return data.spheres.volumes;
 }
 
-std::span<const bvh::FloatObb> Mesh::obb_skin(Work* work) const {
-  fit_once(data_->obbs, *this, work, bvh::fit_obbs);
-  return data_->obbs.volumes;
+std::span<const bvh::FloatObb> obb_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.obbs, mesh, work, bvh::fit_obbs);
+  return data.obbs.volumes;
 }
 
-std::span<const bvh::FloatKDop> Mesh::kdop_skin(Work* work) const {
-  fit_once(data_->kdops, *this, work, bvh::fit_kdops);
-  return data_->kdops.volumes;
+std::span<const bvh::FloatKDop> kdop_skin_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  fit_once(data.kdops, mesh, work, bvh::fit_kdops);
+  return data.kdops.volumes;
 }
 
 }  // namespace graze

@@ -58,30 +58,32 @@ std::shared_ptr<const AgedTree> Mesh::Data::tree_to_inherit() const {
   return is_tree_made.load(std::memory_order_acquire) ? tree : older;
 }
 
-const bvh::Tree& Mesh::tree(Work* work) const {
-  std::call_once(data_->tree_flag, [&] {
+const bvh::Tree& tree_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
+  std::call_once(data.tree_flag, [&] {
     bvh::in_standard_arithmetic([&] {
       // Isolated, because a thread that waits for the parallel build would otherwise take up any
       // task, such as another query on this mesh, which would wait for the flag that this thread
       // holds.
-      const std::shared_ptr<const AgedTree> older = data_->older_tree.get();
+      const std::shared_ptr<const AgedTree> older = data.older_tree.get();
       tbb::this_task_arena::isolate([&] {
-        data_->tree = std::make_shared<const AgedTree>(
+        data.tree = std::make_shared<const AgedTree>(
             older != nullptr
-                ? refitted(*older, data_->vertices, data_->triangles, data_->bounds, work)
-                : AgedTree{tree_over(data_->vertices, data_->triangles, data_->bounds), {}});
+                ? refitted(*older, data.vertices, data.triangles, data.bounds, work)
+                : AgedTree{tree_over(data.vertices, data.triangles, data.bounds), {}});
       });
-      data_->is_tree_made.store(true, std::memory_order_release);
-      data_->older_tree.set(nullptr);
+      data.is_tree_made.store(true, std::memory_order_release);
+      data.older_tree.set(nullptr);
       if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
     });
   });
-  return data_->tree->tree;
+  return data.tree->tree;
 }
 
-bool Mesh::has_tree() const {
-  return data_->is_wide_made.load(std::memory_order_acquire) ||
-         data_->is_tree_made.load(std::memory_order_acquire);
+bool has_tree(const Mesh& mesh) {
+  const auto& data = MeshAccess::data(mesh);
+  return data.is_wide_made.load(std::memory_order_acquire) ||
+         data.is_tree_made.load(std::memory_order_acquire);
 }
 
 }  // namespace graze

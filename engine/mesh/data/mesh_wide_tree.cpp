@@ -77,25 +77,26 @@ std::shared_ptr<const bvh::WideStock> Mesh::Data::wide_to_inherit() const {
   return std::make_shared<const bvh::WideStock>(wide->stock());
 }
 
-const bvh::WideTree& Mesh::wide_tree(Work* work) const {
+const bvh::WideTree& wide_tree_of(const Mesh& mesh, Work* work) {
+  const auto& data = MeshAccess::data(mesh);
   // Each query asks: call_once() takes longer to say that there is nothing to do.
-  if (data_->is_wide_made.load(std::memory_order_acquire)) return *data_->wide;
-  std::call_once(data_->wide_flag, [&] {
+  if (data.is_wide_made.load(std::memory_order_acquire)) return *data.wide;
+  std::call_once(data.wide_flag, [&] {
     bvh::in_standard_arithmetic([&] {
-      data_->corners = std::make_unique<MeshCorners>(data_->vertices, data_->triangles);
-      const std::shared_ptr<const bvh::WideStock> older = data_->older_wide.get();
+      data.corners = std::make_unique<MeshCorners>(data.vertices, data.triangles);
+      const std::shared_ptr<const bvh::WideStock> older = data.older_wide.get();
       // Isolated, as the building of the tree is.
       tbb::this_task_arena::isolate([&] {
-        data_->wide = older != nullptr
-                          ? std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners, *older)
-                          : std::make_unique<bvh::WideTree>(data_->bounds, *data_->corners);
+        data.wide = older != nullptr
+                          ? std::make_unique<bvh::WideTree>(data.bounds, *data.corners, *older)
+                          : std::make_unique<bvh::WideTree>(data.bounds, *data.corners);
       });
-      data_->is_wide_made.store(true, std::memory_order_release);
-      data_->older_wide.set(nullptr);
+      data.is_wide_made.store(true, std::memory_order_release);
+      data.older_wide.set(nullptr);
       if (work != nullptr) ++(older != nullptr ? work->trees_refitted : work->trees_built);
     });
   });
-  return *data_->wide;
+  return *data.wide;
 }
 
 }  // namespace graze

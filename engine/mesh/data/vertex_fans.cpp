@@ -25,9 +25,10 @@ VertexFans fans_of(std::span<const TriangleIndices> triangles,
 
 }  // namespace
 
-const VertexFans& Mesh::vertex_fans() const {
-  std::call_once(data_->fans_flag, [&] { data_->fans = fans_of(data_->triangles, welded()); });
-  return data_->fans;
+const VertexFans& vertex_fans_of(const Mesh& mesh) {
+  const auto& data = MeshAccess::data(mesh);
+  std::call_once(data.fans_flag, [&] { data.fans = fans_of(data.triangles, mesh.welded()); });
+  return data.fans;
 }
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_query.h>
 
@@ -29,14 +30,18 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
 
 }  // namespace
 
-bool contains(const Mesh& mesh, const Eigen::Vector3d& point, Work* work) {
+bool contains(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_point(point);
-    check_closed(mesh, "the mesh");
-    if (!is_within(mesh.bounds(), point)) return false;
+    check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
+    check_closed(placed.mesh, "the mesh");
+    // The identity changes no vertex (law 1), and what lies where it was needs no frames.
+    const bool is_in_place = placed.pose.matrix() == Eigen::Matrix4d::Identity();
+    if (is_in_place && !is_within(placed.mesh.bounds(), point)) return false;
     CountedWork counted(work);
-    return intersects({mesh}, Aabb{point, point}, &counted.work()) ||
-           is_moved_point_enclosed(mesh, point, counted.work());
+    return intersects(placed, Aabb{point, point}, &counted.work()) ||
+           (is_in_place ? is_moved_point_enclosed(placed.mesh, point, counted.work())
+                        : is_moved_point_enclosed(placed, point, counted.work()));
   });
 }
 

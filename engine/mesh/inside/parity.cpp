@@ -1,4 +1,5 @@
 #include <graze/bvh/traverse/traverse_volume.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/parity_ray.h>
 
@@ -32,7 +33,7 @@ void check_closed(const Mesh& mesh, const char* what) {
 }
 
 bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work) {
-  const bvh::Tree& tree = mesh.tree(&work);
+  const bvh::Tree& tree = tree_of(mesh, &work);
   const Way way = way_out(mesh.bounds(), point);
   const bvh::FloatBox box = box_along(way, tree.frame, point);
   const auto is_apart = [&](std::uint32_t node) {

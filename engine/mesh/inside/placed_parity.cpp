@@ -4,6 +4,7 @@
 // handed to relative_frame() as a flat box, of which it knows what placed triangles meet.
 
 #include <graze/bvh/skins/node_separation.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/parity_ray.h>
 #include <graze/engine/mesh/placement.h>
@@ -27,7 +28,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 /// size of the bounds, R x + t lies within |R| h of R c + t. Law 1 rounds a placed point, and the
 /// placed centre, six times each, every time to a value of at most the reach, and the lines below
 /// round h, |R| h and the sums another ten times: 32 u of the reach, and underflow, cover all.
-Aabb placed_bounds(const PlacedMesh& placed) {
+Aabb placed_bounds(const PlacedMeshView& placed) {
   const Aabb& bounds = placed.mesh.bounds();
   const double* m = placed.pose.data();  // column-major 4x4
   const std::array<double, 3> reach = placed_reach(placed.pose, bounds);
@@ -84,9 +85,9 @@ struct FramedRay {
 };
 
 template <typename TriangleAt>
-bool is_odd_along(const PlacedMesh& placed, const FramedRay& ray, TriangleAt&& triangle_at,
+bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, TriangleAt&& triangle_at,
                   const Eigen::Vector3d& point, const Way& way, Work& work) {
-  const bvh::Tree& tree = placed.mesh.tree(&work);
+  const bvh::Tree& tree = tree_of(placed.mesh, &work);
   const bvh::RelativeFrame relative = relative_frame(
       {placed.pose, rotation_deviation(placed.pose), tree.frame, placed.mesh.bounds()},
       {ray.pose, ray.deviation, ray.frame, ray.bounds});
@@ -97,7 +98,7 @@ bool is_odd_along(const PlacedMesh& placed, const FramedRay& ray, TriangleAt&& t
 
 }  // namespace
 
-bool is_moved_point_enclosed(const PlacedMesh& placed, const Eigen::Vector3d& point, Work& work) {
+bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work) {
   const Aabb bounds = placed_bounds(placed);
   if (!is_within(bounds, point)) return false;
   const Way way = way_out(bounds, point);
@@ -109,7 +110,7 @@ bool is_moved_point_enclosed(const PlacedMesh& placed, const Eigen::Vector3d& po
 }
 
 // The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.
-bool is_moved_centre_enclosed(const PlacedMesh& placed, const Obb& box, Work& work) {
+bool is_moved_centre_enclosed(const PlacedMeshView& placed, const Obb& box, Work& work) {
   const double* m = box.pose.data();
   const Aabb bounds = placed_bounds(placed);
   double reach = 0;

@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-bool is_any_part_inside(const PlacedMesh& inner, const PlacedMesh& outer, Work& work) {
+bool is_any_part_inside(const PlacedMeshView& inner, const PlacedMeshView& outer, Work& work) {
   const std::span<const std::uint32_t> parts = inner.mesh.component_vertices();
   return std::any_of(parts.begin(), parts.end(), [&](std::uint32_t vertex) {
     const Eigen::Vector3d point = narrowphase::place(inner.pose, inner.mesh.vertices()[vertex]);
@@ -20,18 +20,28 @@ bool is_any_part_inside(const PlacedMesh& inner, const PlacedMesh& outer, Work& 
 
 }  // namespace
 
-void check_interior(const QuerySettings& settings) {
-  if (settings.interior == Interior::Surface) return;
-  if (settings.interior != Interior::Solid) {
-    throw InputError("interior: there is no interior " +
-                     std::to_string(static_cast<int>(settings.interior)));
-  }
-  if (settings.touch != Touch::Include) {
-    throw InputError("interior: Interior::Solid needs Touch::Include");
-  }
+void check_interior(Interior interior) {
+  if (interior == Interior::Surface || interior == Interior::Solid) return;
+  throw InputError("interior: there is no interior " + std::to_string(static_cast<int>(interior)));
 }
 
-bool is_either_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work& work) {
+void check_hit(Hit hit) {
+  if (hit == Hit::Touching || hit == Hit::Crossing || hit == Hit::Solid) return;
+  throw InputError("hit: there is no such hit as " + std::to_string(static_cast<int>(hit)));
+}
+
+Touch touch_of(Hit hit) {
+  return hit == Hit::Crossing ? Touch::Exclude : Touch::Include;
+}
+
+Hit hit_of(Touch touch, Interior interior) {
+  if (interior == Interior::Surface) return touch == Touch::Exclude ? Hit::Crossing : Hit::Touching;
+  check_interior(interior);
+  if (touch == Touch::Include) return Hit::Solid;
+  throw InputError("interior: Interior::Solid needs Touch::Include");
+}
+
+bool is_either_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work& work) {
   return is_any_part_inside(mesh_a, mesh_b, work) || is_any_part_inside(mesh_b, mesh_a, work);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Interior::Solid: what is asked when no surfaces touch. Private to engine/mesh.
+// Interior::Solid and Hit::Solid: what is asked when no surfaces touch. Private to engine/mesh.
 
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/pair.h>
@@ -9,13 +9,20 @@
 
 namespace graze {
 
-/// Throws InputError for an interior that is none, or together with Touch::Exclude: triangles that
-/// touch without crossing say nothing about the solids.
-void check_interior(const QuerySettings& settings);
+/// Throw InputError for what is none.
+void check_interior(Interior interior);
+void check_hit(Hit hit);
+
+/// Which triangles are a hit by themselves.
+Touch touch_of(Hit hit);
+
+/// What files and command lines ask for in two words. Throws InputError for Interior::Solid without
+/// Touch::Include: triangles that touch without crossing say nothing about the solids.
+Hit hit_of(Touch touch, Interior interior);
 
 /// For closed meshes whose placed surfaces share no point: whether either solid holds a part of the
 /// other. A connected part of one surface then lies wholly inside or wholly outside the other
 /// solid, so that one vertex decides for it. Stops at the first that is inside.
-bool is_either_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work& work);
+bool is_either_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work& work);
 
 }  // namespace graze

@@ -60,7 +60,7 @@ class PairCache {
 
   PairCache(const Mesh& mesh_a, const Mesh& mesh_b) : a_(mesh_a), b_(mesh_b) {}
 
-  bool is_about(const PlacedMesh& a, const PlacedMesh& b) const {
+  bool is_about(const PlacedMeshView& a, const PlacedMeshView& b) const {
     return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
   }
 
@@ -125,7 +125,7 @@ class PairCache {
 };
 
 /// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
-PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b);
+PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
 /// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or
 /// less than 0.

@@ -37,7 +37,7 @@ std::uint64_t PairMemory::still_touching() const {
   return cache_ ? cache_->still_touching : 0;
 }
 
-PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
   if (!memory.cache_ || !memory.cache_->is_about(mesh_a, mesh_b))
     memory.cache_ = std::make_unique<PairCache>(mesh_a.mesh, mesh_b.mesh);
   memory.cache_->place(mesh_a.pose, mesh_b.pose);
@@ -46,14 +46,10 @@ PairCache& recall(PairMemory& memory, const PlacedMesh& mesh_a, const PlacedMesh
 
 namespace {
 
-void require_wide(Volume volume) {
-  if (volume != Volume::Wide) throw InputError("volume: a PairMemory needs Volume::Wide");
-}
-
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
-  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, PairCache& remembered, Touch touch,
+  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& remembered, Touch touch,
                Work& work)
       : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
         cache_(remembered),
@@ -151,7 +147,7 @@ class MeetingQuery {
 // What follows is not inlined: a query that a gap answers is over before there were frames and
 // counters for all that.
 
-HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                    PairCache& remembered, Touch touch, Work* work) {
   CountedWork counted(work);
   MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
@@ -170,13 +166,13 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& m
   return count > 0;
 }
 
-HWY_NOINLINE bool is_one_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
+HWY_NOINLINE bool is_one_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work) {
   CountedWork counted(work);
   return is_either_inside(mesh_a, mesh_b, counted.work());
 }
 
-HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                      PairCache& remembered, const PairSettings& settings,
+HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                      PairCache& remembered, const MemoryPairSettings& settings,
                                       Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
@@ -192,7 +188,9 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
   } else {
     // Which pairs come first is for the walk to say.
     Work done;
-    found = find_triangle_pairs(mesh_a, mesh_b, settings, &done);
+    found = find_triangle_pairs(
+        mesh_a, mesh_b,
+        {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, &done);
     if (settings.threads == 1 && found.completeness == Completeness::Complete)
       remembered.meeting.learn_walk(done);
     counted.work() += done;
@@ -205,28 +203,25 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
 
 }  // namespace
 
-bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
-                const QuerySettings& settings, Work* work) {
+bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
+                const MemoryQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    require_wide(settings.volume);
-    narrowphase::check_touch(settings.touch);
-    check_interior(settings);
-    if (settings.interior == Interior::Solid) {
+    check_hit(settings.hit);
+    if (settings.hit == Hit::Solid) {
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
     PairCache& remembered = recall(memory, mesh_a, mesh_b);
     if (!remembered.are_still_beyond(0, work) &&
-        do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
+        do_surfaces_meet(mesh_a, mesh_b, remembered, touch_of(settings.hit), work))
       return true;
-    return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
+    return settings.hit == Hit::Solid && is_one_inside(mesh_a, mesh_b, work);
   });
 }
 
-TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                  PairMemory& memory, const PairSettings& settings, Work* work) {
+TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  PairMemory& memory, const MemoryPairSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
-    require_wide(settings.volume);
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);
     PairCache& remembered = recall(memory, mesh_a, mesh_b);

@@ -143,7 +143,7 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
 
 }  // namespace
 
-MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& memory,
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
                       const DistanceSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> MeshDistance {
     CountedWork counted(work);
@@ -163,7 +163,7 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
   });
 }
 
-bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             PairMemory& memory, const DistanceSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_clearance(clearance);

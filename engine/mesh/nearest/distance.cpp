@@ -129,7 +129,7 @@ void check_clearance(double clearance) {
   throw InputError("clearance: " + std::to_string(clearance) + " is not a distance");
 }
 
-double largest_of(const PlacedMesh& placed) {
+double largest_of(const PlacedMeshView& placed) {
   const std::array<double, 3> reach = placed_reach(placed.pose, placed.mesh.bounds());
   return std::max(reach[0], std::max(reach[1], reach[2]));
 }
@@ -193,7 +193,7 @@ MeshDistance find_distance(const WideQuery& query, std::optional<TrianglePair> h
   return distance_apart(query, hint, work);
 }
 
-MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                       const DistanceSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> MeshDistance {
     CountedWork counted(work);
@@ -224,7 +224,7 @@ std::optional<TrianglePair> find_within(const WideQuery& query, double clearance
   return is_within;
 }
 
-bool within(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double clearance,
+bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             const DistanceSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_clearance(clearance);

@@ -17,7 +17,7 @@ void check_hint(const DistanceSettings& settings, const Mesh& mesh_a, const Mesh
 void check_clearance(double clearance);
 
 /// The largest coordinate that a placed vertex can have.
-double largest_of(const PlacedMesh& placed);
+double largest_of(const PlacedMeshView& placed);
 
 MeshDistance result_of(const TriangleDistance& found, TrianglePair pair);
 

@@ -1,7 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse/traverse_self.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/query/node_volumes.h>
-#include <graze/engine/mesh/query/query_policies.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
@@ -98,7 +98,7 @@ bvh::RelativeFrame own_frame() {
 /// Calls `use(separation)` for a tree with itself. Boxes in one frame are compared as they are.
 template <typename Use>
 void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
-  if (volume == Volume::Aabb || volume == Volume::Wide)
+  if (volume == Volume::Aabb)
     return use(bvh::NodeOverlap(volumes.nodes, volumes.nodes));
   with_separation(volume, own_frame(), volumes, volumes, use);
 }
@@ -108,7 +108,7 @@ template <typename OnPair>
 void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& work,
                         OnPair&& on_pair) {
   const NodeVolumes volumes = volumes_of(mesh, settings.volume, work);
-  const bvh::Tree& tree = mesh.tree();
+  const bvh::Tree& tree = tree_of(mesh);
   SelfQuery query(mesh, work);
   const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     const bool is_same = &leaf_a == &leaf_b;
@@ -130,13 +130,11 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
 }  // namespace
 
 bool self_intersects(const Mesh& mesh, Work* work) {
-  return self_intersects(mesh, QuerySettings{}, work);
+  return self_intersects(mesh, SelfQuerySettings{}, work);
 }
 
-bool self_intersects(const Mesh& mesh, const QuerySettings& settings, Work* work) {
+bool self_intersects(const Mesh& mesh, const SelfQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    require_touch_included(settings, "self_intersects");
-    require_surface(settings, "self_intersects");
     CountedWork counted(work);
     return has_any([&](auto&& on_pair) {
       for_each_self_pair(mesh, {.volume = settings.volume}, counted.work(), on_pair);

@@ -9,6 +9,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse/traverse_ray.h>
 #include <graze/bvh/value/ray_slabs.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
@@ -31,7 +32,7 @@ double largest_component(const double* v) {
 /// The ray in the units of a tree's frame.
 class RayInFrame {
  public:
-  RayInFrame(const PlacedMesh& placed, double deviation, const bvh::LocalFrame& frame,
+  RayInFrame(const PlacedMeshView& placed, double deviation, const bvh::LocalFrame& frame,
              const narrowphase::PreparedRay& ray)
       : per_metre_(std::ldexp(1.0, -frame.exponent)), length_(ray.scaled.length) {
     const double* m = placed.pose.data();  // column-major 4x4
@@ -85,10 +86,10 @@ class RayInFrame {
 /// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to which
 /// that comes down when it returns one.
 template <typename OnHit>
-void for_each_hit(const PlacedMesh& placed, const Ray& ray, Work& work, OnHit&& on_hit) {
+void for_each_hit(const PlacedMeshView& placed, const Ray& ray, Work& work, OnHit&& on_hit) {
   check_ray(ray, "ray");
   const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
-  const bvh::Tree& tree = placed.mesh.tree(&work);
+  const bvh::Tree& tree = tree_of(placed.mesh, &work);
   const narrowphase::PreparedRay prepared(ray);
   const RayInFrame in_frame(placed, deviation, tree.frame, prepared);
   double limit = in_frame.limit_for(ray.max_distance);
@@ -121,7 +122,7 @@ bool is_before(const RayHit& s, const RayHit& t) {
 
 }  // namespace
 
-std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* work) {
+std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
     CountedWork counted(work);
     std::optional<RayHit> first;
@@ -133,7 +134,7 @@ std::optional<RayHit> cast_ray(const PlacedMesh& mesh, const Ray& ray, Work* wor
   });
 }
 
-std::vector<RayHit> cast_ray_all(const PlacedMesh& mesh, const Ray& ray, Work* work) {
+std::vector<RayHit> cast_ray_all(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RayHit> {
     CountedWork counted(work);
     std::vector<RayHit> hits;

@@ -3,12 +3,12 @@
 #include <graze/bvh/skins/skin_of_one.h>
 #include <graze/bvh/traverse/traverse_volume.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/inside/solid.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/node_volumes.h>
-#include <graze/engine/mesh/query/query_policies.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -88,7 +88,7 @@ class SkinsOfOne {
 /// Refuses a mesh that could overflow on its way into the frame of an oriented box (law 3), where
 /// the answer would depend on what the tree prunes. The sums are in the order of into_frame(), and
 /// rounding is monotone: if these are finite, so is every intermediate result.
-void check_way_into_frame(const PlacedMesh& placed, const FramedVolume& box) {
+void check_way_into_frame(const PlacedMeshView& placed, const FramedVolume& box) {
   if (box.kind != FramedVolume::Kind::Oriented) return;
   std::array<double, 3> way = placed_reach(placed.pose, placed.mesh.bounds());
   const double* m = box.frame.data();  // column-major 4x4: column i is the frame's axis i
@@ -126,12 +126,12 @@ bool meet(const Triangle& placed, const FramedVolume& volume, Work& work) {
 /// Calls `on_triangle(index)` for each placed triangle that meets the volume, until it answers
 /// Stop.
 template <typename OnTriangle>
-void for_each_triangle(const PlacedMesh& placed, const FramedVolume& asked, Volume volume,
+void for_each_triangle(const PlacedMeshView& placed, const FramedVolume& asked, Volume volume,
                        Work& work, OnTriangle&& on_triangle) {
   const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
   check_way_into_frame(placed, asked);
   const NodeVolumes volumes = volumes_of(placed.mesh, volume, work);
-  const bvh::Tree& tree = placed.mesh.tree();
+  const bvh::Tree& tree = tree_of(placed.mesh);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(asked.box);
   const SkinsOfOne skins(asked, frame);
   const bvh::RelativeFrame relative =
@@ -154,7 +154,7 @@ void for_each_triangle(const PlacedMesh& placed, const FramedVolume& asked, Volu
 }
 
 /// For a volume that does not touch the surface: one of its points decides for all.
-bool is_inside(const FramedVolume& asked, const PlacedMesh& mesh, Work& work) {
+bool is_inside(const FramedVolume& asked, const PlacedMeshView& mesh, Work& work) {
   switch (asked.kind) {
     case FramedVolume::Kind::Oriented:
       return is_moved_centre_enclosed(mesh, {asked.frame, asked.box.max}, work);
@@ -165,10 +165,9 @@ bool is_inside(const FramedVolume& asked, const PlacedMesh& mesh, Work& work) {
   }
 }
 
-bool meets_any(const PlacedMesh& mesh, const FramedVolume& asked, const QuerySettings& settings,
+bool meets_any(const PlacedMeshView& mesh, const FramedVolume& asked, const VolumeQuerySettings& settings,
                Work* work) {
-  require_touch_included(settings, "a mesh and a volume");
-  check_interior(settings);
+  check_interior(settings.interior);
   if (settings.interior == Interior::Solid) check_closed(mesh.mesh, "the mesh");
   CountedWork counted(work);
   const bool is_touching = has_any([&](auto&& on_triangle) {
@@ -178,7 +177,7 @@ bool meets_any(const PlacedMesh& mesh, const FramedVolume& asked, const QuerySet
          (settings.interior == Interior::Solid && is_inside(asked, mesh, counted.work()));
 }
 
-TriangleList find_all(const PlacedMesh& mesh, const FramedVolume& asked,
+TriangleList find_all(const PlacedMeshView& mesh, const FramedVolume& asked,
                       const TriangleSettings& settings, Work* work) {
   CountedWork counted(work);
   TriangleList found;
@@ -190,51 +189,51 @@ TriangleList find_all(const PlacedMesh& mesh, const FramedVolume& asked,
 
 }  // namespace
 
-bool intersects(const PlacedMesh& mesh, const Aabb& box, Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Aabb& box, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(box), {}, work); });
 }
 
-bool intersects(const PlacedMesh& mesh, const Obb& box, Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Obb& box, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(box), {}, work); });
 }
 
-bool intersects(const PlacedMesh& mesh, const Sphere& sphere, Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(sphere), {}, work); });
 }
 
-bool intersects(const PlacedMesh& mesh, const Aabb& box, const QuerySettings& settings,
+bool intersects(const PlacedMeshView& mesh, const Aabb& box, const VolumeQuerySettings& settings,
                 Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
-bool intersects(const PlacedMesh& mesh, const Obb& box, const QuerySettings& settings, Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Obb& box, const VolumeQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
-bool intersects(const PlacedMesh& mesh, const Sphere& sphere, const QuerySettings& settings,
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, const VolumeQuerySettings& settings,
                 Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(sphere), settings, work); });
 }
 
-TriangleList find_triangles(const PlacedMesh& mesh, const Aabb& box,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Aabb& box,
                             const TriangleSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> TriangleList { return find_all(mesh, framed(box), settings, work); });
 }
 
-TriangleList find_triangles(const PlacedMesh& mesh, const Obb& box,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Obb& box,
                             const TriangleSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> TriangleList { return find_all(mesh, framed(box), settings, work); });
 }
 
-TriangleList find_triangles(const PlacedMesh& mesh, const Sphere& sphere,
+TriangleList find_triangles(const PlacedMeshView& mesh, const Sphere& sphere,
                             const TriangleSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> TriangleList { return find_all(mesh, framed(sphere), settings, work); });

@@ -12,7 +12,7 @@ namespace graze {
 
 /// All pairs of find_triangle_pairs() in a list that is used again: what it held is gone. Throws
 /// PoseError.
-void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMesh& mesh_a,
-                              const PlacedMesh& mesh_b, Work& work);
+void find_triangle_pairs_into(std::vector<TrianglePair>& pairs, const PlacedMeshView& mesh_a,
+                              const PlacedMeshView& mesh_b, Work& work);
 
 }  // namespace graze

@@ -2,7 +2,6 @@
 
 // What queries compare, whatever volume they are asked to use. Private to engine/mesh.
 
-#include <graze/bvh/skins/cascade.h>
 #include <graze/bvh/skins/kdop_separation.h>
 #include <graze/bvh/skins/node_separation.h>
 #include <graze/bvh/skins/obb_separation.h>
@@ -35,7 +34,6 @@ void with_separation(Volume volume, const bvh::RelativeFrame& frame, const NodeV
   const auto obbs = [&] { return bvh::ObbSeparation(frame, a.obbs, b.obbs); };
   const auto kdops = [&] { return bvh::KDopSeparation(frame, a.kdops, b.kdops); };
   switch (volume) {
-    case Volume::Wide:  // for queries that have no wide trees
     case Volume::Aabb:
       return use(boxes());
     case Volume::Sphere:
@@ -44,12 +42,6 @@ void with_separation(Volume volume, const bvh::RelativeFrame& frame, const NodeV
       return use(obbs());
     case Volume::KDop:
       return use(kdops());
-    case Volume::SphereThenAabb:
-      return use(bvh::Cascade(spheres(), boxes()));
-    case Volume::SphereThenObb:
-      return use(bvh::Cascade(spheres(), obbs()));
-    case Volume::SphereThenKDop:
-      return use(bvh::Cascade(spheres(), kdops()));
   }
 }
 

@@ -3,6 +3,7 @@
 // Private to engine/mesh.
 
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/candidates.h>
@@ -17,7 +18,7 @@ struct PlacedTriangles {
   std::span<const Eigen::Vector3d> vertices;
   std::span<const TriangleIndices> triangles;
 
-  explicit PlacedTriangles(const PlacedMesh& placed)
+  explicit PlacedTriangles(const PlacedMeshView& placed)
       : pose(placed.pose), vertices(placed.mesh.vertices()), triangles(placed.mesh.triangles()) {}
 
   Triangle operator[](std::uint32_t index) const {
@@ -35,8 +36,8 @@ struct PlacedTriangles {
 
 /// Two placed meshes that a query walks by their wide trees.
 struct WideQuery {
-  const PlacedMesh& a;
-  const PlacedMesh& b;
+  const PlacedMeshView& a;
+  const PlacedMeshView& b;
   const bvh::WideTree& tree_a;
   const bvh::WideTree& tree_b;
   PlacedTriangles triangles_a;
@@ -46,18 +47,18 @@ struct WideQuery {
   bvh::RelativeFrame b_in_a;
 
   /// Builds the tops of the trees if nobody has. Throws PoseError.
-  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work& work)
+  WideQuery(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work& work)
       : WideQuery(mesh_a, mesh_b,
                   check_placement(mesh_a.pose, mesh_a.mesh.bounds(), "pose of mesh A"),
                   check_placement(mesh_b.pose, mesh_b.mesh.bounds(), "pose of mesh B"), work) {}
 
   /// For poses that have been checked.
-  WideQuery(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, double deviation_a,
+  WideQuery(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double deviation_a,
             double deviation_b, Work& work)
       : a(mesh_a),
         b(mesh_b),
-        tree_a(a.mesh.wide_tree(&work)),
-        tree_b(b.mesh.wide_tree(&work)),
+        tree_a(wide_tree_of(a.mesh, &work)),
+        tree_b(wide_tree_of(b.mesh, &work)),
         triangles_a(a),
         triangles_b(b),
         frame_a{a.pose, deviation_a, tree_a.frame(), a.mesh.bounds()},

@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
 #include <graze/engine/mesh/sweep/swept_nodes.h>
@@ -25,11 +26,11 @@ class OpenedTree {
   };
   enum class Side { A, B };
 
-  OpenedTree(Side side, const PlacedMesh& placed, const SweptNodes& swept, const SweepUnits& units,
+  OpenedTree(Side side, const PlacedMeshView& placed, const SweptNodes& swept, const SweepUnits& units,
              Work& work)
       : side_(side),
         placed_(placed),
-        tree_(placed.mesh.tree(&work)),
+        tree_(tree_of(placed.mesh, &work)),
         swept_(swept),
         per_metre_(units.per_metre) {
     nodes_.reserve(128);
@@ -70,7 +71,7 @@ class OpenedTree {
   }
 
   Side side_;
-  const PlacedMesh& placed_;
+  const PlacedMeshView& placed_;
   const bvh::Tree& tree_;
   const SweptNodes& swept_;
   double per_metre_;
@@ -167,11 +168,11 @@ Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction) {
   return {x / length, y / length, z / length};
 }
 
-double last_contact(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vector3d& direction,
+double last_contact(const PlacedMeshView& a, const PlacedMeshView& b, const Eigen::Vector3d& direction,
                     double limit, Work& work) {
   const SweepUnits units(a, b);
   const double d[3] = {direction.data()[0], direction.data()[1], direction.data()[2]};
-  a.mesh.tree(&work), b.mesh.tree(&work);
+  tree_of(a.mesh, &work), tree_of(b.mesh, &work);
   const SweptNodes swept(a, b, units, d);
   OpenedTree opened_a(OpenedTree::Side::A, a, swept, units, work);
   OpenedTree opened_b(OpenedTree::Side::B, b, swept, units, work);

@@ -3,7 +3,7 @@
 
 namespace graze::contacts {
 
-Eigen::Vector3d middle_of(const PlacedMesh& placed) {
+Eigen::Vector3d middle_of(const PlacedMeshView& placed) {
   const Aabb& box = placed.mesh.bounds();
   Eigen::Vector3d middle;
   for (int k = 0; k < 3; ++k)

@@ -5,6 +5,6 @@
 namespace graze::contacts {
 
 /// The middle of the mesh's own bounds, placed.
-Eigen::Vector3d middle_of(const PlacedMesh& placed);
+Eigen::Vector3d middle_of(const PlacedMeshView& placed);
 
 }  // namespace graze::contacts

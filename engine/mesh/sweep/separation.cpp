@@ -24,7 +24,7 @@ Separation separation_of(double distance, const Eigen::Vector3d& direction, cons
 
 /// The exact test has the last word: the bound covers all rounding, but is not trusted. Steps
 /// double, so that they end even where the first vanish in the pose's translation.
-Separation end_contact(const PlacedMesh& a, const PlacedMesh& b, const Eigen::Vector3d& direction,
+Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b, const Eigen::Vector3d& direction,
                        double distance, Work& work) {
   Separation separation = separation_of(distance, direction, b.pose);
   double step = 0x1p-48 * distance + std::numeric_limits<double>::denorm_min();
@@ -39,7 +39,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kTriedContacts = 4;
 
 /// Directions, each of which is tried both ways.
-std::vector<Eigen::Vector3d> candidates(const PlacedMesh& a, const PlacedMesh& b, Work& work) {
+std::vector<Eigen::Vector3d> candidates(const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
   std::vector<Eigen::Vector3d> directions;
   for (const MeshContact& contact : find_contacts(a, b, {.limit = kTriedContacts}, &work))
     directions.push_back(contact.normal);
@@ -58,7 +58,7 @@ std::vector<Eigen::Vector3d> candidates(const PlacedMesh& a, const PlacedMesh& b
 
 }  // namespace
 
-Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                   const Eigen::Vector3d& direction, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> Separation {
     CountedWork counted(work);
@@ -70,7 +70,7 @@ Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& me
   });
 }
 
-Separation separating_translation(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Work* work) {
+Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> Separation {
     CountedWork counted(work);
     if (!intersects(mesh_a, mesh_b, &counted.work()))

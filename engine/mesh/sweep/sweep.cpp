@@ -11,7 +11,7 @@ namespace {
 constexpr int kSmallestExponent = -1000;  // so that its inverse is a double, too
 
 /// A quarter of what bounds the absolute value of each placed coordinate: sums cannot overflow.
-double quarter_reach(const PlacedMesh& placed) {
+double quarter_reach(const PlacedMeshView& placed) {
   double largest = 0;
   for (double reach : placed_reach(placed.pose, placed.mesh.bounds()))
     largest = std::max(largest, 0.25 * reach);
@@ -32,7 +32,7 @@ constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
 }  // namespace
 
-SweepUnits::SweepUnits(const PlacedMesh& a, const PlacedMesh& b) {
+SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b) {
   const double quarter = quarter_reach(a) + quarter_reach(b);
   int exponent = kSmallestExponent;
   if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);

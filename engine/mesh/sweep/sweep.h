@@ -14,7 +14,7 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 
 /// What a sweep is measured in: coordinates times `per_metre`, a power of two, are below 1 in size.
 struct SweepUnits {
-  SweepUnits(const PlacedMesh& a, const PlacedMesh& b);
+  SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
 
   double per_metre;
   double metres;  // of one unit

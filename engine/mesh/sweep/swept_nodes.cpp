@@ -6,6 +6,7 @@
 // no term of the sums of both boxes passes more than eight roundings; the sums are below 8 of the
 // size of n: 64 u. With the 16 u of law 1's rounding of a moved B these are 156 u.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/swept_nodes.h>
 
@@ -31,8 +32,8 @@ double half_size(const bvh::FloatBox& box) {
 
 }  // namespace
 
-SweptNodes::Frame::Frame(const PlacedMesh& placed, const SweepUnits& units) {
-  const bvh::LocalFrame& frame = placed.mesh.tree().frame;
+SweptNodes::Frame::Frame(const PlacedMeshView& placed, const SweepUnits& units) {
+  const bvh::LocalFrame& frame = tree_of(placed.mesh).frame;
   const Eigen::Vector3d origin = narrowphase::place(
       placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
   for (int k = 0; k < 3; ++k) {
@@ -59,7 +60,7 @@ void SweptNodes::add(const double (&n)[3], const double (&d)[3], const Frame& a,
   ++count_;
 }
 
-SweptNodes::SweptNodes(const PlacedMesh& a, const PlacedMesh& b, const SweepUnits& units,
+SweptNodes::SweptNodes(const PlacedMeshView& a, const PlacedMeshView& b, const SweepUnits& units,
                        const double (&d)[3]) {
   const Frame frame_a(a, units);
   const Frame frame_b(b, units);

@@ -20,7 +20,7 @@ class SweptNodes {
     std::array<double, kDirections> half;
   };
 
-  SweptNodes(const PlacedMesh& a, const PlacedMesh& b, const SweepUnits& units,
+  SweptNodes(const PlacedMeshView& a, const PlacedMeshView& b, const SweepUnits& units,
              const double (&direction)[3]);
 
   Extent extent_a(const bvh::FloatBox& box) const { return extent(box, scale_a_); }
@@ -49,7 +49,7 @@ class SweptNodes {
   };
   /// A tree's frame, placed, in the units of the sweep.
   struct Frame {
-    Frame(const PlacedMesh& placed, const SweepUnits& units);
+    Frame(const PlacedMeshView& placed, const SweepUnits& units);
 
     double centre[3];
     double axis[3][3];

@@ -1,7 +1,10 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/parallel.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/voxel/voxel_descent.h>
 #include <graze/engine/mesh/voxels.h>
 #include <tbb/blocked_range.h>
@@ -18,7 +21,6 @@
 namespace graze {
 namespace {
 
-constexpr std::uint32_t kMaxThreads = 1024;
 
 /// Blocks for threads to share: this many if the surface were everywhere, but none so small that
 /// handing it over would show.
@@ -68,14 +70,22 @@ std::uint64_t count_voxels(std::span<const VoxelRun> runs) {
 
 /// More than oneTBB has threads to give is not asked for, or it would warn on stderr.
 int arena_size(const VoxelSettings& settings) {
-  if (settings.threads > kMaxThreads) {
-    throw InputError("threads: " + std::to_string(settings.threads) + " is more than " +
-                     std::to_string(kMaxThreads));
-  }
+  check_threads(settings.threads);
   if (settings.threads == 0) return tbb::task_arena::automatic;
   const std::size_t available =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return static_cast<int>(std::min<std::size_t>(settings.threads, available));
+  return std::min(settings.threads, static_cast<int>(available));
+}
+
+/// The mesh as it is placed. The identity changes no vertex.
+Mesh mesh_in_place(const PlacedMeshView& placed) {
+  check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
+  if (placed.pose.matrix() == Eigen::Matrix4d::Identity()) return placed.mesh;
+  std::vector<Eigen::Vector3d> vertices(placed.mesh.vertices().begin(),
+                                        placed.mesh.vertices().end());
+  for (Eigen::Vector3d& vertex : vertices)
+    vertex = narrowphase::place(placed.pose, vertex);
+  return placed.mesh.deformed(vertices);
 }
 
 VoxelTask whole_grid(const Mesh& mesh, const VoxelGrid& grid, VoxelFill fill, Work& work) {
@@ -133,9 +143,10 @@ std::vector<Voxel> expanded(const std::vector<VoxelRun>& runs) {
 
 }  // namespace
 
-Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings, Work* work) {
+Voxels find_voxels(const PlacedMeshView& placed, const VoxelSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> Voxels {
     const int threads = arena_size(settings);
+    const Mesh mesh = mesh_in_place(placed);
     Voxels result{VoxelGrid::over(mesh.bounds(), settings.resolution), {}};
     if (settings.fill == VoxelFill::Solid) check_closed(mesh, "the mesh");
     CountedWork counted(work);
@@ -143,7 +154,7 @@ Voxels find_voxels(const Mesh& mesh, const VoxelSettings& settings, Work* work) 
     tbb::task_arena(threads).execute([&] {
       // Another thread may run this.
       bvh::in_standard_arithmetic([&] {
-        const bvh::Tree& tree = mesh.tree(&counted.work());
+        const bvh::Tree& tree = tree_of(mesh, &counted.work());
         const VoxelPlanes planes(result.grid, tree.frame, mesh.bounds());
         const VoxelTask whole = whole_grid(mesh, result.grid, settings.fill, counted.work());
         result.voxels = expanded(sorted_runs({mesh, tree, planes, settings.fill}, whole, settings,

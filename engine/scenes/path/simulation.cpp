@@ -31,8 +31,7 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
       shapes.push_back(share(shape.shape));
     ids_.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) {
-      ids_.push_back(world_.add(shapes[body.shape], pose_at(body, 0),
-                                {.kind = body.kind, .filter = body.filter}));
+      ids_.push_back(world_.add({shapes[body.shape], pose_at(body, 0)}, {.kind = body.kind, .filter = body.filter}));
     }
     for (const ScenePair& exclusion : scene.exclusions)
       world_.exclude(ids_[exclusion.a], ids_[exclusion.b]);
@@ -69,7 +68,7 @@ void check_paths(const Scene& scene, double end) {
   bvh::in_standard_arithmetic([&] {
     for (const SceneBody& body : scene.bodies) {
       try {
-        bounds_of(scene.shapes[body.shape].shape, pose_at(body, end));
+        bounding_aabb({scene.shapes[body.shape].shape, pose_at(body, end)});
       } catch (const PoseError& error) {
         refuse(body, end, error);
       }

@@ -72,7 +72,7 @@ Pose read_pose(const JsonCursor& at, const SceneUnits& units, const Shape& shape
   } else {
     pose = read_rows(at, units);
   }
-  at_place(at, [&] { return bounds_of(shape, pose); });  // the door of a world
+  at_place(at, [&] { return bounding_aabb({shape, pose}); });  // the door of a world
   return pose;
 }
 

@@ -43,7 +43,7 @@ double length_of(double x, double y, double z) {
 /// To the farthest corner of the shape's own box.
 double reach_of(const Shape& shape) {
   if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
-  const Aabb box = bounds_of(shape, Pose::Identity());
+  const Aabb box = bounding_aabb({shape, Pose::Identity()});
   double side[3];
   for (int i = 0; i < 3; ++i)
     side[i] = std::max(std::abs(box.min.data()[i]), std::abs(box.max.data()[i]));
@@ -66,7 +66,7 @@ class ShapeBody final : public BodyShape {
 
   const Shape* shape() const override { return &shape_; }
 
-  Aabb bounds(const Pose& pose) const override { return bounds_of(shape_, pose); }
+  Aabb bounds(const Pose& pose) const override { return bounding_aabb({shape_, pose}); }
 
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     return bvh::in_standard_arithmetic([&]() -> bool {
@@ -118,7 +118,7 @@ class ShapeBody final : public BodyShape {
   // less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less than
   // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more. A
   // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
-  // as much as the door lets in: see bounds_of().
+  // as much as the door lets in: see bounding_aabb().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     return bvh::in_standard_arithmetic([&]() -> double {
       const Shape* shape = other.shape();
@@ -147,19 +147,19 @@ class ShapeBody final : public BodyShape {
     const Mesh* mesh = shape_.as<Mesh>();
     const Mesh* other = shape.as<Mesh>();
     if (pair_method(shape_.kind(), shape.kind()) == PairMethod::MeshVolume) {
-      const PlacedShape own{shape_, pose}, others{shape, other_pose};
+      const PlacedShapeView own{shape_, pose}, others{shape, other_pose};
       return mesh == nullptr ? mesh_distance_bound(own, others, shape_work())
                              : mesh_distance_bound(others, own, shape_work());
     }
     if (mesh == nullptr || other == nullptr)
-      return distance(shape_, pose, shape, other_pose, &shape_work()).lower_bound;
+      return distance({shape_, pose}, {shape, other_pose}, &shape_work()).lower_bound;
     const double clearance = smaller_reach / 64;
     const bool is_near = within({*mesh, pose}, {*other, other_pose}, clearance, {}, &shape_work());
     return is_near ? 0 : 0.5 * clearance;
   }
 
   std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const override {
-    return graze::cast_ray(shape_, pose, ray);
+    return graze::cast_ray({shape_, pose}, ray);
   }
 
   double reach() const override { return reach_; }

@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
 
@@ -15,7 +16,7 @@ void UnbuiltTrees::remove(const Mesh& mesh) {
 }
 
 bool UnbuiltTrees::still_holds(const Mesh& mesh) {
-  if (!mesh.has_tree()) return true;
+  if (!has_tree(mesh)) return true;
   bodies_.erase(mesh.vertices().data());
   return false;
 }

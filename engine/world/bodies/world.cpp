@@ -3,6 +3,7 @@
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
+#include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/world/bodies/world_state.h>
 
 #include <algorithm>
@@ -148,21 +149,18 @@ void World::State::drop_shape(std::uint32_t index) {
 }
 
 World::World(const WorldSettings& settings) {
-  if (settings.threads < 1) {
-    throw InputError("World: threads is " + std::to_string(settings.threads) +
-                     ", must be at least 1");
-  }
+  check_threads(settings.threads);
   state_ = std::make_unique<State>(settings);
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
-                  const BodySettings& settings) {
+BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
   return bvh::in_standard_arithmetic([&]() -> BodyId {
     State& state = *state_;
     state.check_is_free("add");
+    const auto& [shape, pose] = placed;
     if (shape == nullptr) throw InputError("add: no shape");
     bvh::check_rigid(pose, "add");
     const bool is_users = is_users_shape(*shape);
@@ -172,7 +170,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
     Bodies::Body& body = state.all.bodies[index];
     body = {};
     state.all.ways[index] = {};
-    state.take_shape(index, std::move(shape), mesh);
+    state.take_shape(index, shape, mesh);
     try {
       state.insert_box(index, box);
     } catch (...) {
@@ -190,8 +188,8 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
   });
 }
 
-BodyId World::add(const Shape& shape, const Pose& pose, const BodySettings& settings) {
-  return add(share(shape), pose, settings);
+BodyId World::add(const PlacedShapeView& shape, const BodySettings& settings) {
+  return add(PlacedBodyShape{share(shape.shape), shape.pose}, settings);
 }
 
 void World::remove(BodyId id) {

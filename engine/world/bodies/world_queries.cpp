@@ -71,7 +71,7 @@ BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,
                                " and the body with index " + std::to_string(index) +
                                ": its shape is a user's own");
   }
-  return {all.id(index), distance(shape, pose, *body.shape->shape(), body.pose)};
+  return {all.id(index), distance({shape, pose}, {*body.shape->shape(), body.pose})};
 }
 
 bool World::State::asks_for_any(const BodyQuerySettings& query) const {
@@ -91,13 +91,14 @@ std::vector<BodyId> World::find_in_box(const Aabb& box, const BodyQuerySettings&
   });
 }
 
-std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
+std::vector<BodyId> World::find_touching(const PlacedShapeView& placed,
                                          const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyId> {
+    const auto& [shape, pose] = placed;
     const State& state = *state_;
     const std::shared_ptr<const BodyShape> asked = share(shape);
     std::vector<BodyId> touching;
-    for (const std::uint32_t index : state.find_bodies(bounds_of(shape, pose), settings)) {
+    for (const std::uint32_t index : state.find_bodies(bounding_aabb({shape, pose}), settings)) {
       const Bodies::Body& body = state.all.bodies[index];
       if (asked->touches(pose, *body.shape, body.pose)) touching.push_back(state.all.id(index));
     }
@@ -105,14 +106,15 @@ std::vector<BodyId> World::find_touching(const Shape& shape, const Pose& pose,
   });
 }
 
-std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pose, double clearance,
+std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, double clearance,
                                              const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
+    const auto& [shape, pose] = placed;
     if (!(clearance >= 0 && clearance <= kLargest))
       throw InputError("find_within: the clearance is not finite or negative");
     const State& state = *state_;
     std::vector<BodyDistance> near;
-    const Aabb box = grown(bounds_of(shape, pose), clearance);
+    const Aabb box = grown(bounding_aabb({shape, pose}), clearance);
     for (const std::uint32_t index : state.find_bodies(box, settings)) {
       const BodyDistance found = state.distance_to(index, shape, pose);
       if (found.distance.distance <= clearance) near.push_back(found);
@@ -123,11 +125,12 @@ std::vector<BodyDistance> World::find_within(const Shape& shape, const Pose& pos
 
 // Looks in boxes that grow until the nearest body found is nearer than all outside can be; which it
 // is in a box that is grown by its distance.
-std::optional<BodyDistance> World::find_closest(const Shape& shape, const Pose& pose,
+std::optional<BodyDistance> World::find_closest(const PlacedShapeView& placed,
                                                 const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyDistance> {
+    const auto& [shape, pose] = placed;
     const State& state = *state_;
-    const Aabb own = bounds_of(shape, pose);
+    const Aabb own = bounding_aabb({shape, pose});
     std::optional<BodyDistance> best;
     std::vector<std::uint32_t> seen;  // ascending
     if (!state.asks_for_any(settings)) return best;

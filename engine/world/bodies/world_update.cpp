@@ -112,7 +112,7 @@ void World::State::end_parted_pairs() {
       return broad.box(broad.id(all.bodies[index].box));
     };
     const bool are_there = all.ids.is_live(pair.a) && all.ids.is_live(pair.b);
-    if (!are_there || !overlaps(box(pair.a), box(pair.b))) end(at);
+    if (!are_there || !intersects(box(pair.a), box(pair.b))) end(at);
   }
 }
 

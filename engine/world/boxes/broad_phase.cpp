@@ -2,6 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/bvh/value/element_error.h>
+#include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/world/boxes/id_table.h>
 #include <graze/engine/world/broad_phase.h>
 
@@ -80,11 +81,8 @@ struct BroadPhase::State {
 };
 
 BroadPhase::BroadPhase(const BroadPhaseSettings& settings) {
-  if (settings.threads < 1) {
-    throw InputError("BroadPhase: threads is " + std::to_string(settings.threads) +
-                     ", must be at least 1");
-  }
-  state_ = std::make_unique<State>(settings.threads);
+  check_threads(settings.threads);
+  state_ = std::make_unique<State>(static_cast<int>(thread_count(settings.threads)));
 }
 
 BroadPhase::~BroadPhase() = default;

@@ -20,7 +20,7 @@ using narrowphase::Vec3;
 namespace {
 
 /// As below, of two spheres: where the formulas are short, cores cost more than the answer.
-bool touches_of_spheres(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
+bool touches_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches) {
   const Sphere& sphere_a = *a.shape.as<Sphere>();
   const Sphere& sphere_b = *b.shape.as<Sphere>();
   touches.origin = middle_of(a.shape, a.pose);
@@ -38,7 +38,7 @@ bool touches_of_spheres(const PlacedShape& a, const PlacedShape& b, Touches& tou
 
 }  // namespace
 
-void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+void touches_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
   if (b.shape.kind() == ShapeKind::Sphere && touches_of_spheres(a, b, touches)) return;
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
@@ -52,7 +52,7 @@ void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touch
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
-void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+void touches_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
   using narrowphase::Verdict;
   touches.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, touches.origin);
@@ -64,7 +64,7 @@ void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touch
   add_touches(core_a, core_b, part_boxes(axes), touches.list);
 }
 
-void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
+void touches_with_plane(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches) {
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, touches.origin);

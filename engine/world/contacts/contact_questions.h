@@ -24,19 +24,19 @@ struct Touches {
   }
 };
 
-void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+void touches_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work);
 /// Two boxes, which need not touch: no contacts then.
-void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
-void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches);
-void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+void touches_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work);
+void touches_with_plane(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches);
+void touches_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                            Work& work);
-void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+void touches_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work);
 /// A sphere or a box and a mesh, which need not touch: no contacts then.
-void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+void touches_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                             Work& work);
 /// Two meshes, likewise.
-void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+void touches_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work);
 /// Likewise, where triangles go through each other. False if that does not tell.
-bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work);
+bool touches_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work);
 
 }  // namespace graze

@@ -14,7 +14,7 @@ using enum PairMethod;
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
-void touches_in_order(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+void touches_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
@@ -85,7 +85,7 @@ bool is_one_question(PairMethod method) {
   return method == Meshes || method == MeshVolume;
 }
 
-Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
+Manifold contacts_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   static thread_local Touches touches;  // no question is asked within another
   touches.clear();
   const bool is_mirrored = is_swapped(a, b);
@@ -95,7 +95,7 @@ Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& 
 
 }  // namespace
 
-Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+Manifold contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
   // Two boxes are one question, too, where those around them are known to overlap.
   const bool is_one = is_one_question(method) || method == BoxAxes;
@@ -103,18 +103,17 @@ Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& wor
   return contacts_of_touching(a, b, work);
 }
 
-Manifold find_contacts(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
-                       const Pose& pose_b, Work* work) {
+template <typename>
+Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> Manifold {
-    check_poses(pose_a, pose_b);
+    check_poses(a.pose, b.pose);
     CountedWork counted(work);
-    const PlacedShape a{shape_a, pose_a};
-    const PlacedShape b{shape_b, pose_b};
-    if (!is_one_question(pair_method(shape_a.kind(), shape_b.kind())) &&
-        !intersects(shape_a, pose_a, shape_b, pose_b, &counted.work()))
+    if (!is_one_question(pair_method(a.shape.kind(), b.shape.kind())) &&
+        !intersects(a, b, &counted.work()))
       return {};
     return contacts_of_touching(a, b, counted.work());
   });
 }
+template Manifold find_contacts<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
 
 }  // namespace graze

@@ -117,7 +117,7 @@ class TriangleTouches {
 };
 
 /// The lowest triangle of the mesh that comes as near to the point as rounding has moved it.
-std::uint32_t triangle_at(const PlacedMesh& mesh, const Eigen::Vector3d& point) {
+std::uint32_t triangle_at(const PlacedMeshView& mesh, const Eigen::Vector3d& point) {
   const double size = largest(to_vec3(mesh.mesh.bounds().max) - to_vec3(mesh.mesh.bounds().min)) +
                       largest(to_vec3(point));
   for (double radius = 0x1p-48 * size; radius < size; radius *= 16) {
@@ -129,9 +129,9 @@ std::uint32_t triangle_at(const PlacedMesh& mesh, const Eigen::Vector3d& point) 
 
 }  // namespace
 
-void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+void touches_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                           Work& work) {
-  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   MeshDescent descent(mesh, core, touches.origin, work);
@@ -161,7 +161,7 @@ namespace {
 /// mesh and one of these decides.
 class ExactVolume {
  public:
-  explicit ExactVolume(const PlacedShape& s) : pose_(s.pose) {
+  explicit ExactVolume(const PlacedShapeView& s) : pose_(s.pose) {
     if (const auto* box = s.shape.as<Box>()) {
       box_ = Aabb{-box->half_extents, box->half_extents};
     } else {
@@ -187,9 +187,9 @@ class ExactVolume {
 
 }  // namespace
 
-void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+void touches_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                             Work& work) {
-  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, touches.origin);
   const ExactVolume volume(a);
@@ -203,7 +203,7 @@ void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches&
   found.settle();
 }
 
-void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+void touches_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                            Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
@@ -237,9 +237,9 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
 namespace {
 
 /// Of meshes that touch in planes, along lines or in points: by their exact intersection.
-void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
-  const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
-  const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
+void touches_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
+  const PlacedMeshView mesh_a{*a.shape.as<Mesh>(), a.pose};
+  const PlacedMeshView mesh_b{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
   const Vec3 origin = to_vec3(touches.origin);
   const MeshContacts contacts = find_contacts(mesh_a, mesh_b, {}, &work);
@@ -263,7 +263,7 @@ void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touc
 
 }  // namespace
 
-void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+void touches_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
   if (!touches_of_crossings(a, b, touches, work)) touches_of_pieces(a, b, touches, work);
 }
 

@@ -21,7 +21,7 @@ struct Side {
 
 class SideOf {
  public:
-  SideOf(const PlacedMesh& mesh, const Vec3& origin)
+  SideOf(const PlacedMeshView& mesh, const Vec3& origin)
       : mesh_(mesh), welded_(mesh.mesh.welded()), origin_(origin) {}
 
   Side operator()(std::uint32_t index) const {
@@ -37,7 +37,7 @@ class SideOf {
   }
 
  private:
-  const PlacedMesh& mesh_;
+  const PlacedMeshView& mesh_;
   std::span<const std::uint32_t> welded_;
   const Vec3& origin_;
 };
@@ -85,7 +85,7 @@ bool cross_plane(const Side& own, const Side& other, const Vec3& line, PlaneCros
 
 class Finder {
  public:
-  Finder(const PlacedMesh& a, const PlacedMesh& b, const Vec3& origin, MeshCrossings& found)
+  Finder(const PlacedMeshView& a, const PlacedMeshView& b, const Vec3& origin, MeshCrossings& found)
       : side_a_(a, origin), side_b_(b, origin), found_(found) {}
 
   /// The number of pairs that are left out.
@@ -226,7 +226,7 @@ void settle_edges(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCr
 
 }  // namespace
 
-bool find_crossings(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const Vec3& origin,
+bool find_crossings(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const Vec3& origin,
                     MeshCrossings& found, Work& work) {
   find_triangle_pairs_into(found.pairs, mesh_a, mesh_b, work);
   const std::size_t left_out = Finder(mesh_a, mesh_b, origin, found).run();

@@ -51,7 +51,7 @@ struct MeshCrossings {
 /// Points are relative to the origin. The crossings leave out pairs that touch in one plane or in a
 /// point, to rounding; the answer is whether these are the fewer ones, so that what was found
 /// stands for all.
-bool find_crossings(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
+bool find_crossings(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                     const narrowphase::Vec3& origin, MeshCrossings& found, Work& work);
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 // Contacts of two meshes, from their crossings: a normal and a depth for each patch, and its
 // corners.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/contacts/contact_questions.h>
@@ -173,7 +174,7 @@ enum class InnerSide { OfA, OfB };
 /// outside, those furthest in first, and the middles of edges between crossings.
 class InnerFinder {
  public:
-  InnerFinder(const PlacedMesh& mesh, InnerSide side, const Vec3& origin, Scratch& s,
+  InnerFinder(const PlacedMeshView& mesh, InnerSide side, const Vec3& origin, Scratch& s,
               std::vector<InnerPoint>& inner)
       : mesh_(mesh),
         sign_(side == InnerSide::OfA ? 1 : -1),
@@ -221,7 +222,7 @@ class InnerFinder {
   }
 
   void open_neighbours(const OpenVertex& of) {
-    for (const std::uint32_t triangle : mesh_.mesh.vertex_fans().around(of.vertex)) {
+    for (const std::uint32_t triangle : vertex_fans_of(mesh_.mesh).around(of.vertex)) {
       for (const std::uint32_t index : mesh_.mesh.triangles()[triangle]) {
         const std::uint32_t neighbour = welded_[index];
         if (s_.marks[neighbour] == Mark::None) note(neighbour, true, of.loop);
@@ -244,7 +245,7 @@ class InnerFinder {
     return to_vec3(narrowphase::place(mesh_.pose, mesh_.mesh.vertices()[vertex])) - origin_;
   }
 
-  const PlacedMesh& mesh_;
+  const PlacedMeshView& mesh_;
   double sign_;
   const Vec3& origin_;
   Scratch& s_;
@@ -310,7 +311,7 @@ std::uint32_t side_of(const Pose& pose, const Vec3& direction) {
 
 /// The corners of each patch: where it ends in four directions that turn with A, so that they are
 /// the same ones in the next step. The directions are askew to A's axes, as edges seldom are.
-void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
+void add_corners(const PlacedMeshView& a, const PlacedMeshView& b, const Scratch& s,
                  std::vector<ContactPoint>& touches) {
   const double* m = a.pose.data();
   for (std::uint32_t patch = 0; patch < s.patches.size(); ++patch) {
@@ -359,11 +360,11 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
 
 }  // namespace
 
-bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches,
+bool touches_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches,
                           Work& work) {
   static thread_local Scratch s;  // no question is asked within another
-  const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
-  const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
+  const PlacedMeshView mesh_a{*a.shape.as<Mesh>(), a.pose};
+  const PlacedMeshView mesh_b{*b.shape.as<Mesh>(), b.pose};
   touches.origin = middle_of(a.shape, a.pose);
   const Vec3 origin = to_vec3(touches.origin);
   const bool is_all = find_crossings(mesh_a, mesh_b, origin, s.found, work);

@@ -15,7 +15,7 @@ struct Cores {
 };
 
 /// The middle of A is the origin.
-Cores cores_of(const PlacedShape& a, const PlacedShape& b) {
+Cores cores_of(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   return {origin, core_of(a.shape, a.pose, origin), core_of(b.shape, b.pose, origin)};
 }
@@ -26,7 +26,7 @@ Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
 
 }  // namespace
 
-bool intersect_cores(const PlacedShape& a, const PlacedShape& b, Work& work) {
+bool intersect_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const Cores cores = cores_of(a, b);
   PairStatus status{};
   const bool is_apart = are_apart(cores.a, cores.b, status);
@@ -35,7 +35,7 @@ bool intersect_cores(const PlacedShape& a, const PlacedShape& b, Work& work) {
   return !is_apart;
 }
 
-ShapeDistance distance_of_cores(const PlacedShape& a, const PlacedShape& b, Work& work) {
+ShapeDistance distance_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const Cores cores = cores_of(a, b);
   const SetGap gap = gap_of_sets(cores.a, cores.b);
   ++work.convex_tests;

@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -39,11 +40,11 @@ Extent extent_along(const Core& core, const Vec3& axis) {
 // rounding, 8 u of all coordinates on the way. The set's box there comes from what it reaches along
 // R's columns, off by 20 u of the pair's scale, and by 2 dev of the radius for columns that are not
 // quite of length 1. The slack, 8 dev + 2^-45 of the sum of all, covers both.
-MeshDescent::MeshDescent(const PlacedMesh& mesh, const Core& core, const Eigen::Vector3d& origin,
+MeshDescent::MeshDescent(const PlacedMeshView& mesh, const Core& core, const Eigen::Vector3d& origin,
                          Work& work)
     : mesh_(mesh),
       origin_(origin),
-      tree_(mesh.mesh.tree(&work)),
+      tree_(tree_of(mesh.mesh, &work)),
       vertices_(mesh.mesh.vertices()),
       triangles_(mesh.mesh.triangles()),
       work_(work) {

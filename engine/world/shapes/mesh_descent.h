@@ -20,7 +20,7 @@ class MeshDescent {
  public:
   /// `origin` is that of the core's frame. The mesh must outlive it. Builds the mesh's tree if it
   /// is not there yet.
-  MeshDescent(const PlacedMesh& mesh, const narrowphase::Core& core, const Eigen::Vector3d& origin,
+  MeshDescent(const PlacedMeshView& mesh, const narrowphase::Core& core, const Eigen::Vector3d& origin,
               Work& work);
 
   /// Calls `on_triangle(index)` for the triangles in leaves whose boxes meet the set's, until it
@@ -113,7 +113,7 @@ class MeshDescent {
     return bvh::Walk::Continue;
   }
 
-  const PlacedMesh& mesh_;
+  const PlacedMeshView& mesh_;
   const Eigen::Vector3d& origin_;
   const bvh::Tree& tree_;
   std::span<const Eigen::Vector3d> vertices_;

@@ -11,8 +11,8 @@ namespace graze {
 using narrowphase::Core;
 using narrowphase::Vec3;
 
-bool intersect_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
   MeshDescent descent(mesh, core, origin, work);
@@ -27,8 +27,8 @@ bool intersect_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& work)
   return is_hit;
 }
 
-ShapeDistance distance_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
   MeshDescent descent(mesh, core, origin, work);

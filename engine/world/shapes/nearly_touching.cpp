@@ -53,7 +53,7 @@ ShapeDistance agreeing(ShapeDistance found, bool is_hit) {
 
 // The square is off by 2^-98 of itself, and so is that of the radii: their difference over the sum
 // of both ways by less than 2^-96 of the greater. The quotient rounds three times.
-ShapeDistance distance_of_spheres(const PlacedShape& a, const PlacedShape& b, bool is_hit,
+ShapeDistance distance_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                   Work& work) {
   ShapeDistance found = distance_of_cores(a, b, work);
   if (is_hit || found.distance > 0) return agreeing(found, is_hit);
@@ -76,7 +76,7 @@ ShapeDistance distance_of_spheres(const PlacedShape& a, const PlacedShape& b, bo
 
 // What the exact test reads is the centre in the box's frame, rounded once (law 3). What that
 // leaves of the distance is not proved of the box as its pose places it, so the bound stays 0.
-ShapeDistance distance_of_sphere_and_box(const PlacedShape& a, const PlacedShape& b, bool is_hit,
+ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                          Work& work) {
   ShapeDistance found = distance_of_cores(a, b, work);
   if (is_hit || found.distance > 0) return agreeing(found, is_hit);
@@ -102,7 +102,7 @@ ShapeDistance distance_of_sphere_and_box(const PlacedShape& a, const PlacedShape
   return found;
 }
 
-ShapeDistance distance_of_boxes(const PlacedShape& a, const PlacedShape& b, bool is_hit,
+ShapeDistance distance_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                 Work& work) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, origin), core_b = core_of(b.shape, b.pose, origin);

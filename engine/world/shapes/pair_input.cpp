@@ -108,7 +108,7 @@ Vec3 common_point(const Core& a, const Core& b, const CoreGap& gap) {
 
 }  // namespace
 
-bool is_swapped(const PlacedShape& a, const PlacedShape& b) {
+bool is_swapped(const PlacedShapeView& a, const PlacedShapeView& b) {
   if (a.shape.kind() != b.shape.kind()) return b.shape.kind() < a.shape.kind();
   const double* of_a = a.pose.data();
   const double* of_b = b.pose.data();

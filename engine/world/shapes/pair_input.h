@@ -6,6 +6,7 @@
 #include <graze/bvh/pose.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/convex/gap/core_gap.h>
@@ -14,22 +15,16 @@
 
 namespace graze {
 
-/// One side of a pair.
-struct PlacedShape {
-  const Shape& shape;
-  const Pose& pose;
-};
-
 /// True if B goes first: the lower kind does, and of equals the one whose pose, and then whose
 /// numbers, come first.
-bool is_swapped(const PlacedShape& a, const PlacedShape& b);
+bool is_swapped(const PlacedShapeView& a, const PlacedShapeView& b);
 
-/// intersects() for shapes whose bounds_of() share a point, in poses that were checked. Without
+/// intersects() for shapes whose bounding_aabb() share a point, in poses that were checked. Without
 /// that it may say "hit" of two that a tolerance brings together and their boxes part.
-bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
+bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
 /// find_contacts() likewise.
-Manifold contacts_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work);
+Manifold contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
 /// Throws unless both poses are fit for shapes.
 void check_poses(const Pose& pose_a, const Pose& pose_b);

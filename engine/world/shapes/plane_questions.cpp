@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_questions.h>
@@ -39,7 +40,7 @@ struct Situation {
   Height height;
 };
 
-Situation beside_plane(const PlacedShape& a, const PlacedShape& b) {
+Situation beside_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
   const PlacedHalfSpace plane = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, origin);
@@ -62,9 +63,9 @@ bool are_opposite(const Vec3& a, const Vec3& b) {
 
 /// Walks towards the lowest vertex. A node's box is bounded by the plane turned into the mesh's
 /// frame; the slack there is that of MeshDescent, whose box this plane stands in for.
-Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
+Height lowest_vertex(const PlacedMeshView& mesh, const PlacedHalfSpace& plane,
                      const Eigen::Vector3d& origin, double enough, Work& work) {
-  const bvh::Tree& tree = mesh.mesh.tree(&work);
+  const bvh::Tree& tree = tree_of(mesh.mesh, &work);
   const double* m = mesh.pose.data();
   const double unit = tree.frame.unit();
   const Vec3 from_mesh = to_vec3(origin) - Vec3{m[12], m[13], m[14]};
@@ -125,7 +126,7 @@ struct MeshSituation {
   Height height;
 };
 
-MeshSituation mesh_beside_plane(const PlacedShape& a, const PlacedShape& b, double enough,
+MeshSituation mesh_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b, double enough,
                                 Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
@@ -136,21 +137,21 @@ MeshSituation mesh_beside_plane(const PlacedShape& a, const PlacedShape& b, doub
 
 }  // namespace
 
-bool intersect_plane(const PlacedShape& a, const PlacedShape& b) {
+bool intersect_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Height height = beside_plane(a, b).height;
   return !(height.height - height.slack > 0);
 }
 
-ShapeDistance distance_to_plane(const PlacedShape& a, const PlacedShape& b) {
+ShapeDistance distance_to_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Situation s = beside_plane(a, b);
   return distance_above(s.height, s.plane, s.origin);
 }
 
-bool intersect_planes(const PlacedShape& a, const PlacedShape& b) {
+bool intersect_planes(const PlacedShapeView& a, const PlacedShapeView& b) {
   return distance_of_planes(a, b).distance == 0;
 }
 
-ShapeDistance distance_of_planes(const PlacedShape& a, const PlacedShape& b) {
+ShapeDistance distance_of_planes(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const PlacedHalfSpace of_a = placed_half_space(*a.shape.as<HalfSpace>(), a.pose, origin);
   const PlacedHalfSpace of_b = placed_half_space(*b.shape.as<HalfSpace>(), b.pose, origin);
@@ -181,12 +182,12 @@ ShapeDistance distance_of_planes(const PlacedShape& a, const PlacedShape& b) {
   return {0, 0, point, point, to_eigen(of_a.normal), PairStatus::Converged};
 }
 
-bool intersect_mesh_plane(const PlacedShape& a, const PlacedShape& b, Work& work) {
+bool intersect_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const Height height = mesh_beside_plane(a, b, 0, work).height;
   return !(height.height - height.slack > 0);
 }
 
-ShapeDistance distance_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Work& work) {
+ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const double never = -std::numeric_limits<double>::infinity();
   const MeshSituation s = mesh_beside_plane(a, b, never, work);
   return mirrored(distance_above(s.height, s.plane, s.origin));

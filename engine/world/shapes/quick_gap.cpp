@@ -142,8 +142,8 @@ class Beyond {
 }  // namespace
 
 // Triangles that are passed over are in boxes that are further away than the bound.
-double mesh_distance_bound(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
+double mesh_distance_bound(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);
   MeshDescent descent(mesh, core, origin, work);

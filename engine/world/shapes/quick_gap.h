@@ -22,6 +22,6 @@ bool is_gap_quick(PairMethod method);
 double quick_gap(const ReachingShape& a, const ReachingShape& b);
 
 /// Of the distance of a ball or a box, A, from the triangles of a mesh, B: not more than that.
-double mesh_distance_bound(const PlacedShape& a, const PlacedShape& b, Work& work);
+double mesh_distance_bound(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
 }  // namespace graze

@@ -1,4 +1,5 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 
 #include <algorithm>
@@ -117,5 +118,16 @@ Shape::Shape(const Ellipsoid& ellipsoid) : value_(checked(ellipsoid)) {}
 Shape::Shape(ConvexHull hull) : value_(std::move(hull)) {}
 Shape::Shape(const HalfSpace& half_space) : value_(checked(half_space)) {}
 Shape::Shape(Mesh mesh) : value_(checked(std::move(mesh))) {}
+
+namespace {
+
+const Pose& identity() {
+  static const Pose pose = Pose::Identity();
+  return pose;
+}
+
+}  // namespace
+
+PlacedShapeView::PlacedShapeView(const Shape& of_shape) : shape(of_shape), pose(identity()) {}
 
 }  // namespace graze

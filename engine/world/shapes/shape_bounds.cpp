@@ -128,8 +128,9 @@ double check_pose(const Pose& pose, const char* what) {
   });
 }
 
-Aabb bounds_of(const Shape& shape, const Pose& pose) {
+Aabb bounding_aabb(const PlacedShapeView& placed) {
   return bvh::in_standard_arithmetic([&]() -> Aabb {
+    const auto& [shape, pose] = placed;
     const double deviation = check_pose(pose, "pose");
     if (const auto* half_space = shape.as<HalfSpace>())
       return bounds_of_half_space(*half_space, pose);

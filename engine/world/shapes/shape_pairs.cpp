@@ -39,29 +39,29 @@ constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods{{
     {MeshVolume, MeshVolume, MeshCore, MeshCore, MeshCore, MeshCore, MeshCore, MeshPlane, Meshes},
 }};
 
-Sphere placed_sphere(const PlacedShape& s) {
+Sphere placed_sphere(const PlacedShapeView& s) {
   const auto& sphere = *s.shape.as<Sphere>();
   return {narrowphase::place(s.pose, sphere.centre), sphere.radius};
 }
 
-Obb placed_box(const PlacedShape& s) {
+Obb placed_box(const PlacedShapeView& s) {
   return {s.pose, s.shape.as<Box>()->half_extents};
 }
 
-PlacedMesh placed_mesh(const PlacedShape& s) {
+PlacedMeshView placed_mesh(const PlacedShapeView& s) {
   return {*s.shape.as<Mesh>(), s.pose};
 }
 
-/// As overlaps() of a sphere and an oriented box (law 3), of volumes that have been checked.
-bool meet_sphere_box(const PlacedShape& a, const PlacedShape& b) {
+/// As intersects() of a sphere and an oriented box (law 3), of volumes that have been checked.
+bool meet_sphere_box(const PlacedShapeView& a, const PlacedShapeView& b) {
   const Sphere sphere = placed_sphere(a);
   const Eigen::Vector3d& half = b.shape.as<Box>()->half_extents;
   const Sphere framed{narrowphase::point_into_frame(sphere.centre, b.pose), sphere.radius};
   return narrowphase::decide(framed, Aabb{-half, half}).is_hit;
 }
 
-bool intersect_mesh_volume(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  const PlacedMesh mesh = placed_mesh(b);
+bool intersect_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh = placed_mesh(b);
   if (a.shape.kind() == ShapeKind::Sphere) return intersects(mesh, placed_sphere(a), &work);
   return intersects(mesh, placed_box(a), &work);
 }
@@ -85,7 +85,7 @@ double inner_radius(const Shape& shape) {
 
 /// True if the boxes share a point for sure: each holds its ball, which no pose and no rounding
 /// makes a thousandth smaller. Boxes themselves cost more than to know that two shapes touch.
-bool have_near_middles(const PlacedShape& a, const PlacedShape& b) {
+bool have_near_middles(const PlacedShapeView& a, const PlacedShapeView& b) {
   const double inner_a = inner_radius(a.shape), inner_b = inner_radius(b.shape);
   if (inner_a == 0 || inner_b == 0) return false;
   const Eigen::Vector3d s = middle_of(a.shape, a.pose), t = middle_of(b.shape, b.pose);
@@ -95,14 +95,14 @@ bool have_near_middles(const PlacedShape& a, const PlacedShape& b) {
   return way <= 0.999 * (inner_a + inner_b);
 }
 
-BoxGap gap_of_boxes(const PlacedShape& a, const PlacedShape& b) {
-  return gap_between(bounds_of(a.shape, a.pose), bounds_of(b.shape, b.pose));
+BoxGap gap_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b) {
+  return gap_between(bounding_aabb({a.shape, a.pose}), bounding_aabb({b.shape, b.pose}));
 }
 
-bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
+bool intersect_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
-      return overlaps(placed_sphere(a), placed_sphere(b));
+      return intersects(placed_sphere(a), placed_sphere(b));
     case ExactSphereBox:
       return meet_sphere_box(a, b);
     case BoxAxes:
@@ -127,7 +127,7 @@ bool intersect_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) 
   throw UnsupportedPairError("shape pair: there is no such method");
 }
 
-ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+ShapeDistance distance_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const MeshDistance found = distance(placed_mesh(a), placed_mesh(b), {}, &work);
   // Law 7: off by at most 4 ulp of the largest difference of coordinates.
   const Aabb& box_a = placed_mesh(a).mesh.bounds();
@@ -143,13 +143,13 @@ ShapeDistance distance_of_meshes(const PlacedShape& a, const PlacedShape& b, Wor
           to_eigen(way),  PairStatus::Converged};
 }
 
-bool intersect_placed(const PlacedShape& a, const PlacedShape& b, Work& work) {
+bool intersect_placed(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   return intersect_in_boxes(a, b, work) &&
          (lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind())) || have_near_middles(a, b) ||
           gap_of_boxes(a, b).gap == 0);
 }
 
-ShapeDistance distance_in_order(const PlacedShape& a, const PlacedShape& b, Work& work) {
+ShapeDistance distance_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
       return distance_of_spheres(a, b, intersect_placed(a, b, work), work);
@@ -189,7 +189,7 @@ ShapeDistance parted(ShapeDistance found, const BoxGap& boxes) {
   return found;
 }
 
-ShapeDistance distance_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+ShapeDistance distance_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   ShapeDistance found = distance_in_order(a, b, work);
   const bool is_none = !(found.distance > std::numeric_limits<double>::denorm_min());
   if (!is_none || lies_in_boxes(pair_method(a.shape.kind(), b.shape.kind()))) return found;
@@ -206,29 +206,29 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
   return kMethods[a][b];
 }
 
-bool intersect_in_boxes(const PlacedShape& a, const PlacedShape& b, Work& work) {
+bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
 }
 
-bool intersects(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b, const Pose& pose_b,
-                Work* work) {
+template <typename>
+bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    check_poses(pose_a, pose_b);
+    check_poses(shape_a.pose, shape_b.pose);
     CountedWork counted(work);
-    return intersect_placed({shape_a, pose_a}, {shape_b, pose_b}, counted.work());
+    return intersect_placed(shape_a, shape_b, counted.work());
   });
 }
+template bool intersects<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
 
-ShapeDistance distance(const Shape& shape_a, const Pose& pose_a, const Shape& shape_b,
-                       const Pose& pose_b, Work* work) {
+template <typename>
+ShapeDistance distance(const PlacedShapeView& a, const PlacedShapeView& b, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> ShapeDistance {
-    check_poses(pose_a, pose_b);
+    check_poses(a.pose, b.pose);
     CountedWork counted(work);
-    const PlacedShape a{shape_a, pose_a};
-    const PlacedShape b{shape_b, pose_b};
     return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
                             : distance_in_boxes(a, b, counted.work());
   });
 }
+template ShapeDistance distance<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
 
 }  // namespace graze

@@ -30,11 +30,13 @@ std::optional<CoreRayHit> cast_at_plane(const HalfSpace& half_space, const Pose&
 
 }  // namespace
 
-std::optional<RayHit> cast_ray(const Shape& shape, const Pose& pose, const Ray& ray, Work* work) {
+template <typename>
+std::optional<RayHit> cast_ray(const PlacedShapeView& placed, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
     check_ray(ray, "ray");
+    const auto& [shape, pose] = placed;
     check_pose(pose, "pose");
-    if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMesh{*mesh, pose}, ray, work);
+    if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMeshView{*mesh, pose}, ray, work);
     const Vec3 direction = unit_direction(ray);
     std::optional<CoreRayHit> found;
     if (const auto* half_space = shape.as<HalfSpace>()) {
@@ -49,5 +51,6 @@ std::optional<RayHit> cast_ray(const Shape& shape, const Pose& pose, const Ray& 
     return RayHit{found->distance, to_eigen(point), to_eigen(found->normal)};
   });
 }
+template std::optional<RayHit> cast_ray<void>(const PlacedShapeView&, const Ray&, Work*);
 
 }  // namespace graze

@@ -37,7 +37,7 @@ AabbArray AabbList::view() const {
   return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
 }
 
-void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits) {
+void intersects(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_hits(hits, boxes.size());
@@ -45,7 +45,7 @@ void overlaps(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hi
   });
 }
 
-void overlaps(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits) {
+void intersects(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
     narrowphase::check_hits(hits, boxes_a.size());

@@ -4,7 +4,7 @@
 
 namespace graze {
 
-bool overlaps(const Aabb& box_a, const Aabb& box_b) {
+bool intersects(const Aabb& box_a, const Aabb& box_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_box(box_a, "box a");
     bvh::check_box(box_b, "box b");

@@ -37,7 +37,7 @@ void KDopList::add(const KDop<18>& kdop) {
   });
 }
 
-void overlaps(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits) {
+void intersects(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_kdop(kdop, "k-DOP");
     narrowphase::check_hits(hits, kdops.size());
@@ -45,7 +45,7 @@ void overlaps(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_
   });
 }
 
-void overlaps(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits) {
+void intersects(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(kdops_a.size(), kdops_b.size(), "k-DOPs");
     narrowphase::check_hits(hits, kdops_a.size());

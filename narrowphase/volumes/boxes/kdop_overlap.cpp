@@ -4,7 +4,7 @@
 
 namespace graze {
 
-bool overlaps(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
+bool intersects(const KDop<18>& kdop_a, const KDop<18>& kdop_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_kdop(kdop_a, "k-DOP a");
     bvh::check_kdop(kdop_b, "k-DOP b");

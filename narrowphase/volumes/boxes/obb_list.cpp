@@ -21,7 +21,7 @@ void ObbList::add(const Obb& box) {
   });
 }
 
-void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits) {
+void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_hits(hits, boxes.size());
@@ -30,7 +30,7 @@ void overlaps(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits
   });
 }
 
-void overlaps(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits) {
+void intersects(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
     narrowphase::check_hits(hits, boxes_a.size());

@@ -101,7 +101,7 @@ bool may_overlap(const Aabb& aligned, const ObbRow& oriented) {
 
 }  // namespace narrowphase
 
-bool overlaps(const Obb& box_a, const Obb& box_b) {
+bool intersects(const Obb& box_a, const Obb& box_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_box(box_a, "box a");
     bvh::check_box(box_b, "box b");
@@ -109,7 +109,7 @@ bool overlaps(const Obb& box_a, const Obb& box_b) {
   });
 }
 
-bool overlaps(const Aabb& aligned, const Obb& oriented) {
+bool intersects(const Aabb& aligned, const Obb& oriented) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_box(aligned, "aligned box");
     bvh::check_box(oriented, "oriented box");
@@ -117,8 +117,8 @@ bool overlaps(const Aabb& aligned, const Obb& oriented) {
   });
 }
 
-bool overlaps(const Obb& oriented, const Aabb& aligned) {
-  return overlaps(aligned, oriented);
+bool intersects(const Obb& oriented, const Aabb& aligned) {
+  return intersects(aligned, oriented);
 }
 
 }  // namespace graze

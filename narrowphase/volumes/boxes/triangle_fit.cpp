@@ -66,8 +66,8 @@ Eigen::Matrix3d surface_covariance(const bvh::LocalPoints& corners) {
 
 }  // namespace
 
-Aabb fit_aabb(std::span<const Triangle> triangles) {
-  return bvh::in_standard_arithmetic([&]() -> Aabb { return fit_aabb(corners_of(triangles)); });
+Aabb bounding_aabb(std::span<const Triangle> triangles) {
+  return bvh::in_standard_arithmetic([&]() -> Aabb { return bounding_aabb(corners_of(triangles)); });
 }
 
 Sphere ritter_sphere(std::span<const Triangle> triangles) {
@@ -75,13 +75,13 @@ Sphere ritter_sphere(std::span<const Triangle> triangles) {
       [&]() -> Sphere { return ritter_sphere(corners_of(triangles)); });
 }
 
-Sphere minimal_sphere(std::span<const Triangle> triangles) {
+Sphere bounding_sphere(std::span<const Triangle> triangles) {
   return bvh::in_standard_arithmetic(
-      [&]() -> Sphere { return minimal_sphere(corners_of(triangles)); });
+      [&]() -> Sphere { return bounding_sphere(corners_of(triangles)); });
 }
 
-KDop<18> fit_kdop(std::span<const Triangle> triangles) {
-  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return fit_kdop(corners_of(triangles)); });
+KDop<18> bounding_kdop(std::span<const Triangle> triangles) {
+  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return bounding_kdop(corners_of(triangles)); });
 }
 
 Obb ditetrahedron_box(std::span<const Triangle> triangles) {
@@ -89,8 +89,8 @@ Obb ditetrahedron_box(std::span<const Triangle> triangles) {
       [&]() -> Obb { return ditetrahedron_box(corners_of(triangles)); });
 }
 
-Obb tight_box(std::span<const Triangle> triangles) {
-  return bvh::in_standard_arithmetic([&]() -> Obb { return tight_box(corners_of(triangles)); });
+Obb bounding_obb(std::span<const Triangle> triangles) {
+  return bvh::in_standard_arithmetic([&]() -> Obb { return bounding_obb(corners_of(triangles)); });
 }
 
 Obb covariance_box(std::span<const Triangle> triangles) {

@@ -83,7 +83,7 @@ void check_ellipsoid(const Ellipsoid& ellipsoid, const char* what) {
   });
 }
 
-bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box) {
+bool intersects(const Ellipsoid& ellipsoid, const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_ellipsoid(ellipsoid, "ellipsoid");
     bvh::check_box(box, "box");
@@ -91,8 +91,8 @@ bool overlaps(const Ellipsoid& ellipsoid, const Aabb& box) {
   });
 }
 
-bool overlaps(const Aabb& box, const Ellipsoid& ellipsoid) {
-  return overlaps(ellipsoid, box);
+bool intersects(const Aabb& box, const Ellipsoid& ellipsoid) {
+  return intersects(ellipsoid, box);
 }
 
 }  // namespace graze

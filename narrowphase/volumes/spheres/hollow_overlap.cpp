@@ -131,7 +131,7 @@ Decision decide(const HollowSphere& hollow, const HollowAabb& hollow_box) {
 
 }  // namespace narrowphase
 
-bool overlaps(const Sphere& sphere, const HollowAabb& box) {
+bool intersects(const Sphere& sphere, const HollowAabb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere, "sphere");
     bvh::check_box(box.box, "box");
@@ -139,11 +139,11 @@ bool overlaps(const Sphere& sphere, const HollowAabb& box) {
   });
 }
 
-bool overlaps(const HollowAabb& box, const Sphere& sphere) {
-  return overlaps(sphere, box);
+bool intersects(const HollowAabb& box, const Sphere& sphere) {
+  return intersects(sphere, box);
 }
 
-bool overlaps(const HollowSphere& sphere, const Aabb& box) {
+bool intersects(const HollowSphere& sphere, const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere.sphere, "sphere");
     bvh::check_box(box, "box");
@@ -151,11 +151,11 @@ bool overlaps(const HollowSphere& sphere, const Aabb& box) {
   });
 }
 
-bool overlaps(const Aabb& box, const HollowSphere& sphere) {
-  return overlaps(sphere, box);
+bool intersects(const Aabb& box, const HollowSphere& sphere) {
+  return intersects(sphere, box);
 }
 
-bool overlaps(const HollowSphere& sphere, const HollowAabb& box) {
+bool intersects(const HollowSphere& sphere, const HollowAabb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere.sphere, "sphere");
     bvh::check_box(box.box, "box");
@@ -163,8 +163,8 @@ bool overlaps(const HollowSphere& sphere, const HollowAabb& box) {
   });
 }
 
-bool overlaps(const HollowAabb& box, const HollowSphere& sphere) {
-  return overlaps(sphere, box);
+bool intersects(const HollowAabb& box, const HollowSphere& sphere) {
+  return intersects(sphere, box);
 }
 
 }  // namespace graze

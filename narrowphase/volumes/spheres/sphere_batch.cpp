@@ -70,7 +70,7 @@ void settle(std::span<std::uint8_t> hits, const DecideOne& decide_one) {
 
 }  // namespace
 
-void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::uint8_t> hits) {
+void intersects(const Sphere& sphere, const SphereArray& spheres, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_sphere(sphere, "sphere");
     narrowphase::check_lengths(spheres, "spheres");
@@ -82,7 +82,7 @@ void overlaps(const Sphere& sphere, const SphereArray& spheres, std::span<std::u
   });
 }
 
-void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
+void intersects(const SphereArray& spheres_a, const SphereArray& spheres_b,
               std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_lengths(spheres_a, "spheres a");
@@ -100,7 +100,7 @@ void overlaps(const SphereArray& spheres_a, const SphereArray& spheres_b,
   });
 }
 
-void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits) {
+void intersects(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_sphere(sphere, "sphere");
     narrowphase::check_lengths(boxes, "boxes");
@@ -111,7 +111,7 @@ void overlaps(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8
   });
 }
 
-void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_t> hits) {
+void intersects(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_lengths(spheres, "spheres");
@@ -122,7 +122,7 @@ void overlaps(const Aabb& box, const SphereArray& spheres, std::span<std::uint8_
   });
 }
 
-void overlaps(const SphereArray& spheres, const AabbArray& boxes, std::span<std::uint8_t> hits) {
+void intersects(const SphereArray& spheres, const AabbArray& boxes, std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_lengths(spheres, "spheres");
     narrowphase::check_lengths(boxes, "boxes");

@@ -13,7 +13,7 @@ Decision decide(const Sphere& sphere, const Aabb& box) {
 
 }  // namespace narrowphase
 
-bool overlaps(const Sphere& sphere, const Aabb& box) {
+bool intersects(const Sphere& sphere, const Aabb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere, "sphere");
     bvh::check_box(box, "box");
@@ -21,11 +21,11 @@ bool overlaps(const Sphere& sphere, const Aabb& box) {
   });
 }
 
-bool overlaps(const Aabb& box, const Sphere& sphere) {
-  return overlaps(sphere, box);
+bool intersects(const Aabb& box, const Sphere& sphere) {
+  return intersects(sphere, box);
 }
 
-bool overlaps(const Sphere& sphere, const Obb& box) {
+bool intersects(const Sphere& sphere, const Obb& box) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere, "sphere");
     bvh::check_box(box, "box");
@@ -40,8 +40,8 @@ bool overlaps(const Sphere& sphere, const Obb& box) {
   });
 }
 
-bool overlaps(const Obb& box, const Sphere& sphere) {
-  return overlaps(sphere, box);
+bool intersects(const Obb& box, const Sphere& sphere) {
+  return intersects(sphere, box);
 }
 
 }  // namespace graze

@@ -28,7 +28,7 @@ Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point) {
 
 }  // namespace narrowphase
 
-bool overlaps(const Sphere& sphere_a, const Sphere& sphere_b) {
+bool intersects(const Sphere& sphere_a, const Sphere& sphere_b) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bvh::check_sphere(sphere_a, "sphere a");
     bvh::check_sphere(sphere_b, "sphere b");

@@ -34,7 +34,7 @@ double of_sphere(double x) {
 }
 
 double of_spheres(double x) {
-  return overlaps(Sphere{{0, 0, 0}, 1}, Sphere{{x, 0, 0}, 1}) ? 1.0 : 1.5;
+  return intersects(Sphere{{0, 0, 0}, 1}, Sphere{{x, 0, 0}, 1}) ? 1.0 : 1.5;
 }
 
 struct Contestant {

@@ -3,6 +3,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>
@@ -113,7 +114,7 @@ void ask(const Mesh& mesh, const Mesh& other, Times& times) {
   });
   take_time(times.pairs_by_aabb, [&] {
     for (const Pose& pose : poses)
-      find_triangle_pairs({mesh}, {other, pose}, {.volume = Volume::Aabb});
+      find_triangle_pairs({mesh}, {other, pose}, {.volume = PairVolume::Aabb});
   });
   take_time(times.distances, [&] {
     for (Pose pose : poses) {
@@ -126,7 +127,7 @@ void ask(const Mesh& mesh, const Mesh& other, Times& times) {
 void measure(std::FILE* file, const Mesh& mesh, const Deformation& to, const char* separator) {
   const Mesh other(mesh.vertices(), mesh.triangles());
   prepare(other);
-  other.tree();
+  tree_of(other);
   double deforming = std::numeric_limits<double>::infinity();
   Times refitted;
   Times built;
@@ -135,11 +136,11 @@ void measure(std::FILE* file, const Mesh& mesh, const Deformation& to, const cha
     work = {};
     Mesh moved = mesh;
     take_time(deforming, [&] { moved = mesh.deformed(to.vertices); });
-    take_time(refitted.wide, [&] { prepare(moved, &work); });
-    take_time(refitted.binary, [&] { moved.tree(&work); });
+    take_time(refitted.wide, [&] { prepare(moved, {}, &work); });
+    take_time(refitted.binary, [&] { tree_of(moved, &work); });
     const Mesh fresh(to.vertices, mesh.triangles());
     take_time(built.wide, [&] { prepare(fresh); });
-    take_time(built.binary, [&] { fresh.tree(); });
+    take_time(built.binary, [&] { tree_of(fresh); });
     ask(moved, other, refitted);
     ask(fresh, other, built);
   }
@@ -171,7 +172,7 @@ void run(const std::string& output, const std::vector<std::string>& meshes) {
   for (const std::string& name : meshes) {
     const Mesh mesh = load_mesh(name);
     prepare(mesh);
-    mesh.tree();
+    tree_of(mesh);
     std::fprintf(file, "%s\n  {\"mesh\": \"%s\", \"triangles\": %zu, \"times\": [", separator,
                  std::filesystem::path(name).stem().c_str(), mesh.triangles().size());
     separator = "";

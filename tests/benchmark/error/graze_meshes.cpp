@@ -8,7 +8,7 @@ namespace {
 
 class GrazeMeshes final : public MeshContestant {
  public:
-  explicit GrazeMeshes(Volume volume)
+  explicit GrazeMeshes(PairVolume volume)
       : MeshContestant({std::string("graze, ") + name_of(volume), Origin::Graze, "exact", {}}),
         volume_(volume) {}
 
@@ -25,7 +25,7 @@ class GrazeMeshes final : public MeshContestant {
   }
 
  private:
-  Volume volume_;
+  PairVolume volume_;
   std::optional<Mesh> mesh_a_;
   std::optional<Mesh> mesh_b_;
 };
@@ -33,7 +33,7 @@ class GrazeMeshes final : public MeshContestant {
 }  // namespace
 
 void add_graze_meshes(MeshContestants& contestants) {
-  for (const Volume volume : kVolumes)
+  for (const PairVolume volume : kPairVolumes)
     contestants.push_back(std::make_unique<GrazeMeshes>(volume));
 }
 

@@ -67,7 +67,7 @@ class SpheresInArrays final : public Contestant<SpherePair> {
     b_.warm(first, count);
   }
   void answer(std::size_t first, std::span<Answer> answers) override {
-    overlaps(part_of(a_, first, answers.size()), part_of(b_, first, answers.size()),
+    intersects(part_of(a_, first, answers.size()), part_of(b_, first, answers.size()),
              as_hits(answers));
   }
 
@@ -101,7 +101,7 @@ class SpheresAndBoxesInArrays final : public Contestant<SphereAndBox> {
     const std::size_t size = answers.size();
     const auto part = [&](std::size_t column) { return boxes_.part(column, first, size); };
     const AabbArray boxes{{part(0), part(1), part(2)}, {part(3), part(4), part(5)}};
-    overlaps(part_of(spheres_, first, size), boxes, as_hits(answers));
+    intersects(part_of(spheres_, first, size), boxes, as_hits(answers));
   }
 
  private:
@@ -115,7 +115,7 @@ constexpr auto kAsItIs = [](const auto& element) { return element; };
 
 void add_graze_spheres(Field& field) {
   add(field.sphere_boxes, exact("graze"), kAsItIs,
-      [](const SphereAndBox& pair) { return overlaps(pair.sphere, pair.box); });
+      [](const SphereAndBox& pair) { return intersects(pair.sphere, pair.box); });
   add(field.sphere_boxes, exact("graze, Arvo"), kAsItIs, [](const SphereAndBox& pair) {
     return narrowphase::decide_arvo(pair.sphere, pair.box).is_hit;
   });
@@ -127,7 +127,7 @@ void add_graze_spheres(Field& field) {
   });
   field.sphere_boxes.push_back(std::make_unique<SpheresAndBoxesInArrays>());
   add(field.sphere_pairs, exact("graze"), kAsItIs,
-      [](const SpherePair& pair) { return overlaps(pair.a, pair.b); });
+      [](const SpherePair& pair) { return intersects(pair.a, pair.b); });
   field.sphere_pairs.push_back(std::make_unique<SpheresInArrays>());
 }
 

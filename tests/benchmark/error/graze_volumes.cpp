@@ -14,7 +14,7 @@ namespace graze::benchmark {
 namespace {
 
 KDop<18> around(const Triangle& t) {
-  return fit_kdop(std::array{t.a, t.b, t.c});
+  return bounding_kdop(std::array{t.a, t.b, t.c});
 }
 
 struct KDops {
@@ -47,7 +47,7 @@ class ObbsInLists final : public Contestant<ObbPair> {
   }
   void answer(std::size_t first, std::span<Answer> answers) override {
     const Lists& lists = lists_[first / kChunk];
-    overlaps(lists.a, lists.b, as_hits(answers));
+    intersects(lists.a, lists.b, as_hits(answers));
   }
 
  private:
@@ -63,14 +63,14 @@ class ObbsInLists final : public Contestant<ObbPair> {
 void add_graze_volumes(Field& field) {
   add(
       field.obb_pairs, conservative("graze"), [](const ObbPair& pair) { return pair; },
-      [](const ObbPair& pair) { return overlaps(pair.a, pair.b); });
+      [](const ObbPair& pair) { return intersects(pair.a, pair.b); });
   field.obb_pairs.push_back(std::make_unique<ObbsInLists>());
   add(
       field.kdop_pairs, conservative("graze"),
       [](const KDopPair& pair) {
         return KDops{around(pair.a), around(pair.b)};
       },
-      [](const KDops& pair) { return overlaps(pair.a, pair.b); });
+      [](const KDops& pair) { return intersects(pair.a, pair.b); });
 }
 
 }  // namespace graze::benchmark

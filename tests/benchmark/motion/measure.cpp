@@ -33,8 +33,8 @@ class Asker {
       : scene_(scene), question_(question), clearance_(clearance) {}
 
   Answer cold(const Pose& pose, Work* work = nullptr) const {
-    const PlacedMesh a{scene_.mesh_a};
-    const PlacedMesh b{scene_.mesh_b, pose};
+    const PlacedMeshView a{scene_.mesh_a};
+    const PlacedMeshView b{scene_.mesh_b, pose};
     Answer answer;
     switch (question_) {
       case Question::Any:
@@ -54,8 +54,8 @@ class Asker {
   }
 
   Answer remembering(const Pose& pose, PairMemory& memory, Work* work = nullptr) const {
-    const PlacedMesh a{scene_.mesh_a};
-    const PlacedMesh b{scene_.mesh_b, pose};
+    const PlacedMeshView a{scene_.mesh_a};
+    const PlacedMeshView b{scene_.mesh_b, pose};
     Answer answer;
     switch (question_) {
       case Question::Any:
@@ -86,8 +86,8 @@ class Asker {
 
 /// What is left of an answer when only its time matters.
 double cold_value(const Asker& asker, const Pose& pose) {
-  const PlacedMesh a{asker.scene().mesh_a};
-  const PlacedMesh b{asker.scene().mesh_b, pose};
+  const PlacedMeshView a{asker.scene().mesh_a};
+  const PlacedMeshView b{asker.scene().mesh_b, pose};
   switch (asker.question()) {
     case Question::Any:
       return intersects(a, b);
@@ -102,8 +102,8 @@ double cold_value(const Asker& asker, const Pose& pose) {
 }
 
 double remembering_value(const Asker& asker, const Pose& pose, PairMemory& memory) {
-  const PlacedMesh a{asker.scene().mesh_a};
-  const PlacedMesh b{asker.scene().mesh_b, pose};
+  const PlacedMeshView a{asker.scene().mesh_a};
+  const PlacedMeshView b{asker.scene().mesh_b, pose};
   switch (asker.question()) {
     case Question::Any:
       return intersects(a, b, memory);

@@ -49,8 +49,8 @@ class Mover {
 
  private:
   State state_in(const Pose& pose) const {
-    const PlacedMesh a{scene_.mesh_a};
-    const PlacedMesh b{scene_.mesh_b, pose};
+    const PlacedMeshView a{scene_.mesh_a};
+    const PlacedMeshView b{scene_.mesh_b, pose};
     const std::size_t pairs = find_triangle_pairs(a, b).size();
     return {pairs, pairs > 0 ? 0 : distance(a, b).distance};
   }

@@ -1,4 +1,5 @@
 #include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/distance.h>
 
 #include "tests/benchmark/pairs/contestant.h"
@@ -8,20 +9,20 @@ namespace {
 
 class GrazePairs final : public PairContestant {
  public:
-  explicit GrazePairs(Volume volume)
+  explicit GrazePairs(PairVolume volume)
       : PairContestant(std::string("graze ") + graze::name_of(volume)), volume_(volume) {}
 
   std::string refusal(Question question) const override {
     const bool has_volumes = question == Question::Any || question == Question::Pairs;
-    return has_volumes || volume_ == Volume::Wide ? "" : "the volume is no choice here";
+    return has_volumes || volume_ == PairVolume::WideObb ? "" : "the volume is no choice here";
   }
 
   void build(const Mesh& mesh_a, const Mesh& mesh_b) override {
     copy(mesh_a, mesh_b);
     for (const Mesh& mesh : {*mesh_a_, *mesh_b_}) {
-      if (volume_ == Volume::Wide) mesh.wide_tree().build_all();
-      if (volume_ == Volume::Aabb) mesh.tree();
-      if (volume_ == Volume::Obb) mesh.obb_skin();
+      if (volume_ == PairVolume::WideObb) wide_tree_of(mesh).build_all();
+      if (volume_ == PairVolume::Aabb) tree_of(mesh);
+      if (volume_ == PairVolume::Obb) obb_skin_of(mesh);
     }
   }
   void release() override {
@@ -48,8 +49,8 @@ class GrazePairs final : public PairContestant {
 
   std::optional<Work> work(Question question, const Pose& pose_b, double clearance) override {
     Work work;
-    const PlacedMesh a{*mesh_a_};
-    const PlacedMesh b{*mesh_b_, pose_b};
+    const PlacedMeshView a{*mesh_a_};
+    const PlacedMeshView b{*mesh_b_, pose_b};
     switch (question) {
       case Question::Any:
         ask(pose_b, &work);
@@ -77,7 +78,7 @@ class GrazePairs final : public PairContestant {
     mesh_b_.emplace(mesh_b.vertices(), mesh_b.triangles());
   }
 
-  Volume volume_;
+  PairVolume volume_;
   std::optional<Mesh> mesh_a_;
   std::optional<Mesh> mesh_b_;
 };
@@ -85,7 +86,7 @@ class GrazePairs final : public PairContestant {
 }  // namespace
 
 void add_graze(PairContestants& contestants) {
-  for (const Volume volume : {Volume::Wide, Volume::Aabb, Volume::Obb})
+  for (const PairVolume volume : {PairVolume::WideObb, PairVolume::Aabb, PairVolume::Obb})
     contestants.push_back(std::make_unique<GrazePairs>(volume));
 }
 

@@ -41,7 +41,7 @@ Placed near_touching(ShapeKind kind_a, ShapeKind kind_b, RandomSource& source) {
   const double far = tests::size_of(pair.a) + tests::size_of(pair.b);
   pair.pose_b.translation() = pair.pose_a.translation() + way * far;
   for (int step = 0; step < 20 && kind_b != ShapeKind::HalfSpace; ++step) {
-    const double gap = distance(pair.a, pair.pose_a, pair.b, pair.pose_b).distance;
+    const double gap = distance({pair.a, pair.pose_a}, {pair.b, pair.pose_b}).distance;
     if (gap < 1e-3) break;
     pair.pose_b.translation() -= way * gap;
   }
@@ -80,11 +80,11 @@ void report(ShapeKind kind_a, ShapeKind kind_b, RandomSource& source) {
     return time_of(kPairs, [&](std::size_t i) { return static_cast<double>(ask(of_fcl[i])); });
   };
   const double yes =
-      graze_time([](const Placed& p) { return intersects(p.a, p.pose_a, p.b, p.pose_b); });
+      graze_time([](const Placed& p) { return intersects({p.a, p.pose_a}, {p.b, p.pose_b}); });
   const double contacts = graze_time(
-      [](const Placed& p) { return find_contacts(p.a, p.pose_a, p.b, p.pose_b).size(); });
+      [](const Placed& p) { return find_contacts({p.a, p.pose_a}, {p.b, p.pose_b}).size(); });
   const double apart =
-      graze_time([](const Placed& p) { return distance(p.a, p.pose_a, p.b, p.pose_b).distance; });
+      graze_time([](const Placed& p) { return distance({p.a, p.pose_a}, {p.b, p.pose_b}).distance; });
   const double fcl_yes = fcl_time([](const tests::FclPair& p) { return p.intersects(); });
   const double fcl_contacts = fcl_time([](const tests::FclPair& p) { return p.contacts().is_hit; });
   const bool has_distance = kind_b != ShapeKind::HalfSpace && kind_b != ShapeKind::Mesh;

@@ -19,7 +19,7 @@ struct Round {
 };
 
 Round run_round(const Scene& scene, const std::vector<Pose>& poses, Sharing sharing, int threads) {
-  const PlacedMesh a{scene.mesh_a};
+  const PlacedMeshView a{scene.mesh_a};
   Round round;
   std::vector<TrianglePairs> found;
   const Stopwatch watch;

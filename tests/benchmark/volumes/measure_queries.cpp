@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/benchmark/common/stopwatch.h"
+#include "tests/benchmark/volumes/cascade.h"
 
 namespace graze::benchmark {
 namespace {
@@ -27,18 +28,47 @@ struct Times {
   std::vector<double> pairs;
 };
 
-void measure_pose(QueryMeasure& measure, Times& times, const PlacedMesh& a, const PlacedMesh& b,
-                  int repetitions) {
-  const QuerySettings settings{.volume = measure.volume};
-  const PairSettings pair_settings{.volume = measure.volume};
-  bool is_hit = intersects(a, b, settings, &measure.any);  // also warms the caches
+/// A way to ask the two questions.
+struct Contestant {
+  std::string name;
+  std::function<bool(const PlacedMeshView&, const PlacedMeshView&, Work&)> any;
+  std::function<TrianglePairs(const PlacedMeshView&, const PlacedMeshView&, Work&)> pairs;
+};
+
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> all;
+  for (const PairVolume volume : kPairVolumes) {
+    all.push_back({graze::name_of(volume),
+                   [=](const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
+                     return intersects(a, b, {.volume = volume}, &work);
+                   },
+                   [=](const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
+                     return find_triangle_pairs(a, b, {.volume = volume}, &work);
+                   }});
+  }
+  for (const Volume second : {Volume::Aabb, Volume::Obb, Volume::KDop}) {
+    all.push_back({std::string("sphere-") + graze::name_of(second),
+                   [=](const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
+                     return intersects_by_cascade(a, b, second, work);
+                   },
+                   [=](const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
+                     return find_pairs_by_cascade(a, b, second, work);
+                   }});
+  }
+  return all;
+}
+
+void measure_pose(const Contestant& contestant, QueryMeasure& measure, Times& times,
+                  const PlacedMeshView& a, const PlacedMeshView& b, int repetitions) {
+  bool is_hit = contestant.any(a, b, measure.any);  // also warms the caches
+  Work ignored;
   times.any.push_back(
-      median_microseconds(repetitions, [&] { is_hit &= intersects(a, b, settings); }));
-  TrianglePairs found = find_triangle_pairs(a, b, pair_settings, &measure.pairs);
+      median_microseconds(repetitions, [&] { is_hit &= contestant.any(a, b, ignored); }));
+  TrianglePairs found = contestant.pairs(a, b, measure.pairs);
   measure.hits += found.size();
   if (is_hit == found.empty()) throw Error("a boolean query and the pairs disagree");
   times.pairs.push_back(
-      median_microseconds(repetitions, [&] { found = find_triangle_pairs(a, b, pair_settings); }));
+      median_microseconds(repetitions, [&] { found = contestant.pairs(a, b, ignored); }));
 }
 
 }  // namespace
@@ -52,14 +82,15 @@ std::vector<QueryMeasure> measure_queries(const Mesh& mesh_a, const Mesh& mesh_b
                                           std::span<const Pose> poses, int repetitions,
                                           const std::function<void()>& on_pose) {
   std::vector<QueryMeasure> measures;
-  for (const Volume volume : kVolumes)
-    measures.push_back({volume, 0, 0, {}, {}, 0});
+  const std::vector<Contestant> all = contestants();
+  for (const Contestant& contestant : all)
+    measures.push_back({contestant.name, 0, 0, {}, {}, 0});
   std::vector<Times> times(measures.size());
   for (const Pose& pose : poses) {
     for (std::size_t i = 0; i < measures.size(); ++i) {
-      measure_pose(measures[i], times[i], {mesh_a}, {mesh_b, pose}, repetitions);
+      measure_pose(all[i], measures[i], times[i], {mesh_a}, {mesh_b, pose}, repetitions);
       if (measures[i].hits != measures[0].hits) {
-        throw Error(std::string("volumes disagree: ") + graze::name_of(measures[i].volume));
+        throw Error("volumes disagree: " + measures[i].volume);
       }
     }
     on_pose();

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <graze/bvh/pose.h>
-#include <graze/bvh/volume.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace graze::benchmark {
 
 /// What queries cost with one volume, over all poses.
 struct QueryMeasure {
-  Volume volume;
+  std::string volume;         ///< as the command line calls it; "sphere-obb" for a cascade
   double any_microseconds;    ///< median over the poses: do they intersect
   double pairs_microseconds;  ///< median over the poses: all pairs
   Work any;                   ///< sums over the poses
@@ -25,8 +25,8 @@ struct QueryMeasure {
   double false_share() const;
 };
 
-/// For each of kVolumes; `on_pose()` is called after each pose. Volumes take turns pose by pose, so
-/// that a slow moment of the machine hits all of them. Each time is the median of `repetitions`.
+/// For each of kPairVolumes and each cascade; `on_pose()` is called after each pose. Volumes take
+/// turns pose by pose, so that a slow moment of the machine hits all of them. Each time is the median of `repetitions`.
 /// Throws Error if two volumes disagree.
 std::vector<QueryMeasure> measure_queries(const Mesh& mesh_a, const Mesh& mesh_b,
                                           std::span<const Pose> poses, int repetitions,

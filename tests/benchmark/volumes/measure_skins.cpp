@@ -1,6 +1,7 @@
 #include "tests/benchmark/volumes/measure_skins.h"
 
 #include <graze/bvh/tree/statistics.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 
 #include <algorithm>
 #include <span>
@@ -35,8 +36,8 @@ SkinMeasure measured(Volume volume, const Mesh& mesh, int repetitions, const Ski
   const auto skin = skin_of(mesh);
   return {volume,
           build_milliseconds(
-              mesh, repetitions, [](const Mesh& m) { m.tree(); }, skin_of),
-          skin.size_bytes(), bvh::volumes_by_level(mesh.tree(), skin)};
+              mesh, repetitions, [](const Mesh& m) { tree_of(m); }, skin_of),
+          skin.size_bytes(), bvh::volumes_by_level(tree_of(mesh), skin)};
 }
 
 }  // namespace
@@ -45,14 +46,14 @@ std::vector<SkinMeasure> measure_skins(const Mesh& mesh, int repetitions) {
   std::vector<SkinMeasure> skins;
   skins.push_back({Volume::Aabb,
                    build_milliseconds(
-                       mesh, repetitions, [](const Mesh&) {}, [](const Mesh& m) { m.tree(); }),
-                   bvh::statistics_of(mesh.tree()).bytes, bvh::volumes_by_level(mesh.tree())});
+                       mesh, repetitions, [](const Mesh&) {}, [](const Mesh& m) { tree_of(m); }),
+                   bvh::statistics_of(tree_of(mesh)).bytes, bvh::volumes_by_level(tree_of(mesh))});
   skins.push_back(
-      measured(Volume::Sphere, mesh, repetitions, [](const Mesh& m) { return m.sphere_skin(); }));
+      measured(Volume::Sphere, mesh, repetitions, [](const Mesh& m) { return sphere_skin_of(m); }));
   skins.push_back(
-      measured(Volume::Obb, mesh, repetitions, [](const Mesh& m) { return m.obb_skin(); }));
+      measured(Volume::Obb, mesh, repetitions, [](const Mesh& m) { return obb_skin_of(m); }));
   skins.push_back(
-      measured(Volume::KDop, mesh, repetitions, [](const Mesh& m) { return m.kdop_skin(); }));
+      measured(Volume::KDop, mesh, repetitions, [](const Mesh& m) { return kdop_skin_of(m); }));
   return skins;
 }
 

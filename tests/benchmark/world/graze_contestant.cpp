@@ -11,12 +11,12 @@ namespace {
 class Graze final : public Contestant {
  public:
   void start(const Scene& scene, const Frame& frame) override {
-    world_.add(scene.ground, Pose::Identity(), {.kind = BodyKind::Static});
+    world_.add({scene.ground, Pose::Identity()}, {.kind = BodyKind::Static});
     std::vector<std::shared_ptr<const BodyShape>> shapes;
     for (const Kind& kind : scene.kinds)
       shapes.push_back(share(kind.shape));
     for (std::size_t i = 0; i < frame.size(); ++i)
-      ids_.push_back(world_.add(shapes[scene.bodies[i]], frame[i]));
+      ids_.push_back(world_.add({shapes[scene.bodies[i]], frame[i]}));
     step(frame);
   }
 

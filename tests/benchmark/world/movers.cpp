@@ -12,13 +12,13 @@ namespace graze::benchmark {
 
 std::vector<MoverTime> measure_movers(const Scene& scene, const std::vector<Frame>& path) {
   World world;
-  world.add(scene.ground, Pose::Identity(), {.kind = BodyKind::Static});
+  world.add({scene.ground, Pose::Identity()}, {.kind = BodyKind::Static});
   std::vector<std::shared_ptr<const BodyShape>> shapes;
   for (const Kind& kind : scene.kinds)
     shapes.push_back(share(kind.shape));
   std::vector<BodyId> ids;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    ids.push_back(world.add(shapes[scene.bodies[i]], path.front()[i]));
+    ids.push_back(world.add({shapes[scene.bodies[i]], path.front()[i]}));
   world.update();
   std::vector<MoverTime> times;
   for (std::size_t movers = 0; movers <= ids.size(); movers = movers == 0 ? 1 : 10 * movers) {
@@ -50,7 +50,7 @@ class Crowd {
     const std::shared_ptr<const BodyShape> shapes[] = {share(Sphere{Eigen::Vector3d::Zero(), 0.5}),
                                                        share(Box{{0.4, 0.3, 0.5}})};
     for (std::size_t i = 0; i < bodies; ++i)
-      ids_.push_back(world_.add(shapes[i % 2], somewhere(i)));
+      ids_.push_back(world_.add({shapes[i % 2], somewhere(i)}));
     world_.update();
   }
 

@@ -23,8 +23,7 @@ constexpr double kTimeToSleep = 0.1;  // seconds
 class Settling {
  public:
   explicit Settling(const Scene& scene) : scene_(scene), solver_(settings_) {
-    world_.add(scene.ground, Pose::Identity(),
-               {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
+    world_.add({scene.ground, Pose::Identity()}, {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
     for (const Kind& kind : scene.kinds) {
       shapes_.push_back(share(kind.shape));
       reach_ = std::max(reach_, kind.reach);
@@ -82,7 +81,7 @@ class Settling {
 
   double ground_at(double x, double y) const {
     const double high = scene_.ground.bounds().max.z() + reach_;
-    const auto hit = graze::cast_ray(PlacedMesh{scene_.ground}, Ray{{x, y, high}, {0, 0, -1}});
+    const auto hit = graze::cast_ray(PlacedMeshView{scene_.ground}, Ray{{x, y, high}, {0, 0, -1}});
     return hit ? high - hit->distance : 0;
   }
 
@@ -92,7 +91,7 @@ class Settling {
     Eigen::Quaterniond turn(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1));
     turn.normalize();
     RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
-    body.id = world_.add(shapes_[index], body.pose(), {.user_data = bodies_.size()});
+    body.id = world_.add({shapes_[index], body.pose()}, {.user_data = bodies_.size()});
     bodies_.push_back(body);
   }
 

@@ -19,12 +19,12 @@ namespace {
 using FitObb = Obb (*)(std::span<const Eigen::Vector3d>);
 using FitSphere = Sphere (*)(std::span<const Eigen::Vector3d>);
 
-constexpr FitObb kObbFits[] = {covariance_box, ditetrahedron_box, tight_box};
-constexpr FitSphere kSphereFits[] = {ritter_sphere, minimal_sphere};
+constexpr FitObb kObbFits[] = {covariance_box, ditetrahedron_box, bounding_obb};
+constexpr FitSphere kSphereFits[] = {ritter_sphere, bounding_sphere};
 
 TEST(FitContainment, AlignedBoxesContainAndTouch) {
   for (const PointSet& set : hard_sets()) {
-    const Aabb box = fit_aabb(set.points);
+    const Aabb box = bounding_aabb(set.points);
     EXPECT_NO_THROW(check_box(box, "box"));
     Eigen::Vector3d low = set.points[0];
     Eigen::Vector3d high = set.points[0];
@@ -51,7 +51,7 @@ TEST(FitContainment, SpheresContain) {
 
 TEST(FitContainment, KDopsContainAndAreTight) {
   for (const PointSet& set : hard_sets()) {
-    const KDop<18> kdop = fit_kdop(set.points);
+    const KDop<18> kdop = bounding_kdop(set.points);
     EXPECT_NO_THROW(check_kdop(kdop, "k-DOP"));
     for (int i = 0; i < KDop<18>::kSlabs; ++i) {
       const std::array<int, 3>& d = kKDopDirections<18>[i];
@@ -105,26 +105,26 @@ void expect_refused(Fit fit, const char* name) {
 }
 
 TEST(FitBadInput, NoPointsAndNotFiniteOnesAreRefused) {
-  expect_refused(fit_aabb, "fit_aabb");
-  expect_refused(fit_kdop, "fit_kdop");
+  expect_refused(bounding_aabb, "fit_aabb");
+  expect_refused(bounding_kdop, "fit_kdop");
   expect_refused(ritter_sphere, "ritter_sphere");
-  expect_refused(minimal_sphere, "minimal_sphere");
+  expect_refused(bounding_sphere, "minimal_sphere");
   expect_refused(covariance_box, "covariance_box");
   expect_refused(ditetrahedron_box, "ditetrahedron_box");
-  expect_refused(tight_box, "tight_box");
+  expect_refused(bounding_obb, "tight_box");
 }
 
 TEST(FitBadInput, WhatOverflowsIsRefused) {
   const double big = std::numeric_limits<double>::max();
   const Points across{{-big, -big, -big}, {big, big, big}, {big, -big, 0}};
-  EXPECT_EQ(fit_aabb(across).max.x(), big);
-  EXPECT_THROW(fit_kdop(across), InputError);
+  EXPECT_EQ(bounding_aabb(across).max.x(), big);
+  EXPECT_THROW(bounding_kdop(across), InputError);
   for (FitSphere fit : kSphereFits)
     EXPECT_THROW(fit(across), InputError);
   EXPECT_THROW(covariance_box(across), InputError);
   const Points along{{-big, 0, 0}, {big, 0, 0}};
-  EXPECT_THROW(minimal_sphere(along), InputError) << "the radius is rounded up";
-  EXPECT_EQ(minimal_sphere(Points{{-0.5 * big, 0, 0}, {0.5 * big, 0, 0}}).centre.x(), 0);
+  EXPECT_THROW(bounding_sphere(along), InputError) << "the radius is rounded up";
+  EXPECT_EQ(bounding_sphere(Points{{-0.5 * big, 0, 0}, {0.5 * big, 0, 0}}).centre.x(), 0);
 }
 
 TEST(FitDegenerate, SinglePointsGiveThemselves) {

@@ -43,7 +43,7 @@ TEST(FitMeasure, AKDopOfABoxIsTheBox) {
   Points corners;
   for (int i = 0; i < 8; ++i)
     corners.push_back(Eigen::Vector3d(i & 1, i >> 1 & 1, i >> 2).cwiseProduct(size));
-  for (const KDop<18>& kdop : {fit_kdop(corners), loose_kdop(size)}) {
+  for (const KDop<18>& kdop : {bounding_kdop(corners), loose_kdop(size)}) {
     EXPECT_NEAR(volume(kdop), 1, 1e-14);
     EXPECT_NEAR(surface(kdop), 7, 1e-13);
   }
@@ -76,11 +76,11 @@ TEST(FitMeasure, CuboctahedronAndOctahedron) {
     const double b = i & 2 ? 1 : -1;
     cuboctahedron.insert(cuboctahedron.end(), {{a, b, 0}, {a, 0, b}, {0, a, b}});
   }
-  EXPECT_NEAR(volume(fit_kdop(cuboctahedron)), 8, 1e-13);
-  EXPECT_NEAR(surface(fit_kdop(cuboctahedron)), 24, 1e-13);
+  EXPECT_NEAR(volume(bounding_kdop(cuboctahedron)), 8, 1e-13);
+  EXPECT_NEAR(surface(bounding_kdop(cuboctahedron)), 24, 1e-13);
   // The octahedron's: x <= 1 and x + y <= 1, the rhombic dodecahedron above.
   const Points octahedron{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  EXPECT_NEAR(volume(fit_kdop(octahedron)), 2, 1e-13);
+  EXPECT_NEAR(volume(bounding_kdop(octahedron)), 2, 1e-13);
 }
 
 TEST(FitMeasure, FlatStraightAndEmptyKDops) {
@@ -89,8 +89,8 @@ TEST(FitMeasure, FlatStraightAndEmptyKDops) {
   EXPECT_EQ(surface(loose_kdop({2, 0, 0})), 0);
   EXPECT_EQ(surface(loose_kdop({0, 0, 0})), 0);
   const Points tilted{{0, 0, 0}, {1, 1, 0}, {0, 0, 1}, {1, 1, 1}};
-  EXPECT_NEAR(surface(fit_kdop(tilted)), 2 * std::sqrt(2), 1e-13);
-  EXPECT_NEAR(volume(fit_kdop(tilted)), 0, 1e-15);
+  EXPECT_NEAR(surface(bounding_kdop(tilted)), 2 * std::sqrt(2), 1e-13);
+  EXPECT_NEAR(volume(bounding_kdop(tilted)), 0, 1e-15);
   KDop<18> empty = loose_kdop({1, 1, 1});
   empty.min[3] = 3;
   EXPECT_EQ(volume(empty), 0);
@@ -103,15 +103,15 @@ TEST(FitMeasure, ScalesAndMoves) {
     Points points;
     for (int k = 0; k < 30; ++k)
       points.push_back(source.lattice_point(-1000, 1000) * 0x1p-10);
-    const double expected_volume = volume(fit_kdop(points));
-    const double expected_surface = surface(fit_kdop(points));
+    const double expected_volume = volume(bounding_kdop(points));
+    const double expected_surface = surface(bounding_kdop(points));
     EXPECT_LT(expected_volume, volume(Aabb{{-1, -1, -1}, {1, 1, 1}}));
     for (double factor : {0x1p-100, 4.0, 0x1p90}) {
-      const KDop<18> kdop = fit_kdop(scaled(points, factor));
+      const KDop<18> kdop = bounding_kdop(scaled(points, factor));
       EXPECT_EQ(volume(kdop), expected_volume * factor * factor * factor);
       EXPECT_EQ(surface(kdop), expected_surface * factor * factor);
     }
-    const KDop<18> far = fit_kdop(moved(points, {0x1p30, -0x1p31, 0x1p32}));
+    const KDop<18> far = bounding_kdop(moved(points, {0x1p30, -0x1p31, 0x1p32}));
     EXPECT_NEAR(volume(far), expected_volume, 1e-13 * expected_volume);
     EXPECT_NEAR(surface(far), expected_surface, 1e-13 * expected_surface);
   }
@@ -141,7 +141,7 @@ TEST(FitMeasure, PartsAddUp) {
     Points points;
     for (int k = 0; k < 20; ++k)
       points.push_back(source.vector(-1, 1));
-    const KDop<18> whole = fit_kdop(points);
+    const KDop<18> whole = bounding_kdop(points);
     const int slab = i % 9;
     const double cut = source.uniform(whole.min[slab], whole.max[slab]);
     KDop<18> low = whole;

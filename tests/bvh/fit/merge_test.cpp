@@ -39,11 +39,11 @@ TEST(FitMerged, AlignedBoxesAndKDopsAreExact) {
     }
     Points both = a;
     both.insert(both.end(), b.begin(), b.end());
-    const Aabb box = merged(fit_aabb(a), fit_aabb(b));
-    EXPECT_EQ(box.min, fit_aabb(both).min);
-    EXPECT_EQ(box.max, fit_aabb(both).max);
-    const KDop<18> kdop = merged(fit_kdop(a), fit_kdop(b));
-    const KDop<18> expected = fit_kdop(both);
+    const Aabb box = merged(bounding_aabb(a), bounding_aabb(b));
+    EXPECT_EQ(box.min, bounding_aabb(both).min);
+    EXPECT_EQ(box.max, bounding_aabb(both).max);
+    const KDop<18> kdop = merged(bounding_kdop(a), bounding_kdop(b));
+    const KDop<18> expected = bounding_kdop(both);
     EXPECT_EQ(kdop.min, expected.min);
     EXPECT_EQ(kdop.max, expected.max);
   }

@@ -82,7 +82,7 @@ TEST(FitMinimalSphere, IsTheSmallestOfAllThroughFourPoints) {
     const auto count = static_cast<std::size_t>(source.integer(1, 11));
     const Points points = random_set(i % 6, count, source);
     const double expected = BruteForce(points).radius();
-    const double radius = minimal_sphere(points).radius;
+    const double radius = bounding_sphere(points).radius;
     EXPECT_LE(radius, expected * (1 + 1e-12) + 1e-15) << i;
     EXPECT_GE(radius, expected * (1 - 1e-12)) << i;
   }
@@ -90,7 +90,7 @@ TEST(FitMinimalSphere, IsTheSmallestOfAllThroughFourPoints) {
 
 TEST(FitMinimalSphere, KnownCases) {
   const auto expect = [](const Points& points, const Eigen::Vector3d& centre, double radius) {
-    const Sphere sphere = minimal_sphere(points);
+    const Sphere sphere = bounding_sphere(points);
     EXPECT_LE((sphere.centre - centre).norm(), 1e-14) << sphere.centre.transpose();
     EXPECT_NEAR(sphere.radius, radius, 1e-14 * radius);
   };
@@ -105,8 +105,8 @@ TEST(FitMinimalSphere, KnownCases) {
 TEST(FitMinimalSphere, NeverLargerThanRitters) {
   for (const PointSet& set : hard_sets()) {
     const double ritter = ritter_sphere(set.points).radius;
-    EXPECT_LE(minimal_sphere(set.points).radius, ritter) << set.name;
-    EXPECT_LE(ritter, 1.5 * minimal_sphere(set.points).radius) << set.name;
+    EXPECT_LE(bounding_sphere(set.points).radius, ritter) << set.name;
+    EXPECT_LE(ritter, 1.5 * bounding_sphere(set.points).radius) << set.name;
   }
 }
 
@@ -114,8 +114,8 @@ TEST(FitMinimalSphere, ScalesByPowersOfTwo) {
   for (const PointSet& set : plain_sets()) {
     for (double factor : {0x1p-300, 0x1p-3, 0x1p7, 0x1p500}) {
       const Points points = scaled(set.points, factor);
-      EXPECT_EQ(minimal_sphere(points).centre, minimal_sphere(set.points).centre * factor);
-      EXPECT_EQ(minimal_sphere(points).radius, minimal_sphere(set.points).radius * factor);
+      EXPECT_EQ(bounding_sphere(points).centre, bounding_sphere(set.points).centre * factor);
+      EXPECT_EQ(bounding_sphere(points).radius, bounding_sphere(set.points).radius * factor);
       EXPECT_EQ(ritter_sphere(points).centre, ritter_sphere(set.points).centre * factor);
       EXPECT_EQ(ritter_sphere(points).radius, ritter_sphere(set.points).radius * factor);
     }
@@ -132,7 +132,7 @@ TEST(FitMinimalSphere, ManyPointsOnASphereComeToAnEnd) {
       point *= (1 + source.uniform(0, noise)) / point.norm();
       points.push_back(point);
     }
-    const Sphere sphere = minimal_sphere(points);
+    const Sphere sphere = bounding_sphere(points);
     EXPECT_NEAR(sphere.radius, 1 + noise, 1e-14 + 2 * noise);
     EXPECT_LE(sphere.centre.norm(), 1e-12 + 2 * noise);
   }

@@ -43,7 +43,7 @@ TEST(FitOrientedBox, FindsABoxAgain) {
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d half{0.25, source.uniform(0.5, 1), source.uniform(1.5, 3)};
     const Points points = box_corners(random_pose(2, source), half);
-    for (const Obb& box : {ditetrahedron_box(points), tight_box(points), covariance_box(points)}) {
+    for (const Obb& box : {ditetrahedron_box(points), bounding_obb(points), covariance_box(points)}) {
       EXPECT_TRUE(sorted_extents(box).isApprox(half, 1e-12)) << sorted_extents(box).transpose();
     }
   }
@@ -51,7 +51,7 @@ TEST(FitOrientedBox, FindsABoxAgain) {
 
 TEST(FitOrientedBox, AlignedBoxesStayAsTheyAre) {
   const Points points = box_corners(Pose::Identity(), {1, 2, 0.5});
-  for (const Obb& box : {ditetrahedron_box(points), tight_box(points)}) {
+  for (const Obb& box : {ditetrahedron_box(points), bounding_obb(points)}) {
     EXPECT_TRUE(box.pose.linear().isIdentity(0));
     EXPECT_TRUE(box.half_extents.isApprox(Eigen::Vector3d{1, 2, 0.5}, 1e-15));
   }
@@ -62,8 +62,8 @@ TEST(FitOrientedBox, AlignedBoxesStayAsTheyAre) {
 
 TEST(FitOrientedBox, TightIsNeverLargerThanTheOthers) {
   for (const PointSet& set : plain_sets()) {
-    const Aabb aligned = fit_aabb(set.points);
-    const double tight = volume_of(tight_box(set.points));
+    const Aabb aligned = bounding_aabb(set.points);
+    const double tight = volume_of(bounding_obb(set.points));
     const double allowance = 1e-8 * std::pow((aligned.max - aligned.min).norm(), 3);
     EXPECT_LE(tight, volume_of(covariance_box(set.points)) + allowance) << set.name;
     EXPECT_LE(tight, volume_of(ditetrahedron_box(set.points)) + allowance) << set.name;
@@ -101,8 +101,8 @@ TEST(FitOrientedBox, ATurnedRectangleOfAnyPrismIsFound) {
     }
     least = std::min(least, (high[0] - low[0]) * (high[1] - low[1]));
   }
-  EXPECT_LE(volume_of(tight_box(points)), 6 * least * (1 + 1e-12));
-  EXPECT_GE(volume_of(tight_box(points)), 6 * least * (1 - 1e-3));
+  EXPECT_LE(volume_of(bounding_obb(points)), 6 * least * (1 + 1e-12));
+  EXPECT_GE(volume_of(bounding_obb(points)), 6 * least * (1 - 1e-3));
 }
 
 TEST(FitOrientedBox, FlatAndStraightSetsGiveThinBoxes) {
@@ -116,7 +116,7 @@ TEST(FitOrientedBox, FlatAndStraightSetsGiveThinBoxes) {
       flat.push_back(pose * Eigen::Vector3d{point.x(), 0.4 * point.y(), 0});
       straight.push_back(pose * Eigen::Vector3d{point.x(), 0, 0});
     }
-    for (FitObb fit : {covariance_box, ditetrahedron_box, tight_box}) {
+    for (FitObb fit : {covariance_box, ditetrahedron_box, bounding_obb}) {
       EXPECT_LE(sorted_extents(fit(flat)).x(), 1e-14) << i;
       EXPECT_LE(sorted_extents(fit(straight)).y(), 1e-14) << i;
     }
@@ -125,8 +125,8 @@ TEST(FitOrientedBox, FlatAndStraightSetsGiveThinBoxes) {
 
 TEST(FitOrientedBox, SameInputSameBox) {
   for (const PointSet& set : plain_sets()) {
-    const Obb first = tight_box(set.points);
-    const Obb second = tight_box(set.points);
+    const Obb first = bounding_obb(set.points);
+    const Obb second = bounding_obb(set.points);
     EXPECT_EQ(first.pose.matrix(), second.pose.matrix());
     EXPECT_EQ(first.half_extents, second.half_extents);
   }

@@ -1,6 +1,7 @@
 // Every kind of question, asked while its n-th allocation fails: std::bad_alloc comes out, nothing
 // is leaked, and the same question, asked again of the same meshes, has the answer of new ones.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/manifold.h>
@@ -50,7 +51,7 @@ Meshes fine() {
 Meshes deformed() {
   const Meshes before = fresh();
   for (const Mesh& mesh : {before.a, before.b})
-    prepare(mesh), mesh.tree();
+    prepare(mesh), tree_of(mesh);
   return {before.a.deformed(bent(before.a)), before.b.deformed(bent(before.b))};
 }
 
@@ -141,7 +142,7 @@ TEST(Allocations, OfMeshesMayFail) {
   const std::vector<Eigen::Vector3d> elsewhere = bent(meshes.a);
   fail_making("a mesh", kEach, [&] { return told_of(anew(meshes.a)); });
   fail_making("a deformed mesh", kEach, [&] { return told_of(meshes.a.deformed(elsewhere)); });
-  prepare(meshes.a), meshes.a.tree();
+  prepare(meshes.a), tree_of(meshes.a);
   fail_making("a deformed mesh with trees", kEach,
               [&] { return told_of(meshes.a.deformed(elsewhere)); });
 }
@@ -153,9 +154,9 @@ TEST(Allocations, OfShapesMayFail) {
   fail_making("a hull and its answers", 150, [&] {
     const Shape a(hull()), b(Cone{0.6, 0.5});
     Digest digest;
-    for (const ShapeContact& contact : find_contacts(a, here, b, there))
+    for (const ShapeContact& contact : find_contacts({a, here}, {b, there}))
       digest << contact.depth << contact.normal << contact.point;
-    return digest << distance(a, here, b, apart).distance << intersects(a, here, b, there);
+    return digest << distance({a, here}, {b, apart}).distance << intersects({a, here}, {b, there});
   });
 }
 

@@ -94,8 +94,8 @@ class TwinWorlds {
     const auto body = shape();
     const Pose pose = place();
     BodyId id;
-    on_trial([&] { id = failing_.add(body, pose); });
-    ASSERT_EQ(twin_.add(body, pose), id);
+    on_trial([&] { id = failing_.add({body, pose}); });
+    ASSERT_EQ(twin_.add({body, pose}), id);
     ids_.push_back(id);
   }
 
@@ -175,13 +175,13 @@ class TwinWorlds {
     }
     for (const BodyId id : world.find_in_box({{0, 0, -1}, {2, 2, 1}}))
       digest << id.index;
-    for (const BodyId id : world.find_touching(Sphere{{0, 0, 0}, 1}, at(1, 0.5)))
+    for (const BodyId id : world.find_touching({Sphere{{0, 0, 0}, 1}, at(1, 0.5)}))
       digest << id.index;
     for (const BodyRayHit& hit : world.cast_ray_all(Ray{{-5, 0.1, 0.1}, {1, 0.01, 0}}))
       digest << hit.id.index << hit.hit.distance;
-    if (const auto closest = world.find_closest(Box{{0.1, 0.1, 0.1}}, at(4, 20)))
+    if (const auto closest = world.find_closest({Box{{0.1, 0.1, 0.1}}, at(4, 20)}))
       digest << closest->id.index << closest->distance.distance;
-    for (const BodyDistance& near : world.find_within(Sphere{{0, 0, 0}, 1}, at(1, 0.5), 0.2))
+    for (const BodyDistance& near : world.find_within({Sphere{{0, 0, 0}, 1}, at(1, 0.5)}, 0.2))
       digest << near.id.index << near.distance.distance;
     return digest;
   }

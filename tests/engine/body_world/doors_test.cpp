@@ -38,8 +38,8 @@ TEST(WorldDoors, ErrorsNameWhatWasCalled) {
   EXPECT_TRUE(begins_with(what_of<InputError>([&] { world.cast_ray(nowhere); }), "cast_ray: "));
   EXPECT_TRUE(
       begins_with(what_of<InputError>([&] { world.cast_ray_all(nowhere); }), "cast_ray_all: "));
-  EXPECT_TRUE(begins_with(what_of<InputError>([] { const World none({.threads = 0}); }),
-                          "World: threads is 0"));
+  EXPECT_TRUE(begins_with(what_of<InputError>([] { const World none({.threads = -1}); }),
+                          "threads: -1 is"));
   EXPECT_TRUE(begins_with(what_of<InputError>([&] {
                             world.find_in_box({{1, 0, 0}, {0, 0, 0}});
                           }),
@@ -48,12 +48,12 @@ TEST(WorldDoors, ErrorsNameWhatWasCalled) {
 
 TEST(WorldDoors, WithinAnUpdateAWorldCannotBeChanged) {
   World world;
-  const BodyId a = world.add(Sphere{{0, 0, 0}, 1}, at(0));
-  const BodyId b = world.add(Sphere{{0, 0, 0}, 1}, at(1));
+  const BodyId a = world.add({Sphere{{0, 0, 0}, 1}, at(0)});
+  const BodyId b = world.add({Sphere{{0, 0, 0}, 1}, at(1)});
   const WorldSnapshot empty = World().snapshot();
   const std::vector<std::function<void()>> changes = {
       [&] {
-        world.add(Sphere{{0, 0, 0}, 1}, at(2));
+        world.add({Sphere{{0, 0, 0}, 1}, at(2)});
       },
       [&] { world.remove(a); },
       [&] { world.move(a, at(5)); },
@@ -81,7 +81,7 @@ TEST(WorldDoors, WithinAnUpdateAWorldCannotBeChanged) {
       EXPECT_NE(what.find(": the world is within an update"), std::string::npos) << what;
       ++refused;
     }
-    EXPECT_EQ(world.find_touching(Sphere{{0, 0, 0}, 1}, at(0.5)).size(), 2u);
+    EXPECT_EQ(world.find_touching({Sphere{{0, 0, 0}, 1}, at(0.5)}).size(), 2u);
     return true;
   });
   EXPECT_EQ(world.update().begun.size(), 1u);
@@ -97,7 +97,7 @@ TEST(WorldDoors, AnUpdateThatIsCutShortIsMadeUpFor) {
     World world;
     std::vector<BodyId> ids;
     for (int i = 0; i < 8; ++i)
-      ids.push_back(world.add(Sphere{{0, 0, 0}, 1}, at(1.5 * i)));
+      ids.push_back(world.add({Sphere{{0, 0, 0}, 1}, at(1.5 * i)}));
     ASSERT_EQ(world.update().begun.size(), 7u);
     int left = lasts;
     world.set_pair_filter([&](BodyId s, BodyId t) {
@@ -134,7 +134,7 @@ TEST(WorldDoors, AMoveOfManyIsAllOrNoneAndNamesTheBadOne) {
   World world;
   std::vector<BodyId> ids;
   for (int i = 0; i < 4; ++i)
-    ids.push_back(world.add(Sphere{{0, 0, 0}, 1}, at(i)));
+    ids.push_back(world.add({Sphere{{0, 0, 0}, 1}, at(i)}));
   world.update();
   std::vector<Pose> poses(4, at(9));
   poses[2] = at(std::numeric_limits<double>::quiet_NaN());
@@ -155,7 +155,7 @@ TEST(WorldDoors, PairsAreWithoutTheDead) {
   World world;
   std::vector<BodyId> row;
   for (int i = 0; i < 4; ++i)
-    row.push_back(world.add(Sphere{{0, 0, 0}, 0.6}, at(i)));
+    row.push_back(world.add({Sphere{{0, 0, 0}, 0.6}, at(i)}));
   world.update();
   ASSERT_EQ(world.pairs().size(), 3u);
   world.remove(row[1]);
@@ -170,15 +170,13 @@ TEST(WorldDoors, QueriesAskForSome) {
   std::vector<BodyId> ids;
   for (int i = 0; i < 60; ++i) {
     const auto category = 1u << i % 3;
-    ids.push_back(world.add(
-        Sphere{{0, 0, 0}, 0.4}, at(i % 5, i / 5 % 4, i / 20),
-        {.filter = {.category = category}, .role = i % 4 == 0 ? Role::Sensor : Role::Solid}));
+    ids.push_back(world.add({Sphere{{0, 0, 0}, 0.4}, at(i % 5, i / 5 % 4, i / 20)}, {.filter = {.category = category}, .role = i % 4 == 0 ? Role::Sensor : Role::Solid}));
   }
   world.update();
   const Sphere ball{{0, 0, 0}, 1.2};
   const Pose pose = at(1.8, 1.4, 0.9);
   const Aabb box{{0.5, 0.5, 0}, {3.2, 2.1, 1.2}};
-  const BodyDistance all_closest = *world.find_closest(ball, pose);
+  const BodyDistance all_closest = *world.find_closest({ball, pose});
   for (std::uint32_t mask = 0; mask < 8; ++mask) {
     for (const std::optional<Role> role :
          {std::optional<Role>(), std::optional(Role::Solid), std::optional(Role::Sensor)}) {
@@ -187,20 +185,20 @@ TEST(WorldDoors, QueriesAskForSome) {
         return (world.filter(id).category & mask) != 0 && (!role || world.role(id) == *role);
       };
       std::vector<BodyId> touching, in_box, near;
-      for (const BodyId id : world.find_touching(ball, pose))
+      for (const BodyId id : world.find_touching({ball, pose}))
         if (is_asked_for(id)) touching.push_back(id);
       for (const BodyId id : world.find_in_box(box))
         if (is_asked_for(id)) in_box.push_back(id);
-      for (const BodyDistance& found : world.find_within(ball, pose, 0.5))
+      for (const BodyDistance& found : world.find_within({ball, pose}, 0.5))
         if (is_asked_for(found.id)) near.push_back(found.id);
-      EXPECT_EQ(world.find_touching(ball, pose, query), touching);
+      EXPECT_EQ(world.find_touching({ball, pose}, query), touching);
       EXPECT_EQ(world.find_in_box(box, query), in_box);
       std::vector<BodyId> found_near;
-      for (const BodyDistance& found : world.find_within(ball, pose, 0.5, query))
+      for (const BodyDistance& found : world.find_within({ball, pose}, 0.5, query))
         found_near.push_back(found.id);
       EXPECT_EQ(found_near, near);
       EXPECT_EQ(touching.empty() || in_box.empty() || near.empty(), mask == 0);
-      const auto closest = world.find_closest(ball, pose, query);
+      const auto closest = world.find_closest({ball, pose}, query);
       EXPECT_EQ(closest.has_value(), mask != 0);
       if (closest) {
         EXPECT_TRUE(is_asked_for(closest->id));
@@ -215,7 +213,7 @@ TEST(WorldDoors, ExclusionsEndWithTheirBodies) {
   World world;
   std::vector<BodyId> ids;
   for (int i = 0; i < 5; ++i)
-    ids.push_back(world.add(Sphere{{0, 0, 0}, 1}, at(0.1 * i)));
+    ids.push_back(world.add({Sphere{{0, 0, 0}, 1}, at(0.1 * i)}));
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j < i; ++j)
       world.exclude(ids[i], ids[j]);
@@ -224,7 +222,7 @@ TEST(WorldDoors, ExclusionsEndWithTheirBodies) {
   world.remove(ids[2]);
   for (int i = 0; i < 3; ++i)
     world.update();  // then its index is used again
-  const BodyId late = world.add(Sphere{{0, 0, 0}, 1}, at(0.25));
+  const BodyId late = world.add({Sphere{{0, 0, 0}, 1}, at(0.25)});
   EXPECT_EQ(late.index, ids[2].index);
   EXPECT_EQ(world.update().begun.size(), 4u);
   world.include(ids[0], ids[4]);

@@ -40,7 +40,7 @@ std::pair<Capsule, Pose> as_capsule(const Ray& ray, double length) {
 /// inside, as the solver for two convex shapes sees it.
 bool expect_as_defined(const Shape& shape, const Pose& pose, const Ray& ray, double scale,
                        RandomSource& source) {
-  const auto hit = cast_ray(shape, pose, ray);
+  const auto hit = cast_ray({shape, pose}, ray);
   const Vector3d unit = ray.direction.normalized();
   const double tolerance = 1e-9 * scale;
   if (!hit) {
@@ -50,8 +50,8 @@ bool expect_as_defined(const Shape& shape, const Pose& pose, const Ray& ray, dou
       return false;
     }
     const auto [capsule, place] = as_capsule(ray, 6 * scale);
-    if (!intersects(shape, pose, capsule, place)) return false;
-    const Manifold contacts = find_contacts(shape, pose, capsule, place);
+    if (!intersects({shape, pose}, {capsule, place})) return false;
+    const Manifold contacts = find_contacts({shape, pose}, {capsule, place});
     for (std::size_t i = 0; i < contacts.size(); ++i)
       EXPECT_LT(contacts[i].depth, 2e-7 * scale);
     return false;
@@ -92,18 +92,18 @@ TEST(ShapeRay, MeetsEveryKindAsItIsDefined) {
       ray.direction = pose.translation() + source.vector(-0.8, 0.8) * size - ray.origin;
       if (n % 7 == 0) ray.direction = pose.linear().col(static_cast<int>(source.integer(0, 2)));
       const bool is_hit = expect_as_defined(shape, pose, ray, 6 * size, source);
-      const auto hit = cast_ray(shape, pose, ray);
+      const auto hit = cast_ray({shape, pose}, ray);
       hits += is_hit;
       starts_inside += hit && hit->distance == 0;
       if (!hit) continue;
       ray.max_distance = hit->distance;  // a ray that ends there still meets it
-      EXPECT_TRUE(cast_ray(shape, pose, ray));
+      EXPECT_TRUE(cast_ray({shape, pose}, ray));
       ray.max_distance = 0.999 * hit->distance;
-      EXPECT_EQ(cast_ray(shape, pose, ray).has_value(), hit->distance == 0);
+      EXPECT_EQ(cast_ray({shape, pose}, ray).has_value(), hit->distance == 0);
       ray.direction *= 1e-200;
       ray.max_distance = HUGE_VAL;
-      ASSERT_TRUE(cast_ray(shape, pose, ray));
-      EXPECT_NEAR(cast_ray(shape, pose, ray)->distance, hit->distance,
+      ASSERT_TRUE(cast_ray({shape, pose}, ray));
+      EXPECT_NEAR(cast_ray({shape, pose}, ray)->distance, hit->distance,
                   1e-10 * (size + hit->distance));
     }
     EXPECT_GT(hits, count / 4);
@@ -118,42 +118,42 @@ TEST(ShapeRay, IsAccurateFromFarAway) {
     SCOPED_TRACE(name_of(kind));
     RandomSource source(2);
     const Shape shape = tests::random_shape(kind, 1, source);
-    const auto far = cast_ray(shape, at(1e6, 0, 0), {{1e6 - 1e9, 0.01, 0.02}, {1, 0, 0}});
-    const auto near = cast_ray(shape, at(0, 0, 0), {{-1e3, 0.01, 0.02}, {1, 0, 0}});
+    const auto far = cast_ray({shape, at(1e6, 0, 0)}, {{1e6 - 1e9, 0.01, 0.02}, {1, 0, 0}});
+    const auto near = cast_ray({shape, at(0, 0, 0)}, {{-1e3, 0.01, 0.02}, {1, 0, 0}});
     ASSERT_EQ(far.has_value(), near.has_value());
     if (far) {
       EXPECT_NEAR(far->distance - 1e9, near->distance - 1e3, 1e-5);
     }
   }
-  EXPECT_FALSE(cast_ray(Sphere{{0, 0, 0}, 1}, at(0, 0, 0), {{-1e300, 0, 0}, {-1, 0, 0}}));
-  EXPECT_TRUE(cast_ray(Sphere{{0, 0, 0}, 1}, at(0, 0, 0), {{-1.7e308, 0, 0}, {1, 0, 0}}));
+  EXPECT_FALSE(cast_ray({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)}, {{-1e300, 0, 0}, {-1, 0, 0}}));
+  EXPECT_TRUE(cast_ray({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)}, {{-1.7e308, 0, 0}, {1, 0, 0}}));
 }
 
 TEST(ShapeRay, KnowsTheSimpleAnswers) {
-  const auto cone = cast_ray(Cone{1, 1}, at(0, 0, 0), {{0, 0, 5}, {0, 0, -2}});  // on the apex
+  const auto cone = cast_ray({Cone{1, 1}, at(0, 0, 0)}, {{0, 0, 5}, {0, 0, -2}});  // on the apex
   ASSERT_TRUE(cone);
   EXPECT_NEAR(cone->distance, 4, 1e-12);
-  const auto along = cast_ray(Cone{1, 1}, at(0, 0, 0), {{-0.5, 0, -5}, {0, 0, 1}});
+  const auto along = cast_ray({Cone{1, 1}, at(0, 0, 0)}, {{-0.5, 0, -5}, {0, 0, 1}});
   ASSERT_TRUE(along);
   EXPECT_EQ(along->distance, 4);
   EXPECT_EQ(along->normal, Vector3d(0, 0, -1));
   // Along the side of the cone, x + z / 2 = 1 / 2, a bit within and a bit outside.
-  EXPECT_TRUE(cast_ray(Cone{1, 1}, at(0, 0, 0), {{2 - 1e-6, 0, -3}, {-0.5, 0, 1}}));
-  EXPECT_FALSE(cast_ray(Cone{1, 1}, at(0, 0, 0), {{2 + 1e-6, 0, -3}, {-0.5, 0, 1}}));
-  const auto box = cast_ray(Box{{1, 2, 3}}, at(10, 0, 0), {{0, 1, 1}, {1, 0, 0}});
+  EXPECT_TRUE(cast_ray({Cone{1, 1}, at(0, 0, 0)}, {{2 - 1e-6, 0, -3}, {-0.5, 0, 1}}));
+  EXPECT_FALSE(cast_ray({Cone{1, 1}, at(0, 0, 0)}, {{2 + 1e-6, 0, -3}, {-0.5, 0, 1}}));
+  const auto box = cast_ray({Box{{1, 2, 3}}, at(10, 0, 0)}, {{0, 1, 1}, {1, 0, 0}});
   ASSERT_TRUE(box);
   EXPECT_EQ(box->distance, 9);
   EXPECT_EQ(box->point, Vector3d(9, 1, 1));
   EXPECT_EQ(box->normal, Vector3d(-1, 0, 0));
-  const auto end = cast_ray(Capsule{1, 2}, at(0, 0, 0), {{0, 0, 9}, {0, 0, -1}});
+  const auto end = cast_ray({Capsule{1, 2}, at(0, 0, 0)}, {{0, 0, 9}, {0, 0, -1}});
   ASSERT_TRUE(end);
   EXPECT_EQ(end->distance, 6);
-  const auto plane = cast_ray(HalfSpace{{0, 0, 2}, 2}, at(0, 0, 0), {{5, 5, 4}, {0, 0, -1}});
+  const auto plane = cast_ray({HalfSpace{{0, 0, 2}, 2}, at(0, 0, 0)}, {{5, 5, 4}, {0, 0, -1}});
   ASSERT_TRUE(plane);
   EXPECT_EQ(plane->distance, 3);
-  EXPECT_FALSE(cast_ray(HalfSpace{{0, 0, 2}, 2}, at(0, 0, 0), {{5, 5, 4}, {1, 0, 0}}));
-  EXPECT_THROW(cast_ray(Sphere{{0, 0, 0}, 1}, at(0, 0, 0), {{0, 0, 0}, {0, 0, 0}}), InputError);
-  EXPECT_THROW(cast_ray(Box{{1, 1, 1}}, at(2e100, 0, 0), {{0, 0, 0}, {1, 0, 0}}), PoseError);
+  EXPECT_FALSE(cast_ray({HalfSpace{{0, 0, 2}, 2}, at(0, 0, 0)}, {{5, 5, 4}, {1, 0, 0}}));
+  EXPECT_THROW(cast_ray({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)}, {{0, 0, 0}, {0, 0, 0}}), InputError);
+  EXPECT_THROW(cast_ray({Box{{1, 1, 1}}, at(2e100, 0, 0)}, {{0, 0, 0}, {1, 0, 0}}), PoseError);
 }
 
 void expect_equal(const BodyRayHit& s, const BodyRayHit& t) {
@@ -175,7 +175,7 @@ std::vector<BodyRayHit> brute_force(const std::map<BodyId, Body>& bodies, const 
   std::vector<BodyRayHit> hits;
   for (const auto& [id, body] : bodies) {
     if (query.filter && !lets_pass(*query.filter, body.filter)) continue;
-    if (const auto hit = cast_ray(body.shape, body.pose, ray)) hits.push_back({id, *hit});
+    if (const auto hit = cast_ray({body.shape, body.pose}, ray)) hits.push_back({id, *hit});
   }
   std::sort(hits.begin(), hits.end(), [](const BodyRayHit& s, const BodyRayHit& t) {
     return std::tie(s.hit.distance, s.id) < std::tie(t.hit.distance, t.id);
@@ -195,7 +195,7 @@ TEST(WorldRay, TheBroadPhaseIsBruteForce) {
       if (kind == ShapeKind::HalfSpace && round % 40 != 1) continue;
       Body body{tests::random_shape(kind, 0.8, source), tests::random_pose(8, source), {}};
       body.filter.category = i % 2 == 0 ? 1 : 2;
-      bodies.emplace(world.add(body.shape, body.pose, {.filter = body.filter}), body);
+      bodies.emplace(world.add({body.shape, body.pose}, {.filter = body.filter}), body);
     }
     for (int i = 0; i < 6; ++i) {
       const auto any = std::next(
@@ -246,14 +246,14 @@ class Blind : public BodyShape {
 TEST(WorldRay, TiesGoToTheSmallerIdAndTheUnknownIsNotFree) {
   World world;
   EXPECT_FALSE(world.cast_ray({{0, 0, 0}, {1, 0, 0}}));
-  const BodyId first = world.add(Box{{1, 1, 1}}, at(5, 0, 0));
-  world.add(Box{{1, 1, 1}}, at(5, 0, 0));
+  const BodyId first = world.add({Box{{1, 1, 1}}, at(5, 0, 0)});
+  world.add({Box{{1, 1, 1}}, at(5, 0, 0)});
   world.update();
   EXPECT_EQ(world.cast_ray({{0, 0, 0}, {1, 0, 0}})->id, first);
   EXPECT_EQ(world.cast_ray_all({{0, 0, 0}, {1, 0, 0}}).size(), 2u);
   EXPECT_FALSE(world.cast_ray({{0, 0, 0}, {1, 0, 0}, 3.9}));
   EXPECT_THROW(world.cast_ray({{0, 0, 0}, {0, 0, 0}}), InputError);
-  world.add(std::make_shared<Blind>(), at(2, -0.5, -0.5));
+  world.add({std::make_shared<Blind>(), at(2, -0.5, -0.5)});
   EXPECT_THROW(world.cast_ray({{0, 0, 0}, {1, 0, 0}}), UnsupportedPairError);
   EXPECT_TRUE(world.cast_ray({{5, 5, 0}, {0, -1, 0}}));
 }

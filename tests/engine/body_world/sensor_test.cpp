@@ -53,7 +53,7 @@ std::vector<BodyPair> brute_force(const std::vector<Body>& bodies, bool is_solid
       const Body &s = bodies[i], &t = bodies[j];
       const bool is_sensed = s.role == Role::Sensor || t.role == Role::Sensor;
       if (!are_of_interest(s, t) || (is_solid_only && is_sensed)) continue;
-      if (intersects(s.shape, s.pose, t.shape, t.pose)) pairs.push_back({s.id, t.id});
+      if (intersects({s.shape, s.pose}, {t.shape, t.pose})) pairs.push_back({s.id, t.id});
     }
   }
   std::sort(pairs.begin(), pairs.end());
@@ -99,7 +99,7 @@ TEST(Sensors, EqualBruteForceOverRandomHistories) {
   std::vector<Body> bodies;
   for (int i = 0; i < 30; ++i) {
     Body body = random_body(source);
-    body.id = world.add(body.shape, body.pose, {.kind = body.kind, .role = body.role});
+    body.id = world.add({body.shape, body.pose}, {.kind = body.kind, .role = body.role});
     EXPECT_EQ(world.role(body.id), body.role);
     bodies.push_back(body);
   }
@@ -141,8 +141,8 @@ TEST(Sensors, EqualBruteForceOverRandomHistories) {
 /// A pair that is known to be apart by far, until one of the two is another.
 TEST(SetShape, VoidsWhatWasKnownOfGaps) {
   World world;
-  const BodyId drum = world.add(Cylinder{1, 1}, at(0, 0, 0));
-  const BodyId cone = world.add(Cone{0.5, 0.5}, at(1.3, 1.3, 0));
+  const BodyId drum = world.add({Cylinder{1, 1}, at(0, 0, 0)});
+  const BodyId cone = world.add({Cone{0.5, 0.5}, at(1.3, 1.3, 0)});
   std::uint64_t skipped = 0;
   for (int i = 0; i < 10; ++i) {
     world.move(cone, at(1.3, 1.3, 1e-3 * i));
@@ -165,17 +165,17 @@ TEST(SetShape, VoidsWhatWasKnownOfGaps) {
 TEST(SetShape, ADeformingMeshIsANewOneInEachStep) {
   World world;
   const Shape ball = Sphere{{0, 0, 0}, 0.5};
-  world.add(ball, at(1.6, 0, 0), {.kind = BodyKind::Static});
-  const BodyId body = world.add(tests::make_sphere(1, 8, 12), at(0, 0, 0));
+  world.add({ball, at(1.6, 0, 0)}, {.kind = BodyKind::Static});
+  const BodyId body = world.add({tests::make_sphere(1, 8, 12), at(0, 0, 0)});
   int touching = 0;
   for (int i = 0; i < 40; ++i) {
     const Shape mesh = tests::make_sphere(1 + 0.2 * std::sin(0.3 * i), 8, 12);
     world.set_shape(body, mesh);
     world.update();
-    const bool touches = intersects(mesh, at(0, 0, 0), ball, at(1.6, 0, 0));
+    const bool touches = intersects({mesh, at(0, 0, 0)}, {ball, at(1.6, 0, 0)});
     ASSERT_EQ(world.pairs().size(), touches ? 1u : 0u) << i;
     ASSERT_EQ(world.cast_ray({{0, 0.1, 0}, {-1, 0.01, 0}})->hit.distance,
-              cast_ray(mesh, at(0, 0, 0), Ray{{0, 0.1, 0}, {-1, 0.01, 0}})->distance);
+              cast_ray({mesh, at(0, 0, 0)}, Ray{{0, 0.1, 0}, {-1, 0.01, 0}})->distance);
     touching += touches;
   }
   EXPECT_GT(touching, 5);
@@ -185,15 +185,15 @@ TEST(SetShape, ADeformingMeshIsANewOneInEachStep) {
 TEST(Sensors, QueriesMayLeaveThemOut) {
   World world;
   const Shape ball = Sphere{{0, 0, 0}, 1};
-  const BodyId zone = world.add(ball, at(3, 0, 0), {.role = Role::Sensor});
-  const BodyId wall = world.add(ball, at(6, 0, 0), {.kind = BodyKind::Static});
+  const BodyId zone = world.add({ball, at(3, 0, 0)}, {.role = Role::Sensor});
+  const BodyId wall = world.add({ball, at(6, 0, 0)}, {.kind = BodyKind::Static});
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(world.cast_ray(ray)->id, zone);
   EXPECT_EQ(world.cast_ray(ray, {.role = Role::Solid})->id, wall);
   EXPECT_EQ(world.cast_ray_all(ray, {.role = Role::Sensor}).size(), 1u);
-  EXPECT_EQ(world.find_within(ball, at(0, 0, 0), 9).size(), 2u);
-  EXPECT_EQ(world.find_closest(ball, at(0, 0, 0), {.role = Role::Solid})->id, wall);
-  EXPECT_TRUE(world.find_touching(ball, at(3, 0, 0), {.role = Role::Solid}).empty());
+  EXPECT_EQ(world.find_within({ball, at(0, 0, 0)}, 9).size(), 2u);
+  EXPECT_EQ(world.find_closest({ball, at(0, 0, 0)}, {.role = Role::Solid})->id, wall);
+  EXPECT_TRUE(world.find_touching({ball, at(3, 0, 0)}, {.role = Role::Solid}).empty());
 }
 
 }  // namespace

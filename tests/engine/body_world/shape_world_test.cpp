@@ -39,12 +39,12 @@ class Dot : public BodyShape {
   Aabb bounds(const Pose& pose) const override { return {pose.translation(), pose.translation()}; }
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     if (other.shape() == nullptr) return pose.translation() == other_pose.translation();
-    return intersects(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+    return intersects({Sphere{{0, 0, 0}, 1e-9}, pose}, {*other.shape(), other_pose});
   }
   Manifold contacts(const Pose& pose, const BodyShape& other,
                     const Pose& other_pose) const override {
     if (other.shape() == nullptr) return {};
-    return find_contacts(Sphere{{0, 0, 0}, 1e-9}, pose, *other.shape(), other_pose);
+    return find_contacts({Sphere{{0, 0, 0}, 1e-9}, pose}, {*other.shape(), other_pose});
   }
 };
 
@@ -91,7 +91,7 @@ class ShapeHistory {
     std::vector<BodyPair> pairs;
     for (auto s = bodies_.begin(); s != bodies_.end(); ++s) {
       for (auto t = std::next(s); t != bodies_.end(); ++t) {
-        if (intersects(s->second.shape, s->second.pose, t->second.shape, t->second.pose))
+        if (intersects({s->second.shape, s->second.pose}, {t->second.shape, t->second.pose}))
           pairs.push_back({s->first, t->first});
       }
     }
@@ -103,7 +103,7 @@ class ShapeHistory {
     const Body& a = bodies_.at(pair.a);
     const Body& b = bodies_.at(pair.b);
     if (a.shape.kind() == ShapeKind::HalfSpace && b.shape.kind() == ShapeKind::HalfSpace) return {};
-    return find_contacts(a.shape, a.pose, b.shape, b.pose);
+    return find_contacts({a.shape, a.pose}, {b.shape, b.pose});
   }
 
   bool has_moved(const BodyPair& pair) const {
@@ -121,7 +121,7 @@ class ShapeHistory {
     const Shape shape =
         tests::random_shape(kShapeKinds[static_cast<std::size_t>(kind)], 0.8, source_);
     const Pose pose = tests::random_pose(2.5, source_);
-    const BodyId id = world_.add(shape, pose);
+    const BodyId id = world_.add({shape, pose});
     bodies_.emplace(id, Body{shape, pose});
     moved_.insert(id);
   }
@@ -180,9 +180,9 @@ TEST(ShapeWorld, SkippingGapsChangesNoAnswer) {
 TEST(ShapeWorld, CountsTurningAsMotion) {
   World world({.contacts = false});
   const Shape rod = Cylinder{0.1, 5}, post = Cylinder{0.2, 1};
-  const BodyId turning = world.add(rod, at(0, 0, 0));
+  const BodyId turning = world.add({rod, at(0, 0, 0)});
   const Pose place = at(0, 4, 1);
-  world.add(post, place, {.kind = BodyKind::Static});
+  world.add({post, place}, {.kind = BodyKind::Static});
   bool has_touched = false, has_parted = false;
   std::uint64_t skipped = 0;
   for (int frame = 0; frame < 400; ++frame) {
@@ -190,7 +190,7 @@ TEST(ShapeWorld, CountsTurningAsMotion) {
     pose.rotate(Eigen::AngleAxisd(-0.006 * frame, Eigen::Vector3d::UnitX()));
     world.move(turning, pose);
     skipped += world.update().work.pairs_apart;
-    const bool touches = intersects(rod, pose, post, place);
+    const bool touches = intersects({rod, pose}, {post, place});
     ASSERT_EQ(world.pairs().size(), touches ? 1u : 0u) << frame;
     has_touched = has_touched || touches;
     has_parted = has_parted || (has_touched && !touches);
@@ -215,8 +215,8 @@ TEST(ShapeWorld, QueriesEqualBruteForce) {
     std::vector<BodyId> touching, near;
     std::optional<BodyDistance> closest;
     for (const auto& [id, body] : history.bodies()) {
-      if (intersects(shape, pose, body.shape, body.pose)) touching.push_back(id);
-      const ShapeDistance way = distance(shape, pose, body.shape, body.pose);
+      if (intersects({shape, pose}, {body.shape, body.pose})) touching.push_back(id);
+      const ShapeDistance way = distance({shape, pose}, {body.shape, body.pose});
       if (way.distance <= clearance) near.push_back(id);
       if (!closest || way.distance < closest->distance.distance) closest = BodyDistance{id, way};
     }
@@ -238,27 +238,27 @@ TEST(ShapeWorld, QueriesEqualBruteForce) {
 TEST(ShapeWorld, QueriesFindFarBodiesAndFilterThem) {
   World world;
   const Shape grain = Sphere{{0, 0, 0}, 1e-6};
-  EXPECT_FALSE(world.find_closest(grain, at(0, 0, 0)).has_value());
-  const BodyId far = world.add(Sphere{{0, 0, 0}, 1}, at(1e9, 0, 0));
-  const BodyId farther = world.add(Box{{1, 1, 1}}, at(0, -3e9, 0), {.filter = {.category = 2}});
-  EXPECT_EQ(world.find_closest(grain, at(0, 0, 0))->id, far);
+  EXPECT_FALSE(world.find_closest({grain, at(0, 0, 0)}).has_value());
+  const BodyId far = world.add({Sphere{{0, 0, 0}, 1}, at(1e9, 0, 0)});
+  const BodyId farther = world.add({Box{{1, 1, 1}}, at(0, -3e9, 0)}, {.filter = {.category = 2}});
+  EXPECT_EQ(world.find_closest({grain, at(0, 0, 0)})->id, far);
   const BodyQuerySettings only_second{.filter = Filter{.mask = 2}};
-  EXPECT_EQ(world.find_closest(grain, at(0, 0, 0), only_second)->id, farther);
-  EXPECT_FALSE(world.find_closest(grain, at(0, 0, 0), {.filter = Filter{.mask = 4}}).has_value());
-  EXPECT_TRUE(world.find_touching(grain, at(1e9, 0, 0), only_second).empty());
-  EXPECT_EQ(world.find_within(grain, at(0, 0, 0), 4e9).size(), 2u);
-  EXPECT_THROW(world.find_within(grain, at(0, 0, 0), -1), InputError);
-  world.add(std::make_shared<Dot>(), at(0, 0, 0));
-  EXPECT_EQ(world.find_touching(grain, at(0, 0, 0)).size(), 1u);
-  EXPECT_THROW(world.find_closest(grain, at(0, 0, 0)), UnsupportedPairError);
+  EXPECT_EQ(world.find_closest({grain, at(0, 0, 0)}, only_second)->id, farther);
+  EXPECT_FALSE(world.find_closest({grain, at(0, 0, 0)}, {.filter = Filter{.mask = 4}}).has_value());
+  EXPECT_TRUE(world.find_touching({grain, at(1e9, 0, 0)}, only_second).empty());
+  EXPECT_EQ(world.find_within({grain, at(0, 0, 0)}, 4e9).size(), 2u);
+  EXPECT_THROW(world.find_within({grain, at(0, 0, 0)}, -1), InputError);
+  world.add({std::make_shared<Dot>(), at(0, 0, 0)});
+  EXPECT_EQ(world.find_touching({grain, at(0, 0, 0)}).size(), 1u);
+  EXPECT_THROW(world.find_closest({grain, at(0, 0, 0)}), UnsupportedPairError);
 }
 
 TEST(ShapeWorld, TakesShapesAsTheyAre) {
   World world;
-  const BodyId floor = world.add(Box{{10, 10, 0.1}}, at(0, 0, 0), {.kind = BodyKind::Static});
-  const BodyId ball = world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.6));
-  world.add(Capsule{0.1, 0.5}, at(0, 0, 3));
-  world.add(tests::make_torus(1, 0.4, 8, 6), at(0, 0, -5));
+  const BodyId floor = world.add({Box{{10, 10, 0.1}}, at(0, 0, 0)}, {.kind = BodyKind::Static});
+  const BodyId ball = world.add({Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0.6)});
+  world.add({Capsule{0.1, 0.5}, at(0, 0, 3)});
+  world.add({tests::make_torus(1, 0.4, 8, 6), at(0, 0, -5)});
   EXPECT_EQ(world.update().begun.size(), 1u);
   EXPECT_EQ(world.pairs(), (std::vector<BodyPair>{{floor, ball}}));
   world.move(ball, at(0, 0, 0.7));
@@ -292,8 +292,8 @@ TEST(ShapeWorld, ListsContactsOfWhatMoved) {
 
 TEST(ShapeWorld, FindsNoContactsThatNobodyAsksFor) {
   World world({.contacts = false});
-  world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
-  const BodyId b = world.add(Sphere{{0, 0, 0}, 1}, at(1.5, 0, 0));
+  world.add({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)});
+  const BodyId b = world.add({Sphere{{0, 0, 0}, 1}, at(1.5, 0, 0)});
   const WorldUpdate update = world.update();
   EXPECT_EQ(update.moved.size(), 1u);
   EXPECT_TRUE(update.contacts.empty());
@@ -308,10 +308,10 @@ TEST(ShapeWorld, FindsNoContactsThatNobodyAsksFor) {
 
 TEST(ShapeWorld, MeetsShapesOfAUsersOwn) {
   World world;
-  world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
-  world.add(std::make_shared<Dot>(), at(0.9, 0, 0));
-  world.add(std::make_shared<Dot>(), at(0.9, 0.9, 0));
-  world.add(Box{{0.1, 0.1, 0.1}}, at(0.9, 0.9, 0));
+  world.add({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)});
+  world.add({std::make_shared<Dot>(), at(0.9, 0, 0)});
+  world.add({std::make_shared<Dot>(), at(0.9, 0.9, 0)});
+  world.add({Box{{0.1, 0.1, 0.1}}, at(0.9, 0.9, 0)});
   const WorldUpdate update = world.update();
   EXPECT_EQ(update.begun.size(), 2u);
   ASSERT_EQ(update.contacts.size(), 2u);
@@ -340,9 +340,9 @@ TEST(ShapeWorld, AsksAPairThatTouchesOnce) {
     World world;
     const auto counting = std::make_shared<Counting>();
     const Shape ball = Sphere{{0, 0, 0}, 0.2};
-    if (is_asked_first) world.add(counting, at(0, 0, 0));
-    const BodyId id = world.add(ball, at(0.5, 0.5, 0.5));
-    if (!is_asked_first) world.add(counting, at(0, 0, 0));
+    if (is_asked_first) world.add({counting, at(0, 0, 0)});
+    const BodyId id = world.add({ball, at(0.5, 0.5, 0.5)});
+    if (!is_asked_first) world.add({counting, at(0, 0, 0)});
     for (int i = 1; i < 4; ++i) {
       EXPECT_EQ(world.update().contacts.size(), 1u);
       EXPECT_EQ(counting->tests, i);

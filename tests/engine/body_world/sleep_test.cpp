@@ -21,9 +21,9 @@ Pairs list(std::span<const BodyPair> pairs) {
 /// Three boxes in a row on a floor, each touching the next, and the update that has seen them.
 struct Row {
   explicit Row(const WorldSettings& settings = {}) : world(settings) {
-    floor = world.add(HalfSpace{{0, 0, 1}, 0}, at(0), {.kind = BodyKind::Static});
+    floor = world.add({HalfSpace{{0, 0, 1}, 0}, at(0)}, {.kind = BodyKind::Static});
     for (int i = 0; i < 3; ++i)
-      box[i] = world.add(Box{{0.5, 0.5, 0.5}}, at(i, 0, 0.5));
+      box[i] = world.add({Box{{0.5, 0.5, 0.5}}, at(i, 0, 0.5)});
     world.update();
   }
   BodyPair pair(int i, int j) const { return {box[i], box[j]}; }
@@ -56,8 +56,8 @@ TEST(WorldSleep, WhatIsAsleepIsNotLookedAt) {
 
 TEST(WorldSleep, AnAnswerStandsUntilOneWakesOrBoxesPart) {
   World world;
-  const BodyId ball = world.add(Sphere{{0, 0, 0}, 0.5}, at(0));
-  const BodyId other = world.add(Sphere{{0, 0, 0}, 0.5}, at(0.9));
+  const BodyId ball = world.add({Sphere{{0, 0, 0}, 0.5}, at(0)});
+  const BodyId other = world.add({Sphere{{0, 0, 0}, 0.5}, at(0.9)});
   const Pairs pair{{ball, other}};
   EXPECT_EQ(list(world.update().begun), pair);
   world.sleep(ball);
@@ -107,7 +107,7 @@ TEST(WorldSleep, AMoverMeetsASleeperAndWakesNobody) {
   for (const BodyKind motion : {BodyKind::Dynamic, BodyKind::Kinematic, BodyKind::Static}) {
     Row row;
     row.sleep();
-    const BodyId ball = row.world.add(Sphere{{0, 0, 0}, 0.5}, at(0, 0, 3), {.kind = motion});
+    const BodyId ball = row.world.add({Sphere{{0, 0, 0}, 0.5}, at(0, 0, 3)}, {.kind = motion});
     row.world.update();
     row.world.move(ball, at(0, 0, 1.4));
     const WorldUpdate hit = row.world.update();
@@ -131,7 +131,7 @@ TEST(WorldSleep, AMoverMeetsASleeperAndWakesNobody) {
 TEST(WorldSleep, WhatComesAndSleepsAtOnceIsMetLater) {
   Row row;
   row.sleep();
-  const BodyId late = row.world.add(Box{{0.5, 0.5, 0.5}}, at(0.5, 0, 1.4));
+  const BodyId late = row.world.add({Box{{0.5, 0.5, 0.5}}, at(0.5, 0, 1.4)});
   row.world.sleep(late);
   const WorldUpdate unseen = row.world.update();
   EXPECT_TRUE(unseen.begun.empty());
@@ -147,8 +147,8 @@ TEST(WorldSleep, WhatComesAndSleepsAtOnceIsMetLater) {
 /// What was known of a gap is not believed of another shape, though nobody looked meanwhile.
 TEST(WorldSleep, AShapeTakenAsleepIsMetWhenItWakes) {
   World world;
-  const BodyId cone = world.add(Cone{0.5, 0.5}, at(0, 0, 0));
-  const BodyId drum = world.add(Cylinder{0.5, 0.5}, at(0.9, 0.9, 0));
+  const BodyId cone = world.add({Cone{0.5, 0.5}, at(0, 0, 0)});
+  const BodyId drum = world.add({Cylinder{0.5, 0.5}, at(0.9, 0.9, 0)});
   std::uint64_t apart = 0;
   for (int i = 0; i < 8; ++i) {
     world.move(cone, at(0, 0, 1e-6 * i));
@@ -179,8 +179,8 @@ TEST(WorldSleep, AFilterEndsPairsOfSleepers) {
 TEST(WorldSleep, ASensorSeesWhatIsPutToSleepInIt) {
   for (const BodyKind motion : {BodyKind::Static, BodyKind::Kinematic, BodyKind::Dynamic}) {
     World world;
-    const BodyId zone = world.add(Box{{1, 1, 1}}, at(0), {.kind = motion, .role = Role::Sensor});
-    const BodyId body = world.add(Sphere{{0, 0, 0}, 0.5}, at(5));
+    const BodyId zone = world.add({Box{{1, 1, 1}}, at(0)}, {.kind = motion, .role = Role::Sensor});
+    const BodyId body = world.add({Sphere{{0, 0, 0}, 0.5}, at(5)});
     world.update();
     EXPECT_TRUE(world.is_awake(zone));
     world.move(body, at(0));

@@ -63,7 +63,7 @@ class WorldHistory {
                 random_pose(),
                 {random_motion(), random_filter(), chance_.bits()},
                 true};
-      const BodyId id = world_.add(body.ball, body.pose, body.settings);
+      const BodyId id = world_.add({body.ball, body.pose}, body.settings);
       bodies_[id] = body;
       touched_.insert(id);
       changed_.insert(id);
@@ -243,7 +243,7 @@ TEST(World, ARestoredWorldGoesOnAsTheFirstTime) {
     const auto ball = std::make_shared<Ball>(2);
     std::vector<BodyId> mine;
     for (int frame = 0; frame < 20; ++frame) {
-      if (frame % 3 == 0) mine.push_back(world.add(ball, at(0.4 * frame - 4, 0.1 * frame)));
+      if (frame % 3 == 0) mine.push_back(world.add({ball, at(0.4 * frame - 4, 0.1 * frame)}));
       for (const BodyId id : mine)
         world.move(id, at(5 - 0.5 * frame, 0.2 * id.index));
       if (frame == 15) world.remove(mine[2]), mine.erase(mine.begin() + 2);
@@ -259,7 +259,7 @@ TEST(World, ARestoredWorldGoesOnAsTheFirstTime) {
   EXPECT_EQ(run(), first);
   world.restore(snapshot);
   EXPECT_EQ(run(), first);
-  world.add(std::make_shared<Ball>(1), at(0));
+  world.add({std::make_shared<Ball>(1), at(0)});
   EXPECT_THROW(world.snapshot(), InputError);
 }
 
@@ -268,9 +268,9 @@ TEST(World, AsksTheUsersFilterLast) {
   int asked = 0;
   world.set_pair_filter([&](BodyId, BodyId) { return ++asked, false; });
   const auto ball = std::make_shared<Ball>(1);
-  const BodyId a = world.add(ball, at(0));
-  world.add(ball, at(1));
-  world.add(ball, at(0.5), {.kind = BodyKind::Dynamic, .filter = {.category = 2, .mask = 0}});
+  const BodyId a = world.add({ball, at(0)});
+  world.add({ball, at(1)});
+  world.add({ball, at(0.5)}, {.kind = BodyKind::Dynamic, .filter = {.category = 2, .mask = 0}});
   EXPECT_TRUE(world.update().begun.empty());
   EXPECT_EQ(asked, 1);
   world.set_pair_filter({});
@@ -281,9 +281,9 @@ TEST(World, AsksTheUsersFilterLast) {
 TEST(World, RefusesWhatItCannotPlace) {
   World world;
   const auto ball = std::make_shared<Ball>(1);
-  EXPECT_THROW(world.add(nullptr, at(0)), InputError);
-  EXPECT_THROW(world.add(ball, at(std::numeric_limits<double>::infinity())), PoseError);
-  EXPECT_THROW(world.add(std::make_shared<Ball>(std::numeric_limits<double>::infinity()), at(0)),
+  EXPECT_THROW(world.add({nullptr, at(0)}), InputError);
+  EXPECT_THROW(world.add({ball, at(std::numeric_limits<double>::infinity())}), PoseError);
+  EXPECT_THROW(world.add({std::make_shared<Ball>(std::numeric_limits<double>::infinity()), at(0)}),
                InputError);
   EXPECT_THROW(world.set_user_data({}, 1), StaleIdError);
   EXPECT_EQ(world.size(), 0u);

@@ -244,7 +244,7 @@ TEST(BroadPhase, RefusesWhatIsNoBox) {
   }
   EXPECT_THROW(broad.add({{0, 0, 1}, {1, 1, 0}}), InputError);
   EXPECT_THROW(broad.move(std::vector<BoxId>{id}, std::vector<Aabb>{}), InputError);
-  EXPECT_THROW(BroadPhase({.threads = 0}), InputError);
+  EXPECT_THROW(BroadPhase({.threads = -1}), InputError);
   EXPECT_EQ(broad.size(), 1u);
 }
 

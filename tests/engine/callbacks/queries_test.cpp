@@ -111,7 +111,7 @@ struct Questions {
     for (int i = 0; i < 12; ++i) {
       const Shape shape = i % 2 == 0 ? Shape(Sphere{{0, 0, 0}, 1}) : Shape(Box{{1, 1, 1}});
       const auto look = i % 3 == 0 ? FusedShape::Look::Transparent : FusedShape::Look::Opaque;
-      world.add(std::make_shared<FusedShape>(shape, fuse, look), at(1.5 * i));
+      world.add({std::make_shared<FusedShape>(shape, fuse, look), at(1.5 * i)});
     }
     world.update();
   }
@@ -124,7 +124,7 @@ struct Questions {
       for (const BodyContact& c : world.contacts())
         say(c.pair.a.index), say(c.manifold.count);
     } else if (question == 1) {
-      for (const BodyId id : world.find_touching(Sphere{{0, 0, 0}, 3}, at(6)))
+      for (const BodyId id : world.find_touching({Sphere{{0, 0, 0}, 3}, at(6)}))
         say(id.index);
     } else if (question == 2) {
       const auto hit = world.cast_ray(ray);

@@ -115,7 +115,7 @@ class FusedWorld {
     const ByHand other = random_body();
     const double die = source_.uniform(0, 1);
     if (bodies_.size() < 4 || (die < 0.15 && bodies_.size() < 9)) {
-      attempt([&] { bodies_[world_.add(other.fused, other.pose)] = other; });
+      attempt([&] { bodies_[world_.add({other.fused, other.pose})] = other; });
       return;
     }
     auto chosen = bodies_.begin();
@@ -279,13 +279,13 @@ TEST(WorldCallbacks, APairThatCameAndWentWhileUpdatesWereCutShortIsToldOnce) {
   for (const bool do_touch_first : {false, true}) {
     World world;
     const auto fuse = std::make_shared<Fuse>();
-    const BodyId still = world.add(Sphere{{0, 0, 0}, 1}, at(0));
-    const BodyId comes = world.add(Sphere{{0, 0, 0}, 1}, at(do_touch_first ? 1 : 5));
+    const BodyId still = world.add({Sphere{{0, 0, 0}, 1}, at(0)});
+    const BodyId comes = world.add({Sphere{{0, 0, 0}, 1}, at(do_touch_first ? 1 : 5)});
     // These two are asked about last, and throw.
     const auto last =
         std::make_shared<FusedShape>(Shape(Sphere{{0, 0, 0}, 1}), fuse, FusedShape::Look::Opaque);
-    world.add(last, at(20));
-    const BodyId other = world.add(last, at(21));
+    world.add({last, at(20)});
+    const BodyId other = world.add({last, at(21)});
     world.update();
     bool does_touch = do_touch_first;
     for (int i = 0; i < 3; ++i) {

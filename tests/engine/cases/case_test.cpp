@@ -122,10 +122,10 @@ class Cases : public testing::Test {
     const Triangle t{{0.1, 0.1, -1}, {0.1, 0.1, 1}, {5, 5, 5}};
     const Separation apart = separating_translation(a(), b(pose_));
     return {to_case(a(), b(pose_), intersects(a(), b(pose_))),
-            to_case(a(), b(far_), intersects(a(), b(far_), {.interior = Interior::Solid}),
-                    {.interior = Interior::Solid}),
-            to_case(a(), b(pose_), intersects(a(), b(pose_), {.touch = Touch::Exclude}),
-                    {.touch = Touch::Exclude}),
+            to_case(a(), b(far_), intersects(a(), b(far_), {.hit = Hit::Solid}),
+                    {.hit = Hit::Solid}),
+            to_case(a(), b(pose_), intersects(a(), b(pose_), {.hit = Hit::Crossing}),
+                    {.hit = Hit::Crossing}),
             to_case(a(), b(pose_), find_triangle_pairs(a(), b(pose_))),
             to_case(a(), b(far_), distance(a(), b(far_))),
             to_case_within(a(), b(far_), 0.125, within(a(), b(far_), 0.125)),
@@ -141,9 +141,9 @@ class Cases : public testing::Test {
             to_case(s, box, intersects(s, box)),
             to_case(s, obb, intersects(s, obb)),
             to_case(s, ball, intersects(s, ball)),
-            to_case(box, obb, overlaps(box, obb)),
-            to_case(ball, ball, overlaps(ball, ball)),
-            to_case(ball, obb, overlaps(ball, obb)),
+            to_case(box, obb, intersects(box, obb)),
+            to_case(ball, ball, intersects(ball, ball)),
+            to_case(ball, obb, intersects(ball, obb)),
             to_case_contains(sphere_, Eigen::Vector3d(0, 0, 0.5), contains(sphere_, {0, 0, 0.5})),
             to_case_self(torus_, self_intersects(torus_)),
             to_case_self(torus_, find_self_pairs(torus_)),
@@ -167,8 +167,8 @@ class Cases : public testing::Test {
     const CaseBody hull(Capsule{0.3, 0.5}, pose_);
     const CaseBody ring(torus_, Pose::Identity());
     const CaseBody far_hull(Cone{0.3, 0.5}, far_);
-    const auto gap = distance(hull.shape, hull.pose, far_hull.shape, far_hull.pose);
-    const auto manifold = find_contacts(hull.shape, hull.pose, ring.shape, ring.pose);
+    const auto gap = distance({hull.shape, hull.pose}, {far_hull.shape, far_hull.pose});
+    const auto manifold = find_contacts({hull.shape, hull.pose}, {ring.shape, ring.pose});
     return {to_case(a(), b(pose_), find_intersection(a(), b(pose_))),
             to_case({box_}, {box_, on_top_}, find_intersection({box_}, {box_, on_top_})),
             to_case({box_}, {box_, corner_to_corner_},
@@ -183,7 +183,7 @@ class Cases : public testing::Test {
             to_case(s, t, intersection(s, t)),
             to_case(s, s, intersection(s, s)),
             to_case(s, above, intersection(s, above)),
-            to_case(s, t, intersects(s, t, Touch::Exclude), {.touch = Touch::Exclude}),
+            to_case(s, t, Touch::Exclude, intersects(s, t, Touch::Exclude)),
             to_case(hull, far_hull, gap),
             to_case(hull, ring, manifold),
             to_case(CaseShape(CaseMesh(a())), along, cast_ray(a(), along)),
@@ -191,8 +191,8 @@ class Cases : public testing::Test {
             to_case(CaseShape(CaseMesh(a())), short_one, cast_ray(a(), short_one)),
             to_case(a(), along, cast_ray_all(a(), along)),
             to_case(s, Ray{{0.1, 0.1, 5}, {0, 0, -2}}, cast_ray(s, Ray{{0.1, 0.1, 5}, {0, 0, -2}})),
-            to_case(CaseShape(hull), along, cast_ray(hull.shape, hull.pose, along)),
-            to_case(CaseShape(ring), along, cast_ray(ring.shape, ring.pose, along)),
+            to_case(CaseShape(hull), along, cast_ray({hull.shape, hull.pose}, along)),
+            to_case(CaseShape(ring), along, cast_ray({ring.shape, ring.pose}, along)),
             to_case_contains(CaseShape(box), {0.75, 0.5, 0}, contains(box, {0.75, 0.5, 0})),
             to_case_contains(CaseShape(Obb{pose_, {1, 1, 1}}), {9, 0, 0}, false),
             to_case_contains(CaseShape(Sphere{{1, 0, 0}, 1}), {2, 0, 0}, true)};
@@ -388,7 +388,7 @@ TEST_F(Cases, BodiesOfEveryKindComeBack) {
   for (const Shape& shape_a : shapes) {
     for (const Shape& shape_b : shapes) {
       const Pose here = Pose::Identity();
-      const bool says = intersects(shape_a, here, shape_b, pose_);
+      const bool says = intersects({shape_a, here}, {shape_b, pose_});
       answers.insert(says);
       const Case query =
           to_case(CaseShape(CaseBody(shape_a, here)), CaseBody(shape_b, pose_), says);
@@ -408,7 +408,7 @@ TEST_F(Cases, BodiesOfEveryKindComeBack) {
 TEST_F(Cases, ACutListIsACaseWithItsLimitAlone) {
   const TrianglePairs cut = find_triangle_pairs(a(), b(pose_), {.limit = 1});
   EXPECT_THROW(to_case(a(), b(pose_), cut), InputError) << "no limit in the settings";
-  const PairSettings by_boxes{.limit = 1, .volume = Volume::Obb};
+  const PairSettings by_boxes{.limit = 1, .volume = PairVolume::Obb};
   EXPECT_THROW(to_case(a(), b(pose_), cut, by_boxes), InputError) << "another volume finds others";
   const MeshContacts few = find_contacts(a(), b(pose_), {.limit = 0});
   EXPECT_THROW(to_case(a(), b(pose_), few), InputError);

@@ -29,8 +29,8 @@ class WorldCases : public testing::Test {
                                        Mesh(tests::make_torus(0.5, 0.2, 12, 8)),
                                        Mesh(tests::make_box({0.4, 0.4, 0.4}))};
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      bodies_.push_back(world_.add(shapes[i], pose_at(i, 0)));
-    world_.add(HalfSpace{{0, 0, 1}, -0.75}, Pose::Identity(), {.kind = BodyKind::Static});
+      bodies_.push_back(world_.add({shapes[i], pose_at(i, 0)}));
+    world_.add({HalfSpace{{0, 0, 1}, -0.75}, Pose::Identity()}, {.kind = BodyKind::Static});
   }
 
   static Pose pose_at(std::size_t i, int step) {
@@ -83,16 +83,16 @@ TEST_F(WorldCases, UpdatesReplayStepByStep) {
 TEST_F(WorldCases, WhatIsAskedOfAWorldReplays) {
   world_.update();
   const CaseBody asked(Capsule{0.2, 0.3}, pose_at(3, 7));
-  const std::vector<BodyId> touching = world_.find_touching(asked.shape, asked.pose);
+  const std::vector<BodyId> touching = world_.find_touching({asked.shape, asked.pose});
   EXPECT_FALSE(touching.empty());
   for (const BodyId id : bodies_) {
     const bool touches = std::find(touching.begin(), touching.end(), id) != touching.end();
     expect_replay(to_case(world_, asked, id, touches));
   }
-  const std::optional<BodyDistance> closest = world_.find_closest(asked.shape, asked.pose);
+  const std::optional<BodyDistance> closest = world_.find_closest({asked.shape, asked.pose});
   ASSERT_TRUE(closest);
   expect_replay(to_case(world_, asked, *closest));
-  for (const BodyDistance& found : world_.find_within(asked.shape, asked.pose, 2))
+  for (const BodyDistance& found : world_.find_within({asked.shape, asked.pose}, 2))
     expect_replay(to_case(world_, asked, found));
   const Ray ray{{-3, 0.2, 0.1}, {2, 0.1, 0}};
   const std::vector<BodyRayHit> hits = world_.cast_ray_all(ray);
@@ -113,7 +113,7 @@ class Nowhere : public BodyShape {
 };
 
 TEST_F(WorldCases, WhatIsInNoFileIsRefused) {
-  const BodyId own = world_.add(std::make_shared<Nowhere>(), Pose::Identity());
+  const BodyId own = world_.add({std::make_shared<Nowhere>(), Pose::Identity()});
   EXPECT_THROW(to_case(world_, {bodies_[0], own}, false), UnsupportedPairError);
   world_.remove(bodies_[0]);
   EXPECT_THROW(to_case(world_, {bodies_[0], bodies_[1]}, false), StaleIdError);

@@ -118,7 +118,7 @@ TEST_F(CliExplain, JsonSaysTheSame) {
   EXPECT_EQ(root.member("gap").number(), miss.gap);
   EXPECT_EQ(root.member("axis").point(), *miss.axis);
   const cases::JsonCursor volumes = root.member("volumes");
-  for (const Volume volume : kVolumes)
+  for (const PairVolume volume : kPairVolumes)
     EXPECT_GT(volumes.member(graze::name_of(volume)).member("volume_tests").number(), 0);
 }
 

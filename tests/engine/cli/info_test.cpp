@@ -1,6 +1,7 @@
 // What `graze info` says, and which files it refuses.
 
 #include <graze/bvh/tree/statistics.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <nlohmann/json.hpp>
 
@@ -68,7 +69,7 @@ TEST_F(CliInfo, LevelsSumOverAllNodes) {
 TEST_F(CliInfo, TreeStatisticsAreTheTrees) {
   write_mesh("row.off", make_row(100));
   const Json tree = Json::parse(graze({"info", "--json", "row.off"}).out)["tree"];
-  const bvh::TreeStatistics expected = bvh::statistics_of(load_mesh(folder_ / "row.off").tree());
+  const bvh::TreeStatistics expected = bvh::statistics_of(tree_of(load_mesh(folder_ / "row.off")));
   EXPECT_GT(expected.leaf_count, 1u);
   EXPECT_EQ(tree["nodes"], expected.node_count);
   EXPECT_EQ(tree["leaves"], expected.leaf_count);

@@ -34,11 +34,11 @@ TEST_F(CliPair, JsonHasThePromisedKeysInOrder) {
 TEST_F(CliPair, VolumesChangeNoAnswer) {
   const Json expected = json_lines({"--pose-b", kCrossing, "--list"}).at(0)["list"];
   ASSERT_FALSE(expected.empty());
-  for (const Volume volume : kVolumes) {
+  for (const PairVolume volume : kPairVolumes) {
     const Json line =
         json_lines({"--pose-b", kCrossing, "--list", "--volume", name_of(volume)}).at(0);
     EXPECT_EQ(line["list"], expected) << name_of(volume);
-    EXPECT_EQ(line["work"]["skins_built"] > 0, volume != Volume::Wide && volume != Volume::Aabb)
+    EXPECT_EQ(line["work"]["skins_built"] > 0, volume != PairVolume::WideObb && volume != PairVolume::Aabb)
         << name_of(volume);
   }
   EXPECT_EQ(graze({"pair", "a.off", "b.off", "--volume", "cone"}).exit_code, 2);

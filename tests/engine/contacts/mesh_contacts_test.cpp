@@ -65,7 +65,7 @@ MeshContacts expect_sound(const PlacedMesh& a, const PlacedMesh& b) {
   EXPECT_EQ(points, found.points.size());
   const MeshIntersection all = find_intersection(a, b);
   EXPECT_EQ(points, all.points.size()) << "each point in one contact";
-  for (const Volume volume : kVolumes)
+  for (const PairVolume volume : kPairVolumes)
     expect_same(found, find_contacts(a, b, {.volume = volume}));
   return found;
 }

@@ -146,7 +146,7 @@ MeshIntersection expect_sound(const PlacedMesh& a, const PlacedMesh& b) {
   for (int count : uses)
     EXPECT_GT(count, 0) << "a point of nothing";
   expect_same(found, find_intersection(b, a));
-  for (const Volume volume : kVolumes)
+  for (const PairVolume volume : kPairVolumes)
     expect_same(found, find_intersection(a, b, {.volume = volume}));
   return found;
 }
@@ -384,12 +384,6 @@ TEST(MeshIntersection, LatticeSolidsLeaveNoLooseEnds) {
     const MeshIntersection found = expect_sound({a}, {b});
     expect_brute_force({a}, {b}, found);
   }
-}
-
-TEST(MeshIntersection, RefusesPoliciesThatItWouldIgnore) {
-  const Mesh box = tests::make_box({1, 1, 1});
-  EXPECT_THROW(find_intersection({box}, {box}, {.touch = Touch::Exclude}), InputError);
-  EXPECT_THROW(find_intersection({box}, {box}, {.interior = Interior::Solid}), InputError);
 }
 
 }  // namespace

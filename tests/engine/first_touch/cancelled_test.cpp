@@ -1,6 +1,7 @@
 // A user may ask from within a group of oneTBB's tasks that is cancelled, or of which another has
 // thrown. What a mesh computes then, for all who ask it later, is whole.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/broad_phase.h>
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(FirstTouch, WithinACancelledGroupOfTasks) {
 TEST(FirstTouch, OfDeformedMeshesWithinACancelledGroupOfTasks) {
   const Mesh a = make_sphere(1, 36, 40), b = make_torus(1, 0.3, 60, 40);
   for (const Mesh& mesh : {a, b})
-    prepare(mesh), mesh.tree();
+    prepare(mesh), tree_of(mesh);
   for (const FirstQuestion& question : first_questions()) {
     const auto bent = [](const Mesh& mesh) {
       std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());

@@ -3,6 +3,7 @@
 #include <graze/bvh/fit/kdop_fit.h>
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
@@ -83,7 +84,7 @@ Digest shared_pairs(const Mesh& a, const Mesh& b) {
 }
 
 Digest solid(const Mesh& a, const Mesh& b) {
-  return Digest() << intersects({a}, {b, far()}, {.interior = Interior::Solid});
+  return Digest() << intersects({a}, {b, far()}, {.hit = Hit::Solid});
 }
 
 Digest crossing(const Mesh& a, const Mesh& b) {
@@ -206,9 +207,9 @@ Digest welded(const Mesh& a, const Mesh& /*b*/) {
 
 Digest fans(const Mesh& a, const Mesh& /*b*/) {
   Digest digest;
-  for (const std::uint32_t triangle : a.vertex_fans().triangles)
+  for (const std::uint32_t triangle : vertex_fans_of(a).triangles)
     digest << triangle;
-  for (const std::uint32_t first : a.vertex_fans().first)
+  for (const std::uint32_t first : vertex_fans_of(a).first)
     digest << first;
   return digest;
 }
@@ -226,13 +227,13 @@ Digest volumes(const Mesh& a, const Mesh& /*b*/) {
 Digest tree(const Mesh& a, const Mesh& /*b*/) {
   const Digest walked = box(a, a);
   Digest digest;
-  digest << a.tree().nodes.size() << a.has_tree();
+  digest << tree_of(a).nodes.size() << has_tree(a);
   return digest << (walked == box(a, a));
 }
 
 Digest skins(const Mesh& a, const Mesh& /*b*/) {
   Digest digest;
-  digest << a.sphere_skin().size() << a.obb_skin().size() << a.kdop_skin().size();
+  digest << sphere_skin_of(a).size() << obb_skin_of(a).size() << kdop_skin_of(a).size();
   return digest;
 }
 
@@ -245,19 +246,19 @@ Digest shapes(const Mesh& a, const Mesh& b) {
   const Shape shape(a), other(b), drum(Cylinder{0.4, 0.6});
   Digest digest;
   for (const Pose& pose : {near(), far()}) {
-    const ShapeDistance apart = distance(shape, at(0), drum, pose);
-    digest << intersects(shape, at(0), other, pose) << apart.distance << apart.point_a;
-    for (const ShapeContact& contact : find_contacts(shape, at(0), other, pose))
+    const ShapeDistance apart = distance({shape, at(0)}, {drum, pose});
+    digest << intersects({shape, at(0)}, {other, pose}) << apart.distance << apart.point_a;
+    for (const ShapeContact& contact : find_contacts({shape, at(0)}, {other, pose}))
       digest << contact.depth << contact.normal;
   }
-  if (const auto hit = cast_ray(shape, near(), Ray{{-5, 0.1, 0.2}, {1, 0, 0}}))
+  if (const auto hit = cast_ray({shape, near()}, Ray{{-5, 0.1, 0.2}, {1, 0, 0}}))
     digest << hit->distance;
   return digest;
 }
 
 Digest worlds(const Mesh& a, const Mesh& b) {
   World world;
-  world.add(a, at(0)), world.add(b, near()), world.add(a, far()), world.add(Box{{1, 1, 1}}, at(1));
+  world.add({a, at(0)}), world.add({b, near()}), world.add({a, far()}), world.add({Box{{1, 1, 1}}, at(1)});
   const WorldUpdate update = world.update();
   Digest digest;
   for (const BodyContact& contact : update.contacts) {
@@ -269,16 +270,16 @@ Digest worlds(const Mesh& a, const Mesh& b) {
 }
 
 constexpr FirstQuestion kQuestions[] = {
-    {"any, wide", any_by<Volume::Wide>},
-    {"any, boxes", any_by<Volume::Aabb>},
-    {"any, spheres", any_by<Volume::Sphere>, WorkedOutBy::OneTbbToo},
-    {"any, oriented boxes", any_by<Volume::Obb>, WorkedOutBy::OneTbbToo},
-    {"any, k-DOPs", any_by<Volume::KDop>, WorkedOutBy::OneTbbToo},
-    {"pairs, wide", pairs_by<Volume::Wide>},
-    {"pairs, boxes", pairs_by<Volume::Aabb>},
-    {"pairs, spheres", pairs_by<Volume::Sphere>, WorkedOutBy::OneTbbToo},
-    {"pairs, oriented boxes", pairs_by<Volume::Obb>, WorkedOutBy::OneTbbToo},
-    {"pairs, k-DOPs", pairs_by<Volume::KDop>, WorkedOutBy::OneTbbToo},
+    {"any, wide", any_by<PairVolume::WideObb>},
+    {"any, boxes", any_by<PairVolume::Aabb>},
+    {"any, spheres", any_by<PairVolume::Sphere>, WorkedOutBy::OneTbbToo},
+    {"any, oriented boxes", any_by<PairVolume::Obb>, WorkedOutBy::OneTbbToo},
+    {"any, k-DOPs", any_by<PairVolume::KDop>, WorkedOutBy::OneTbbToo},
+    {"pairs, wide", pairs_by<PairVolume::WideObb>},
+    {"pairs, boxes", pairs_by<PairVolume::Aabb>},
+    {"pairs, spheres", pairs_by<PairVolume::Sphere>, WorkedOutBy::OneTbbToo},
+    {"pairs, oriented boxes", pairs_by<PairVolume::Obb>, WorkedOutBy::OneTbbToo},
+    {"pairs, k-DOPs", pairs_by<PairVolume::KDop>, WorkedOutBy::OneTbbToo},
     {"pairs, shared by threads", shared_pairs, WorkedOutBy::OneTbbToo},
     {"solids", solid},
     {"pairs that cross", crossing},

@@ -1,6 +1,7 @@
 // What a mesh computes when first asked for it, asked for first by many threads at the same moment:
 // all get, bit for bit, what one thread alone gets of meshes of its own.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/broad_phase.h>
@@ -67,7 +68,7 @@ Meshes fresh() {
 Meshes deformed() {
   const Meshes before = fresh();
   for (const Mesh& mesh : {before.a, before.b})
-    prepare(mesh), mesh.tree();
+    prepare(mesh), tree_of(mesh);
   return {before.a.deformed(bent(before.a)), before.b.deformed(bent(before.b))};
 }
 
@@ -83,7 +84,7 @@ Meshes deformed_in_part() {
 Meshes built() {
   const Meshes meshes = fresh();
   for (const Mesh& mesh : {meshes.a, meshes.b})
-    prepare(mesh), mesh.tree();
+    prepare(mesh), tree_of(mesh);
   return meshes;
 }
 
@@ -183,13 +184,13 @@ Digest ask(const World& world, std::size_t kind) {
     for (const BodyId id : world.find_in_box({{0, 0, -1}, {5, 5, 1}}))
       digest << id.index;
   } else if (kind == 1) {
-    for (const BodyId id : world.find_touching(Sphere{{0, 0, 0}, 2}, at(3, 0.5)))
+    for (const BodyId id : world.find_touching({Sphere{{0, 0, 0}, 2}, at(3, 0.5)}))
       digest << id.index;
   } else if (kind == 2) {
     for (const BodyRayHit& hit : world.cast_ray_all(Ray{{-5, 0.1, 0.1}, {1, 0.01, 0}}))
       digest << hit.id.index << hit.hit.distance;
   } else {
-    const auto closest = world.find_closest(Box{{0.1, 0.1, 0.1}}, at(4, 20));
+    const auto closest = world.find_closest({Box{{0.1, 0.1, 0.1}}, at(4, 20)});
     digest << closest->id.index << closest->distance.distance;
   }
   return digest;

@@ -71,13 +71,13 @@ void meet_in_world(const Environment& environment, bool is_hit, Witness& witness
     filtered_wrongly += current_control() != environment.control;
     return true;
   });
-  const BodyId first = world.add(shared, at(0.25));
-  world.add(ball, at(0));
-  world.add(shared, at(0.5));
+  const BodyId first = world.add({shared, at(0.25)});
+  world.add({ball, at(0)});
+  world.add({shared, at(0.5)});
   world.update();
   world.contacts();
   world.cast_ray({{0, 0, 4}, {0, 0, -1}});
-  world.find_touching(ball, at(0));
+  world.find_touching({ball, at(0)});
   const WorldSnapshot snapshot = world.snapshot();
   for (int i = 0; i < 5; ++i) {
     world.move(first, at(0.125));
@@ -110,13 +110,13 @@ TEST(UsersArithmetic, IsBackAfterAnException) {
     const std::shared_ptr<const BodyShape> shared(&witness, [](const BodyShape*) {});
     const InEnvironment in(environment);
     World world;
-    world.add(shared, at(0));
-    world.add(Shape(Sphere{{0, 0, 0}, 1}), at(0));
+    world.add({shared, at(0)});
+    world.add({Shape(Sphere{{0, 0, 0}, 1}), at(0)});
     EXPECT_THROW(world.update(), std::runtime_error);
     EXPECT_EQ(current_control(), environment.control) << environment.name;
     Pose bad = at(0);
     bad.linear() *= 2;
-    EXPECT_THROW(world.add(Shape(Sphere{{0, 0, 0}, 1}), bad), PoseError);
+    EXPECT_THROW(world.add({Shape(Sphere{{0, 0, 0}, 1}), bad}), PoseError);
     EXPECT_EQ(current_control(), environment.control) << environment.name;
     EXPECT_EQ(witness.wrong, 0) << environment.name;
   }

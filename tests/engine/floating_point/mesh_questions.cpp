@@ -1,5 +1,6 @@
 #include <graze/bvh/skins/float_volumes.h>
 #include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 
 #include <cstddef>
@@ -33,7 +34,7 @@ void add_separation(Words& words, const Separation& found) {
 
 void ask_by_volumes(const Inputs& in, Words& words) {
   for (const Volume volume :
-       {Volume::Wide, Volume::Aabb, Volume::Sphere, Volume::Obb, Volume::KDop}) {
+       {PairVolume::WideObb, PairVolume::Aabb, PairVolume::Sphere, PairVolume::Obb, PairVolume::KDop}) {
     const Meshes meshes(in);
     words.add(intersects({meshes.a, in.pose_a}, {meshes.b, in.pose_b}, {.volume = volume}));
     words.add(
@@ -91,7 +92,7 @@ void ask_about_itself(const Inputs& in, Words& words) {
   for (const Eigen::Vector3d& point : in.vertices_b)
     words.add(contains(meshes.a, point));
   words.add(contains(meshes.a, in.point));
-  words.add(intersects({meshes.a}, {meshes.b}, {.interior = Interior::Solid}));
+  words.add(intersects({meshes.a}, {meshes.b}, {.hit = Hit::Solid}));
   const Topology& topology = meshes.a.topology();
   words.add(std::uint64_t{topology.degenerate_triangles});
   words.add(std::uint64_t{topology.welded_vertices}), words.add(meshes.a.bounds());
@@ -111,12 +112,12 @@ void ask_for_fits(const Inputs& in, Words& words) {
 void ask_bent(const Inputs& in, Words& words) {
   const Meshes meshes(in);
   words.add(intersects({meshes.a, in.pose_a}, {meshes.b, in.pose_b}));
-  meshes.b.tree();
+  tree_of(meshes.b);
   const Mesh bent = meshes.b.deformed(in.bent);
   words.add(bent.bounds());
   words.add(find_triangle_pairs({meshes.a, in.pose_a}, {bent, in.pose_b}));
   words.add(
-      find_triangle_pairs({meshes.a, in.pose_a}, {bent, in.pose_b}, {.volume = Volume::Aabb}));
+      find_triangle_pairs({meshes.a, in.pose_a}, {bent, in.pose_b}, {.volume = PairVolume::Aabb}));
 }
 
 void ask_rays(const Inputs& in, Words& words) {
@@ -178,12 +179,12 @@ void add_bits(Words& words, std::span<const Item> items) {
 
 void ask_trees(const Inputs& in, Words& words) {
   const Meshes meshes(in);
-  add_bits(words, std::span<const bvh::Node>(meshes.a.tree().nodes));
-  add_bits(words, meshes.a.sphere_skin()), add_bits(words, meshes.a.obb_skin());
-  add_bits(words, meshes.a.kdop_skin());
-  prepare(meshes.b), meshes.b.tree();
+  add_bits(words, std::span<const bvh::Node>(tree_of(meshes.a).nodes));
+  add_bits(words, sphere_skin_of(meshes.a)), add_bits(words, obb_skin_of(meshes.a));
+  add_bits(words, kdop_skin_of(meshes.a));
+  prepare(meshes.b), tree_of(meshes.b);
   const Mesh bent = meshes.b.deformed(in.bent);
-  add_bits(words, std::span<const bvh::Node>(bent.tree().nodes));
+  add_bits(words, std::span<const bvh::Node>(tree_of(bent).nodes));
   prepare(bent);
   words.add(find_triangles({bent}, Obb{in.poses[0], {0, 0, 0}}));
   const Eigen::Vector3d corner = bent.bounds().min;

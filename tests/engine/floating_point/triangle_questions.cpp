@@ -64,16 +64,16 @@ std::vector<Question> triangle_questions() {
        }},
       {"volumes around triangles",
        [](const Inputs& in, Words& words) {
-         words.add(fit_aabb(in.triangles)), words.add(ritter_sphere(in.triangles));
-         words.add(minimal_sphere(in.triangles)), words.add(fit_kdop(in.triangles));
-         words.add(ditetrahedron_box(in.triangles)), words.add(tight_box(in.triangles));
+         words.add(bounding_aabb(in.triangles)), words.add(ritter_sphere(in.triangles));
+         words.add(bounding_sphere(in.triangles)), words.add(bounding_kdop(in.triangles));
+         words.add(ditetrahedron_box(in.triangles)), words.add(bounding_obb(in.triangles));
          words.add(covariance_box(in.triangles));
        }},
       {"volumes around points",
        [](const Inputs& in, Words& words) {
-         words.add(fit_aabb(in.vertices_a)), words.add(ritter_sphere(in.vertices_a));
-         words.add(minimal_sphere(in.vertices_a)), words.add(fit_kdop(in.vertices_a));
-         words.add(ditetrahedron_box(in.vertices_a)), words.add(tight_box(in.vertices_a));
+         words.add(bounding_aabb(in.vertices_a)), words.add(ritter_sphere(in.vertices_a));
+         words.add(bounding_sphere(in.vertices_a)), words.add(bounding_kdop(in.vertices_a));
+         words.add(ditetrahedron_box(in.vertices_a)), words.add(bounding_obb(in.vertices_a));
          words.add(covariance_box(in.vertices_a));
        }},
   };

@@ -9,31 +9,31 @@ void add_hits(Words& words, const std::vector<std::uint8_t>& hits) {
 }
 
 void ask_overlaps(const Inputs& in, Words& words) {
-  words.add(overlaps(in.box_a, in.box_b)), words.add(overlaps(in.obb_a, in.obb_b));
-  words.add(overlaps(in.box_a, in.obb_b)), words.add(overlaps(in.obb_a, in.box_b));
-  words.add(overlaps(in.ball_a, in.ball_b)), words.add(overlaps(in.ball_a, in.box_a));
-  words.add(overlaps(in.box_b, in.ball_a)), words.add(overlaps(in.ball_a, in.obb_a));
-  words.add(overlaps(in.obb_b, in.ball_a)), words.add(overlaps(in.ellipsoid, in.box_a));
-  words.add(overlaps(in.box_b, in.ellipsoid));
+  words.add(intersects(in.box_a, in.box_b)), words.add(intersects(in.obb_a, in.obb_b));
+  words.add(intersects(in.box_a, in.obb_b)), words.add(intersects(in.obb_a, in.box_b));
+  words.add(intersects(in.ball_a, in.ball_b)), words.add(intersects(in.ball_a, in.box_a));
+  words.add(intersects(in.box_b, in.ball_a)), words.add(intersects(in.ball_a, in.obb_a));
+  words.add(intersects(in.obb_b, in.ball_a)), words.add(intersects(in.ellipsoid, in.box_a));
+  words.add(intersects(in.box_b, in.ellipsoid));
   for (const Aabb& box : in.boxes) {
-    words.add(overlaps(in.box_a, box)), words.add(overlaps(in.ball_a, box));
-    words.add(overlaps(in.obb_a, box)), words.add(overlaps(in.ellipsoid, box));
+    words.add(intersects(in.box_a, box)), words.add(intersects(in.ball_a, box));
+    words.add(intersects(in.obb_a, box)), words.add(intersects(in.ellipsoid, box));
   }
 }
 
 void ask_hollow_overlaps(const Inputs& in, Words& words) {
   for (const Aabb& box : in.boxes) {
-    words.add(overlaps(in.ball_a, HollowAabb{box}));
-    words.add(overlaps(HollowAabb{box}, in.ball_b));
-    words.add(overlaps(HollowSphere{in.ball_a}, box));
-    words.add(overlaps(box, HollowSphere{in.ball_b}));
-    words.add(overlaps(HollowSphere{in.ball_a}, HollowAabb{box}));
-    words.add(overlaps(HollowAabb{box}, HollowSphere{in.ball_b}));
+    words.add(intersects(in.ball_a, HollowAabb{box}));
+    words.add(intersects(HollowAabb{box}, in.ball_b));
+    words.add(intersects(HollowSphere{in.ball_a}, box));
+    words.add(intersects(box, HollowSphere{in.ball_b}));
+    words.add(intersects(HollowSphere{in.ball_a}, HollowAabb{box}));
+    words.add(intersects(HollowAabb{box}, HollowSphere{in.ball_b}));
   }
 }
 
 void ask_contains(const Inputs& in, Words& words) {
-  const KDop<18> kdop = fit_kdop(in.vertices_a);
+  const KDop<18> kdop = bounding_kdop(in.vertices_a);
   for (const Eigen::Vector3d& point : in.vertices_b) {
     words.add(contains(in.box_a, point)), words.add(contains(in.obb_a, point));
     words.add(contains(in.ball_a, point)), words.add(contains(kdop, point));
@@ -44,11 +44,11 @@ void ask_contains(const Inputs& in, Words& words) {
 void ask_merged(const Inputs& in, Words& words) {
   words.add(merged(in.box_a, in.box_b)), words.add(merged(in.obb_a, in.obb_b));
   words.add(merged(in.ball_a, in.ball_b));
-  words.add(merged(fit_kdop(in.vertices_a), fit_kdop(in.vertices_b)));
+  words.add(merged(bounding_kdop(in.vertices_a), bounding_kdop(in.vertices_b)));
 }
 
 void ask_sizes(const Inputs& in, Words& words) {
-  const KDop<18> kdop = fit_kdop(in.vertices_a);
+  const KDop<18> kdop = bounding_kdop(in.vertices_a);
   words.add(volume(in.box_a)), words.add(volume(in.obb_a)), words.add(volume(in.ball_a));
   words.add(volume(kdop));
   words.add(surface(in.box_a)), words.add(surface(in.obb_a)), words.add(surface(in.ball_a));
@@ -60,21 +60,21 @@ void ask_boxes(const Inputs& in, Words& words) {
   for (std::size_t i = 0; i < in.boxes.size(); ++i)
     boxes.add(in.boxes[i]), others.add(in.boxes_later[i]);
   std::vector<std::uint8_t> hits(boxes.size());
-  overlaps(in.box_a, boxes, hits), add_hits(words, hits);
-  overlaps(boxes, others, hits), add_hits(words, hits);
-  overlaps(in.ball_a, boxes.view(), hits), add_hits(words, hits);
+  intersects(in.box_a, boxes, hits), add_hits(words, hits);
+  intersects(boxes, others, hits), add_hits(words, hits);
+  intersects(in.ball_a, boxes.view(), hits), add_hits(words, hits);
 }
 
 void ask_many(const Inputs& in, Words& words) {
   KDopList kdops;
-  kdops.add(fit_kdop(in.vertices_a)), kdops.add(fit_kdop(in.vertices_b));
+  kdops.add(bounding_kdop(in.vertices_a)), kdops.add(bounding_kdop(in.vertices_b));
   ObbList turned;
   turned.add(in.obb_a), turned.add(in.obb_b);
   std::vector<std::uint8_t> hits(2);
-  overlaps(kdops[0], kdops, hits), add_hits(words, hits);
-  overlaps(kdops, kdops, hits), add_hits(words, hits);
-  overlaps(in.obb_b, turned, hits), add_hits(words, hits);
-  overlaps(turned, turned, hits), add_hits(words, hits);
+  intersects(kdops[0], kdops, hits), add_hits(words, hits);
+  intersects(kdops, kdops, hits), add_hits(words, hits);
+  intersects(in.obb_b, turned, hits), add_hits(words, hits);
+  intersects(turned, turned, hits), add_hits(words, hits);
   words.add(turned[0]);
 }
 
@@ -86,13 +86,13 @@ void ask_balls(const Inputs& in, Words& words) {
   }
   const SphereArray balls{x, y, z, radius};
   std::vector<std::uint8_t> hits(x.size());
-  overlaps(in.ball_a, balls, hits), add_hits(words, hits);
-  overlaps(in.box_a, balls, hits), add_hits(words, hits);
-  overlaps(balls, balls, hits), add_hits(words, hits);
+  intersects(in.ball_a, balls, hits), add_hits(words, hits);
+  intersects(in.box_a, balls, hits), add_hits(words, hits);
+  intersects(balls, balls, hits), add_hits(words, hits);
   AabbList boxes;
   for (std::size_t i = 0; i < x.size(); ++i)
     boxes.add(in.boxes[i % in.boxes.size()]);
-  overlaps(balls, boxes.view(), hits), add_hits(words, hits);
+  intersects(balls, boxes.view(), hits), add_hits(words, hits);
 }
 
 /// What is refused where numbers are next to each other.
@@ -107,7 +107,7 @@ void ask_checks(const Inputs& in, Words& words) {
     }
   }
   check_box(in.obb_a, "box"), check_sphere(in.ball_a, "ball"), check_ray(in.ray, "ray");
-  check_ellipsoid(in.ellipsoid, "ellipsoid"), check_kdop(fit_kdop(in.vertices_a), "kdop");
+  check_ellipsoid(in.ellipsoid, "ellipsoid"), check_kdop(bounding_kdop(in.vertices_a), "kdop");
   words.add(check_rigid(in.pose_a, "pose")), words.add(rotation_deviation(in.pose_b));
   words.add(check_pose(in.pose_a, "pose"));
 }

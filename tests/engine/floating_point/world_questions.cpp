@@ -34,17 +34,17 @@ void ask_pairs_of_shapes(const Inputs& in, Words& words) {
   const std::vector<Shape> shapes = all_shapes(in);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Pose& pose_a = in.body_poses[i];
-    words.add(bounds_of(shapes[i], pose_a));
+    words.add(bounding_aabb({shapes[i], pose_a}));
     for (std::size_t j = 0; j < shapes.size(); ++j) {
       const Pose& pose_b = in.body_poses[(i + j) % in.body_poses.size()];
-      words.add(intersects(shapes[i], pose_a, shapes[j], pose_b));
+      words.add(intersects({shapes[i], pose_a}, {shapes[j], pose_b}));
       if (i == 7 && j == 7) continue;  // two half-spaces have no contacts
-      add_distance(words, distance(shapes[i], pose_a, shapes[j], pose_b));
-      add_manifold(words, find_contacts(shapes[i], pose_a, shapes[j], pose_b));
+      add_distance(words, distance({shapes[i], pose_a}, {shapes[j], pose_b}));
+      add_manifold(words, find_contacts({shapes[i], pose_a}, {shapes[j], pose_b}));
       words.add(share(shapes[i])->touches(pose_a, *share(shapes[j]), pose_b));
       words.add(share(shapes[i])->gap(pose_a, *share(shapes[j]), pose_b));
     }
-    if (const auto hit = cast_ray(shapes[i], pose_a, in.ray)) words.add(hit->point);
+    if (const auto hit = cast_ray({shapes[i], pose_a}, in.ray)) words.add(hit->point);
   }
   const BoxGap gap = gap_between(in.box_a, in.box_b);
   words.add(gap.gap);
@@ -62,13 +62,13 @@ void add_update(Words& words, const WorldUpdate& update) {
 
 void ask_about_bodies(const World& world, const Inputs& in, Words& words) {
   const Shape ball(Sphere{in.body_poses[7].translation(), 1});
-  for (const BodyId id : world.find_touching(ball, in.body_poses[0]))
+  for (const BodyId id : world.find_touching({ball, in.body_poses[0]}))
     words.add(std::uint64_t{id.index});
   for (const BodyId id : world.find_in_box(in.box_a))
     words.add(std::uint64_t{id.index});
-  for (const BodyDistance& near : world.find_within(ball, in.body_poses[2], 0.25))
+  for (const BodyDistance& near : world.find_within({ball, in.body_poses[2]}, 0.25))
     add_distance(words, near.distance);
-  if (const auto closest = world.find_closest(ball, in.body_poses[4]))
+  if (const auto closest = world.find_closest({ball, in.body_poses[4]}))
     add_distance(words, closest->distance);
   if (const auto hit = world.cast_ray(in.ray)) words.add(hit->hit.point);
   for (const BodyRayHit& hit : world.cast_ray_all(in.ray))
@@ -82,7 +82,7 @@ void ask_world(const Inputs& in, Words& words, int threads) {
   std::vector<BodyId> ids;
   const std::vector<Shape> shapes = all_shapes(in);
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    ids.push_back(world.add(shapes[i], in.body_poses[i]));
+    ids.push_back(world.add({shapes[i], in.body_poses[i]}));
   add_update(words, world.update());
   ask_about_bodies(world, in, words);
   const WorldSnapshot snapshot = world.snapshot();

@@ -144,7 +144,7 @@ Hashes run(const Scene& scene, const WorldSettings& settings, const Order& order
     const std::size_t turn = (order.first + i) % count;
     const std::size_t which = order.is_backwards ? count - 1 - turn : turn;
     const Scene::Body& body = scene.bodies[which];
-    ids[which] = world.add(body.shape, body.pose, body.settings);
+    ids[which] = world.add({body.shape, body.pose}, body.settings);
   }
   Hash hash, of_contacts;
   for (const auto& step : scene.steps) {

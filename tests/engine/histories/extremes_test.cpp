@@ -48,13 +48,13 @@ TEST(OnePoint, OfThreeHundredBodiesAllTouch) {
   const auto ball = share(Sphere{{0, 0, 0}, 1e-6});
   std::vector<BodyId> ids;
   for (int i = 0; i < 300; ++i)
-    ids.push_back(world.add(ball, at(1, 2, 3)));
+    ids.push_back(world.add({ball, at(1, 2, 3)}));
   const WorldUpdate all = world.update();
   EXPECT_EQ(all.begun.size(), 300u * 299 / 2);
   EXPECT_EQ(all.contacts.size(), all.begun.size());
   world.move(ids[7], at(1, 2, 3.1));
   EXPECT_EQ(world.update().ended.size(), 299u);
-  EXPECT_EQ(world.find_touching(Sphere{{0, 0, 0}, 1}, at(1, 2, 3)).size(), 300u);
+  EXPECT_EQ(world.find_touching({Sphere{{0, 0, 0}, 1}, at(1, 2, 3)}).size(), 300u);
   EXPECT_EQ(world.cast_ray({{0, 2, 3}, {1, 0, 0}})->id, ids[0]);
 }
 
@@ -69,7 +69,7 @@ TEST(OnePoint, OfTwoCapsulesHasAKnownWayOut) {
     const Pose other = there * turned(angle, 1) * turned(1.1, 2);
     Work work;
     const Manifold found =
-        find_contacts(Capsule{0.25, 2}, there * turned(-0.8, 2), Capsule{0.5, 1}, other, &work);
+        find_contacts({Capsule{0.25, 2}, there * turned(-0.8, 2)}, {Capsule{0.5, 1}, other}, &work);
     EXPECT_EQ(work.penetration_failures, 0u) << angle;
     ASSERT_FALSE(found.empty());
     EXPECT_NEAR(found[0].depth, 0.75, 1e-6) << angle;
@@ -84,7 +84,7 @@ TEST(OnePointSlow, OfTenThousandBodiesFewMayMeet) {
   std::vector<BodyId> ids;
   for (int i = 0; i < 10000; ++i) {
     const BodyKind motion = i % 1000 == 0 ? BodyKind::Dynamic : BodyKind::Static;
-    ids.push_back(world.add(ball, at(1, 2, 3), {.kind = motion}));
+    ids.push_back(world.add({ball, at(1, 2, 3)}, {.kind = motion}));
   }
   const WorldUpdate all = world.update();
   EXPECT_EQ(all.begun.size(), 10u * 9990 + 45);
@@ -97,8 +97,8 @@ TEST(OnePointSlow, OfTenThousandBodiesFewMayMeet) {
 TEST(Sizes, AGrainOnAContinentIsExactToTheGrain) {
   for (const Shape& ground : {Shape(Box{{1e6, 1e6, 1e6}}), Shape(Sphere{{0, 0, 0}, 1e6})}) {
     World world;
-    world.add(ground, at(0, 0, -1e6), {.kind = BodyKind::Static});
-    const BodyId grain = world.add(Sphere{{0, 0, 0}, 1e-6}, at(0, 0, 3e-6));
+    world.add({ground, at(0, 0, -1e6)}, {.kind = BodyKind::Static});
+    const BodyId grain = world.add({Sphere{{0, 0, 0}, 1e-6}, at(0, 0, 3e-6)});
     EXPECT_TRUE(world.update().begun.empty());
     world.move(grain, at(0, 0, 0.99e-6));
     const WorldUpdate down = world.update();
@@ -115,8 +115,8 @@ TEST(FarAway, TouchIsToTheUlp) {
   const double step = 0x1p-29;
   for (const Shape& shape : {Shape(Sphere{{0, 0, 0}, 0.5}), Shape(Box{{0.5, 0.5, 0.5}})}) {
     World world;
-    world.add(shape, at(1e7, 1e7, -1e7));
-    const BodyId other = world.add(shape, at(1e7 + 1, 1e7, -1e7));
+    world.add({shape, at(1e7, 1e7, -1e7)});
+    const BodyId other = world.add({shape, at(1e7 + 1, 1e7, -1e7)});
     EXPECT_EQ(world.update().begun.size(), 1u);
     world.move(other, at(1e7 + 1 + step, 1e7, -1e7));
     EXPECT_EQ(world.update().ended.size(), 1u);
@@ -128,8 +128,8 @@ TEST(FarAway, TouchIsToTheUlp) {
 /// Leaps of 1e9 and of 1e99, in every step, of pairs that were known to be apart.
 TEST(Leaps, AreSeenAtOnce) {
   World world;
-  const BodyId drum = world.add(Cylinder{1, 1}, at(0, 0, 0));
-  const BodyId cone = world.add(Cone{0.5, 0.5}, at(1.3, 1.3, 0));
+  const BodyId drum = world.add({Cylinder{1, 1}, at(0, 0, 0)});
+  const BodyId cone = world.add({Cone{0.5, 0.5}, at(1.3, 1.3, 0)});
   std::uint64_t skipped = 0;
   for (int i = 0; i < 200; ++i) {
     for (int k = 0; k < 5; ++k) {
@@ -144,7 +144,7 @@ TEST(Leaps, AreSeenAtOnce) {
     EXPECT_TRUE(world.update().begun.empty());
     world.move(drum, at(far, 0, 0));
     EXPECT_EQ(world.update().begun.size(), 1u);
-    EXPECT_EQ(world.find_closest(Sphere{{0, 0, 0}, 1}, at(0, 0, 0))->id, drum);
+    EXPECT_EQ(world.find_closest({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)})->id, drum);
     world.move(std::vector<BodyId>{drum, cone}, std::vector<Pose>{at(0, 0, 0), at(0, 0, 0)});
     EXPECT_TRUE(world.update().begun.empty());
   }
@@ -154,8 +154,8 @@ TEST(Leaps, AreSeenAtOnce) {
 /// A body in two places at once: the last counts, and nothing lies between them.
 TEST(Leaps, OnlyTheLastOfAStepCounts) {
   World world;
-  world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
-  const BodyId ball = world.add(Sphere{{0, 0, 0}, 1}, at(-5, 0, 0));
+  world.add({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)});
+  const BodyId ball = world.add({Sphere{{0, 0, 0}, 1}, at(-5, 0, 0)});
   world.update();
   world.move(ball, at(0, 0, 0));
   world.move(ball, at(5, 0, 0));
@@ -170,10 +170,10 @@ TEST(FindClosest, GrowsFromNothing) {
   const Mesh point(std::vector<Eigen::Vector3d>{origin, origin, origin},
                    std::vector<TriangleIndices>{{0, 1, 2}});
   World world;
-  world.add(Sphere{{0, 0, 0}, 1}, at(4, 0, 0));
-  const BodyId near = world.add(point, at(0, 2, 0));
-  EXPECT_EQ(world.find_closest(point, at(0, 0, 0))->id, near);
-  EXPECT_EQ(world.find_closest(point, at(0, 0, 0))->distance.distance, 2);
+  world.add({Sphere{{0, 0, 0}, 1}, at(4, 0, 0)});
+  const BodyId near = world.add({point, at(0, 2, 0)});
+  EXPECT_EQ(world.find_closest({point, at(0, 0, 0)})->id, near);
+  EXPECT_EQ(world.find_closest({point, at(0, 0, 0)})->distance.distance, 2);
 }
 
 }  // namespace

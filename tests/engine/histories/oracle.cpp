@@ -140,7 +140,7 @@ bool Oracle::touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being
   Answer& answer = at->second;
   if (is_new || answer.version_a != s.version || answer.version_b != t.version) {
     answer = {s.version, t.version,
-              intersects(palette_[s.shape], s.pose, palette_[t.shape], t.pose)};
+              intersects({palette_[s.shape], s.pose}, {palette_[t.shape], t.pose})};
   }
   return answer.touches;
 }
@@ -160,8 +160,8 @@ bool Oracle::is_looked_at(const NamePair& pair) const {
 }
 
 bool Oracle::do_boxes_overlap(const Being& s, const Being& t) const {
-  return test::share_point(bounds_of(palette_[s.shape], s.pose),
-                           bounds_of(palette_[t.shape], t.pose));
+  return test::share_point(bounding_aabb({palette_[s.shape], s.pose}),
+                           bounding_aabb({palette_[t.shape], t.pose}));
 }
 
 std::vector<NamePair> Oracle::touching(const std::vector<NamePair>& before) {
@@ -191,7 +191,7 @@ Manifold Oracle::contacts(const NamePair& pair) const {
   const Shape& a = shape_of(pair.first);
   const Shape& b = shape_of(pair.second);
   if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) return {};
-  return find_contacts(a, beings_.at(pair.first).pose, b, beings_.at(pair.second).pose);
+  return find_contacts({a, beings_.at(pair.first).pose}, {b, beings_.at(pair.second).pose});
 }
 
 bool Oracle::must_be_listed(const NamePair& pair) const {

@@ -104,7 +104,7 @@ void Contestant::tell(const Operation& operation) {
     case Verb::Add: {
       BodySettings own = settings;
       own.user_data = name;
-      const BodyId added = world.add(palette[operation.number], operation.pose, own);
+      const BodyId added = world.add({palette[operation.number], operation.pose}, own);
       for (const auto& [other, there] : ids)
         expect(there != added, title + ": an id was given out twice");
       ids[name] = added;

@@ -39,19 +39,19 @@ class Asked {
   std::size_t touching(const Shape& shape, const Pose& pose) const {
     std::vector<BodyId> wanted;
     for (const auto& [id, name] : bodies_) {
-      if (intersects(shape, pose, oracle_.shape_of(name), pose_of(name))) wanted.push_back(id);
+      if (intersects({shape, pose}, {oracle_.shape_of(name), pose_of(name)})) wanted.push_back(id);
     }
-    expect(world_.find_touching(shape, pose) == wanted, "find_touching() differs");
+    expect(world_.find_touching({shape, pose}) == wanted, "find_touching() differs");
     return wanted.size();
   }
 
   std::size_t within(const Shape& shape, const Pose& pose, double clearance) const {
     std::vector<BodyDistance> wanted;
     for (const auto& [id, name] : bodies_) {
-      const ShapeDistance way = distance(shape, pose, oracle_.shape_of(name), pose_of(name));
+      const ShapeDistance way = distance({shape, pose}, {oracle_.shape_of(name), pose_of(name)});
       if (way.distance <= clearance) wanted.push_back({id, way});
     }
-    const std::vector<BodyDistance> found = world_.find_within(shape, pose, clearance);
+    const std::vector<BodyDistance> found = world_.find_within({shape, pose}, clearance);
     const bool is_same = std::equal(
         found.begin(), found.end(), wanted.begin(), wanted.end(),
         [](auto& s, auto& t) { return s.id == t.id && are_equal(s.distance, t.distance); });
@@ -63,10 +63,10 @@ class Asked {
   std::size_t closest(const Shape& shape, const Pose& pose) const {
     std::optional<BodyDistance> wanted;
     for (const auto& [id, name] : bodies_) {
-      const ShapeDistance way = distance(shape, pose, oracle_.shape_of(name), pose_of(name));
+      const ShapeDistance way = distance({shape, pose}, {oracle_.shape_of(name), pose_of(name)});
       if (!wanted || way.distance < wanted->distance.distance) wanted = BodyDistance{id, way};
     }
-    const std::optional<BodyDistance> found = world_.find_closest(shape, pose);
+    const std::optional<BodyDistance> found = world_.find_closest({shape, pose});
     expect(found.has_value() == wanted.has_value(), "find_closest() differs");
     expect(!found || (found->id == wanted->id && are_equal(found->distance, wanted->distance)),
            "find_closest() finds another body, or says otherwise how far it is");
@@ -76,7 +76,7 @@ class Asked {
   std::size_t ray(const Ray& ray) const {
     std::vector<BodyRayHit> wanted;
     for (const auto& [id, name] : bodies_) {
-      if (const auto hit = cast_ray(oracle_.shape_of(name), pose_of(name), ray))
+      if (const auto hit = cast_ray({oracle_.shape_of(name), pose_of(name)}, ray))
         wanted.push_back({id, *hit});
     }
     std::sort(wanted.begin(), wanted.end(), [](const BodyRayHit& s, const BodyRayHit& t) {
@@ -98,7 +98,7 @@ class Asked {
   std::size_t box(const Aabb& box) const {
     std::vector<BodyId> wanted;
     for (const auto& [id, name] : bodies_) {
-      const Aabb own = bounds_of(oracle_.shape_of(name), pose_of(name));
+      const Aabb own = bounding_aabb({oracle_.shape_of(name), pose_of(name)});
       bool is_there = true;
       for (int k = 0; k < 3; ++k)
         is_there = is_there && own.min[k] <= box.max[k] && box.min[k] <= own.max[k];

@@ -1,6 +1,7 @@
 // Each skip can be switched off: that changes what a world costs. That it changes no answer is what
 // every history shows.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
@@ -20,9 +21,9 @@ using tests::at;
 WorldWork work_of(const WorldSettings& settings) {
   World world(settings);
   for (int i = 0; i < 20; ++i)
-    world.add(Box{{0.5, 0.5, 0.5}}, at(i, 0, 0));
-  world.add(Cylinder{1, 1}, at(0, 9, 0));
-  const BodyId cone = world.add(Cone{0.5, 0.5}, at(1.3, 10.3, 0));
+    world.add({Box{{0.5, 0.5, 0.5}}, at(i, 0, 0)});
+  world.add({Cylinder{1, 1}, at(0, 9, 0)});
+  const BodyId cone = world.add({Cone{0.5, 0.5}, at(1.3, 10.3, 0)});
   WorldWork sum;
   for (int i = 0; i < 20; ++i) {
     world.move(cone, at(1.3, 10.3, 1e-3 * i));
@@ -53,9 +54,9 @@ TEST(Skips, OfPairsAtRestAndOfPairsApartSaveTests) {
 /// Whether a question is the first to walk the mesh's trees.
 bool has_no_tree(const Mesh& mesh) {
   Work work;
-  mesh.tree(&work);
+  tree_of(mesh, &work);
   const std::uint64_t built = work.trees_built;
-  mesh.wide_tree(&work);
+  wide_tree_of(mesh, &work);
   EXPECT_EQ(work.trees_built, 2 * built);
   return built != 0;
 }
@@ -64,8 +65,8 @@ TEST(Skips, OfTreesThatNobodyWalksSaveBuildingThem) {
   for (const bool skip : {true, false}) {
     World world({.skip_unused_trees = skip});
     const Mesh first = tests::make_sphere(1, 8, 12), second = tests::make_sphere(1, 8, 12);
-    const BodyId id = world.add(first, at(0, 0, 0));
-    world.add(Sphere{{0, 0, 0}, 1}, at(50, 0, 0));
+    const BodyId id = world.add({first, at(0, 0, 0)});
+    world.add({Sphere{{0, 0, 0}, 1}, at(50, 0, 0)});
     world.update();
     EXPECT_EQ(has_no_tree(first), skip);
     world.set_shape(id, second);
@@ -77,9 +78,9 @@ TEST(Skips, OfTreesThatNobodyWalksSaveBuildingThem) {
 TEST(Skips, OfTreesAreCountedWhereTheyEnd) {
   World world;
   const Mesh near = tests::make_sphere(1, 8, 12), far = tests::make_sphere(1, 8, 12);
-  world.add(near, at(0, 0, 0), {.kind = BodyKind::Static});
-  world.add(far, at(90, 0, 0), {.kind = BodyKind::Static});
-  const BodyId ball = world.add(Sphere{{0, 0, 0}, 1}, at(50, 0, 0));
+  world.add({near, at(0, 0, 0)}, {.kind = BodyKind::Static});
+  world.add({far, at(90, 0, 0)}, {.kind = BodyKind::Static});
+  const BodyId ball = world.add({Sphere{{0, 0, 0}, 1}, at(50, 0, 0)});
   EXPECT_EQ(world.update().work.shapes.trees_built, 0u);
   world.move(ball, at(1.5, 0, 0));
   const WorldUpdate met = world.update();
@@ -94,7 +95,7 @@ TEST(Skips, OfTreesAreCountedWhereTheyEnd) {
 std::vector<BodyId> add_apart(World& world, const std::vector<Mesh>& meshes) {
   std::vector<BodyId> ids;
   for (const Mesh& mesh : meshes)
-    ids.push_back(world.add(mesh, at(4.0 * static_cast<double>(ids.size()), 0, 0)));
+    ids.push_back(world.add({mesh, at(4.0 * static_cast<double>(ids.size()), 0, 0)}));
   return ids;
 }
 
@@ -118,7 +119,7 @@ TEST(UnbuiltTrees, OfMeshesApartAreAllAndThoseThatMeetAreBuilt) {
   EXPECT_EQ(met.trees_unbuilt, 8u);
   EXPECT_EQ(world.update().work.trees_unbuilt, 8u);
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    EXPECT_EQ(meshes[i].has_tree(), i == 1 || i == 3) << i;
+    EXPECT_EQ(has_tree(meshes[i]), i == 1 || i == 3) << i;
   // A new look at a pair whose boxes part again builds nothing.
   world.move(ids[3], at(12, 0, 0));
   EXPECT_EQ(world.update().work.trees_unbuilt, 8u);
@@ -128,7 +129,7 @@ TEST(UnbuiltTrees, AreNoneWhereTheSkipIsOff) {
   World world({.skip_unused_trees = false});
   const std::vector<Mesh> meshes = make_spheres(4);
   add_apart(world, meshes);
-  world.add(Sphere{{0, 0, 0}, 1}, at(0, 9, 0));
+  world.add({Sphere{{0, 0, 0}, 1}, at(0, 9, 0)});
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
 }
 
@@ -144,17 +145,17 @@ TEST(UnbuiltTrees, OfMeshesThatBodiesShareAreCountedOnce) {
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
   world.restore(snapshot);
   EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
-  world.add(Sphere{{0, 0, 0}, 1}, at(4, 0, 0));
+  world.add({Sphere{{0, 0, 0}, 1}, at(4, 0, 0)});
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
   // The mark of the other body that shares it is void, and takes no other mesh's entry with it.
-  world.add(tests::make_sphere(1, 8, 12), at(0, 9, 0));
+  world.add({tests::make_sphere(1, 8, 12), at(0, 9, 0)});
   world.remove(ids[2]), world.remove(ids[1]);
   EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
 }
 
 TEST(UnbuiltTrees, FollowTheShapesThatBodiesTake) {
   World world;
-  const BodyId id = world.add(Sphere{{0, 0, 0}, 1}, at(0, 0, 0));
+  const BodyId id = world.add({Sphere{{0, 0, 0}, 1}, at(0, 0, 0)});
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
   for (int i = 0; i < 3; ++i) {
     world.set_shape(id, tests::make_sphere(1, 8, 12));
@@ -167,17 +168,17 @@ TEST(UnbuiltTrees, FollowTheShapesThatBodiesTake) {
 TEST(UnbuiltTrees, ThatAreBuiltElsewhereAreSeenWhereAnUpdateLooks) {
   World world;
   const Mesh mesh = tests::make_sphere(1, 8, 12);
-  const BodyId id = world.add(mesh, at(0, 0, 0));
+  const BodyId id = world.add({mesh, at(0, 0, 0)});
   EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
-  EXPECT_EQ(world.find_touching(Sphere{{0, 0, 0}, 1}, at(1, 0, 0)).size(), 1u);
-  EXPECT_TRUE(mesh.has_tree());
+  EXPECT_EQ(world.find_touching({Sphere{{0, 0, 0}, 1}, at(1, 0, 0)}).size(), 1u);
+  EXPECT_TRUE(has_tree(mesh));
   EXPECT_EQ(world.update().work.trees_unbuilt, 1u);
   world.move(id, at(0, 0, 0));
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
   // Only the tree that other volumes walk: it counts as well.
   const Mesh other = tests::make_sphere(1, 8, 12);
-  other.tree();
-  world.add(other, at(9, 0, 0));
+  tree_of(other);
+  world.add({other, at(9, 0, 0)});
   EXPECT_EQ(world.update().work.trees_unbuilt, 0u);
 }
 
@@ -194,11 +195,11 @@ TEST(Skips, SearchesAreCountedAsThoseOfThePairsAre) {
     poses.back().rotate(Eigen::AngleAxisd(1e-3, Eigen::Vector3d::UnitX()));
   }
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    world.add(shapes[i], poses[i]);
+    world.add({shapes[i], poses[i]});
   const Work found = world.update().work.shapes;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     for (std::size_t j = i + 1; j < shapes.size(); ++j)
-      find_contacts(shapes[i], poses[i], shapes[j], poses[j], &all);
+      find_contacts({shapes[i], poses[i]}, {shapes[j], poses[j]}, &all);
   }
   EXPECT_GT(found.convex_tests, 100u);
   EXPECT_EQ(found.penetration_tests, all.penetration_tests);
@@ -212,8 +213,8 @@ TEST(Skips, SearchesAreCountedAsThoseOfThePairsAre) {
 TEST(Skips, OfFilteredPairsAreCountedOnce) {
   World world;
   int asked = 0;
-  const BodyId a = world.add(Box{{1, 1, 1}}, at(0, 0, 0), {.filter = {.category = 2}});
-  const BodyId b = world.add(Box{{1, 1, 1}}, at(1, 0, 0), {.filter = {.mask = 1}});
+  const BodyId a = world.add({Box{{1, 1, 1}}, at(0, 0, 0)}, {.filter = {.category = 2}});
+  const BodyId b = world.add({Box{{1, 1, 1}}, at(1, 0, 0)}, {.filter = {.mask = 1}});
   EXPECT_EQ(world.update().work.pairs_filtered, 1u);
   EXPECT_EQ(world.update().work.pairs_filtered, 0u);
   world.move(a, at(0.1, 0, 0));
@@ -230,7 +231,7 @@ TEST(Skips, OfFilteredPairsAreCountedOnce) {
   EXPECT_EQ(update.ended.size(), 1u);
   world.include(a, b);
   world.set_pair_filter([&](BodyId, BodyId) { return ++asked, false; });
-  world.add(Box{{1, 1, 1}}, at(0, 1, 0), {.kind = BodyKind::Static});
+  world.add({Box{{1, 1, 1}}, at(0, 1, 0)}, {.kind = BodyKind::Static});
   EXPECT_EQ(world.update().work.pairs_filtered, 3u);
   EXPECT_EQ(asked, 3);
 }

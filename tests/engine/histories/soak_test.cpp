@@ -62,8 +62,7 @@ class Village {
       for (auto t = std::next(s); t != bodies_.end(); ++t) {
         if (lets_pass(world_.filter(s->first), world_.filter(t->first)) &&
             !is_excluded({s->first, t->first}) &&
-            intersects(palette_[s->second.shape], s->second.pose, palette_[t->second.shape],
-                       t->second.pose))
+            intersects({palette_[s->second.shape], s->second.pose}, {palette_[t->second.shape], t->second.pose}))
           pairs.push_back({s->first, t->first});
       }
     }
@@ -89,7 +88,7 @@ class Village {
   void add() {
     const std::uint32_t shape = chance_.below(static_cast<std::uint32_t>(palette_.size()) - 2);
     const Pose pose = random_pose();
-    const BodyId id = world_.add(shared_[shape], pose);
+    const BodyId id = world_.add({shared_[shape], pose});
     ids_.push_back(id);
     bodies_[id] = {shape, pose};
   }

@@ -18,7 +18,7 @@ const std::vector<Call>& calls() {
   static const Pose origin = Pose::Identity();
   static const Shape ball = Sphere{{0, 0, 0}, 1};
   // The first body of the world is there.
-  static const auto other = [](World& world) { return world.add(ball, origin); };
+  static const auto other = [](World& world) { return world.add({ball, origin}); };
   static const std::vector<Call> all = {
       {"remove", [](World& w, BodyId id) { w.remove(id); }},
       {"move", [](World& w, BodyId id) { w.move(id, origin); }},
@@ -68,7 +68,7 @@ TEST(WorldIds, StaleOnesAreRefusedEverywhere) {
   expect_refused(world, {});
   expect_refused(world, {0, 0});
   expect_refused(world, {1000, 1});
-  const BodyId first = world.add(Sphere{{0, 0, 0}, 1}, Pose::Identity());
+  const BodyId first = world.add({Sphere{{0, 0, 0}, 1}, Pose::Identity()});
   expect_refused(world, {first.index, first.generation + 1});
   expect_refused(world, {first.index, first.generation + 2});
   world.remove(first);
@@ -79,11 +79,11 @@ TEST(WorldIds, StaleOnesAreRefusedEverywhere) {
 
 TEST(WorldIds, AnIndexThatIsUsedAgainHasAnotherGeneration) {
   World world;
-  const BodyId first = world.add(Sphere{{0, 0, 0}, 1}, Pose::Identity());
+  const BodyId first = world.add({Sphere{{0, 0, 0}, 1}, Pose::Identity()});
   world.remove(first);
   world.update();
   world.update();
-  const BodyId second = world.add(Sphere{{0, 0, 0}, 1}, Pose::Identity());
+  const BodyId second = world.add({Sphere{{0, 0, 0}, 1}, Pose::Identity()});
   EXPECT_EQ(second.index, first.index);
   EXPECT_NE(second.generation, first.generation);
   EXPECT_TRUE(world.contains(second));
@@ -92,7 +92,7 @@ TEST(WorldIds, AnIndexThatIsUsedAgainHasAnotherGeneration) {
 
 TEST(WorldIds, AFailedCallLeavesTheWorldAsItWas) {
   World world;
-  const BodyId a = world.add(Sphere{{0, 0, 0}, 1}, Pose::Identity());
+  const BodyId a = world.add({Sphere{{0, 0, 0}, 1}, Pose::Identity()});
   world.update();
   Pose away = Pose::Identity();
   away.translation().x() = 9;
@@ -110,7 +110,7 @@ TEST(WorldIds, AnIndexIsUsedAgainManyTimes) {
   const auto ball = share(Sphere{{0, 0, 0}, 1});
   std::uint32_t largest = 0;
   for (int i = 0; i < 140000; ++i) {
-    const BodyId id = world.add(ball, Pose::Identity());
+    const BodyId id = world.add({ball, Pose::Identity()});
     largest = std::max(largest, id.index);
     world.remove(id);
     world.update();

@@ -24,7 +24,7 @@ void play_part(World& world, const std::vector<std::shared_ptr<const BodyShape>>
   for (const Operation& operation : random_history(Setting::Crowd, 3, count).operations) {
     if (operation.verb == Verb::Add) {
       ids.resize(operation.body + 1);
-      ids[operation.body] = world.add(shapes[operation.number], operation.pose);
+      ids[operation.body] = world.add({shapes[operation.number], operation.pose});
     } else if (operation.verb == Verb::Move || operation.verb == Verb::MoveToo) {
       world.move(ids[operation.body], operation.pose);
     } else if (operation.verb == Verb::Update) {
@@ -75,12 +75,12 @@ struct Answers {
 Answers ask(const World& world) {
   const Pose pose = Pose::Identity();
   Answers answers;
-  answers.touching = world.find_touching(palette()[0], pose);
+  answers.touching = world.find_touching({palette()[0], pose});
   answers.in_box = world.find_in_box({{-1, -1, -1}, {1, 1, 1}});
   answers.pairs = world.pairs();
   answers.contacts = world.contacts().size();
-  answers.near = world.find_within(palette()[11], pose, 0.5).size();
-  answers.least = world.find_closest(palette()[6], pose)->distance.distance;
+  answers.near = world.find_within({palette()[11], pose}, 0.5).size();
+  answers.least = world.find_closest({palette()[6], pose})->distance.distance;
   answers.along = world.cast_ray_all({{-9, 0, 0}, {1, 0, 0}}).size();
   answers.first = world.cast_ray({{-9, 0, 0}, {1, 0, 0}})->hit.distance;
   EXPECT_NO_THROW(world.snapshot());

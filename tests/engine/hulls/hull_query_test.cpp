@@ -77,8 +77,8 @@ TEST(HullQuery, DistancesToBallsAreTheDefinitions) {
       const Sphere ball{at, radius};
       const double gap = truth.distance(tests::rational(at)) - radius;
       const double scale = 8;
-      const ShapeDistance found = distance(shape, tests::at(0), ball, tests::at(0));
-      const bool is_hit = intersects(shape, tests::at(0), ball, tests::at(0));
+      const ShapeDistance found = distance({shape, tests::at(0)}, {ball, tests::at(0)});
+      const bool is_hit = intersects({shape, tests::at(0)}, {ball, tests::at(0)});
       EXPECT_EQ(is_hit, found.distance == 0);
       EXPECT_LE(found.lower_bound, std::max(gap, 0.0));
       if (!is_hit) {
@@ -115,7 +115,7 @@ TEST(HullQuery, ContactsWithAPlaneAreCornersBelowIt) {
     const double lowest = -hull.reach(-up);
     const double depth = std::pow(10.0, source.uniform(-9, -2));
     const HalfSpace floor{up, lowest + depth};
-    const Manifold found = find_contacts(shape, tests::at(0), floor, tests::at(0));
+    const Manifold found = find_contacts({shape, tests::at(0)}, {floor, tests::at(0)});
     ASSERT_FALSE(found.empty());
     EXPECT_NEAR(found[0].depth, depth, kDepthTolerance);
     for (const ShapeContact& contact : found) {
@@ -153,8 +153,7 @@ TEST(HullQuery, ContactsWithABoxPartThem) {
     Vector3d middle = source.vector(-0.5, 0.5);
     middle[k] = hull.reach(Vector3d::Unit(k)) + half[k] - depth;
     Work work;
-    const Manifold found = find_contacts(shape, tests::at(0), Box{half},
-                                         tests::at(middle[0], middle[1], middle[2]), &work);
+    const Manifold found = find_contacts({shape, tests::at(0)}, {Box{half}, tests::at(middle[0], middle[1], middle[2])}, &work);
     if (found.empty()) continue;
     ++found_any;
     const double size = std::min(half.norm(), 2.0);

@@ -63,7 +63,7 @@ std::optional<PlacedHull> placed_hull(const std::vector<Vector3d>& points, const
 
 /// The hit is that of a ray that is moved by no more than law 11 says, and so is a miss.
 void expect_as_moved(const PlacedHull& hull, const Ray& ray) {
-  const auto hit = cast_ray(hull.shape, hull.pose, ray);
+  const auto hit = cast_ray({hull.shape, hull.pose}, ray);
   const double away = (ray.origin - hull.middle).norm();
   const double tolerance = kRayTolerance * (hull.size + away) + hull.rounding;
   const RationalPoint origin = tests::rational(ray.origin);
@@ -112,7 +112,7 @@ void expect_right(const PlacedHull& hull, const Ray& ray) {
   const bool is_beside = !line.is_hit && line.margin > tolerance;
   const bool is_behind = line.is_hit && line.exit < 0 && outside > tolerance;
   if (is_beside || is_behind) {
-    EXPECT_FALSE(cast_ray(hull.shape, hull.pose, ray)) << line.margin << " of " << tolerance;
+    EXPECT_FALSE(cast_ray({hull.shape, hull.pose}, ray)) << line.margin << " of " << tolerance;
   }
 }
 
@@ -206,10 +206,10 @@ TEST(HullRay, ARaisedCentreIsMetWhereItIs) {
   points.emplace_back(0, 0, 1 + 5e-6);
   const ConvexHull hull(points);
   const auto above = [&](double x, double z_of_ray) {
-    return cast_ray(hull, Pose::Identity(), {{x, -3, z_of_ray}, {0, 1, 0}});
+    return cast_ray({hull, Pose::Identity()}, {{x, -3, z_of_ray}, {0, 1, 0}});
   };
   const auto down = [&](double x, double y) {
-    const auto hit = cast_ray(hull, Pose::Identity(), {{x, y, 3}, {0, 0, -1}});
+    const auto hit = cast_ray({hull, Pose::Identity()}, {{x, y, 3}, {0, 0, -1}});
     return hit ? hit->point.z() : -HUGE_VAL;
   };
   EXPECT_NEAR(down(0, 0), 1 + 5e-6, 1e-12);
@@ -259,7 +259,7 @@ TEST(HullRay, ARayThatBeginsInAHullDoesSoHoweverThin) {
       if (i == 0) origin.setZero();
       if (i % 4 == 1) origin = any();
       const bool is_in = hull->truth.holds(tests::rational(origin));
-      const auto hit = cast_ray(hull->shape, hull->pose, {origin, source.vector(-1, 1)});
+      const auto hit = cast_ray({hull->shape, hull->pose}, {origin, source.vector(-1, 1)});
       if (is_in) {  // one that begins outside may be at a distance that rounds to 0
         EXPECT_TRUE(hit && hit->distance == 0) << n << " " << i;
       }
@@ -280,11 +280,11 @@ TEST(HullRay, AWorldSaysTheSame) {
     const auto hull = placed_hull(points, pose);
     if (!hull) continue;
     World world;
-    world.add(hull->shape, pose);
+    world.add({hull->shape, pose});
     world.update();
     for (int i = 0; i < 20; ++i) {
       const Ray ray = random_ray(*hull, source);
-      const auto alone = cast_ray(hull->shape, pose, ray);
+      const auto alone = cast_ray({hull->shape, pose}, ray);
       const auto seen = world.cast_ray(ray);
       ASSERT_EQ(seen.has_value(), alone.has_value()) << n << " " << i;
       if (seen) {

@@ -175,7 +175,7 @@ bool is_deep(const PlacedShape& placed, const WidePoint& p, double by) {
 }
 
 void expect_right(const PlacedShape& placed, const Ray& ray) {
-  const auto hit = cast_ray(placed.shape, placed.pose, ray);
+  const auto hit = cast_ray({placed.shape, placed.pose}, ray);
   const double away = (ray.origin - placed.middle).norm();
   const double tolerance = kRayTolerance * (placed.size + away) + placed.rounding;
   const Vector3d unit = ray.direction.normalized();
@@ -226,7 +226,7 @@ int rays_tried(ShapeKind kind, int count, std::uint64_t seed) {
                    << placed.pose.inverse() * ray.origin << " along "
                    << placed.pose.linear().transpose() * ray.direction);
       expect_right(placed, ray);
-      hits += cast_ray(placed.shape, placed.pose, ray).has_value();
+      hits += cast_ray({placed.shape, placed.pose}, ray).has_value();
     }
   }
   return hits;
@@ -244,7 +244,7 @@ TEST(ConvexRayNormal, OfACapsuleThatIsAllButABallIsTheBalls) {
     const double angle = source.uniform(0, 6.3);  // entered where its ends meet
     const Vector3d target(std::cos(angle), std::sin(angle), 0);
     const Vector3d from = target * 1.2 + Vector3d(0, 0, source.uniform(-3, 3));
-    const auto hit = cast_ray(Capsule{1, half_length}, Pose::Identity(), {from, target - from});
+    const auto hit = cast_ray({Capsule{1, half_length}, Pose::Identity()}, {from, target - from});
     ASSERT_TRUE(hit) << n;
     ASSERT_NEAR((hit->normal - hit->point).norm(), 0, 1e-12) << n;
   }
@@ -258,7 +258,7 @@ TEST(ConvexRayNormal, OfAFlatEllipsoidIsAgainstTheRay) {
     const Vector3d target(std::cos(angle) * (1 - off), std::sin(angle) * 0.5 * (1 - off), 0);
     const Vector3d from(source.uniform(-1, 1), source.uniform(-1, 1), 1);
     const auto hit =
-        cast_ray(Ellipsoid{{0, 0, 0}, {1, 0.5, thin}}, Pose::Identity(), {from, target - from});
+        cast_ray({Ellipsoid{{0, 0, 0}, {1, 0.5, thin}}, Pose::Identity()}, {from, target - from});
     ASSERT_TRUE(hit) << n;
     ASSERT_NEAR(hit->normal.z(), 1, 2 * thin / std::sqrt(off)) << n;
     ASSERT_NEAR((hit->point - target).norm(), 0, 4 * thin + 1e-14) << n;
@@ -273,10 +273,10 @@ TEST(ConvexRay, FlatConesEndAtTheirRims) {
         const Vector3d on_base(0.6 * rho, 0.8 * rho, -height);
         return Ray{on_base - 2 * way, way};
       };
-      EXPECT_TRUE(cast_ray(Cone{1, height}, Pose::Identity(), ray(1 - off)))
+      EXPECT_TRUE(cast_ray({Cone{1, height}, Pose::Identity()}, ray(1 - off)))
           << height << " " << off;
       if (off > 1e-2 * height) {
-        EXPECT_EQ(cast_ray(Cone{1, height}, Pose::Identity(), ray(1 + off + height)).has_value(),
+        EXPECT_EQ(cast_ray({Cone{1, height}, Pose::Identity()}, ray(1 + off + height)).has_value(),
                   false)
             << height << " " << off;
       }
@@ -285,7 +285,7 @@ TEST(ConvexRay, FlatConesEndAtTheirRims) {
 }
 
 TEST(ConvexRayNormal, AtAnApexIsOfTheSideTheRayComesFrom) {
-  const auto hit = cast_ray(Cone{1e-20, 1}, Pose::Identity(), {{-0.8, -1.6, 0.2}, {0.4, 0.8, 0.4}});
+  const auto hit = cast_ray({Cone{1e-20, 1}, Pose::Identity()}, {{-0.8, -1.6, 0.2}, {0.4, 0.8, 0.4}});
   ASSERT_TRUE(hit);
   EXPECT_LT(hit->normal.head<2>().dot(Eigen::Vector2d(1, 2)), 0);
   EXPECT_GE(hit->normal.z(), 0);

@@ -27,7 +27,7 @@ std::set<ScenePair> by_brute_force(const Scene& scene, double time) {
   for (const ScenePair pair : meeting_pairs(scene)) {
     const Shape& a = scene.shapes[scene.bodies[pair.a].shape].shape;
     const Shape& b = scene.shapes[scene.bodies[pair.b].shape].shape;
-    if (intersects(a, poses[pair.a], b, poses[pair.b])) pairs.insert(pair);
+    if (intersects({a, poses[pair.a]}, {b, poses[pair.b]})) pairs.insert(pair);
   }
   return pairs;
 }

@@ -50,9 +50,9 @@ class Laws {
       : pair_(pair), settings_(settings), counts_(counts), scale_(scale_of(pair)) {
     const double far = pair.pose_a.translation().norm() + pair.pose_b.translation().norm() + scale_;
     rounding_ = 1e-14 * far;
-    is_hit_ = intersects(pair.a, pair.pose_a, pair.b, pair.pose_b, &test_work_);
-    found_ = distance(pair.a, pair.pose_a, pair.b, pair.pose_b);
-    manifold_ = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, &work_);
+    is_hit_ = intersects({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, &test_work_);
+    found_ = distance({pair.a, pair.pose_a}, {pair.b, pair.pose_b});
+    manifold_ = find_contacts({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, &work_);
   }
 
   std::string run() {
@@ -76,8 +76,8 @@ class Laws {
 
   std::string swapping() {
     const PlacedPair& p = pair_;
-    if (intersects(p.b, p.pose_b, p.a, p.pose_a) != is_hit_) return "swapped: another yes or no";
-    const ShapeDistance other = distance(p.b, p.pose_b, p.a, p.pose_a);
+    if (intersects({p.b, p.pose_b}, {p.a, p.pose_a}) != is_hit_) return "swapped: another yes or no";
+    const ShapeDistance other = distance({p.b, p.pose_b}, {p.a, p.pose_a});
     if (!is_same_bits(other.distance, found_.distance) ||
         !is_same_bits(other.lower_bound, found_.lower_bound) || other.status != found_.status) {
       return "swapped: another distance";
@@ -91,7 +91,7 @@ class Laws {
       return "swapped: other points";
     }
     if (!is_opposite(other.normal, found_.normal)) return "swapped: the normal is not mirrored";
-    const Manifold mirrored = find_contacts(p.b, p.pose_b, p.a, p.pose_a);
+    const Manifold mirrored = find_contacts({p.b, p.pose_b}, {p.a, p.pose_a});
     if (mirrored.size() != manifold_.size()) return "swapped: another number of contacts";
     for (std::size_t i = 0; i < mirrored.size(); ++i) {
       const ShapeContact& s = manifold_[i];

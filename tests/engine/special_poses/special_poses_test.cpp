@@ -87,13 +87,13 @@ Eigen::AngleAxisd right_turn_about_x() {
 }
 
 double depth_of(const PlacedPair& pair, Work* work = nullptr) {
-  const Manifold found = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, work);
+  const Manifold found = find_contacts({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, work);
   return found.empty() ? 0 : found[0].depth;
 }
 
 /// By how much the two reach past each other along the normal of their contacts.
 double width_of(const PlacedPair& pair, Work* work) {
-  const Manifold found = find_contacts(pair.a, pair.pose_a, pair.b, pair.pose_b, work);
+  const Manifold found = find_contacts({pair.a, pair.pose_a}, {pair.b, pair.pose_b}, work);
   return found.empty() ? 0 : std::max(width_along(pair, found[0].normal), 0.0);
 }
 
@@ -228,7 +228,7 @@ TEST(SpecialPoses, BoxesThatAllButTouchHaveADistance) {
     const Eigen::Matrix3d turn = tests::random_pose(1, source).linear();
     pair.pose_a.prerotate(turn);
     pair.pose_b.prerotate(turn);
-    const ShapeDistance found = distance(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    const ShapeDistance found = distance({pair.a, pair.pose_a}, {pair.b, pair.pose_b});
     EXPECT_EQ(found.status, PairStatus::Converged) << n;
     EXPECT_NEAR(found.distance, found.distance > 0 ? gap : 0, 4e-15) << n;
     if (found.distance > 0) {
@@ -245,10 +245,10 @@ TEST(SpecialPoses, BallsThatAllButTouchHaveADistance) {
   for (const double gap : {0x1p-52, 0x1p-50, 0x1p-45, 0x1p-40}) {
     const PlacedPair balls{Sphere{{0, 0, 0}, 0.5}, Sphere{{0, 0, 0}, 1}, at(0, 0, 0),
                            at(1.5 + gap, 0, 0)};
-    EXPECT_EQ(distance(balls.a, balls.pose_a, balls.b, balls.pose_b).distance, gap);
+    EXPECT_EQ(distance({balls.a, balls.pose_a}, {balls.b, balls.pose_b}).distance, gap);
     const PlacedPair box{Sphere{{0, 0, 0}, 0.5}, Box{{1, 1, 1}}, at(0, 0, 0),
                          at(1.5 + gap, 0.25, 0)};
-    EXPECT_EQ(distance(box.a, box.pose_a, box.b, box.pose_b).distance, gap);
+    EXPECT_EQ(distance({box.a, box.pose_a}, {box.b, box.pose_b}).distance, gap);
   }
 }
 
@@ -290,7 +290,7 @@ TEST(SpecialPoses, ShapesBesideEachOtherAreKnownToTheirTolerance) {
     const double gap = std::pow(10.0, source.uniform(-8, -1));
     const PlacedPair pair = beside(shapes[n % 4], shapes[n / 4 % 4], gap, source);
     expect_kept(pair, counts);
-    hits += intersects(pair.a, pair.pose_a, pair.b, pair.pose_b);
+    hits += intersects({pair.a, pair.pose_a}, {pair.b, pair.pose_b});
   }
   EXPECT_LT(counts.unconverged, kPairs / 200u);
   EXPECT_LT(hits, kPairs / 500);

@@ -56,7 +56,7 @@ bool is_single(const ContactFeature& feature) {
 /// What find_contacts() promises of every contact.
 void expect_on_both(const Placed& a, const Placed& b, const std::string& label) {
   Work work;
-  const Manifold m = find_contacts(a.shape, a.pose, b.shape, b.pose, &work);
+  const Manifold m = find_contacts({a.shape, a.pose}, {b.shape, b.pose}, &work);
   const Surface of_a(a.shape), of_b(b.shape);
   const double size_a = size_of(a.shape), size_b = size_of(b.shape);
   const double between = (a.pose.translation() - b.pose.translation()).norm();
@@ -252,7 +252,7 @@ TEST(ContactPoints, OfEdgesThatPassBeyondAnEnd) {
       -0x1.07400b6a7facdp-3, 0x1.48295fe3b9086p-2;
   rod.pose.translation() =
       Vector3d(-0x1.3c49fa35dd0eep+3, 0x1.b2f513fd2edfdp+2, -0x1.0a1ae94dd40fap+3);
-  ASSERT_FALSE(find_contacts(cube.shape, cube.pose, rod.shape, rod.pose).empty());
+  ASSERT_FALSE(find_contacts({cube.shape, cube.pose}, {rod.shape, rod.pose}).empty());
   expect_on_both(cube, rod, "cube/rod");
   expect_on_both(rod, cube, "rod/cube");
 }
@@ -268,7 +268,7 @@ TEST(ContactPoints, OfABoxThatIsDeepestBesideAFace) {
   box.pose.linear() << 0.10758262492983037, -0.66248818500152129, -0.74130653817877357,
       0.22682184885125473, -0.709614040775253474, 0.66708302483147863, -0.96797615037608542,
       -0.23991106241273435, 0.07392465377049165;
-  const Manifold m = find_contacts(plate.shape, plate.pose, box.shape, box.pose);
+  const Manifold m = find_contacts({plate.shape, plate.pose}, {box.shape, box.pose});
   ASSERT_FALSE(m.empty());
   const Vector3d apart = m[0].point_a - m[0].point_b;
   EXPECT_GT(apart.cross(m[0].normal).norm(), 1e-5);

@@ -42,8 +42,7 @@ double kept_share(const Shape& lower, const Shape& upper, const Pose& pose, doub
   std::set<ContactFeature> before;
   std::size_t kept = 0, all = 0;
   for (int step = 0; step < 400; ++step) {
-    const Manifold m = find_contacts(lower, jittered(at(0), jitter, source), upper,
-                                     jittered(pose, jitter, source));
+    const Manifold m = find_contacts({lower, jittered(at(0), jitter, source)}, {upper, jittered(pose, jitter, source)});
     EXPECT_FALSE(m.empty());
     const std::set<ContactFeature> now = features_of(m);
     EXPECT_EQ(now.size(), m.size());
@@ -74,7 +73,7 @@ TEST(Features, OfCoincidingEdgesLieOnBoth) {
     const double jitter = 3e-3 * source.uniform(0, 1) * source.uniform(0, 1);
     const Pose lower = jittered(at(0), jitter, source);
     const Pose upper = jittered(at(0, 0, 0.99), jitter, source);
-    const Manifold m = find_contacts(box, lower, box, upper);
+    const Manifold m = find_contacts({box, lower}, {box, upper});
     ASSERT_EQ(m.size(), 4u);
     for (const ShapeContact& contact : m) {
       const Vector3d in_lower = lower.inverse() * contact.point;

@@ -72,10 +72,10 @@ TEST(Manifold, EveryPairOfKindsPartsAlongItsNormal) {
         Pose pose_b = random_pose(1, source);
         const double away = source.uniform(0, 0.8) * (size_of(a) + size_of(b));
         pose_b.translation() = pose_a.translation() + source.vector(-1, 1).normalized() * away;
-        const Manifold m = find_contacts(a, pose_a, b, pose_b, &work);
-        ASSERT_EQ(m.empty(), !intersects(a, pose_a, b, pose_b)) << label;
+        const Manifold m = find_contacts({a, pose_a}, {b, pose_b}, &work);
+        ASSERT_EQ(m.empty(), !intersects({a, pose_a}, {b, pose_b})) << label;
         if (kind_a != ShapeKind::Mesh) {
-          expect_mirrored(m, find_contacts(b, pose_b, a, pose_a), label);
+          expect_mirrored(m, find_contacts({b, pose_b}, {a, pose_a}), label);
         }
         if (m.empty()) continue;
         ++hits;
@@ -96,7 +96,7 @@ TEST(Manifold, EveryPairOfKindsPartsAlongItsNormal) {
         }
         Pose parted = pose_b;
         parted.translation() += normal * (deepest(m) + 4e-4);
-        EXPECT_FALSE(intersects(a, pose_a, b, parted)) << label << " depth " << deepest(m);
+        EXPECT_FALSE(intersects({a, pose_a}, {b, parted})) << label << " depth " << deepest(m);
         if (HasFailure()) return;
       }
       EXPECT_GT(hits, 5) << name_of(kind_a) << "/" << name_of(kind_b);
@@ -115,7 +115,7 @@ TEST(Manifold, DepthsAreNearTheLeast) {
     const Shape b =
         random_shape(kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))], 1, source);
     const Pose pose_a = random_pose(0.3, source), pose_b = random_pose(0.3, source);
-    const Manifold m = find_contacts(a, pose_a, b, pose_b);
+    const Manifold m = find_contacts({a, pose_a}, {b, pose_b});
     if (m.empty()) continue;
     double least = 1e9;
     for (int k = 0; k < 2000; ++k) {
@@ -160,7 +160,7 @@ TEST(Manifold, RestingShapesKeepTheirFeatures) {
   for (const Resting& resting : all) {
     for (const auto& [floor, floor_pose] : floors) {
       const std::string label = std::string(resting.name) + " on a " + name_of(floor.kind());
-      const Manifold m = find_contacts(floor, floor_pose, resting.shape, resting.pose);
+      const Manifold m = find_contacts({floor, floor_pose}, {resting.shape, resting.pose});
       ASSERT_EQ(m.size(), resting.contacts) << label;
       std::set<ContactFeature> features;
       for (const ShapeContact& contact : m) {
@@ -170,7 +170,7 @@ TEST(Manifold, RestingShapesKeepTheirFeatures) {
         features.insert(contact.feature);
       }
       const Pose moved = turned(resting.pose, {1e-3, -2e-3, 3}, 1e-5);
-      const Manifold again = find_contacts(floor, floor_pose, resting.shape, moved);
+      const Manifold again = find_contacts({floor, floor_pose}, {resting.shape, moved});
       ASSERT_EQ(again.size(), m.size()) << label;
       for (const ShapeContact& contact : again)
         EXPECT_TRUE(features.contains(contact.feature)) << label;
@@ -180,7 +180,7 @@ TEST(Manifold, RestingShapesKeepTheirFeatures) {
 
 TEST(Manifold, StackedBoxesMeetInTheirCommonArea) {
   const Box box{{1, 1, 1}};
-  const Manifold m = find_contacts(box, at({0, 0, 0}), box, at({0.5, 0.25, 1.99}));
+  const Manifold m = find_contacts({box, at({0, 0, 0})}, {box, at({0.5, 0.25, 1.99})});
   ASSERT_EQ(m.size(), 4u);
   for (const ShapeContact& contact : m) {
     EXPECT_NEAR(contact.depth, 0.01, 1e-12);
@@ -196,7 +196,7 @@ TEST(Manifold, CrossedEdgesMeetInOnePoint) {
   const double h = std::sqrt(2.0);
   const Pose below = turned(at({0, 0, 0}), {1, 0, 0}, 0.78539816339744828);
   const Pose above = turned(at({0.1, 0.2, 2 * h - 0.01}), {0, 1, 0}, 0.78539816339744828);
-  const Manifold m = find_contacts(Box{{1, 1, 1}}, below, Box{{1, 1, 1}}, above);
+  const Manifold m = find_contacts({Box{{1, 1, 1}}, below}, {Box{{1, 1, 1}}, above});
   ASSERT_EQ(m.size(), 1u);
   EXPECT_NEAR(m[0].depth, 0.01, 1e-12);
   EXPECT_NEAR((m[0].point - Vector3d(0.1, 0, h - 0.005)).norm(), 0, 1e-5);
@@ -205,28 +205,27 @@ TEST(Manifold, CrossedEdgesMeetInOnePoint) {
 
 TEST(Manifold, ClosedFormsAreAsTheirFormulas) {
   const Manifold balls =
-      find_contacts(Sphere{{0, 0, 0}, 1}, at({0, 0, 0}), Sphere{{0, 0, 0}, 2}, at({2.5, 0, 0}));
+      find_contacts({Sphere{{0, 0, 0}, 1}, at({0, 0, 0})}, {Sphere{{0, 0, 0}, 2}, at({2.5, 0, 0})});
   ASSERT_EQ(balls.size(), 1u);
   EXPECT_NEAR(balls[0].depth, 0.5, 1e-15);
   EXPECT_NEAR(balls[0].point.x(), 0.75, 1e-15);
   const Manifold inside =
-      find_contacts(Box{{1, 2, 3}}, at({0, 0, 0}), Sphere{{0, 0, 0}, 0.25}, at({0.5, 0, 0}));
+      find_contacts({Box{{1, 2, 3}}, at({0, 0, 0})}, {Sphere{{0, 0, 0}, 0.25}, at({0.5, 0, 0})});
   ASSERT_EQ(inside.size(), 1u);
   EXPECT_NEAR(inside[0].depth, 0.75, 1e-15);
   EXPECT_NEAR(inside[0].normal.x(), 1, 1e-15);
-  const Manifold crossed = find_contacts(Capsule{0.5, 2}, at({0, 0, 0}), Capsule{0.5, 2},
-                                         turned(at({0.9, 0, 0}), {1, 0, 0}, 1.0));
+  const Manifold crossed = find_contacts({Capsule{0.5, 2}, at({0, 0, 0})}, {Capsule{0.5, 2}, turned(at({0.9, 0, 0}), {1, 0, 0}, 1.0)});
   ASSERT_EQ(crossed.size(), 1u);
   EXPECT_NEAR(crossed[0].depth, 0.1, 1e-14);
   const Manifold touching =
-      find_contacts(Sphere{{0, 0, 0}, 1}, at({0, 0, 0}), Sphere{{0, 0, 0}, 1}, at({2, 0, 0}));
+      find_contacts({Sphere{{0, 0, 0}, 1}, at({0, 0, 0})}, {Sphere{{0, 0, 0}, 1}, at({2, 0, 0})});
   ASSERT_EQ(touching.size(), 1u);
   EXPECT_EQ(touching[0].depth, 0);
 }
 
 TEST(Manifold, SpheresAtOnePlaceStillPart) {
   const Manifold m =
-      find_contacts(Sphere{{0, 0, 0}, 1}, at({0, 0, 0}), Sphere{{0, 0, 0}, 1}, at({0, 0, 0}));
+      find_contacts({Sphere{{0, 0, 0}, 1}, at({0, 0, 0})}, {Sphere{{0, 0, 0}, 1}, at({0, 0, 0})});
   ASSERT_EQ(m.size(), 1u);
   EXPECT_NEAR(m[0].depth, 2, 1e-12);
   EXPECT_NEAR(m[0].normal.norm(), 1, 1e-12);
@@ -237,11 +236,11 @@ TEST(Manifold, AnyTwoShapesAtOnePlacePart) {
   for (std::size_t i = 0; i < 7; ++i) {
     const Shape shape = random_shape(kShapeKinds[i], 1, source);
     const Pose pose = random_pose(1, source);
-    const Manifold m = find_contacts(shape, pose, shape, pose);
+    const Manifold m = find_contacts({shape, pose}, {shape, pose});
     ASSERT_FALSE(m.empty()) << name_of(kShapeKinds[i]);
     Pose parted = pose;
     parted.translation() += m[0].normal * (deepest(m) + 1e-5);
-    EXPECT_FALSE(intersects(shape, pose, shape, parted)) << name_of(kShapeKinds[i]);
+    EXPECT_FALSE(intersects({shape, pose}, {shape, parted})) << name_of(kShapeKinds[i]);
   }
 }
 
@@ -263,7 +262,7 @@ TEST(Manifold, ABoxOnAFineTerrainIsPushedUp) {
   const Mesh terrain(vertices, triangles);
   const Pose pose = turned(at({0.03, 0.05, 0.45}), {0, 0, 1}, 0.3);
   for (const Shape& shape : {Shape(Box{{1, 1, 0.5}}), Shape(Cylinder{1, 0.5})}) {
-    const Manifold m = find_contacts(shape, pose, terrain, at({0, 0, 0}));
+    const Manifold m = find_contacts({shape, pose}, {terrain, at({0, 0, 0})});
     ASSERT_EQ(m.size(), 4u);
     for (const ShapeContact& contact : m) {
       EXPECT_NEAR(contact.normal.z(), -1, 1e-12);
@@ -275,7 +274,7 @@ TEST(Manifold, ABoxOnAFineTerrainIsPushedUp) {
 
 TEST(Manifold, MeshesRestOnTheCornersOfTheirPatch) {
   const Mesh box = tests::make_box({1, 1, 1});
-  const Manifold m = find_contacts(box, at({0, 0, 0}), box, at({0.5, 0.25, 2}));
+  const Manifold m = find_contacts({box, at({0, 0, 0})}, {box, at({0.5, 0.25, 2})});
   ASSERT_EQ(m.size(), 4u);
   std::set<ContactFeature> features;
   for (const ShapeContact& contact : m) {
@@ -297,9 +296,9 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
       const Shape floor = terrain;
       const Pose pose_a = random_pose(0.2, source), pose_b = random_pose(0.2, source);
       const auto ask = [&] {
-        distance(a, pose_a, b, pose_b);
-        find_contacts(a, pose_a, b, pose_b);
-        find_contacts(floor, at({0, 0, 0}), b, pose_b);
+        distance({a, pose_a}, {b, pose_b});
+        find_contacts({a, pose_a}, {b, pose_b});
+        find_contacts({floor, at({0, 0, 0})}, {b, pose_b});
       };
       for (int warm_up = 0; warm_up < 3; ++warm_up)
         ask();
@@ -322,7 +321,7 @@ TEST(Manifold, OfASpeckOnAFlatGiantHasANormal) {
       vertices.push_back(corner * size);
     const Mesh giant(vertices, triangle);
     for (const Shape& speck : specks) {
-      const Manifold found = find_contacts(giant, at({0, 0, 0}), speck, at(vertices[1]));
+      const Manifold found = find_contacts({giant, at({0, 0, 0})}, {speck, at(vertices[1])});
       ASSERT_FALSE(found.empty()) << size;
       for (const ShapeContact& contact : found)
         EXPECT_NEAR(contact.normal.norm(), 1, 1e-12) << size << " " << name_of(speck.kind());
@@ -333,14 +332,14 @@ TEST(Manifold, OfASpeckOnAFlatGiantHasANormal) {
 TEST(Manifold, TwoHalfSpacesAreRefusedByName) {
   const HalfSpace floor{{0, 0, 1}, 0};
   try {
-    find_contacts(floor, at({0, 0, 0}), HalfSpace{{1, 0, 0}, 0}, at({0, 0, 0}));
+    find_contacts({floor, at({0, 0, 0})}, {HalfSpace{{1, 0, 0}, 0}, at({0, 0, 0})});
     ADD_FAILURE() << "taken";
   } catch (const UnsupportedPairError& error) {
     EXPECT_EQ(std::string(error.what()),
               "contacts of a half-space and a half-space: no finite translation parts them");
   }
   EXPECT_TRUE(
-      find_contacts(floor, at({0, 0, 0}), HalfSpace{{0, 0, -1}, -1}, at({0, 0, 0})).empty());
+      find_contacts({floor, at({0, 0, 0})}, {HalfSpace{{0, 0, -1}, -1}, at({0, 0, 0})}).empty());
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Resting {
     }
     pose_b.translation() = start + (clear - depth) * way;
   }
-  Manifold manifold() const { return find_contacts(Shape(a), pose_a, Shape(b), pose_b); }
+  Manifold manifold() const { return find_contacts({Shape(a), pose_a}, {Shape(b), pose_b}); }
 
   Mesh a, b;
   Pose pose_a, pose_b;
@@ -98,7 +98,7 @@ TEST(MeshTouches, FineMeshesAreAsDeepAsCoarseOnes) {
   for (const int sectors : {12, 48, 192}) {
     const Mesh ball = tests::make_sphere(1, sectors / 2, sectors);
     const Pose pose(Eigen::Translation3d(0.0123, 0.0077, 1.7));
-    const Manifold manifold = find_contacts(Shape(table), Pose::Identity(), Shape(ball), pose);
+    const Manifold manifold = find_contacts({Shape(table), Pose::Identity()}, {Shape(ball), pose});
     ASSERT_FALSE(manifold.empty());
     for (const ShapeContact& contact : manifold)
       EXPECT_NEAR(contact.depth, 0.3, 1e-9) << sectors;
@@ -132,7 +132,7 @@ TEST(MeshTouches, EachToothIsAsDeepAsItIs) {
     const Mesh teeth = moved_together(tooth, places);
     const MeshContacts exact = find_contacts({table, Pose::Identity()}, {teeth, pose});
     ASSERT_EQ(exact.size(), 5u);
-    const Manifold manifold = find_contacts(Shape(table), Pose::Identity(), Shape(teeth), pose);
+    const Manifold manifold = find_contacts({Shape(table), Pose::Identity()}, {Shape(teeth), pose});
     ASSERT_EQ(manifold.size(), 4u);
     EXPECT_NEAR(manifold[0].depth, exact[0].depth, 1e-9);
     for (const ShapeContact& contact : manifold) {
@@ -144,7 +144,7 @@ TEST(MeshTouches, EachToothIsAsDeepAsItIs) {
 
 TEST(MeshTouches, SwappingMirrorsBitForBit) {
   for_each_resting(0.05, [&](const Resting& pair, const Manifold& manifold) {
-    const Manifold other = find_contacts(Shape(pair.b), pair.pose_b, Shape(pair.a), pair.pose_a);
+    const Manifold other = find_contacts({Shape(pair.b), pair.pose_b}, {Shape(pair.a), pair.pose_a});
     ASSERT_EQ(other.size(), manifold.size());
     for (std::size_t i = 0; i < manifold.size(); ++i) {
       EXPECT_EQ(manifold[i].point, other[i].point);
@@ -161,8 +161,8 @@ TEST(MeshTouches, SwappingMirrorsBitForBit) {
 TEST(MeshTouches, OfMeshesInOnePoseTheirVerticesDecideWhoIsFirst) {
   const Mesh a = tests::make_torus(1, 0.35, 40, 16), b = tests::make_sphere(0.9, 15, 24);
   const Pose pose = Pose::Identity();
-  const Manifold m = find_contacts(Shape(a), pose, Shape(b), pose);
-  const Manifold other = find_contacts(Shape(b), pose, Shape(a), pose);
+  const Manifold m = find_contacts({Shape(a), pose}, {Shape(b), pose});
+  const Manifold other = find_contacts({Shape(b), pose}, {Shape(a), pose});
   ASSERT_FALSE(m.empty());
   ASSERT_EQ(m.size(), other.size());
   for (std::size_t i = 0; i < m.size(); ++i) {
@@ -179,7 +179,7 @@ TEST(MeshTouches, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
   Pose pose = Pose::Identity();
   pose.translation() = Vector3d(0.499, 0.1, 0.498);
   const Manifold m =
-      find_contacts(Shape(room), Pose::Identity(), Shape(tests::make_box({0.5, 0.5, 0.5})), pose);
+      find_contacts({Shape(room), Pose::Identity()}, {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
   ASSERT_GE(m.size(), 3u);
   for (const ShapeContact& contact : m) {
     EXPECT_GT(contact.depth, 0.001);
@@ -198,7 +198,7 @@ TEST(MeshTouches, ABoxOnAPlaneHasFourCorners) {
   pose.translation() = Vector3d(0.3, 0.1, 0.498);
   pose.rotate(Eigen::AngleAxisd(0.4, Vector3d::UnitZ()));
   const Manifold m =
-      find_contacts(Shape(ground), Pose::Identity(), Shape(tests::make_box({0.5, 0.5, 0.5})), pose);
+      find_contacts({Shape(ground), Pose::Identity()}, {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
   ASSERT_EQ(m.size(), 4u);
   for (const ShapeContact& contact : m) {
     EXPECT_NEAR(contact.depth, 0.002, 1e-12);
@@ -238,7 +238,7 @@ TEST(MeshTouches, AStepOfMeshesAllocatesNothing) {
   for (int i = 0; i < 12; ++i) {
     Pose pose = Pose::Identity();
     pose.translation() = Vector3d(0.9 * (i % 4), 0.9 * (i / 4), 0.01 * i);
-    ids.push_back(world.add(meshes[static_cast<std::size_t>(i) % 2], pose));
+    ids.push_back(world.add({meshes[static_cast<std::size_t>(i) % 2], pose}));
   }
   std::size_t contacts = 0;
   const auto step = [&](int frame) {

@@ -49,7 +49,7 @@ TEST(Penetration, ThePolytopeProvesNearlyAll) {
   int hits = 0, open = 0, ccd_failed = 0, ccd_too_deep = 0;
   for (int n = 0; n < 3000; ++n) {
     const Pair pair = random_pair(0.3, source);
-    if (!intersects(pair.a, pair.pose_a, pair.b, pair.pose_b)) continue;
+    if (!intersects({pair.a, pair.pose_a}, {pair.b, pair.pose_b})) continue;
     ++hits;
     const Eigen::Vector3d origin = middle_of(pair.a, pair.pose_a);
     const Core a = core_of(pair.a, pair.pose_a, origin);
@@ -138,7 +138,7 @@ TEST(Penetration, OfAlignedSetsIsTheLeastByFormula) {
   int known = 0, with_cone = 0, with_offset = 0;
   for (int n = 0; n < 1500; ++n) {
     const Pair pair = aligned_pair(n, source);
-    if (!intersects(pair.a, pair.pose_a, pair.b, pair.pose_b)) continue;
+    if (!intersects({pair.a, pair.pose_a}, {pair.b, pair.pose_b})) continue;
     const Eigen::Vector3d origin = middle_of(pair.a, pair.pose_a);
     const Core a = core_of(pair.a, pair.pose_a, origin);
     const Core b = core_of(pair.b, pair.pose_b, origin);
@@ -188,7 +188,7 @@ TEST(Penetration, OfCoincidentSetsIsProved) {
     const Shape shape = tests::random_shape(kind, 1, source);
     const Pose pose = tests::random_pose(1, source);
     Work work;
-    ASSERT_FALSE(find_contacts(shape, pose, shape, pose, &work).empty());
+    ASSERT_FALSE(find_contacts({shape, pose}, {shape, pose}, &work).empty());
     EXPECT_EQ(work.penetration_failures, 0u) << name_of(kind);
   }
 }

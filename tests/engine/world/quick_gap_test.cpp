@@ -22,7 +22,7 @@ struct Placed {
 };
 
 bool meet(const Placed& a, const Placed& b) {
-  return intersects(a.shape(), a.pose, b.shape(), b.pose);
+  return intersects({a.shape(), a.pose}, {b.shape(), b.pose});
 }
 
 /// Turned about its origin at random and pushed along a direction, so that its path is that long or
@@ -56,7 +56,7 @@ Counts count_pairs(const Shape& shape_a, const Shape& shape_b, RandomSource& sou
     };
     const Placed a{body_a, pose(0.5)}, b{body_b, pose(2)};
     if (meet(a, b)) continue;
-    const ShapeDistance distance = graze::distance(a.shape(), a.pose, b.shape(), b.pose);
+    const ShapeDistance distance = graze::distance({a.shape(), a.pose}, {b.shape(), b.pose});
     const double gap = body_a->gap(a.pose, *body_b, b.pose);
     EXPECT_EQ(gap, body_b->gap(b.pose, *body_a, a.pose));
     EXPECT_LE(gap, distance.distance);

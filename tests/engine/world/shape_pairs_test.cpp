@@ -57,17 +57,17 @@ struct Demand {
 bool expect_proved(const Placed& a, const Placed& b, const std::string& label,
                    const Demand& demand = {}) {
   Work work;
-  const ShapeDistance found = distance(a.shape, a.pose, b.shape, b.pose, &work);
-  const bool is_hit = intersects(a.shape, a.pose, b.shape, b.pose);
+  const ShapeDistance found = distance({a.shape, a.pose}, {b.shape, b.pose}, &work);
+  const bool is_hit = intersects({a.shape, a.pose}, {b.shape, b.pose});
   EXPECT_EQ(is_hit, found.distance == 0) << label;
   EXPECT_LE(found.status, demand.worst) << label;
   EXPECT_EQ(work.convex_failures > 0, found.status == PairStatus::NotConverged) << label;
 
-  const ShapeDistance mirrored = distance(b.shape, b.pose, a.shape, a.pose);
+  const ShapeDistance mirrored = distance({b.shape, b.pose}, {a.shape, a.pose});
   EXPECT_EQ(mirrored.distance, found.distance) << label;
   EXPECT_EQ(mirrored.point_a, found.point_b) << label;
   EXPECT_EQ(mirrored.point_b, found.point_a) << label;
-  EXPECT_EQ(intersects(b.shape, b.pose, a.shape, a.pose), is_hit) << label;
+  EXPECT_EQ(intersects({b.shape, b.pose}, {a.shape, a.pose}), is_hit) << label;
 
   const double scale = scale_of(a, b);
   const double reach = a.pose.translation().norm() + b.pose.translation().norm();
@@ -129,7 +129,7 @@ TEST(ShapePairs, SizesOverTwelveDecadesAndFlatShapes) {
     const Vector3d direction = n % 2 == 0 ? Vector3d(0, 0, 1) : source.vector(-1, 1).normalized();
     b.pose.translation() = a.pose.translation() + direction * away;
     Work work;
-    distance(a.shape, a.pose, b.shape, b.pose, &work);
+    distance({a.shape, a.pose}, {b.shape, b.pose}, &work);
     failures += work.convex_failures;
     expect_proved(a, b,
                   std::string(name_of(a.shape.kind())) + "/" + name_of(b.shape.kind()) + " " +
@@ -153,8 +153,8 @@ TEST(ShapePairs, ContainmentAndCoincidenceAreHits) {
                              : pose;
       // A sphere's and an ellipsoid's centre, and a hull's middle, are not at the origin, but near.
       if (kind_a == ShapeKind::ConvexHull) continue;
-      EXPECT_TRUE(intersects(a, pose, small, inner)) << name_of(kind_a) << "/" << name_of(kind_b);
-      EXPECT_TRUE(intersects(a, pose, a, pose)) << name_of(kind_a);
+      EXPECT_TRUE(intersects({a, pose}, {small, inner})) << name_of(kind_a) << "/" << name_of(kind_b);
+      EXPECT_TRUE(intersects({a, pose}, {a, pose})) << name_of(kind_a);
     }
   }
 }
@@ -163,21 +163,21 @@ TEST(Law11Shapes, SpheresAndBoxesTouchExactly) {
   const Sphere unit{{0, 0, 0}, 1};
   const double inside = 2;
   const double outside = std::nextafter(2.0, 3.0);
-  EXPECT_TRUE(intersects(unit, at({0, 0, 0}), unit, at({inside, 0, 0})));
-  EXPECT_FALSE(intersects(unit, at({0, 0, 0}), unit, at({outside, 0, 0})));
-  EXPECT_GT(distance(unit, at({0, 0, 0}), unit, at({outside, 0, 0})).distance, 0);
-  EXPECT_EQ(distance(unit, at({0, 0, 0}), unit, at({inside, 0, 0})).distance, 0);
+  EXPECT_TRUE(intersects({unit, at({0, 0, 0})}, {unit, at({inside, 0, 0})}));
+  EXPECT_FALSE(intersects({unit, at({0, 0, 0})}, {unit, at({outside, 0, 0})}));
+  EXPECT_GT(distance({unit, at({0, 0, 0})}, {unit, at({outside, 0, 0})}).distance, 0);
+  EXPECT_EQ(distance({unit, at({0, 0, 0})}, {unit, at({inside, 0, 0})}).distance, 0);
   const Box box{{1, 1, 1}};
-  EXPECT_TRUE(intersects(unit, at({0, 0, 0}), box, at({0.5, inside, 0})));
-  EXPECT_FALSE(intersects(unit, at({0, 0, 0}), box, at({0.5, outside, 0})));
-  EXPECT_GT(distance(unit, at({0, 0, 0}), box, at({0.5, outside, 0})).distance, 0);
+  EXPECT_TRUE(intersects({unit, at({0, 0, 0})}, {box, at({0.5, inside, 0})}));
+  EXPECT_FALSE(intersects({unit, at({0, 0, 0})}, {box, at({0.5, outside, 0})}));
+  EXPECT_GT(distance({unit, at({0, 0, 0})}, {box, at({0.5, outside, 0})}).distance, 0);
   const Mesh mesh = tests::make_box({1, 1, 1});
-  EXPECT_TRUE(intersects(unit, at({0, 0, 0}), mesh, at({0.5, inside, 0})));
-  EXPECT_FALSE(intersects(unit, at({0, 0, 0}), mesh, at({0.5, outside, 0})));
-  EXPECT_TRUE(intersects(box, at({0, 0, 0}), mesh, at({0.5, inside, 0})));
-  EXPECT_FALSE(intersects(box, at({0, 0, 0}), mesh, at({0.5, outside, 0})));
-  EXPECT_TRUE(intersects(mesh, at({0, 0, 0}), mesh, at({0.5, inside, 0})));
-  EXPECT_FALSE(intersects(mesh, at({0, 0, 0}), mesh, at({0.5, outside, 0})));
+  EXPECT_TRUE(intersects({unit, at({0, 0, 0})}, {mesh, at({0.5, inside, 0})}));
+  EXPECT_FALSE(intersects({unit, at({0, 0, 0})}, {mesh, at({0.5, outside, 0})}));
+  EXPECT_TRUE(intersects({box, at({0, 0, 0})}, {mesh, at({0.5, inside, 0})}));
+  EXPECT_FALSE(intersects({box, at({0, 0, 0})}, {mesh, at({0.5, outside, 0})}));
+  EXPECT_TRUE(intersects({mesh, at({0, 0, 0})}, {mesh, at({0.5, inside, 0})}));
+  EXPECT_FALSE(intersects({mesh, at({0, 0, 0})}, {mesh, at({0.5, outside, 0})}));
 }
 
 // Pairs of every other convex kind, that touch along z by construction: apart is sure as soon as it
@@ -196,9 +196,9 @@ TEST(Law11Shapes, OthersTouchWithinTheTolerance) {
                               b.kind() == ShapeKind::Sphere || b.kind() == ShapeKind::Ellipsoid;
         if (y > 0 && is_round) continue;
         const std::string label = std::string(name_of(a.kind())) + "/" + name_of(b.kind());
-        EXPECT_TRUE(intersects(a, at({0, 0, 0}), b, at({0, 0, 2 - 1e-12}))) << label;
-        EXPECT_FALSE(intersects(a, at({0, 0, 0}), b, at({0, 0, 2 + 1e-9}))) << label;
-        EXPECT_NEAR(distance(a, at({0, 0, 0}), b, at({0, 0, 2.5})).distance, 0.5, 1e-12) << label;
+        EXPECT_TRUE(intersects({a, at({0, 0, 0})}, {b, at({0, 0, 2 - 1e-12})})) << label;
+        EXPECT_FALSE(intersects({a, at({0, 0, 0})}, {b, at({0, 0, 2 + 1e-9})})) << label;
+        EXPECT_NEAR(distance({a, at({0, 0, 0})}, {b, at({0, 0, 2.5})}).distance, 0.5, 1e-12) << label;
       }
     }
   }
@@ -221,9 +221,9 @@ TEST(Law11Shapes, ThinCapsulesThatCrossAreHits) {
       pose.linear() = turn * across;
       for (double way = 0; way < 0.1; way = way == 0 ? 0x1p-35 : 16 * way) {
         pose.translation() = turn * Vector3d(way, -0.2 * sine, 0.3 + 0.2 * cosine) * length;
-        EXPECT_EQ(intersects(rod, own, rod, pose), way <= 0x1p-35)
+        EXPECT_EQ(intersects({rod, own}, {rod, pose}), way <= 0x1p-35)
             << length << " " << sine << " " << way;
-        const ShapeDistance found = distance(rod, own, rod, pose);
+        const ShapeDistance found = distance({rod, own}, {rod, pose});
         EXPECT_LE(found.lower_bound, std::max(way - 0x1p-35 + 0x1p-50, 0.0) * length) << sine;
         EXPECT_NEAR(found.distance / length, std::max(way - 0x1p-35, 0.0), 0x1p-44) << sine;
       }
@@ -241,8 +241,8 @@ TEST(ShapePairs, RigidMotionsOfBothChangeNothingButRounding) {
     if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) continue;
     const Pose pose_a = random_pose(1, source), pose_b = random_pose(1, source);
     const Pose motion = random_pose(10, source);
-    const double before = distance(a, pose_a, b, pose_b).distance;
-    const double after = distance(a, motion * pose_a, b, motion * pose_b).distance;
+    const double before = distance({a, pose_a}, {b, pose_b}).distance;
+    const double after = distance({a, motion * pose_a}, {b, motion * pose_b}).distance;
     ASSERT_NEAR(before, after, 1e-11) << name_of(a.kind()) << "/" << name_of(b.kind()) << n;
   }
 }
@@ -250,10 +250,10 @@ TEST(ShapePairs, RigidMotionsOfBothChangeNothingButRounding) {
 TEST(ShapePairs, ParallelHalfSpaces) {
   const HalfSpace below{{0, 0, 1}, 0};
   const HalfSpace above{{0, 0, -1}, -1};
-  EXPECT_FALSE(intersects(below, at({0, 0, 0}), above, at({0, 0, 0})));
-  EXPECT_NEAR(distance(below, at({0, 0, 0}), above, at({5, 0, 0})).distance, 1, 1e-14);
-  EXPECT_TRUE(intersects(below, at({0, 0, 0}), above, at({0, 0, -1})));
-  EXPECT_TRUE(intersects(below, at({0, 0, 0}), HalfSpace{{0, 1e-9, -1}, -1}, at({0, 0, 0})));
+  EXPECT_FALSE(intersects({below, at({0, 0, 0})}, {above, at({0, 0, 0})}));
+  EXPECT_NEAR(distance({below, at({0, 0, 0})}, {above, at({5, 0, 0})}).distance, 1, 1e-14);
+  EXPECT_TRUE(intersects({below, at({0, 0, 0})}, {above, at({0, 0, -1})}));
+  EXPECT_TRUE(intersects({below, at({0, 0, 0})}, {HalfSpace{{0, 1e-9, -1}, -1}, at({0, 0, 0})}));
 }
 
 /// The least distance of the shape to any triangle, each asked by itself.
@@ -263,7 +263,7 @@ double brute_force(const Placed& other, const Placed& mesh) {
   for (std::size_t i = 0; i < triangles.triangles().size(); ++i) {
     const Triangle t = triangles.triangle(i);
     const Mesh one(std::vector<Vector3d>{t.a, t.b, t.c}, std::vector<TriangleIndices>{{0, 1, 2}});
-    least = std::min(least, distance(other.shape, other.pose, one, mesh.pose).distance);
+    least = std::min(least, distance({other.shape, other.pose}, {one, mesh.pose}).distance);
   }
   return least;
 }
@@ -276,10 +276,10 @@ TEST(Law9Shapes, MeshPairsAreBruteForceOverTriangles) {
       Placed mesh{random_shape(ShapeKind::Mesh, 1.5, source), random_pose(1, source)};
       if (n % 4 == 3) mesh.pose = tests::distorted(mesh.pose, 0.9e-6, source);
       const double expected = brute_force(other, mesh);
-      const double found = distance(other.shape, other.pose, mesh.shape, mesh.pose).distance;
+      const double found = distance({other.shape, other.pose}, {mesh.shape, mesh.pose}).distance;
       // The same triangle is asked in both: only which one could differ, by rounding.
       ASSERT_NEAR(found, expected, 1e-13) << name_of(kind) << n;
-      ASSERT_EQ(intersects(mesh.shape, mesh.pose, other.shape, other.pose), expected == 0)
+      ASSERT_EQ(intersects({mesh.shape, mesh.pose}, {other.shape, other.pose}), expected == 0)
           << name_of(kind) << n;
     }
   }

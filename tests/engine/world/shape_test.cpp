@@ -106,7 +106,7 @@ TEST(ShapeBounds, OutwardAndTight) {
     const double size = std::pow(10.0, source.integer(-6, 6));
     const Shape shape = tests::random_shape(kind, size, source);
     const Pose pose = tests::random_pose(n % 3 == 0 ? 1e7 : size, source);
-    const Aabb box = bounds_of(shape, pose);
+    const Aabb box = bounding_aabb({shape, pose});
     const double rounding = 1e-15 * pose.translation().cwiseAbs().maxCoeff() + 1e-14 * size;
     for (int i = 0; i < 3; ++i) {
       const double high = tests::reach_along(shape, pose, Vector3d::Unit(i));
@@ -124,7 +124,7 @@ TEST(ShapeBounds, OutwardAndTight) {
 TEST(ShapeBounds, OutwardToTheLastBit) {
   Pose pose = Pose::Identity();
   pose.translation() = Vector3d(0.1, 1e9, -0.3);
-  const Aabb box = bounds_of(Sphere{{0, 0, 0}, 0.1}, pose);
+  const Aabb box = bounding_aabb({Sphere{{0, 0, 0}, 0.1}, pose});
   // In long double these sums are exact enough to tell the side.
   for (int i = 0; i < 3; ++i) {
     const long double t = pose.translation()[i];
@@ -143,7 +143,7 @@ TEST(ShapeBounds, HoldABoxAsLaw3ReadsIt) {
     if (n % 2 == 0) pose.linear().setIdentity();
     for (int i = 0; i < 9; ++i)
       pose.matrix()(i / 3, i % 3) += source.uniform(-2e-7, 2e-7);
-    const Aabb box = bounds_of(shape, pose);
+    const Aabb box = bounding_aabb({shape, pose});
     const Eigen::Matrix3d back = pose.linear().transpose().inverse();
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
@@ -161,26 +161,26 @@ TEST(ShapeBounds, NoPairTouchesThatTheyPart) {
     const Shape b = tests::random_shape(kShapeKinds[n / 7 % 7], 1, source);
     Pose place = Pose::Identity(), other = Pose::Identity();
     other.translation() = source.vector(-0.05, 0.05);
-    const Aabb of_a = bounds_of(a, place), of_b = bounds_of(b, other);
+    const Aabb of_a = bounding_aabb({a, place}), of_b = bounding_aabb({b, other});
     const double gap = std::exp2(source.uniform(-56, -24));
     other.translation()[n % 3] += of_a.max[n % 3] + gap - of_b.min[n % 3];
-    const BoxGap boxes = gap_between(of_a, bounds_of(b, other));
+    const BoxGap boxes = gap_between(of_a, bounding_aabb({b, other}));
     if (boxes.gap == 0) continue;
-    ASSERT_FALSE(intersects(a, place, b, other)) << name_of(a.kind()) << name_of(b.kind());
-    ASSERT_TRUE(find_contacts(a, place, b, other).empty());
-    ASSERT_GE(distance(a, place, b, other).distance, boxes.gap);
-    ASSERT_GE(distance(b, other, a, place).distance, boxes.gap);
+    ASSERT_FALSE(intersects({a, place}, {b, other})) << name_of(a.kind()) << name_of(b.kind());
+    ASSERT_TRUE(find_contacts({a, place}, {b, other}).empty());
+    ASSERT_GE(distance({a, place}, {b, other}).distance, boxes.gap);
+    ASSERT_GE(distance({b, other}, {a, place}).distance, boxes.gap);
   }
 }
 
 TEST(ShapeBounds, OfHalfSpacesReachToTheLargestDoubles) {
   constexpr double kLargest = std::numeric_limits<double>::max();
-  const Aabb floor = bounds_of(HalfSpace{{0, 0, 2}, 3}, Pose::Identity());
+  const Aabb floor = bounding_aabb({HalfSpace{{0, 0, 2}, 3}, Pose::Identity()});
   EXPECT_GE(floor.max.z(), 1.5);
   EXPECT_LE(floor.max.z(), 1.5 + 1e-13);
   EXPECT_EQ(floor.min.z(), -kLargest);
   EXPECT_EQ(floor.max.x(), kLargest);
-  const Aabb tilted = bounds_of(HalfSpace{{0, 1, 1}, 0}, Pose::Identity());
+  const Aabb tilted = bounding_aabb({HalfSpace{{0, 1, 1}, 0}, Pose::Identity()});
   EXPECT_EQ(tilted.max.z(), kLargest);
   EXPECT_NO_THROW(check_box(tilted, "tilted"));
 }
@@ -188,12 +188,12 @@ TEST(ShapeBounds, OfHalfSpacesReachToTheLargestDoubles) {
 TEST(Law10Shape, PosesAreChecked) {
   Pose pose = Pose::Identity();
   pose.translation().x() = 1e101;
-  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+  EXPECT_THROW(bounding_aabb({Box{{1, 1, 1}}, pose}), PoseError);
   pose.translation().x() = kNan;
-  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+  EXPECT_THROW(bounding_aabb({Box{{1, 1, 1}}, pose}), PoseError);
   pose = Pose::Identity();
   pose.linear() *= 1.1;
-  EXPECT_THROW(bounds_of(Box{{1, 1, 1}}, pose), PoseError);
+  EXPECT_THROW(bounding_aabb({Box{{1, 1, 1}}, pose}), PoseError);
 }
 
 }  // namespace

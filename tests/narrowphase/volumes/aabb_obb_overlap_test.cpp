@@ -26,9 +26,9 @@ void check_borders(int each, std::uint64_t seed) {
       const Aabb box = aligned(pair.a);
       const double far = 4 * pair.size() + 1e-300 + 1e-6 * pair.a.pose.translation().norm();
       const Border border =
-          find_border(0, far, [&](double s) { return overlaps(box, pair.b_at(s)); });
-      ASSERT_TRUE(overlaps(pair.b_at(border.hit), box)) << name_of(lie);
-      ASSERT_FALSE(overlaps(pair.b_at(border.apart), box)) << name_of(lie);
+          find_border(0, far, [&](double s) { return intersects(box, pair.b_at(s)); });
+      ASSERT_TRUE(intersects(pair.b_at(border.hit), box)) << name_of(lie);
+      ASSERT_FALSE(intersects(pair.b_at(border.apart), box)) << name_of(lie);
       for (Reading reading : {Reading::Image, Reading::Transpose})
         ASSERT_TRUE(separation(box, pair.b_at(border.apart), reading).is_apart) << name_of(lie);
       // Where the aligned box is far from the origin its own size says little: take what it is.
@@ -58,8 +58,8 @@ TEST(Law11AabbObb, AgreesWithAlignedBoxesOnALattice) {
     const Aabb b{random.lattice_point(-2, 2), random.lattice_point(2, 6)};
     Obb oriented{Pose::Identity(), 0.5 * (b.max - b.min)};
     oriented.pose.translation() = 0.5 * (b.min + b.max);
-    ASSERT_EQ(overlaps(a, oriented), overlaps(a, b)) << n;
-    hits += overlaps(a, b);
+    ASSERT_EQ(intersects(a, oriented), intersects(a, b)) << n;
+    hits += intersects(a, b);
   }
   EXPECT_GT(hits, 2000);
   EXPECT_LT(hits, 18000);

@@ -83,7 +83,7 @@ ObbPairs obb_pairs(std::size_t count) {
     double distance = random.uniform(0, 1) * pair.size();
     if (n % 3 != 0) {
       const Border border = find_border(0, 4 * pair.size() + 1e-6,
-                                        [&](double s) { return overlaps(pair.a, pair.b_at(s)); });
+                                        [&](double s) { return intersects(pair.a, pair.b_at(s)); });
       distance = n % 3 == 1 ? border.hit : border.apart;
     }
     Obb a = pair.a, b = pair.b_at(distance);
@@ -104,7 +104,7 @@ template <typename P>
 Hits one_by_one(const P& pairs) {
   Hits hits;
   for (std::size_t n = 0; n < pairs.a.size(); ++n)
-    hits.push_back(overlaps(pairs.a[n], pairs.b[n]));
+    hits.push_back(intersects(pairs.a[n], pairs.b[n]));
   return hits;
 }
 
@@ -112,7 +112,7 @@ template <typename P>
 Hits one_by_one(const typename P::VolumeType& one, const P& pairs) {
   Hits hits;
   for (std::size_t n = 0; n < pairs.b.size(); ++n)
-    hits.push_back(overlaps(one, pairs.b[n]));
+    hits.push_back(intersects(one, pairs.b[n]));
   return hits;
 }
 
@@ -130,11 +130,11 @@ void expect_batch_as_single(const P& pairs) {
   for (std::int64_t target : simd_targets()) {
     force_simd_target(target);
     Hits hits(expected.size(), 7);
-    overlaps(pairs.a, pairs.b, hits);
+    intersects(pairs.a, pairs.b, hits);
     EXPECT_EQ(hits, expected) << hwy::TargetName(target);
     for (std::size_t k = 0; k < 4; ++k) {
       std::fill(hits.begin(), hits.end(), std::uint8_t{7});
-      overlaps(pairs.a[chosen[k]], pairs.b, hits);
+      intersects(pairs.a[chosen[k]], pairs.b, hits);
       EXPECT_EQ(hits, expected_of_one[k]) << hwy::TargetName(target);
     }
   }
@@ -157,12 +157,12 @@ void expect_any_length(const P& all) {
       Hits hits(size + 16, 7);
       Hits expected = one_by_one(some);
       expected.resize(size + 16, 7);
-      overlaps(some.a, some.b, std::span(hits).first(size));
+      intersects(some.a, some.b, std::span(hits).first(size));
       ASSERT_EQ(hits, expected) << size << " by " << hwy::TargetName(target);
       expected = one_by_one(all.a[0], some);
       expected.resize(size + 16, 7);
       std::fill(hits.begin(), hits.end(), std::uint8_t{7});
-      overlaps(all.a[0], some.b, std::span(hits).first(size));
+      intersects(all.a[0], some.b, std::span(hits).first(size));
       ASSERT_EQ(hits, expected) << size << " by " << hwy::TargetName(target);
       some.add(all.a[size], all.b[size]);
     }
@@ -212,9 +212,9 @@ TEST(BoxBatch, AListOfBoxesIsAViewForSpheres) {
     boxes.add(source.box());
   const Sphere sphere{{0, 0, 0}, 1};
   Hits hits(100, 7);
-  overlaps(sphere, boxes.view(), hits);
+  intersects(sphere, boxes.view(), hits);
   for (std::size_t n = 0; n < 100; ++n)
-    EXPECT_EQ(hits[n] == 1, overlaps(sphere, boxes[n]));
+    EXPECT_EQ(hits[n] == 1, intersects(sphere, boxes[n]));
 }
 
 template <typename Call>
@@ -259,12 +259,12 @@ void expect_lengths_checked(const P& three, const typename P::VolumeType& bad,
   P four = three;
   four.add(three.a[0], three.b[0]);
   Hits hits(4);
-  EXPECT_EQ(message_of([&] { overlaps(three.a, three.b, hits); }), "hits: 4 elements for 3 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(three.a[0], three.b, hits); }),
+  EXPECT_EQ(message_of([&] { intersects(three.a, three.b, hits); }), "hits: 4 elements for 3 pairs");
+  EXPECT_EQ(message_of([&] { intersects(three.a[0], three.b, hits); }),
             "hits: 4 elements for 3 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(four.a, three.b, hits); }),
+  EXPECT_EQ(message_of([&] { intersects(four.a, three.b, hits); }),
             name + " b: 3 elements for 4 " + name + " a");
-  EXPECT_THROW(overlaps(bad, four.b, hits), InputError);
+  EXPECT_THROW(intersects(bad, four.b, hits), InputError);
 }
 
 TEST(Law10BoxBatch, LengthsThatDifferAndABadOneAreRefused) {

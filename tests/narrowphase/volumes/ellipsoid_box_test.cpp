@@ -26,8 +26,8 @@ TEST(Law2Ellipsoid, AgreesWithRationalsOnEveryKindOfNumber) {
       const Aabb box = source.box();
       const bool expected = oracle::overlap(ellipsoid, box);
       hits += expected;
-      ASSERT_EQ(overlaps(ellipsoid, box), expected) << static_cast<int>(kind) << ", " << n;
-      ASSERT_EQ(overlaps(box, ellipsoid), expected) << "law 4";
+      ASSERT_EQ(intersects(ellipsoid, box), expected) << static_cast<int>(kind) << ", " << n;
+      ASSERT_EQ(intersects(box, ellipsoid), expected) << "law 4";
     }
     EXPECT_GT(hits, 100) << static_cast<int>(kind);
     EXPECT_LT(hits, 3900) << static_cast<int>(kind);
@@ -56,8 +56,8 @@ TEST(Law2Ellipsoid, TouchingCountsToTheLastBit) {
       Eigen::Vector3d smaller = semi_axes, larger = semi_axes;
       smaller[i] = next_below(smaller[i]);
       larger[i] = next_above(larger[i]);
-      ASSERT_EQ(overlaps(Ellipsoid{centre, smaller}, box), q.way[i] == 0) << n;
-      ASSERT_TRUE(overlaps(Ellipsoid{centre, larger}, box)) << n;
+      ASSERT_EQ(intersects(Ellipsoid{centre, smaller}, box), q.way[i] == 0) << n;
+      ASSERT_TRUE(intersects(Ellipsoid{centre, larger}, box)) << n;
     }
   }
 }
@@ -68,19 +68,19 @@ TEST(Law2Ellipsoid, EqualAxesAreASphere) {
     const Sphere sphere = source.sphere();
     const Aabb box = source.box();
     const Ellipsoid ellipsoid{sphere.centre, Eigen::Vector3d::Constant(sphere.radius)};
-    ASSERT_EQ(overlaps(ellipsoid, box), overlaps(sphere, box)) << n;
+    ASSERT_EQ(intersects(ellipsoid, box), intersects(sphere, box)) << n;
   }
 }
 
 TEST(Law2Ellipsoid, FlatOnes) {
   const Ellipsoid disc{{0, 0, 0}, {5, 5, 0}};
-  EXPECT_TRUE(overlaps(disc, Aabb{{3, 4, -1}, {9, 9, 1}}));
-  EXPECT_TRUE(overlaps(disc, Aabb{{3, 4, 0}, {9, 9, 1}}));
-  EXPECT_FALSE(overlaps(disc, Aabb{{3, next_above(4), -1}, {9, 9, 1}}));
-  EXPECT_FALSE(overlaps(disc, Aabb{{0, 0, 0x1p-1074}, {9, 9, 1}}));
+  EXPECT_TRUE(intersects(disc, Aabb{{3, 4, -1}, {9, 9, 1}}));
+  EXPECT_TRUE(intersects(disc, Aabb{{3, 4, 0}, {9, 9, 1}}));
+  EXPECT_FALSE(intersects(disc, Aabb{{3, next_above(4), -1}, {9, 9, 1}}));
+  EXPECT_FALSE(intersects(disc, Aabb{{0, 0, 0x1p-1074}, {9, 9, 1}}));
   const Ellipsoid point{{1, 2, 3}, {0, 0, 0}};
-  EXPECT_TRUE(overlaps(point, Aabb{{1, 2, 3}, {1, 2, 3}}));
-  EXPECT_FALSE(overlaps(point, Aabb{{1, 2, next_above(3)}, {1, 2, 4}}));
+  EXPECT_TRUE(intersects(point, Aabb{{1, 2, 3}, {1, 2, 3}}));
+  EXPECT_FALSE(intersects(point, Aabb{{1, 2, next_above(3)}, {1, 2, 4}}));
 }
 
 TEST(Law6Ellipsoid, GenericPairsAreDecidedWithoutExactArithmetic) {
@@ -99,13 +99,13 @@ TEST(Law10Ellipsoid, BadValuesAreRefused) {
       Ellipsoid broken = good;
       (i < 3 ? broken.centre : broken.semi_axes)[i % 3] = bad;
       if (i < 3 && bad == -1) continue;
-      EXPECT_THROW(overlaps(broken, unit), InputError) << i;
-      EXPECT_THROW(overlaps(unit, broken), InputError) << i;
+      EXPECT_THROW(intersects(broken, unit), InputError) << i;
+      EXPECT_THROW(intersects(unit, broken), InputError) << i;
     }
   }
-  EXPECT_THROW(overlaps(good, Aabb{{0, 0, 0}, {1, -1, 1}}), InputError);
+  EXPECT_THROW(intersects(good, Aabb{{0, 0, 0}, {1, -1, 1}}), InputError);
   try {
-    overlaps(Ellipsoid{{0, 0, 0}, {1, -1, 1}}, unit);
+    intersects(Ellipsoid{{0, 0, 0}, {1, -1, 1}}, unit);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "ellipsoid: semi-axis y is negative or not finite");

@@ -15,12 +15,12 @@ using narrowphase::Stage;
 void expect_oracle(const Sphere& sphere, const Aabb& box) {
   const HollowSphere hollow{sphere};
   const HollowAabb surface{box};
-  ASSERT_EQ(overlaps(sphere, surface), oracle::overlap(sphere, surface));
-  ASSERT_EQ(overlaps(surface, sphere), oracle::overlap(sphere, surface)) << "law 4";
-  ASSERT_EQ(overlaps(hollow, box), oracle::overlap(hollow, box));
-  ASSERT_EQ(overlaps(box, hollow), oracle::overlap(hollow, box)) << "law 4";
-  ASSERT_EQ(overlaps(hollow, surface), oracle::overlap(hollow, surface));
-  ASSERT_EQ(overlaps(surface, hollow), oracle::overlap(hollow, surface)) << "law 4";
+  ASSERT_EQ(intersects(sphere, surface), oracle::overlap(sphere, surface));
+  ASSERT_EQ(intersects(surface, sphere), oracle::overlap(sphere, surface)) << "law 4";
+  ASSERT_EQ(intersects(hollow, box), oracle::overlap(hollow, box));
+  ASSERT_EQ(intersects(box, hollow), oracle::overlap(hollow, box)) << "law 4";
+  ASSERT_EQ(intersects(hollow, surface), oracle::overlap(hollow, surface));
+  ASSERT_EQ(intersects(surface, hollow), oracle::overlap(hollow, surface)) << "law 4";
 }
 
 TEST(Law2Hollow, AgreeWithRationalsOnEveryKindOfNumber) {
@@ -35,7 +35,7 @@ TEST(Law2Hollow, AgreeWithRationalsOnEveryKindOfNumber) {
       ASSERT_NO_FATAL_FAILURE(expect_oracle(sphere, box)) << static_cast<int>(kind) << ", " << n;
       sphere.radius *= 0.25;
       ASSERT_NO_FATAL_FAILURE(expect_oracle(sphere, box)) << static_cast<int>(kind) << ", " << n;
-      differ += overlaps(sphere, box) != overlaps(HollowSphere{sphere}, HollowAabb{box});
+      differ += intersects(sphere, box) != intersects(HollowSphere{sphere}, HollowAabb{box});
     }
     EXPECT_GT(differ, 50) << static_cast<int>(kind) << ": hollow or not should matter";
   }
@@ -46,21 +46,21 @@ const Aabb kBox{{-10, -20, -30}, {10, 20, 30}};
 TEST(Law2Hollow, ABallInsideTouchesTheNearestFaceToTheLastBit) {
   const HollowAabb surface{kBox};
   const auto ball = [](double radius) { return Sphere{{3, 4, 5}, radius}; };
-  EXPECT_TRUE(overlaps(ball(7), surface));
+  EXPECT_TRUE(intersects(ball(7), surface));
   EXPECT_EQ(decide(ball(7), surface).stage, Stage::Exact);
-  EXPECT_FALSE(overlaps(ball(next_below(7)), surface));
+  EXPECT_FALSE(intersects(ball(next_below(7)), surface));
   EXPECT_EQ(decide(ball(next_below(7)), surface).stage, Stage::Triage) << "rounding is monotone";
-  EXPECT_TRUE(overlaps(HollowSphere{ball(7)}, surface));
-  EXPECT_FALSE(overlaps(HollowSphere{ball(next_below(7))}, surface));
-  EXPECT_TRUE(overlaps(ball(0), kBox)) << "solid";
+  EXPECT_TRUE(intersects(HollowSphere{ball(7)}, surface));
+  EXPECT_FALSE(intersects(HollowSphere{ball(next_below(7))}, surface));
+  EXPECT_TRUE(intersects(ball(0), kBox)) << "solid";
 }
 
 // 1 - 2^-60 rounds to 1: only the exact stage sees that the face is nearer.
 TEST(Law2Hollow, ADepthThatIsNoDouble) {
   const HollowAabb surface{{{0x1p-60, -8, -8}, {8, 8, 8}}};
-  EXPECT_TRUE(overlaps(Sphere{{1, 0, 0}, 1}, surface));
-  EXPECT_FALSE(overlaps(Sphere{{1, 0, 0}, next_below(1)}, surface));
-  EXPECT_FALSE(overlaps(Sphere{{1, 0, 0}, 1}, HollowAabb{{{-0x1p-60, -8, -8}, {8, 8, 8}}}));
+  EXPECT_TRUE(intersects(Sphere{{1, 0, 0}, 1}, surface));
+  EXPECT_FALSE(intersects(Sphere{{1, 0, 0}, next_below(1)}, surface));
+  EXPECT_FALSE(intersects(Sphere{{1, 0, 0}, 1}, HollowAabb{{{-0x1p-60, -8, -8}, {8, 8, 8}}}));
 }
 
 TEST(Law2Hollow, ASphereAroundABoxTouchesItsFarthestCornerToTheLastBit) {
@@ -74,10 +74,10 @@ TEST(Law2Hollow, ASphereAroundABoxTouchesItsFarthestCornerToTheLastBit) {
     for (double radius : {q.length, next_below(q.length), next_above(q.length)}) {
       ASSERT_NO_FATAL_FAILURE(expect_oracle({centre, radius}, box)) << n;
     }
-    ASSERT_TRUE(overlaps(HollowSphere{{centre, q.length}}, box)) << n;
-    ASSERT_TRUE(overlaps(HollowSphere{{centre, q.length}}, HollowAabb{box})) << n;
+    ASSERT_TRUE(intersects(HollowSphere{{centre, q.length}}, box)) << n;
+    ASSERT_TRUE(intersects(HollowSphere{{centre, q.length}}, HollowAabb{box})) << n;
     ASSERT_EQ(decide(HollowSphere{{centre, q.length}}, box).stage, Stage::Exact) << n;
-    ASSERT_FALSE(overlaps(HollowSphere{{centre, next_above(q.length)}}, box)) << n;
+    ASSERT_FALSE(intersects(HollowSphere{{centre, next_above(q.length)}}, box)) << n;
   }
 }
 
@@ -87,8 +87,8 @@ TEST(Law2Hollow, AFlatBoxIsItsOwnSurface) {
     const Sphere sphere = source.sphere();
     Aabb box = source.box();
     box.max[n % 3] = box.min[n % 3];
-    ASSERT_EQ(overlaps(sphere, HollowAabb{box}), overlaps(sphere, box)) << n;
-    ASSERT_EQ(overlaps(HollowSphere{sphere}, HollowAabb{box}), overlaps(HollowSphere{sphere}, box))
+    ASSERT_EQ(intersects(sphere, HollowAabb{box}), intersects(sphere, box)) << n;
+    ASSERT_EQ(intersects(HollowSphere{sphere}, HollowAabb{box}), intersects(HollowSphere{sphere}, box))
         << n;
   }
 }
@@ -108,12 +108,12 @@ TEST(Law10Hollow, BadValuesAreRefused) {
   const Sphere good{{0, 0, 0}, 1};
   const Sphere bad{{0, 0, 0}, -1};
   const Aabb inverted{{0, 0, 0}, {1, -1, 1}};
-  EXPECT_THROW(overlaps(bad, HollowAabb{kBox}), InputError);
-  EXPECT_THROW(overlaps(HollowSphere{bad}, kBox), InputError);
-  EXPECT_THROW(overlaps(HollowSphere{bad}, HollowAabb{kBox}), InputError);
-  EXPECT_THROW(overlaps(good, HollowAabb{inverted}), InputError);
-  EXPECT_THROW(overlaps(HollowSphere{good}, inverted), InputError);
-  EXPECT_THROW(overlaps(HollowSphere{good}, HollowAabb{inverted}), InputError);
+  EXPECT_THROW(intersects(bad, HollowAabb{kBox}), InputError);
+  EXPECT_THROW(intersects(HollowSphere{bad}, kBox), InputError);
+  EXPECT_THROW(intersects(HollowSphere{bad}, HollowAabb{kBox}), InputError);
+  EXPECT_THROW(intersects(good, HollowAabb{inverted}), InputError);
+  EXPECT_THROW(intersects(HollowSphere{good}, inverted), InputError);
+  EXPECT_THROW(intersects(HollowSphere{good}, HollowAabb{inverted}), InputError);
 }
 
 }  // namespace

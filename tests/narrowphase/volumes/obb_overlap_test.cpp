@@ -33,9 +33,9 @@ Obb moved(const Obb& box, const Eigen::Vector3d& way) {
 /// apart.
 Border border(const ObbCase& pair) {
   const double far = 4 * pair.size() + 1e-300 + 1e-6 * pair.a.pose.translation().norm();
-  EXPECT_FALSE(overlaps(pair.a, pair.b_at(far)));
-  EXPECT_TRUE(overlaps(pair.a, pair.b_at(0)));
-  return find_border(0, far, [&](double s) { return overlaps(pair.a, pair.b_at(s)); });
+  EXPECT_FALSE(intersects(pair.a, pair.b_at(far)));
+  EXPECT_TRUE(intersects(pair.a, pair.b_at(0)));
+  return find_border(0, far, [&](double s) { return intersects(pair.a, pair.b_at(s)); });
 }
 
 /// No reading of the boxes may have a common point.
@@ -46,7 +46,7 @@ void expect_apart(const Obb& a, const Obb& b, Lie lie) {
   }
 }
 
-/// What overlaps() promises of its tightness: metres.
+/// What intersects() promises of its tightness: metres.
 double promised(const ObbCase& pair) {
   const double deviation =
       std::max(rotation_deviation(pair.a.pose), rotation_deviation(pair.b.pose));
@@ -116,8 +116,8 @@ void check_any_distance(int each, std::uint64_t seed) {
     const Lie lie = kEveryLie[static_cast<std::size_t>(n) % kLies];
     const ObbCase pair = random_case(lie, random);
     const Obb b = pair.b_at(random.uniform(0, 1) * pair.size());
-    const bool is_hit = overlaps(pair.a, b);
-    ASSERT_EQ(is_hit, overlaps(b, pair.a)) << name_of(lie);
+    const bool is_hit = intersects(pair.a, b);
+    ASSERT_EQ(is_hit, intersects(b, pair.a)) << name_of(lie);
     (is_hit ? touching : apart) += 1;
     if (!is_hit) expect_apart(pair.a, b, lie);
     if (testing::Test::HasFatalFailure()) return;
@@ -140,7 +140,7 @@ TEST(Law4Obb, SwappingTheBoxesChangesNothingAtTheBorder) {
     const ObbCase pair = random_case(kEveryLie[static_cast<std::size_t>(n) % kLies], random);
     const Border found = border(pair);
     for (double s : {found.hit, found.apart})
-      ASSERT_EQ(overlaps(pair.a, pair.b_at(s)), overlaps(pair.b_at(s), pair.a));
+      ASSERT_EQ(intersects(pair.a, pair.b_at(s)), intersects(pair.b_at(s), pair.a));
   }
 }
 
@@ -167,43 +167,43 @@ TEST(Law3Obb, BoxesThatContainOnePointOverlap) {
     const Obb a = box_up_to(pair.a.pose, point);
     const Obb b = box_up_to(pair.b.pose, point);
     ASSERT_TRUE(contains(a, point) && contains(b, point));
-    ASSERT_TRUE(overlaps(a, b)) << n;
-    ASSERT_TRUE(overlaps(Aabb{point, point}, b)) << n;
+    ASSERT_TRUE(intersects(a, b)) << n;
+    ASSERT_TRUE(intersects(Aabb{point, point}, b)) << n;
   }
 }
 
 TEST(ObbOverlap, CubesFaceToFaceAndEdgeToEdge) {
-  EXPECT_TRUE(overlaps(cube(1), cube(1, {2, 0, 0})));
-  EXPECT_TRUE(overlaps(cube(1), cube(1, {2, 2, 2})));
-  EXPECT_FALSE(overlaps(cube(1), cube(1, {2 + 1e-12, 0, 0})));
-  EXPECT_FALSE(overlaps(cube(1), cube(1, {0, 0, -3})));
+  EXPECT_TRUE(intersects(cube(1), cube(1, {2, 0, 0})));
+  EXPECT_TRUE(intersects(cube(1), cube(1, {2, 2, 2})));
+  EXPECT_FALSE(intersects(cube(1), cube(1, {2 + 1e-12, 0, 0})));
+  EXPECT_FALSE(intersects(cube(1), cube(1, {0, 0, -3})));
   Obb on_edge = cube(1);
   on_edge.pose.linear() = Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitZ()).matrix();
   Obb other = on_edge;
   other.pose.linear() = Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitY()).matrix();
   const double reach = 2 * std::sqrt(2.0);
-  EXPECT_TRUE(overlaps(on_edge, moved(other, {reach - 1e-12, 0, 0})));
-  EXPECT_FALSE(overlaps(on_edge, moved(other, {reach + 1e-12, 0, 0})))
+  EXPECT_TRUE(intersects(on_edge, moved(other, {reach - 1e-12, 0, 0})));
+  EXPECT_FALSE(intersects(on_edge, moved(other, {reach + 1e-12, 0, 0})))
       << "only the product of two edges separates these";
 }
 
 TEST(ObbOverlap, PointsAreBoxes) {
-  EXPECT_TRUE(overlaps(cube(0, {1, 2, 3}), cube(0, {1, 2, 3})));
-  EXPECT_FALSE(overlaps(cube(0, {1, 2, 3}), cube(0, {1, 2, std::nextafter(3.0, 4.0)})));
-  EXPECT_FALSE(overlaps(cube(0, {0, 0, 0}), cube(0, {1e-300, 0, 0})));
-  EXPECT_TRUE(overlaps(cube(0, {0x1p-1074, 0, 0}), cube(0, {0, 0, 0}))) << "not sure";
+  EXPECT_TRUE(intersects(cube(0, {1, 2, 3}), cube(0, {1, 2, 3})));
+  EXPECT_FALSE(intersects(cube(0, {1, 2, 3}), cube(0, {1, 2, std::nextafter(3.0, 4.0)})));
+  EXPECT_FALSE(intersects(cube(0, {0, 0, 0}), cube(0, {1e-300, 0, 0})));
+  EXPECT_TRUE(intersects(cube(0, {0x1p-1074, 0, 0}), cube(0, {0, 0, 0}))) << "not sure";
 }
 
 TEST(ObbOverlap, WhatOverflowsIsNeverSilentlyApart) {
   const double huge = std::numeric_limits<double>::max();
-  EXPECT_TRUE(overlaps(cube(huge), cube(huge, {huge, 0, -huge})));
-  EXPECT_TRUE(overlaps(cube(1e308, {-huge, 0, 0}), cube(1e308, {huge, 0, 0}))) << "not sure";
-  EXPECT_TRUE(overlaps(cube(huge), cube(0, {huge, huge, huge})));
-  EXPECT_FALSE(overlaps(cube(1, {-huge, 0, 0}), cube(1, {huge, 0, 0})));
-  EXPECT_FALSE(overlaps(cube(0x1p997), cube(0x1p997, {huge, 0, 0})));
-  EXPECT_TRUE(overlaps(cube(0x1p997), cube(0x1p997, {0x1p998, 0, 0})));
-  EXPECT_TRUE(overlaps(Aabb{{-huge, -huge, -huge}, {huge, huge, huge}}, cube(1, {huge, 0, 0})));
-  EXPECT_FALSE(overlaps(Aabb{{-huge, 0, 0}, {-huge, 0, 0}}, cube(1, {huge, 0, 0})));
+  EXPECT_TRUE(intersects(cube(huge), cube(huge, {huge, 0, -huge})));
+  EXPECT_TRUE(intersects(cube(1e308, {-huge, 0, 0}), cube(1e308, {huge, 0, 0}))) << "not sure";
+  EXPECT_TRUE(intersects(cube(huge), cube(0, {huge, huge, huge})));
+  EXPECT_FALSE(intersects(cube(1, {-huge, 0, 0}), cube(1, {huge, 0, 0})));
+  EXPECT_FALSE(intersects(cube(0x1p997), cube(0x1p997, {huge, 0, 0})));
+  EXPECT_TRUE(intersects(cube(0x1p997), cube(0x1p997, {0x1p998, 0, 0})));
+  EXPECT_TRUE(intersects(Aabb{{-huge, -huge, -huge}, {huge, huge, huge}}, cube(1, {huge, 0, 0})));
+  EXPECT_FALSE(intersects(Aabb{{-huge, 0, 0}, {-huge, 0, 0}}, cube(1, {huge, 0, 0})));
 }
 
 // Turned boxes that reach each other over nearly the whole range of doubles. On the way into A's
@@ -226,8 +226,8 @@ TEST(ObbOverlap, WhatOverflowsOnTheWayIsNotApart) {
   b.pose.linear().col(2) = way.cross(b.pose.linear().col(1));
   b.pose.translation() = -a.pose.translation();
   ASSERT_FALSE(separation(a, b, Reading::Image, Reading::Image).is_apart);
-  EXPECT_TRUE(overlaps(a, b));
-  EXPECT_TRUE(overlaps(b, a));
+  EXPECT_TRUE(intersects(a, b));
+  EXPECT_TRUE(intersects(b, a));
 }
 
 TEST(Law10ObbOverlap, BadBoxesAreRefused) {
@@ -239,20 +239,20 @@ TEST(Law10ObbOverlap, BadBoxesAreRefused) {
   loose.pose.linear() *= 1.001;
   mirrored.pose.linear().col(0) *= -1;
   for (const Obb& bad : {negative, not_finite}) {
-    EXPECT_THROW(overlaps(good, bad), InputError);
-    EXPECT_THROW(overlaps(bad, good), InputError);
-    EXPECT_THROW(overlaps(aligned, bad), InputError);
-    EXPECT_THROW(overlaps(bad, aligned), InputError);
+    EXPECT_THROW(intersects(good, bad), InputError);
+    EXPECT_THROW(intersects(bad, good), InputError);
+    EXPECT_THROW(intersects(aligned, bad), InputError);
+    EXPECT_THROW(intersects(bad, aligned), InputError);
   }
   for (const Obb& bad : {loose, mirrored}) {
-    EXPECT_THROW(overlaps(good, bad), PoseError);
-    EXPECT_THROW(overlaps(bad, good), PoseError);
-    EXPECT_THROW(overlaps(aligned, bad), PoseError);
+    EXPECT_THROW(intersects(good, bad), PoseError);
+    EXPECT_THROW(intersects(bad, good), PoseError);
+    EXPECT_THROW(intersects(aligned, bad), PoseError);
   }
-  EXPECT_THROW(overlaps(Aabb{{0, 0, 0}, {1, -1, 1}}, good), InputError);
-  EXPECT_THROW(overlaps(good, Aabb{{0, 0, 0}, {1, std::nan(""), 1}}), InputError);
+  EXPECT_THROW(intersects(Aabb{{0, 0, 0}, {1, -1, 1}}, good), InputError);
+  EXPECT_THROW(intersects(good, Aabb{{0, 0, 0}, {1, std::nan(""), 1}}), InputError);
   try {
-    overlaps(good, negative);
+    intersects(good, negative);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "box b: half extent y is negative or not finite");

@@ -28,18 +28,18 @@ KDop<18> kdop_of(const Aabb& box) {
 
 TEST(Law11Aabb, OverlapIsClosedAndExactInEachCoordinate) {
   const Aabb box{{0, 0, 0}, {1, 1, 1}};
-  EXPECT_TRUE(overlaps(box, box));
-  EXPECT_TRUE(overlaps(box, Aabb{{1, 1, 1}, {2, 2, 2}}));
-  EXPECT_TRUE(overlaps(box, Aabb{{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}}));
+  EXPECT_TRUE(intersects(box, box));
+  EXPECT_TRUE(intersects(box, Aabb{{1, 1, 1}, {2, 2, 2}}));
+  EXPECT_TRUE(intersects(box, Aabb{{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}}));
   for (int i = 0; i < 3; ++i) {
     Aabb beyond{{0, 0, 0}, {2, 2, 2}};
     beyond.min[i] = std::nextafter(1.0, 2.0);
-    EXPECT_FALSE(overlaps(box, beyond));
-    EXPECT_FALSE(overlaps(beyond, box));
+    EXPECT_FALSE(intersects(box, beyond));
+    EXPECT_FALSE(intersects(beyond, box));
     Aabb before{{-1, -1, -1}, {1, 1, 1}};
     before.max[i] = -0x1p-1074;
-    EXPECT_FALSE(overlaps(box, before));
-    EXPECT_FALSE(overlaps(before, box));
+    EXPECT_FALSE(intersects(box, before));
+    EXPECT_FALSE(intersects(before, box));
   }
 }
 
@@ -53,11 +53,11 @@ TEST(Law11Aabb, OverlapIsACommonPointForAllNumbers) {
       const Eigen::Vector3d corner = a.min.cwiseMax(b.min);
       const bool is_common =
           (corner.array() <= a.max.array()).all() && (corner.array() <= b.max.array()).all();
-      ASSERT_EQ(overlaps(a, b), is_common);
-      ASSERT_EQ(overlaps(b, a), is_common);
+      ASSERT_EQ(intersects(a, b), is_common);
+      ASSERT_EQ(intersects(b, a), is_common);
       if (kind != Numbers::Lattice) continue;
       const Eigen::Vector3d way = source.point();
-      ASSERT_EQ(overlaps(Aabb{a.min + way, a.max + way}, Aabb{b.min + way, b.max + way}),
+      ASSERT_EQ(intersects(Aabb{a.min + way, a.max + way}, Aabb{b.min + way, b.max + way}),
                 is_common);
     }
   }
@@ -65,17 +65,17 @@ TEST(Law11Aabb, OverlapIsACommonPointForAllNumbers) {
 
 TEST(Law11KDop, EachSlabSeparatesAndTouchingCounts) {
   const KDop<18> kdop = kdop_of({{0, 0, 0}, {2, 2, 2}});
-  EXPECT_TRUE(overlaps(kdop, kdop));
+  EXPECT_TRUE(intersects(kdop, kdop));
   for (std::size_t slab = 0; slab < kSlabs; ++slab) {
     KDop<18> other = kdop;
     other.min[slab] = other.max[slab] = kdop.max[slab];
-    EXPECT_TRUE(overlaps(kdop, other));
+    EXPECT_TRUE(intersects(kdop, other));
     other.min[slab] = other.max[slab] = std::nextafter(kdop.max[slab], HUGE_VAL);
-    EXPECT_FALSE(overlaps(kdop, other)) << slab;
-    EXPECT_FALSE(overlaps(other, kdop)) << slab;
+    EXPECT_FALSE(intersects(kdop, other)) << slab;
+    EXPECT_FALSE(intersects(other, kdop)) << slab;
     other.min[slab] = other.max[slab] = std::nextafter(kdop.min[slab], -HUGE_VAL);
-    EXPECT_FALSE(overlaps(kdop, other)) << slab;
-    EXPECT_FALSE(overlaps(other, kdop)) << slab;
+    EXPECT_FALSE(intersects(kdop, other)) << slab;
+    EXPECT_FALSE(intersects(other, kdop)) << slab;
   }
 }
 
@@ -85,9 +85,9 @@ TEST(Law11KDop, OfBoxesIsAsBoxes) {
   int hits = 0;
   for (int n = 0; n < 20000; ++n) {
     const Aabb a = source.box(), b = source.box();
-    const bool is_hit = overlaps(kdop_of(a), kdop_of(b));
-    ASSERT_EQ(is_hit, overlaps(a, b));
-    ASSERT_EQ(overlaps(kdop_of(b), kdop_of(a)), is_hit);
+    const bool is_hit = intersects(kdop_of(a), kdop_of(b));
+    ASSERT_EQ(is_hit, intersects(a, b));
+    ASSERT_EQ(intersects(kdop_of(b), kdop_of(a)), is_hit);
     hits += is_hit;
   }
   EXPECT_GT(hits, 2000);
@@ -100,9 +100,9 @@ TEST(Law11KDop, BevelsSeparateWhatBoxesDoNot) {
   KDop<18> high = low;
   low.max[3] = 3;  // x + y <= 3
   high.min[3] = std::nextafter(3.0, 4.0);
-  EXPECT_FALSE(overlaps(low, high));
+  EXPECT_FALSE(intersects(low, high));
   high.min[3] = 3;
-  EXPECT_TRUE(overlaps(low, high));
+  EXPECT_TRUE(intersects(low, high));
 }
 
 TEST(Law10SlabOverlap, BadVolumesAreRefused) {
@@ -113,21 +113,21 @@ TEST(Law10SlabOverlap, BadVolumesAreRefused) {
       Aabb low = box, high = box;
       low.min[i] = bad;
       high.max[i] = bad;
-      EXPECT_THROW(overlaps(box, low), InputError);
-      EXPECT_THROW(overlaps(high, box), InputError);
+      EXPECT_THROW(intersects(box, low), InputError);
+      EXPECT_THROW(intersects(high, box), InputError);
     }
     for (std::size_t slab = 0; slab < kSlabs; ++slab) {
       KDop<18> low = kdop, high = kdop;
       low.min[slab] = bad;
       high.max[slab] = bad;
-      EXPECT_THROW(overlaps(kdop, low), InputError);
-      EXPECT_THROW(overlaps(high, kdop), InputError);
+      EXPECT_THROW(intersects(kdop, low), InputError);
+      EXPECT_THROW(intersects(high, kdop), InputError);
     }
   }
-  EXPECT_THROW(overlaps(box, Aabb{{0, 0, 2}, {1, 1, 1}}), InputError);
+  EXPECT_THROW(intersects(box, Aabb{{0, 0, 2}, {1, 1, 1}}), InputError);
   KDop<18> inverted = kdop;
   inverted.min[8] = inverted.max[8] + 1;
-  EXPECT_THROW(overlaps(inverted, kdop), InputError);
+  EXPECT_THROW(intersects(inverted, kdop), InputError);
 }
 
 }  // namespace

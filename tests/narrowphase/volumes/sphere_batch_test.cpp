@@ -83,11 +83,11 @@ std::vector<Hits> all_batches(const Everything& e, std::size_t first) {
   const Sphere sphere = narrowphase::element(e.spheres_a.view(), 1);
   const Aabb box = narrowphase::element(e.boxes.view(), 1);
   std::vector<Hits> hits(5, Hits(a.size(), 7));
-  overlaps(sphere, b, hits[0]);
-  overlaps(a, b, hits[1]);
-  overlaps(sphere, boxes, hits[2]);
-  overlaps(box, b, hits[3]);
-  overlaps(a, boxes, hits[4]);
+  intersects(sphere, b, hits[0]);
+  intersects(a, b, hits[1]);
+  intersects(sphere, boxes, hits[2]);
+  intersects(box, b, hits[3]);
+  intersects(a, boxes, hits[4]);
   return hits;
 }
 
@@ -99,11 +99,11 @@ std::vector<Hits> one_by_one(const Everything& e, std::size_t first) {
   std::vector<Hits> hits(5);
   for (std::size_t n = first; n < a.size(); ++n) {
     const Sphere sphere_a = narrowphase::element(a, n), sphere_b = narrowphase::element(b, n);
-    hits[0].push_back(overlaps(sphere, sphere_b));
-    hits[1].push_back(overlaps(sphere_a, sphere_b));
-    hits[2].push_back(overlaps(sphere, narrowphase::element(boxes, n)));
-    hits[3].push_back(overlaps(box, sphere_b));
-    hits[4].push_back(overlaps(sphere_a, narrowphase::element(boxes, n)));
+    hits[0].push_back(intersects(sphere, sphere_b));
+    hits[1].push_back(intersects(sphere_a, sphere_b));
+    hits[2].push_back(intersects(sphere, narrowphase::element(boxes, n)));
+    hits[3].push_back(intersects(box, sphere_b));
+    hits[4].push_back(intersects(sphere_a, narrowphase::element(boxes, n)));
   }
   return hits;
 }
@@ -161,8 +161,8 @@ TEST(SphereBatch, AnyLengthAndAnyAlignment) {
     for (std::size_t first : {std::size_t{0}, std::size_t{1}, std::size_t{2}})
       ASSERT_EQ(all_batches(e, first), one_by_one(e, first)) << count << ", " << first;
   }
-  overlaps(Sphere{{0, 0, 0}, 1}, SphereArray{}, {});
-  overlaps(SphereArray{}, AabbArray{}, {});
+  intersects(Sphere{{0, 0, 0}, 1}, SphereArray{}, {});
+  intersects(SphereArray{}, AabbArray{}, {});
 }
 
 template <typename Call>
@@ -197,17 +197,17 @@ TEST(Law10SphereBatch, BadElementsAreNamed) {
         const auto starts = [&](const std::string& what, const std::string& message) {
           return message.rfind(what + index, 0) == 0;
         };
-        EXPECT_TRUE(starts("spheres", message_of([&] { overlaps(sphere, spheres.view(), hits); })));
-        EXPECT_TRUE(starts("spheres", message_of([&] { overlaps(box, spheres.view(), hits); })));
+        EXPECT_TRUE(starts("spheres", message_of([&] { intersects(sphere, spheres.view(), hits); })));
+        EXPECT_TRUE(starts("spheres", message_of([&] { intersects(box, spheres.view(), hits); })));
         EXPECT_TRUE(starts(
-            "spheres a", message_of([&] { overlaps(spheres.view(), good_spheres.view(), hits); })));
+            "spheres a", message_of([&] { intersects(spheres.view(), good_spheres.view(), hits); })));
         EXPECT_TRUE(starts(
-            "spheres b", message_of([&] { overlaps(good_spheres.view(), spheres.view(), hits); })));
-        EXPECT_TRUE(starts("boxes", message_of([&] { overlaps(sphere, boxes.view(), hits); })));
+            "spheres b", message_of([&] { intersects(good_spheres.view(), spheres.view(), hits); })));
+        EXPECT_TRUE(starts("boxes", message_of([&] { intersects(sphere, boxes.view(), hits); })));
         EXPECT_TRUE(starts("boxes",
-                           message_of([&] { overlaps(good_spheres.view(), boxes.view(), hits); })));
+                           message_of([&] { intersects(good_spheres.view(), boxes.view(), hits); })));
         EXPECT_TRUE(starts("spheres",
-                           message_of([&] { overlaps(spheres.view(), good_boxes.view(), hits); })));
+                           message_of([&] { intersects(spheres.view(), good_boxes.view(), hits); })));
       }
     }
   }
@@ -222,19 +222,19 @@ TEST(Law10SphereBatch, NegativeRadiiAndInvertedBoxesAreNamed) {
   boxes.add({{0, 3, 0}, {1, 2, 1}});
   Hits hits(2);
   EXPECT_EQ(message_of([&] {
-              overlaps(Sphere{{0, 0, 0}, 1}, spheres.view(), hits);
+              intersects(Sphere{{0, 0, 0}, 1}, spheres.view(), hits);
             }),
             "spheres[1]: the radius is negative or not finite");
   EXPECT_EQ(message_of([&] {
-              overlaps(Sphere{{50, 0, 0}, 1}, spheres.view(), hits);
+              intersects(Sphere{{50, 0, 0}, 1}, spheres.view(), hits);
             }),
             "spheres[1]: the radius is negative or not finite");
   EXPECT_EQ(message_of([&] {
-              overlaps(Sphere{{0, 0, 0}, 1}, boxes.view(), hits);
+              intersects(Sphere{{0, 0, 0}, 1}, boxes.view(), hits);
             }).substr(0, 9),
             "boxes[1]:");
-  EXPECT_THROW(overlaps(Sphere{{0, 0, 0}, -1}, boxes.view(), hits), InputError);
-  EXPECT_THROW(overlaps(Aabb{{0, 0, 1}, {0, 0, 0}}, spheres.view(), hits), InputError);
+  EXPECT_THROW(intersects(Sphere{{0, 0, 0}, -1}, boxes.view(), hits), InputError);
+  EXPECT_THROW(intersects(Aabb{{0, 0, 1}, {0, 0, 0}}, spheres.view(), hits), InputError);
 }
 
 TEST(Law10SphereBatch, LengthsThatDifferAreRefused) {
@@ -244,22 +244,22 @@ TEST(Law10SphereBatch, LengthsThatDifferAreRefused) {
   const Sphere sphere{{0, 0, 0}, 1};
   const Aabb box{{0, 0, 0}, {1, 1, 1}};
   Hits hits(4), three(3);
-  EXPECT_EQ(message_of([&] { overlaps(sphere, spheres, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(spheres, spheres, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(sphere, boxes, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(box, spheres, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(spheres, boxes, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { overlaps(spheres, tail(spheres, 1), hits); }),
+  EXPECT_EQ(message_of([&] { intersects(sphere, spheres, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(spheres, spheres, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(sphere, boxes, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(box, spheres, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(spheres, boxes, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(spheres, tail(spheres, 1), hits); }),
             "spheres b: 3 elements for 4 spheres a");
-  EXPECT_EQ(message_of([&] { overlaps(spheres, tail(boxes, 1), hits); }),
+  EXPECT_EQ(message_of([&] { intersects(spheres, tail(boxes, 1), hits); }),
             "boxes: 3 elements for 4 spheres");
   SphereArray ragged = spheres;
   ragged.radius = ragged.radius.subspan(2);
-  EXPECT_EQ(message_of([&] { overlaps(sphere, ragged, hits); }),
+  EXPECT_EQ(message_of([&] { intersects(sphere, ragged, hits); }),
             "spheres: array radius has 2 elements, the first 4");
   AabbArray ragged_boxes = boxes;
   ragged_boxes.max[1] = {};
-  EXPECT_EQ(message_of([&] { overlaps(sphere, ragged_boxes, hits); }),
+  EXPECT_EQ(message_of([&] { intersects(sphere, ragged_boxes, hits); }),
             "boxes: array max y has 0 elements, the first 4");
 }
 

@@ -18,8 +18,8 @@ void expect_all(const Sphere& sphere, const Aabb& box, bool expected) {
   ASSERT_EQ(decide_arvo(sphere, box).is_hit, expected);
   ASSERT_EQ(decide_quick_rejections(sphere, box).is_hit, expected);
   ASSERT_EQ(decide_branch_free(sphere, box).is_hit, expected);
-  ASSERT_EQ(overlaps(sphere, box), expected);
-  ASSERT_EQ(overlaps(box, sphere), expected) << "law 4";
+  ASSERT_EQ(intersects(sphere, box), expected);
+  ASSERT_EQ(intersects(box, sphere), expected) << "law 4";
 }
 
 TEST(Law2SphereBox, TheThreeMethodsAgreeWithRationals) {
@@ -100,15 +100,15 @@ TEST(Law3SphereBox, TheCentreGoesIntoTheFrameOfAnOrientedBox) {
       local[i] = (r(0, i) * q[0] + r(1, i) * q[1]) + r(2, i) * q[2];
     const bool expected = oracle::overlap(Sphere{local, sphere.radius}, local_box(box));
     hits += expected;
-    ASSERT_EQ(overlaps(sphere, box), expected) << n;
-    ASSERT_EQ(overlaps(box, sphere), expected) << n;
+    ASSERT_EQ(intersects(sphere, box), expected) << n;
+    ASSERT_EQ(intersects(box, sphere), expected) << n;
     // The radius at which the rounded centre touches, as near as doubles come, from both sides.
     const Eigen::Vector3d nearest = local.cwiseMax(local_box(box).min).cwiseMin(local_box(box).max);
     const double gap = (local - nearest).norm();
     for (double radius : {next_below(gap), gap, next_above(gap)}) {
       if (radius == HUGE_VAL || gap == 0) continue;
       const bool is_touching = oracle::overlap(Sphere{local, radius}, local_box(box));
-      ASSERT_EQ(overlaps(Sphere{sphere.centre, radius}, box), is_touching) << n;
+      ASSERT_EQ(intersects(Sphere{sphere.centre, radius}, box), is_touching) << n;
     }
   }
   EXPECT_GT(hits, 500);
@@ -124,7 +124,7 @@ TEST(Law3SphereBox, AFrameWithoutRoundingIsTheAlignedTest) {
     const Sphere sphere = source.sphere();
     const Eigen::Vector3d turned(box.half_extents[1], box.half_extents[0], box.half_extents[2]);
     const Eigen::Vector3d t = box.pose.translation();
-    ASSERT_EQ(overlaps(sphere, box), overlaps(sphere, Aabb{t - turned, t + turned})) << n;
+    ASSERT_EQ(intersects(sphere, box), intersects(sphere, Aabb{t - turned, t + turned})) << n;
   }
 }
 
@@ -132,7 +132,7 @@ TEST(Law10SphereBox, ACentreThatOverflowsInTheFrameOfTheBoxIsRefused) {
   Obb box{Pose::Identity(), {1, 1, 1}};
   box.pose.translation().y() = -1.5e308;
   try {
-    overlaps(Sphere{{0, 1.5e308, 0}, 1}, box);
+    intersects(Sphere{{0, 1.5e308, 0}, 1}, box);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
@@ -149,22 +149,22 @@ TEST(Law10SphereBox, BadValuesAreRefused) {
     for (int i = 0; i < 4; ++i) {
       Sphere broken = good;
       (i < 3 ? broken.centre[i] : broken.radius) = bad;
-      EXPECT_THROW(overlaps(broken, unit), InputError) << i;
-      EXPECT_THROW(overlaps(broken, turned), InputError) << i;
+      EXPECT_THROW(intersects(broken, unit), InputError) << i;
+      EXPECT_THROW(intersects(broken, turned), InputError) << i;
     }
     for (int i = 0; i < 6; ++i) {
       Aabb broken = unit;
       (i < 3 ? broken.min : broken.max)[i % 3] = bad;
-      EXPECT_THROW(overlaps(good, broken), InputError) << i;
-      EXPECT_THROW(overlaps(broken, good), InputError) << i;
+      EXPECT_THROW(intersects(good, broken), InputError) << i;
+      EXPECT_THROW(intersects(broken, good), InputError) << i;
     }
-    EXPECT_THROW(overlaps(good, Obb{Pose::Identity(), {1, bad, 1}}), InputError);
+    EXPECT_THROW(intersects(good, Obb{Pose::Identity(), {1, bad, 1}}), InputError);
   }
-  EXPECT_THROW(overlaps(Sphere{{0, 0, 0}, -1}, unit), InputError);
-  EXPECT_THROW(overlaps(good, Aabb{{0, 0, 0}, {1, -1, 1}}), InputError);
+  EXPECT_THROW(intersects(Sphere{{0, 0, 0}, -1}, unit), InputError);
+  EXPECT_THROW(intersects(good, Aabb{{0, 0, 0}, {1, -1, 1}}), InputError);
   Obb skewed = turned;
   skewed.pose.linear()(0, 1) = 0.1;
-  EXPECT_THROW(overlaps(good, skewed), PoseError);
+  EXPECT_THROW(intersects(good, skewed), PoseError);
 }
 
 }  // namespace

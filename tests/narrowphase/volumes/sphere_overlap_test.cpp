@@ -19,8 +19,8 @@ TEST(Law2Spheres, AgreeWithRationalsOnEveryKindOfNumber) {
       const Sphere a = source.sphere(), b = source.sphere();
       const bool expected = oracle::overlap(a, b);
       hits += expected;
-      ASSERT_EQ(overlaps(a, b), expected) << static_cast<int>(kind) << ", " << n;
-      ASSERT_EQ(overlaps(b, a), expected) << "law 4";
+      ASSERT_EQ(intersects(a, b), expected) << static_cast<int>(kind) << ", " << n;
+      ASSERT_EQ(intersects(b, a), expected) << "law 4";
       const bool is_inside = oracle::overlap(a, Sphere{b.centre, 0});
       ASSERT_EQ(contains(a, b.centre), is_inside);
     }
@@ -45,9 +45,9 @@ TEST(Law2Spheres, TouchingCountsToTheLastBit) {
     ASSERT_TRUE(touching.is_hit) << n;
     ASSERT_EQ(touching.stage, Stage::Exact) << n;
     const Sphere smaller{a.centre, next_below(a.radius)};
-    ASSERT_EQ(overlaps(smaller, b), oracle::overlap(smaller, b));
-    ASSERT_FALSE(overlaps(smaller, b)) << n;
-    ASSERT_TRUE(overlaps(Sphere{a.centre, next_above(a.radius)}, b)) << n;
+    ASSERT_EQ(intersects(smaller, b), oracle::overlap(smaller, b));
+    ASSERT_FALSE(intersects(smaller, b)) << n;
+    ASSERT_TRUE(intersects(Sphere{a.centre, next_above(a.radius)}, b)) << n;
     const Sphere whole{a.centre, q.length * scale};
     ASSERT_TRUE(contains(whole, b.centre));
     ASSERT_EQ(narrowphase::decide_contains(whole, b.centre).stage, Stage::Exact);
@@ -58,12 +58,12 @@ TEST(Law2Spheres, TouchingCountsToTheLastBit) {
 // The sum of the radii is not a double here: rounding it would lose the question.
 TEST(Law2Spheres, RadiiWhoseSumIsNoDouble) {
   const Sphere tiny{{3, 0, 0}, 0x1p-80};
-  EXPECT_TRUE(overlaps(Sphere{{0, 0, 0}, 3}, tiny));
-  EXPECT_FALSE(overlaps(Sphere{{0, 0, 0}, next_below(3)}, tiny));
-  EXPECT_TRUE(overlaps(Sphere{{0, 0, 0}, 0x1p-60}, Sphere{{1, 0, 0}, 1}));
+  EXPECT_TRUE(intersects(Sphere{{0, 0, 0}, 3}, tiny));
+  EXPECT_FALSE(intersects(Sphere{{0, 0, 0}, next_below(3)}, tiny));
+  EXPECT_TRUE(intersects(Sphere{{0, 0, 0}, 0x1p-60}, Sphere{{1, 0, 0}, 1}));
   const double huge = 0x1.fffffffffffffp1023;
-  EXPECT_TRUE(overlaps(Sphere{{-huge, 0, 0}, huge}, Sphere{{huge, 0, 0}, huge}));
-  EXPECT_FALSE(overlaps(Sphere{{-huge, 0, 0}, huge}, Sphere{{huge, 0, 0}, next_below(huge)}));
+  EXPECT_TRUE(intersects(Sphere{{-huge, 0, 0}, huge}, Sphere{{huge, 0, 0}, huge}));
+  EXPECT_FALSE(intersects(Sphere{{-huge, 0, 0}, huge}, Sphere{{huge, 0, 0}, next_below(huge)}));
 }
 
 TEST(Law6Spheres, GenericPairsAreDecidedWithoutExactArithmetic) {
@@ -81,13 +81,13 @@ TEST(Law10Spheres, BadValuesAreRefused) {
     for (int i = 0; i < 4; ++i) {
       Sphere broken = good;
       (i < 3 ? broken.centre[i] : broken.radius) = bad;
-      EXPECT_THROW(overlaps(good, broken), InputError) << i;
-      EXPECT_THROW(overlaps(broken, good), InputError) << i;
+      EXPECT_THROW(intersects(good, broken), InputError) << i;
+      EXPECT_THROW(intersects(broken, good), InputError) << i;
       EXPECT_THROW(contains(broken, Eigen::Vector3d(0, 0, 0)), InputError) << i;
     }
     EXPECT_THROW(contains(good, Eigen::Vector3d(0, bad, 0)), InputError);
   }
-  EXPECT_THROW(overlaps(good, Sphere{{0, 0, 0}, -1}), InputError);
+  EXPECT_THROW(intersects(good, Sphere{{0, 0, 0}, -1}), InputError);
   try {
     contains(good, Eigen::Vector3d(0, std::nan(""), 0));
     FAIL();

@@ -28,7 +28,7 @@ constexpr double kBoxShare = 0.05;
 constexpr double kEdgeTolerance = 1.0 / 16;
 
 double size_of(const PlacedBody& body) {
-  const Aabb box = bounds_of(body.shape, body.pose);
+  const Aabb box = bounding_aabb({body.shape, body.pose});
   return (box.max - box.min).maxCoeff();
 }
 

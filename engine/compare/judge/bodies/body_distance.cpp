@@ -27,7 +27,7 @@ bool is(const PlacedBody& body, ShapeKind kind) {
 double largest_of(const PlacedBody& body) {
   if (const auto* plane = body.shape.as<HalfSpace>())
     return body.pose.translation().cwiseAbs().maxCoeff() + std::abs(plane->offset);
-  const Aabb box = bounds_of(body.shape, body.pose);
+  const Aabb box = bounding_aabb({body.shape, body.pose});
   return std::max({box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff(),
                    body.pose.translation().cwiseAbs().maxCoeff()});
 }

@@ -28,7 +28,7 @@ class BodyRay {
       // Beyond this way even a ray that comes in at an angle of 1e-12 has met it.
       most_ = 1e12 * (scale_ + 1);
     } else {
-      const Aabb box = bounds_of(body.shape, body.pose);
+      const Aabb box = bounding_aabb({body.shape, body.pose});
       const double size = (box.max - box.min).norm();
       scale_ = size + (ray.origin - (box.min / 2 + box.max / 2)).norm();
       most_ = 2 * scale_;

@@ -69,7 +69,7 @@ double scale_of(const PlacedBody& body_a, const PlacedBody& body_b) {
   std::optional<Aabb> all;
   for (const PlacedBody* body : {&body_a, &body_b}) {
     if (body->shape.kind() == ShapeKind::HalfSpace) continue;
-    const Aabb box = bounds_of(body->shape, body->pose);
+    const Aabb box = bounding_aabb({body->shape, body->pose});
     all = all ? Aabb{all->min.cwiseMin(box.min), all->max.cwiseMax(box.max)} : box;
   }
   return all ? (all->max - all->min).maxCoeff() : 1;
@@ -83,7 +83,7 @@ double largest_coordinate(const PlacedBody& body_a, const PlacedBody& body_b) {
     if (const auto* plane = body->shape.as<HalfSpace>()) {
       largest = std::max(largest, std::abs(plane->offset));
     } else {
-      const Aabb box = bounds_of(body->shape, body->pose);
+      const Aabb box = bounding_aabb({body->shape, body->pose});
       largest = std::max({largest, box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff()});
     }
   }
@@ -153,14 +153,14 @@ struct ShapeJudge::Truth {
 
   /// The size of what may be overlooked and, where no referee has spoken, a proof.
   void measure() {
-    const ShapeDistance found = distance(a.shape, a.pose, b.shape, b.pose);
+    const ShapeDistance found = distance({a.shape, a.pose}, {b.shape, b.pose});
     const double slack = kTouchUlps * ulp;
     const double gap = best_proved_gap(a, b, found.normal);
     const bool is_proved_apart = gap > slack;
     const double outside = std::max(outside_by(a.shape, a.pose, found.point_a),
                                     outside_by(b.shape, b.pose, found.point_b));
     Work work;
-    intersects(a.shape, a.pose, b.shape, b.pose, &work);
+    intersects({a.shape, a.pose}, {b.shape, b.pose}, &work);
     has_ended = work.convex_failures == 0;
     // A plane that parts them by less than it is sure of leaves both possible.
     const bool is_proved_hit =
@@ -172,7 +172,7 @@ struct ShapeJudge::Truth {
     const bool are_planes =
         a.shape.kind() == ShapeKind::HalfSpace && b.shape.kind() == ShapeKind::HalfSpace;
     if (!*is_hit || are_planes) return;
-    const Manifold manifold = find_contacts(a.shape, a.pose, b.shape, b.pose);
+    const Manifold manifold = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
     if (!manifold.empty()) size = manifold[0].depth;
   }
 

@@ -23,8 +23,8 @@ class MeshTruth {
                   const JudgeSettings& settings);
 
  private:
-  PlacedMesh placed_a() const { return {meshes_.a.mesh, meshes_.a.pose}; }
-  PlacedMesh placed_b() const { return {meshes_.b.mesh, meshes_.b.pose}; }
+  PlacedMeshView placed_a() const { return {meshes_.a.mesh, meshes_.a.pose}; }
+  PlacedMeshView placed_b() const { return {meshes_.b.mesh, meshes_.b.pose}; }
 
   const std::vector<TrianglePair>& hits();
   bool is_hit();

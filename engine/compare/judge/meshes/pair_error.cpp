@@ -23,7 +23,7 @@ bool moves(const Pose& pose) {
 
 /// Triangles whose boxes hold the placed ones with and without law 1's rounding: six operations,
 /// none on numbers larger than the sum here.
-std::vector<Triangle> boxes_of(const PlacedMesh& mesh) {
+std::vector<Triangle> boxes_of(const PlacedMeshView& mesh) {
   double reach = 0;
   for (const Eigen::Vector3d& vertex : mesh.mesh.vertices())
     reach = std::max(reach, vertex.cwiseAbs().maxCoeff());
@@ -39,7 +39,7 @@ std::vector<Triangle> boxes_of(const PlacedMesh& mesh) {
 
 }  // namespace
 
-bool is_hit_by_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
+bool is_hit_by_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
   if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
   bool is_apart = true;
   BoxTree::for_each_overlap(
@@ -52,7 +52,7 @@ bool is_hit_by_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
   return is_apart;
 }
 
-bool is_due_to_placing(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
+bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
                        bool is_hit, const JudgeSettings& settings) {
   if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
   const Triangle a = mesh_a.mesh.triangle(pair.a);
@@ -82,7 +82,7 @@ ErrorClass class_of_pair(const RationalTriangle& a, const RationalTriangle& b, d
   return is_containment && is_containment() ? ErrorClass::Containment : ErrorClass::Real;
 }
 
-PairError pair_error(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, const TrianglePair& pair,
+PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
                      bool is_hit, const JudgeSettings& settings,
                      const std::function<bool()>& is_containment) {
   const Triangle a = place(mesh_a.pose, mesh_a.mesh.triangle(pair.a));

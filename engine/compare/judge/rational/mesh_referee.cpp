@@ -10,7 +10,7 @@
 namespace graze::compare {
 namespace {
 
-std::vector<Triangle> placed_triangles(const PlacedMesh& mesh) {
+std::vector<Triangle> placed_triangles(const PlacedMeshView& mesh) {
   std::vector<Triangle> triangles;
   triangles.reserve(mesh.mesh.triangles().size());
   for (std::size_t i = 0; i < mesh.mesh.triangles().size(); ++i)
@@ -20,7 +20,7 @@ std::vector<Triangle> placed_triangles(const PlacedMesh& mesh) {
 
 }  // namespace
 
-MeshReferee::MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Touch touch)
+MeshReferee::MeshReferee(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Touch touch)
     : touch_(touch),
       triangles_a_(placed_triangles(mesh_a)),
       triangles_b_(placed_triangles(mesh_b)),

@@ -17,7 +17,7 @@ namespace graze::compare {
 class MeshReferee {
  public:
   /// With Touch::Exclude a hit is a pair that crosses.
-  MeshReferee(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, Touch touch = Touch::Include);
+  MeshReferee(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Touch touch = Touch::Include);
 
   /// A pair that shares a point, if there is one.
   std::optional<TrianglePair> find_hit() const;

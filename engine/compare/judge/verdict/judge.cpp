@@ -32,7 +32,7 @@ Judgement judge_ray(const Case& query, const CaseAnswer& answer, bool is_graze) 
 /// Whether graze says of itself that it has not found the least depth of these two.
 bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
   Work work;
-  find_contacts(a.shape, a.pose, b.shape, b.pose, &work);
+  find_contacts({a.shape, a.pose}, {b.shape, b.pose}, &work);
   return work.penetration_failures > 0;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <graze/engine/mesh/pair.h>
+
 #include <cstdint>
 
-namespace graze::bvh {
+namespace graze::benchmark {
 
 /// Two separations in a row: the first is cheap, the second is asked about what the first lets
-/// through.
+/// through. By what is measured here it saves nothing, so that the library has none.
 template <typename First, typename Second>
 class Cascade {
  public:
@@ -23,4 +25,10 @@ class Cascade {
   Second second_;
 };
 
-}  // namespace graze::bvh
+/// What intersects() and find_triangle_pairs() answer, spheres being tried before `second`.
+bool intersects_by_cascade(const PlacedMeshView& a, const PlacedMeshView& b, Volume second,
+                           Work& work);
+TrianglePairs find_pairs_by_cascade(const PlacedMeshView& a, const PlacedMeshView& b, Volume second,
+                                    Work& work);
+
+}  // namespace graze::benchmark

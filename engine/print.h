@@ -1,0 +1,68 @@
+#pragma once
+
+// Values as one line of text, for logs, debuggers and failing tests: numbers in the fewest digits
+// that give the same double, whatever the stream has set, lengths in metres. Long lists end after
+// sixteen elements with how many more there are. What it writes is for people and may change.
+
+#include <graze/bvh/kdop.h>
+#include <graze/bvh/obb.h>
+#include <graze/bvh/pose.h>
+#include <graze/bvh/ray.h>
+#include <graze/bvh/sphere.h>
+#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/mesh/separation.h>
+#include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/mesh/voxel_grid.h>
+#include <graze/engine/work.h>
+#include <graze/engine/world/ids.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/world.h>
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/triangle_distance.h>
+#include <graze/narrowphase/triangle_ray.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace graze {
+
+/// The twelve numbers of a pose as parse_pose() reads them: the same pose to the last bit.
+std::string to_text(const Pose& pose);
+
+std::ostream& operator<<(std::ostream& out, const BodyId& id);
+std::ostream& operator<<(std::ostream& out, const BoxId& id);
+std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
+std::ostream& operator<<(std::ostream& out, const BoxPair& pair);
+std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);
+std::ostream& operator<<(std::ostream& out, const ContactFeature& feature);
+std::ostream& operator<<(std::ostream& out, const Voxel& voxel);
+
+std::ostream& operator<<(std::ostream& out, const Aabb& box);
+std::ostream& operator<<(std::ostream& out, const Obb& box);
+std::ostream& operator<<(std::ostream& out, const Sphere& sphere);
+std::ostream& operator<<(std::ostream& out, const KDop<18>& kdop);
+std::ostream& operator<<(std::ostream& out, const Ray& ray);
+std::ostream& operator<<(std::ostream& out, const Triangle& triangle);
+
+std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs);
+std::ostream& operator<<(std::ostream& out, const TriangleList& triangles);
+std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);
+std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit);
+std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
+std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
+std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);
+std::ostream& operator<<(std::ostream& out, const Separation& separation);
+std::ostream& operator<<(std::ostream& out, const RayHit& hit);
+std::ostream& operator<<(std::ostream& out, const ShapeDistance& distance);
+std::ostream& operator<<(std::ostream& out, const ShapeContact& contact);
+std::ostream& operator<<(std::ostream& out, const Manifold& manifold);
+std::ostream& operator<<(std::ostream& out, const BodyContact& contact);
+std::ostream& operator<<(std::ostream& out, const BodyDistance& distance);
+std::ostream& operator<<(std::ostream& out, const BodyRayHit& hit);
+
+/// Only the counters that are not 0.
+std::ostream& operator<<(std::ostream& out, const Work& work);
+
+}  // namespace graze

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace graze {
+
+// The version that these headers are of. Until 1.0 a second number may break sources.
+inline constexpr int kVersionMajor = 0;
+inline constexpr int kVersionMinor = 2;
+inline constexpr int kVersionPatch = 0;
+
+/// "0.2.0": the version of the library that runs, which may be another than the headers' where it
+/// is shared.
+const char* library_version();
+
+}  // namespace graze

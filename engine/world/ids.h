@@ -1,0 +1,58 @@
+#pragma once
+
+// What a world and a broad phase hand out for bodies and boxes: small values without any geometry.
+
+#include <graze/bvh/box_pair.h>
+#include <graze/bvh/hash.h>
+
+#include <compare>
+#include <cstdint>
+#include <functional>
+
+namespace graze {
+
+/// A body of a World, by value. An index is used again when its body is gone; the generation tells
+/// its users apart.
+struct BodyId {
+  std::uint32_t index = 0xffffffffu;
+  std::uint32_t generation = 0;
+  friend auto operator<=>(const BodyId&, const BodyId&) = default;
+};
+
+/// Two bodies, the one with the smaller index first.
+struct BodyPair {
+  BodyId a;
+  BodyId b;
+  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// A box of a BroadPhase, by value. Indices are small numbers that are used again when a box is
+/// gone; the generation tells its users apart.
+struct BoxId {
+  std::uint32_t index = 0xffffffffu;
+  std::uint32_t generation = 0;
+  friend auto operator<=>(const BoxId&, const BoxId&) = default;
+};
+
+}  // namespace graze
+
+template <>
+struct std::hash<graze::BodyId> {
+  std::size_t operator()(const graze::BodyId& id) const noexcept {
+    return graze::hash_of({id.index, id.generation});
+  }
+};
+
+template <>
+struct std::hash<graze::BodyPair> {
+  std::size_t operator()(const graze::BodyPair& pair) const noexcept {
+    return graze::hash_of({pair.a.index, pair.a.generation, pair.b.index, pair.b.generation});
+  }
+};
+
+template <>
+struct std::hash<graze::BoxId> {
+  std::size_t operator()(const graze::BoxId& id) const noexcept {
+    return graze::hash_of({id.index, id.generation});
+  }
+};

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze {
+
+/// A shape in a pose: a value, as a Shape is.
+struct PlacedShape {
+  Shape shape;
+  Pose pose = Pose::Identity();
+};
+
+/// What queries take: a shape in a pose, made of a PlacedShape or within the call itself, as in
+/// `distance({Box{{1, 1, 1}}}, {hull, pose})`. It refers to both, which must outlive it, as
+/// everything does that stands within a call; to keep one, keep a PlacedShape.
+struct PlacedShapeView {
+  // NOLINTBEGIN(google-explicit-constructor): queries are asked about shapes and placed shapes
+  PlacedShapeView(const Shape& of_shape);
+  PlacedShapeView(const Shape& of_shape, const Pose& in_pose) : shape(of_shape), pose(in_pose) {}
+  PlacedShapeView(const PlacedShape& placed) : shape(placed.shape), pose(placed.pose) {}
+  // NOLINTEND(google-explicit-constructor)
+
+  const Shape& shape;
+  const Pose& pose;
+};
+
+}  // namespace graze
