@@ -89,6 +89,8 @@ TEST(Api, NoPublicTypeIsOverAligned) {
   EXPECT_EQ(alignof(graze::Aabb), alignof(double));
   EXPECT_EQ(alignof(graze::Triangle), alignof(double));
   EXPECT_EQ(alignof(graze::PlacedMesh), alignof(double));
+  EXPECT_EQ(alignof(graze::PlacedMeshView), alignof(double));
+  EXPECT_EQ(alignof(graze::PlacedShape), alignof(double));
 }
 
 }  // namespace

@@ -80,9 +80,8 @@ bool expect_no_difference(const PlacedMesh& a, const PlacedMesh& b, double clear
   EXPECT_EQ(find_triangle_pairs(a, b, memories.pairs, {}, work).pairs, expected.pairs);
   EXPECT_EQ(find_triangle_pairs(a, b, memories.all).pairs, expected.pairs);
   EXPECT_EQ(find_triangle_pairs(a, b, memories.shared, {.threads = 2}).pairs, expected.pairs);
-  const PairSettings limited{.limit = 7};
-  const TrianglePairs some = find_triangle_pairs(a, b, memories.limited, limited);
-  const TrianglePairs expected_some = find_triangle_pairs(a, b, limited);
+  const TrianglePairs some = find_triangle_pairs(a, b, memories.limited, {.limit = 7});
+  const TrianglePairs expected_some = find_triangle_pairs(a, b, {.limit = 7});
   EXPECT_EQ(some.pairs, expected_some.pairs);
   EXPECT_EQ(some.completeness, expected_some.completeness);
   EXPECT_EQ(intersects(a, b, memories.all, {.hit = Hit::Crossing}),

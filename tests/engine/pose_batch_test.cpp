@@ -40,7 +40,7 @@ TEST(Prepare, BuildsAllAtOnceAndChangesNoAnswer) {
   EXPECT_EQ(work.treelets_built + 1, wide_tree_of(eager).treelet_count());
   EXPECT_GT(work.treelets_built, 4u);
   Work again;
-  prepare(eager, &again);
+  prepare(eager, {}, &again);
   Work asked;
   for (const Pose& pose : poses_of(20, 1)) {
     EXPECT_EQ(find_triangle_pairs({eager}, {eager, pose}, {}, &asked).pairs,

@@ -5,6 +5,7 @@
 #include <graze/engine/cli/pair/pair_report.h>
 #include <graze/engine/cli/pair/pair_run.h>
 #include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/inside/solid.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>

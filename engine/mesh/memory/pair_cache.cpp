@@ -60,7 +60,7 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
 
 }  // namespace
 
-bool are_equal(const Pose& one, const Pose& other) {
+bool have_same_bits(const Pose& one, const Pose& other) {
   if (one.data()[12] != other.data()[12]) return false;  // as when it moves
   std::uint64_t difference = 0;
   for (int i = 0; i < 16; ++i)
@@ -84,7 +84,7 @@ CachedMesh::CachedMesh(const Mesh& mesh) : mesh_(mesh), sizes_(sum_of_sizes(mesh
 }
 
 void CachedMesh::place(const Pose& pose, const char* what) {
-  if (is_placed_ && are_equal(pose, pose_)) return;
+  if (is_placed_ && have_same_bits(pose, pose_)) return;
   is_placed_ = false;
   error_ = bvh::RotationError(pose);
   if (!is_surely_placeable(pose, error_, sizes_)) check_placement(pose, mesh_.bounds(), what);

@@ -17,7 +17,7 @@
 namespace graze {
 
 /// Bit by bit.
-bool are_equal(const Pose& one, const Pose& other);
+bool have_same_bits(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
 class CachedMesh {

@@ -5,7 +5,7 @@
 namespace graze {
 
 bool UnbuiltTrees::add(const Mesh* mesh) {
-  if (mesh == nullptr || mesh->has_tree()) return false;
+  if (mesh == nullptr || has_tree(*mesh)) return false;
   ++bodies_[mesh->vertices().data()];
   return true;
 }

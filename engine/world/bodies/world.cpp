@@ -124,8 +124,7 @@ const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) c
   const Shape* known = ask_shape(is_users, [&] { return shape.shape(); });
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
   if (mesh != nullptr && !settings.skip_unused_trees) {
-    prepare(*mesh);
-    mesh->tree();
+    prepare(*mesh, {.queries = PreparedFor::All});
   }
   return mesh;
 }

@@ -220,12 +220,12 @@ TEST(ShapeWorld, QueriesEqualBruteForce) {
       if (way.distance <= clearance) near.push_back(id);
       if (!closest || way.distance < closest->distance.distance) closest = BodyDistance{id, way};
     }
-    EXPECT_EQ(history.world().find_touching(shape, pose), touching);
+    EXPECT_EQ(history.world().find_touching({shape, pose}), touching);
     std::vector<BodyId> within;
-    for (const BodyDistance& body : history.world().find_within(shape, pose, clearance))
+    for (const BodyDistance& body : history.world().find_within({shape, pose}, clearance))
       within.push_back(body.id);
     EXPECT_EQ(within, near);
-    const std::optional<BodyDistance> found = history.world().find_closest(shape, pose);
+    const std::optional<BodyDistance> found = history.world().find_closest({shape, pose});
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(found->id, closest->id);
     EXPECT_EQ(found->distance.distance, closest->distance.distance);

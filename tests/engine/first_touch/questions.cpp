@@ -68,12 +68,12 @@ Digest told(const Voxels& voxels) {
   return digest << voxels.grid.origin << voxels.grid.edge;
 }
 
-template <Volume kVolume>
+template <PairVolume kVolume>
 Digest pairs_by(const Mesh& a, const Mesh& b) {
   return told(find_triangle_pairs({a}, {b, near()}, {.volume = kVolume}));
 }
 
-template <Volume kVolume>
+template <PairVolume kVolume>
 Digest any_by(const Mesh& a, const Mesh& b) {
   return Digest() << intersects({a}, {b, near()}, {.volume = kVolume})
                   << intersects({a}, {b, far()}, {.volume = kVolume});

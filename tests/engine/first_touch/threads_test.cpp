@@ -203,8 +203,8 @@ TEST(FirstTouchThreads, OfAWorldAfterItsBodiesMoved) {
   for (int i = 0; i < 200; ++i) {
     const Shape ball(Sphere{{0, 0, 0}, 0.5});
     const Pose pose = at(0.7 * (i % 20), 0.9 * (i / 20));
-    ids.push_back(shared.add(i % 20 == 0 ? Shape(built().a) : ball, pose));
-    alone.add(i % 20 == 0 ? Shape(built().a) : ball, pose);
+    ids.push_back(shared.add({i % 20 == 0 ? Shape(built().a) : ball, pose}));
+    alone.add({i % 20 == 0 ? Shape(built().a) : ball, pose});
   }
   shared.update(), alone.update();
   for (int round = 0; round < 10; ++round) {

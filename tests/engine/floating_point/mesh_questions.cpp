@@ -33,14 +33,16 @@ void add_separation(Words& words, const Separation& found) {
 }
 
 void ask_by_volumes(const Inputs& in, Words& words) {
-  for (const Volume volume :
-       {PairVolume::WideObb, PairVolume::Aabb, PairVolume::Sphere, PairVolume::Obb, PairVolume::KDop}) {
+  for (const PairVolume volume : kPairVolumes) {
     const Meshes meshes(in);
     words.add(intersects({meshes.a, in.pose_a}, {meshes.b, in.pose_b}, {.volume = volume}));
     words.add(
         find_triangle_pairs({meshes.a, in.pose_a}, {meshes.b, in.pose_b}, {.volume = volume}));
     words.add(find_triangle_pairs({meshes.a, in.pose_a}, {meshes.b, in.pose_b},
                                   {.volume = volume, .touch = Touch::Exclude}));
+  }
+  for (const Volume volume : kVolumes) {
+    const Meshes meshes(in);
     words.add(find_triangles({meshes.a, in.pose_a}, in.obb_a, {.volume = volume}));
     words.add(find_self_pairs(meshes.a, {.volume = volume}));
   }

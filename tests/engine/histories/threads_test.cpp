@@ -3,6 +3,7 @@
 // walk one is shown by MeshThreads, and oneTBB's own memory, which ThreadSanitizer cannot follow,
 // is left alone here.
 
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ const std::vector<Shape>& palette() {
     for (const Shape& shape : all) {
       if (const Mesh* mesh = shape.as<Mesh>()) {
         prepare(*mesh);
-        mesh->tree();
+        tree_of(*mesh);
       }
     }
     return all;

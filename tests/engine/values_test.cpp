@@ -1,0 +1,156 @@
+// What public values have beside their numbers: hashes, comparison, text, matrices, versions.
+
+#include <graze/forward.h>
+#include <graze/graze.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/pose_at.h"
+#include "tests/shapes/random_meshes.h"
+
+namespace graze {
+namespace {
+
+template <typename T>
+std::string text_of(const T& value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+TEST(Values, IdsAndPairsAreKeysOfTables) {
+  std::unordered_set<BodyId> bodies;
+  std::unordered_set<BoxPair> boxes;
+  std::unordered_map<BodyPair, int> touching;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    bodies.insert({i % 100, i / 100});
+    boxes.insert({i % 100, i});
+    touching[{{i, 0}, {i + 1, 0}}] += 1;
+  }
+  EXPECT_EQ(bodies.size(), 1000u);
+  EXPECT_EQ(boxes.size(), 1000u);
+  EXPECT_EQ(touching.size(), 1000u);
+  EXPECT_EQ(touching.at({{7, 0}, {8, 0}}), 1);
+  std::unordered_set<std::size_t> low_bits;
+  for (std::uint32_t i = 0; i < 256; ++i)
+    low_bits.insert(std::hash<TrianglePair>()({i, 0}) % 256);
+  EXPECT_GT(low_bits.size(), 128u) << "indices in a row spread over a table";
+}
+
+TEST(Values, PosesAreKeysToo) {
+  std::unordered_map<Pose, int, PoseHash, PoseEqual> seen;
+  for (int i = 0; i < 100; ++i)
+    seen[tests::at(i % 10)] = i;
+  EXPECT_EQ(seen.size(), 10u);
+  Pose negative = tests::at(1);
+  negative.translation().y() = -0.0;
+  EXPECT_TRUE(are_equal(negative, tests::at(1)));
+  EXPECT_EQ(PoseHash()(negative), PoseHash()(tests::at(1)));
+  EXPECT_FALSE(are_equal(tests::at(1), tests::at(2)));
+}
+
+TEST(Values, ResultsAreEqualWhereAllTheirNumbersAre) {
+  const Mesh ball = tests::make_sphere(1, 8, 12);
+  const Pose near = tests::at(1.5), other = tests::at(1.5 + 1e-9);
+  EXPECT_EQ(distance({ball}, {ball, tests::at(3)}), distance({ball}, {ball, tests::at(3)}));
+  EXPECT_NE(distance({ball}, {ball, tests::at(3)}), distance({ball}, {ball, tests::at(4)}));
+  EXPECT_EQ(find_triangle_pairs({ball}, {ball, near}), find_triangle_pairs({ball}, {ball, near}));
+  EXPECT_NE(find_contacts({ball}, {ball, near}), find_contacts({ball}, {ball, other}));
+  EXPECT_EQ(separating_translation({ball}, {ball, near}),
+            separating_translation({ball}, {ball, near}));
+  const Shape box = Box{{1, 1, 1}};
+  const Manifold manifold = find_contacts({box}, {box, tests::at(1.9)});
+  Manifold same = manifold;
+  ASSERT_LE(same.count, 4u);
+  EXPECT_EQ(manifold, same);
+  same.contacts[0].depth *= 2;
+  EXPECT_NE(manifold, same);
+  Manifold none, also_none;
+  none.contacts[0].depth = 1, also_none.contacts[0].depth = 2;
+  EXPECT_EQ(none, also_none) << "of no contact no number counts";
+}
+
+TEST(Values, TextIsTheSameWhateverTheStreamHasSet) {
+  EXPECT_EQ(text_of(BodyId{3, 1}), "body 3.1");
+  EXPECT_EQ(text_of(BodyPair{{3, 1}, {4, 0}}), "body 3.1 and body 4.0");
+  EXPECT_EQ(text_of(TrianglePair{12, 7}), "12-7");
+  EXPECT_EQ(text_of(Aabb{{0, 0.1, 0}, {1, 2, 3}}), "box from (0, 0.1, 0) to (1, 2, 3)");
+  EXPECT_EQ(text_of(Sphere{{1, 2, 3}, 0.5}), "ball around (1, 2, 3) of radius 0.5");
+  TrianglePairs pairs;
+  EXPECT_EQ(text_of(pairs), "0 pairs");
+  for (std::uint32_t i = 0; i < 18; ++i)
+    pairs.pairs.push_back({i, i});
+  pairs.completeness = Completeness::LimitReached;
+  EXPECT_EQ(text_of(pairs),
+            "18 pairs: 0-0 1-1 2-2 3-3 4-4 5-5 6-6 7-7 8-8 9-9 10-10 11-11 12-12 13-13 14-14 15-15 "
+            "and 2 more (limit reached)");
+  std::ostringstream strange;
+  strange << std::hex << std::showpos;
+  strange.precision(2);
+  strange << TrianglePair{12, 7} << " " << Sphere{{1, 2, 3}, 0.123456789};
+  EXPECT_EQ(strange.str(), "12-7 ball around (1, 2, 3) of radius 0.123456789");
+  EXPECT_EQ(text_of(Work{}), "no work");
+  Work work;
+  work.volume_tests = 12, work.exact_tests = 1;
+  EXPECT_EQ(text_of(work), "12 volume tests, 1 exact tests");
+}
+
+TEST(Values, TextOfAPoseIsReadBackToTheLastBit) {
+  RandomSource source(5);
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose = tests::random_pose(10, source);
+    EXPECT_TRUE(are_equal(parse_pose(to_text(pose), "here"), pose));
+  }
+}
+
+TEST(Values, MeshesAreMadeOfMatricesAndGiveThemBack) {
+  const Mesh mesh = tests::make_torus(1, 0.4, 8, 6);
+  const Eigen::MatrixXd vertices = mesh.vertex_matrix();
+  const Eigen::MatrixXi triangles = mesh.triangle_matrix().cast<int>();
+  ASSERT_EQ(vertices.rows(), static_cast<Eigen::Index>(mesh.vertices().size()));
+  EXPECT_EQ(vertices(5, 2), mesh.vertices()[5].z());
+  const auto expect_same = [&](const Mesh& other) {
+    EXPECT_EQ(other.vertex_matrix(), mesh.vertex_matrix());
+    EXPECT_EQ(other.triangle_matrix(), mesh.triangle_matrix());
+  };
+  expect_same(Mesh(vertices, triangles));
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> by_rows = vertices;
+  const Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> triangles_by_rows = triangles;
+  expect_same(Mesh(by_rows, triangles_by_rows));
+  Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(vertices.rows(), 7);
+  wide.middleCols(2, 3) = vertices;
+  expect_same(Mesh(wide.middleCols(2, 3), triangles));
+  expect_same(mesh.deformed(Eigen::MatrixXd(2 * vertices)).deformed(vertices));
+  EXPECT_THROW(Mesh(wide, triangles), MeshError);
+  EXPECT_THROW(Mesh(vertices, Eigen::MatrixXi(triangles.leftCols(2))), MeshError);
+}
+
+TEST(Values, APlacedMeshKeepsItsMesh) {
+  const auto make = [] { return PlacedMesh{tests::make_box({1, 1, 1}), tests::at(1.5)}; };
+  const PlacedMesh kept = make();
+  EXPECT_TRUE(intersects(kept, PlacedMesh{tests::make_box({1, 1, 1})}));
+  EXPECT_TRUE(intersects({kept.mesh}, kept));
+}
+
+TEST(Values, AMeshGoesBesideAnyShape) {
+  const Mesh box = tests::make_box({1, 1, 1});
+  EXPECT_TRUE(intersects({box}, {Capsule{0.5, 1}, tests::at(1.4)}));
+  EXPECT_FALSE(intersects({Capsule{0.5, 1}, tests::at(1.6)}, {box}));
+  EXPECT_NEAR(distance({box}, {Sphere{{0, 0, 0}, 0.5}, tests::at(2)}).distance, 0.5, 1e-9);
+  static_assert(std::is_same_v<decltype(find_contacts({box}, {box})), MeshContacts>);
+  static_assert(std::is_same_v<decltype(find_contacts({Shape(box)}, {box})), Manifold>);
+}
+
+TEST(Values, TheVersionIsThatOfTheHeaders) {
+  EXPECT_EQ(library_version(), std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor) +
+                                   "." + std::to_string(kVersionPatch));
+}
+
+}  // namespace
+}  // namespace graze
