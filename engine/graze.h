@@ -40,7 +40,6 @@
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/pose_text.h>
-#include <graze/engine/print.h>
 #include <graze/engine/version.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
@@ -76,3 +75,4 @@
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
+#include <graze/print.h>

@@ -1,4 +1,4 @@
-#include <graze/engine/print.h>
+#include <graze/print.h>
 
 #include <algorithm>
 #include <charconv>
