@@ -26,7 +26,7 @@ struct InnerParts {
 /// Starting from the nodes, whose triangles say which end of an edge lies behind the other surface,
 /// parts are followed from vertex to vertex as far as no edge meets the other mesh. Inside is where
 /// the triangles' counter-clockwise sides look away. A region with a loose end encloses nothing,
-/// nor does one from which a way leads from the inside to the outside: of these, the next vertices
+/// nor does one from which edges lead from the inside to the outside: of these, the next vertices
 /// are all there is. Time O(n) in the parts.
 InnerParts find_inner_parts(const CellComplex& complex, const std::vector<Region>& regions,
                             const MeshSide& side);

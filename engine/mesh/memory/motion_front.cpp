@@ -25,7 +25,7 @@ constexpr int kEnoughPasses = 4;
 constexpr std::size_t kWorthAPrediction = 200;
 
 /// Of a predicted motion that is worth it: how fast its motion spent may run, for each unit of the
-/// way, and in how many passes another may follow at once.
+/// motion itself, and in how many passes another may follow at once.
 constexpr double kFastestSpending = 1.5;
 constexpr int kEnoughPredicted = 8;
 
@@ -46,12 +46,12 @@ constexpr double kJump = 4;
 /// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
 constexpr std::size_t kLargest = std::size_t{1} << 19;
 
-/// From corner to corner along the edges.
-double way_around(const bvh::FloatBox& box, double unit) {
-  double way = 0;
+/// The lengths of the edges in the three directions, added up.
+double sum_of_edges(const bvh::FloatBox& box, double unit) {
+  double sum = 0;
   for (int i = 0; i < 3; ++i)
-    way += (double{box.max[i]} - double{box.min[i]}) * unit;
-  return way;
+    sum += (double{box.max[i]} - double{box.min[i]}) * unit;
+  return sum;
 }
 
 }  // namespace
@@ -98,8 +98,8 @@ bool MotionFront::is_outgrown() const {
 void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
   if (front_.has_prediction()) {
     ++passes_predicted_;
-    way_predicted_ += since_last_.way;
-    if (front_.spent() - spent_at_prediction_ > kFastestSpending * way_predicted_) {
+    motion_predicted_ += since_last_.way;
+    if (front_.spent() - spent_at_prediction_ > kFastestSpending * motion_predicted_) {
       front_.drop_prediction();
       next_unpredicted_ = passes_predicted_ >= kEnoughPredicted
                               ? 1
@@ -112,7 +112,7 @@ void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
       passes_unpredicted_-- <= 0) {
     front_.set_prediction(last_, since_last_);
     passes_predicted_ = 0;
-    way_predicted_ = 0;
+    motion_predicted_ = 0;
     spent_at_prediction_ = front_.spent();
   }
   std::copy_n(now, 2, last_);
@@ -143,8 +143,8 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
     pause();
     return std::nullopt;
   }
-  const double smaller =
-      std::min(way_around(tree_a.box(), b_in_a.units_a), way_around(tree_b.box(), b_in_a.units_b));
+  const double smaller = std::min(sum_of_edges(tree_a.box(), b_in_a.units_a),
+                                  sum_of_edges(tree_b.box(), b_in_a.units_b));
   is_live_ = false;
   if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
@@ -157,13 +157,13 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
 }
 
 bvh::WideFront::Foresight MotionFront::foresight() const {
-  const double reach = reach_.queries() * step_;
+  const double distance = look_ahead_.queries() * step_;
   // To go far away and to come back are of one length, and neither jumps beside the other.
-  const bool is_near = reach < bvh::WideFront::kFarthest;
+  const bool is_near = distance < bvh::WideFront::kFarthest;
   if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_ || !is_near) return {};
   const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
   return {
-      .reach = reach,
+      .reach = distance,
       .useful = step_,
       .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
 }
@@ -172,10 +172,10 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
   if (!(step_ > 0)) return;
   const double lasts = std::clamp(std::floor(front_.proven_gap(pass) / step_), 0.0, kLongestGap);
   const double of_each = cost / (1 + lasts);
-  const double tried = reach_.queries();
-  reach_.learn(of_each);
+  const double tried = look_ahead_.queries();
+  look_ahead_.learn(of_each);
   // What was opened in vain is looked at for as long as the front lives.
-  const bool was_in_vain = reach_.queries() < tried;
+  const bool was_in_vain = look_ahead_.queries() < tried;
   if (was_in_vain &&
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
     is_live_ = false;

@@ -3,8 +3,8 @@
 // Private to engine/mesh.
 
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/engine/mesh/memory/front_reach.h>
 #include <graze/engine/mesh/memory/front_worth.h>
+#include <graze/engine/mesh/memory/look_ahead.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
@@ -65,7 +65,7 @@ class MotionFront {
   int pause_ = 0;                  // queries until it may begin
   int next_pause_ = 1;
   FrontWorth worth_;
-  FrontReach reach_;
+  LookAhead look_ahead_;
   double step_ = 0;  // of B in each of the last queries, from where it was before them
   int queries_ = 1;  // how many these are
   bool is_jump_ = true;
@@ -74,7 +74,7 @@ class MotionFront {
   bvh::WideFront::Motion since_last_;
   bool is_last_known_ = false;
   int passes_predicted_ = 0;
-  double way_predicted_ = 0;
+  double motion_predicted_ = 0;
   double spent_at_prediction_ = 0;
   int passes_unpredicted_ = 0;  // until another is tried
   int next_unpredicted_ = 1;

@@ -49,13 +49,14 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
   }
   double square = 0;
   for (int i = 0; i < 3; ++i) {
-    const double way = now.translation[i] - translation[i];
-    sizes += std::abs(way);
-    square += (moved[i] + way) * (moved[i] + way);
+    const double offset = now.translation[i] - translation[i];
+    sizes += std::abs(offset);
+    square += (moved[i] + offset) * (moved[i] + offset);
   }
   // Rounding of sums of five terms, and squares that underflow.
-  const double way = (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
-  return {way, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
+  const double displacement =
+      (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+  return {displacement, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ void CachedMesh::place(const Pose& pose, const char* what) {
   is_placed_ = true;
 }
 
-CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
+CachedMesh::DisplacementBound CachedMesh::displacement_from(const Pose& before) const {
   const double* m = pose_.data();  // column-major 4x4
   const double* n = before.data();
   double moved[3];
@@ -123,8 +124,8 @@ void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
 
 bool PairCache::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const CachedMesh::Motion of_a = motion_from(gap_place_a_, a_);
-  const CachedMesh::Motion of_b = motion_from(gap_place_b_, b_);
+  const CachedMesh::DisplacementBound of_a = displacement_from(gap_place_a_, a_);
+  const CachedMesh::DisplacementBound of_b = displacement_from(gap_place_b_, b_);
   const double left =
       gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
   // Of two motions of which one is none the other is the sum.

@@ -35,11 +35,11 @@ class CachedMesh {
 
   /// No placed point of the mesh is further from where `before` placed it than the root of `square`
   /// and `rounding` (metres).
-  struct Motion {
+  struct DisplacementBound {
     double square = 0;
     double rounding = 0;
   };
-  Motion motion_from(const Pose& before) const;
+  DisplacementBound displacement_from(const Pose& before) const;
 
  private:
   alignas(64) Pose pose_ = Pose::Identity();  // two cache lines: each query compares it
@@ -105,9 +105,10 @@ class PairCache {
     std::uint64_t number = 0;
   };
   static Place place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
-  static CachedMesh::Motion motion_from(const Place& before, const CachedMesh& mesh) {
-    return before.number == mesh.pose_number() ? CachedMesh::Motion()
-                                               : mesh.motion_from(before.pose);
+  static CachedMesh::DisplacementBound displacement_from(const Place& before,
+                                                         const CachedMesh& mesh) {
+    return before.number == mesh.pose_number() ? CachedMesh::DisplacementBound()
+                                               : mesh.displacement_from(before.pose);
   }
 
   Place gap_place_a_;

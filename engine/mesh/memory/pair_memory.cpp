@@ -53,14 +53,13 @@ void require_wide(Volume volume) {
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
-  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, PairCache& remembered, Touch touch,
-               Work& work)
-      : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
-        cache_(remembered),
+  MeetingQuery(const PlacedMesh& a, const PlacedMesh& b, PairCache& cache, Touch touch, Work& work)
+      : query_(a, b, cache.deviation_a(), cache.deviation_b(), work),
+        cache_(cache),
         touch_(touch),
         work_(work) {}
 
-  /// Whether the boxes of all prove it, which is then remembered. A front has them, too.
+  /// Whether the boxes of all prove it, which the cache then keeps. A front has them, too.
   bool are_far_apart() {
     if (cache_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;
@@ -152,13 +151,13 @@ class MeetingQuery {
 // counters for all that.
 
 HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                   PairCache& remembered, Touch touch, Work* work) {
+                                   PairCache& cache, Touch touch, Work* work) {
   CountedWork counted(work);
-  MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
+  MeetingQuery query(mesh_a, mesh_b, cache, touch, counted.work());
   if (query.are_far_apart()) return false;
   if (query.does_cached_pair_touch()) return true;
   // After a hit another is likelier than a gap.
-  const bool was_apart = remembered.pairs().empty();
+  const bool was_apart = cache.pairs().empty();
   TrianglePair found[PairCache::kMostPairs];
   std::size_t count = 0;
   const auto on_pair = [&](TrianglePair pair) {
@@ -166,7 +165,7 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& m
     return bvh::Walk::Stop;
   };
   if (!was_apart || !query.pass_front(on_pair)) query.walk(on_pair);
-  remembered.remember({found, count});
+  cache.remember({found, count});
   return count > 0;
 }
 
@@ -176,14 +175,13 @@ HWY_NOINLINE bool is_one_inside(const PlacedMesh& mesh_a, const PlacedMesh& mesh
 }
 
 HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
-                                      PairCache& remembered, const PairSettings& settings,
-                                      Work* work) {
+                                      PairCache& cache, const PairSettings& settings, Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
-  MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
+  MeetingQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
   const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
-    if (found.pairs.empty()) found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
+    if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
@@ -194,12 +192,12 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
     Work done;
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &done);
     if (settings.threads == 1 && found.completeness == Completeness::Complete)
-      remembered.meeting.learn_walk(done);
+      cache.meeting.learn_walk(done);
     counted.work() += done;
   }
-  remembered.remember(found.pairs);
+  cache.remember(found.pairs);
   // The next pose has about as many.
-  remembered.pairs_found = found.pairs.size() + found.pairs.size() / 4;
+  cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
   return found;
 }
 
@@ -215,9 +213,9 @@ bool intersects(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMemory& 
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    if (!remembered.are_still_beyond(0, work) &&
-        do_surfaces_meet(mesh_a, mesh_b, remembered, settings.touch, work))
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (!cache.are_still_beyond(0, work) &&
+        do_surfaces_meet(mesh_a, mesh_b, cache, settings.touch, work))
       return true;
     return settings.interior == Interior::Solid && is_one_inside(mesh_a, mesh_b, work);
   });
@@ -229,9 +227,9 @@ TrianglePairs find_triangle_pairs(const PlacedMesh& mesh_a, const PlacedMesh& me
     require_wide(settings.volume);
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    if (remembered.are_still_beyond(0, work)) return {};
-    return find_pairs(mesh_a, mesh_b, remembered, settings, work);
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (cache.are_still_beyond(0, work)) return {};
+    return find_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }
 

@@ -11,10 +11,10 @@ namespace {
 constexpr int kSmallestExponent = -1000;  // so that its inverse is a double, too
 
 /// A quarter of what bounds the absolute value of each placed coordinate: sums cannot overflow.
-double quarter_reach(const PlacedMesh& placed) {
+double quarter_of_largest(const PlacedMesh& placed) {
   double largest = 0;
-  for (double reach : placed_reach(placed.pose, placed.mesh.bounds()))
-    largest = std::max(largest, 0.25 * reach);
+  for (double coordinate : largest_coordinates(placed.pose, placed.mesh.bounds()))
+    largest = std::max(largest, 0.25 * coordinate);
   return largest;
 }
 
@@ -33,7 +33,7 @@ constexpr double kDown = 1 - 8 * kUnitRoundoff;
 }  // namespace
 
 SweepUnits::SweepUnits(const PlacedMesh& a, const PlacedMesh& b) {
-  const double quarter = quarter_reach(a) + quarter_reach(b);
+  const double quarter = quarter_of_largest(a) + quarter_of_largest(b);
   int exponent = kSmallestExponent;
   if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);
   if (exponent > 1023) throw PoseError("sweep of mesh B: its coordinates could overflow");

@@ -10,9 +10,9 @@
 
 namespace graze {
 
-/// No point of a body, at most `reach` from its frame's origin, is further than this, metres, from
-/// where it was, each placed as rounding leaves it. Infinite for an infinite reach.
-double motion_bound(const Pose& from, const Pose& to, double reach);
+/// No point of a body, at most `bounding_radius` from its frame's origin, is further than this,
+/// metres, from where it was, each placed as rounding leaves it. Infinite for an infinite radius.
+double motion_bound(const Pose& from, const Pose& to, double bounding_radius);
 
 /// The sum of all motions of a body, rounded up.
 double longer_path(double path, double motion);

@@ -43,13 +43,13 @@ void World::State::make_room_for_changes(std::size_t more) {
 }
 
 void World::State::note_change(std::uint32_t index) {
-  if (all.ways[index].has_changed) return;
+  if (all.changes[index].has_changed) return;
   changed.push_back(index);
-  all.ways[index].has_changed = true;
+  all.changes[index].has_changed = true;
 }
 
 void World::State::note_other_filter(std::uint32_t index) {
-  all.ways[index].has_other_filter = true;
+  all.changes[index].has_other_filter = true;
   note_change(index);
 }
 
@@ -58,9 +58,9 @@ void World::State::note_everything() {
   changed.reserve(all.bodies.size());
   changed.clear();
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
-    Bodies::Way& way = all.ways[index];
-    way.has_changed = way.has_other_filter = all.ids.is_live(index);
-    if (way.has_changed) changed.push_back(index);
+    Bodies::Changes& record = all.changes[index];
+    record.has_changed = record.has_other_filter = all.ids.is_live(index);
+    if (record.has_changed) changed.push_back(index);
   }
 }
 
@@ -69,8 +69,8 @@ std::uint32_t World::State::make_room_for_one() {
   all.ids.prepare_take();
   const std::uint32_t index = all.ids.next();
   if (index >= all.bodies.size()) {
-    make_room_in(all.ways, 1);
-    all.bodies.emplace_back(), all.ways.emplace_back();
+    make_room_in(all.changes, 1);
+    all.bodies.emplace_back(), all.changes.emplace_back();
   }
   make_room_in(changed, 1);
   return index;
@@ -88,7 +88,7 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
 void World::State::begin_move() {
   boxes_to_move.clear();
   places.clear();
-  reaches.clear();
+  bounding_radii.clear();
 }
 
 /// Throws, or has the body's box in the list of those that move. All that is asked of a shape is
@@ -98,7 +98,8 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   const Bodies::Body& mover = body(id, what);
   bvh::check_rigid(pose, what);
   places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
-  reaches.push_back(mover.ask([](const BodyShape& shape) { return shape.reach(); }));
+  bounding_radii.push_back(
+      mover.ask([](const BodyShape& shape) { return shape.bounding_radius(); }));
   boxes_to_move.push_back(broad.id(mover.box));
 }
 
@@ -107,8 +108,8 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
   broad.move(boxes_to_move, places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
-    double& path = all.ways[ids[i].index].path;
-    path = longer_path(path, motion_bound(mover.pose, poses[i], reaches[i]));
+    double& path = all.changes[ids[i].index].path;
+    path = longer_path(path, motion_bound(mover.pose, poses[i], bounding_radii[i]));
     mover.pose = poses[i];
     mover.is_awake = true;
     note_change(ids[i].index);
@@ -135,12 +136,12 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
   all.bodies[index].is_users = is_users_shape(*shape);
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
-  all.ways[index].has_unbuilt_tree = is_unbuilt;
+  all.changes[index].has_unbuilt_tree = is_unbuilt;
 }
 
 void World::State::drop_shape(std::uint32_t index) {
-  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
-  all.ways[index].has_unbuilt_tree = false;
+  if (all.changes[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
+  all.changes[index].has_unbuilt_tree = false;
   all.bodies[index].mesh = nullptr;
   all.bodies[index].shape.reset();
 }
@@ -169,7 +170,7 @@ BodyId World::add(std::shared_ptr<const BodyShape> shape, const Pose& pose,
     const std::uint32_t index = state.make_room_for_one();
     Bodies::Body& body = state.all.bodies[index];
     body = {};
-    state.all.ways[index] = {};
+    state.all.changes[index] = {};
     state.take_shape(index, std::move(shape), mesh);
     try {
       state.insert_box(index, box);
@@ -250,7 +251,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     state.take_shape(id.index, std::move(shape), mesh);
     state.broad.move(state.broad.id(body.box), box);
     body.is_awake = true;
-    state.all.ways[id.index].has_other_shape = true;
+    state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);
   });
 }

@@ -42,18 +42,18 @@ struct Bodies {
   };
 
   /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.
-  struct Way {
+  struct Changes {
     double path = 0;                // metres: no point of it has gone further since it came
     bool has_changed = false;       // came, moved, woke, changed its filter since the last update
-    bool has_other_filter = false;  // its filter, motion or exclusions changed
+    bool has_other_filter = false;  // its filter, kind or exclusions changed
     bool has_other_shape = false;   // what was known of gaps is void
     bool has_unbuilt_tree = false;  // as far as is known: UnbuiltTrees
   };
 
   IdTable<std::uint32_t> ids;
   std::vector<Body> bodies;          // by index
-  std::vector<Way> ways;             // likewise
-  std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
+  std::vector<Changes> changes;      // likewise
+  std::set<std::uint64_t> excluded;  // pairs, each in both orders: one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
 
   /// The id of a body that is there, or was until the last update.
@@ -65,7 +65,7 @@ struct Bodies {
   bool meet(std::uint32_t a, std::uint32_t b) const;
   /// Whether its pairs are looked at where one of the two changed.
   bool is_up(std::uint32_t index) const {
-    return bodies[index].is_awake && (ways[index].has_changed || !bodies[index].is_static());
+    return bodies[index].is_awake && (changes[index].has_changed || !bodies[index].is_static());
   }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
@@ -188,7 +188,7 @@ struct World::State {
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
-  std::vector<double> reaches;
+  std::vector<double> bounding_radii;
   WorldWork work;
 
   bool is_updating = false;
@@ -239,7 +239,7 @@ struct World::State {
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   template <typename OnHit>
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
-  void check_is_settled(const char* what) const;
+  void check_is_updated(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
   bool test(BoxPair pair);
   void sort_contacts();

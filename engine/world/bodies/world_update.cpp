@@ -120,7 +120,7 @@ void World::State::begin_pairs() {
   for (const BoxPair& boxes : broad.begun()) {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
     // Where a filter changed, too, filter_again() sees to it.
-    if (all.ways[pair.a].has_other_filter || all.ways[pair.b].has_other_filter) continue;
+    if (all.changes[pair.a].has_other_filter || all.changes[pair.b].has_other_filter) continue;
     if (all.meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
@@ -144,7 +144,7 @@ void World::State::list_partners(std::uint32_t index) {
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
-    if (all.ways[partner].has_other_filter && partner < index) continue;
+    if (all.changes[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
@@ -155,7 +155,7 @@ void World::State::filter_again(std::uint32_t index) {
 }
 
 /// Where few changed, each with its partners; of two that changed the smaller one sees to the pair.
-/// What is known of a pair lies anywhere in memory: so each step of the way there is taken for all
+/// What is known of a pair lies anywhere in memory: so each step on the way there is taken for all
 /// before the next one, for which it fetches.
 void World::State::test_partners() {
   asked.clear(), due.clear(), order.clear();
@@ -171,11 +171,11 @@ void World::State::test_partners() {
   }
   for (BoxPair& each : asked) {
     each.b = body_of_box[each.b];
-    hwy::Prefetch(&all.ways[each.b]);
+    hwy::Prefetch(&all.changes[each.b]);
     candidates.fetch(ordered_pair(each.a, each.b));
   }
   for (const BoxPair& each : asked) {
-    if (all.ways[each.b].has_changed && each.b < each.a) continue;
+    if (all.changes[each.b].has_changed && each.b < each.a) continue;
     const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
     if (at == Candidates::kNowhere) continue;
     due.push_back(at);
@@ -234,7 +234,7 @@ void World::State::test_changed() {
 }
 
 bool World::State::is_due(BoxPair pair) const {
-  return all.ways[pair.a].has_changed || all.ways[pair.b].has_changed;
+  return all.changes[pair.a].has_changed || all.changes[pair.b].has_changed;
 }
 
 /// Those that are not apart for sure, in `order`, ascending by their bodies, so that what is found
@@ -277,7 +277,7 @@ void World::State::test_pairs_at_rest() {
 
 /// After what may have built the tree of a body's mesh.
 void World::State::look_for_tree(std::uint32_t index) {
-  bool& is_marked = all.ways[index].has_unbuilt_tree;
+  bool& is_marked = all.changes[index].has_unbuilt_tree;
   if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].mesh);
 }
 
@@ -289,7 +289,7 @@ void World::State::note_answer(std::uint32_t at, bool touches) {
 
 bool World::State::is_apart_for_sure(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
-  const Bodies::Way &a = all.ways[pair.a], &b = all.ways[pair.b];
+  const Bodies::Changes &a = all.changes[pair.a], &b = all.changes[pair.b];
   Separation& separation = candidates.separation(at);
   if (a.has_other_shape || b.has_other_shape) separation = {};
   if (!separation.holds(a.path, b.path)) return false;
@@ -307,7 +307,7 @@ void World::State::learn_gap(std::uint32_t at) {
   if (!separation.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
   const double gap =
       a.ask([&](const BodyShape& shape) { return shape.gap(a.pose, *b.shape, b.pose); });
-  separation.set_gap(gap, all.ways[pair.a].path, all.ways[pair.b].path);
+  separation.set_gap(gap, all.changes[pair.a].path, all.changes[pair.b].path);
   ++work.gaps_measured;
 }
 
@@ -317,17 +317,17 @@ void World::State::find_changes() {
   begin_pairs();
   std::erase_if(changed, [&](std::uint32_t index) {
     const bool is_gone = !all.ids.is_live(index);
-    if (is_gone) all.ways[index].has_changed = false;
+    if (is_gone) all.changes[index].has_changed = false;
     return is_gone;
   });
   for (const std::uint32_t index : changed) {
-    if (all.ways[index].has_other_filter) filter_again(index);
+    if (all.changes[index].has_other_filter) filter_again(index);
   }
   test_changed();
   if (!settings.skip_at_rest) test_pairs_at_rest();
   for (const std::uint32_t index : changed) {
-    Bodies::Way& way = all.ways[index];
-    way.has_changed = way.has_other_filter = way.has_other_shape = false;
+    Bodies::Changes& record = all.changes[index];
+    record.has_changed = record.has_other_filter = record.has_other_shape = false;
     look_for_tree(index);
   }
   changed.clear();
@@ -372,7 +372,7 @@ WorldUpdate World::update() {
 
 WorldSnapshot World::snapshot() const {
   const State& state = *state_;
-  state.check_is_settled("snapshot");
+  state.check_is_updated("snapshot");
   const auto candidates = state.candidates.list();
   const auto touches = state.candidates.all_touches();
   return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
@@ -389,7 +389,7 @@ void World::restore(const WorldSnapshot& snapshot) {
       const Bodies::Body& body = fresh->all.bodies[index];
       fresh->insert_box(index,
                         body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
-      fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
+      fresh->all.changes[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
     }
     fresh->broad.update();
     fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);

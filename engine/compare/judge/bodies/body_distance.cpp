@@ -34,7 +34,7 @@ double largest_of(const PlacedBody& body) {
 
 /// By how much a plane across the unit direction has A behind it and B before it.
 double gap_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
-  const double gap = -reach_along(b.shape, b.pose, -n) - reach_along(a.shape, a.pose, n);
+  const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 

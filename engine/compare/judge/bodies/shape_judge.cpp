@@ -95,7 +95,7 @@ double proved_gap(const PlacedBody& a, const PlacedBody& b, Eigen::Vector3d n) {
   // A half-space is bounded in its own direction only.
   if (const auto* plane = a.shape.as<HalfSpace>()) n = a.pose.linear() * plane->normal;
   if (const auto* plane = b.shape.as<HalfSpace>()) n = -(b.pose.linear() * plane->normal);
-  const double gap = -reach_along(b.shape, b.pose, -n) - reach_along(a.shape, a.pose, n);
+  const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 

@@ -16,7 +16,7 @@ RationalPoint minus(const RationalPoint& p, const RationalPoint& q);
 mpq_class dot(const RationalPoint& p, const RationalPoint& q);
 RationalPoint cross(const RationalPoint& p, const RationalPoint& q);
 
-/// The way from corner i to the next one.
+/// The edge from corner i to the next one.
 RationalPoint edge_of(const RationalTriangle& triangle, std::size_t i);
 
 struct Extent {

@@ -11,12 +11,12 @@ namespace graze {
 /// other, and saves the passes of the queries that the gap then answers. Which pays is learned by
 /// trying: a step further as long as a query costs less, back when it costs more, and what was in
 /// vain is tried again later and later.
-class FrontReach {
+class LookAhead {
  public:
   /// 0 where it looks no further than what meets.
   double queries() const { return kQueries[level_]; }
 
-  /// What a query has cost with this reach: any unit.
+  /// What a query has cost with this look-ahead: any unit.
   void learn(double cost);
 
  private:

@@ -3,7 +3,7 @@
 
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/world/contacts/contact_questions.h>
+#include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/mesh_crossings.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
@@ -17,10 +17,10 @@ namespace {
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
-// Patches that face ways at less than about 25 degrees are one.
-constexpr double kOneWay = 0.9;
+// Patches whose normals differ by less than about 25 degrees are one.
+constexpr double kSameDirection = 0.9;
 
-// A face that the way out leads along, to about 80 degrees, does not end it.
+// A face that is parallel to the direction of separation, to about 10 degrees, bounds no depth.
 constexpr double kFacingOut = 0.17;
 
 // So many vertices of one mesh inside the other are looked at, the ones that are furthest in first,
@@ -54,12 +54,12 @@ struct InnerPoint {
 
 /// A vertex that may be one, and how far in it is.
 struct OpenVertex {
-  double reach;
+  double height;
   std::uint32_t vertex;
   std::uint32_t loop;
   Vec3 point;
   bool operator<(const OpenVertex& other) const {
-    return reach != other.reach ? reach < other.reach : vertex > other.vertex;
+    return height != other.height ? height < other.height : vertex > other.vertex;
   }
 };
 
@@ -113,11 +113,11 @@ bool sum_up_pieces(const MeshCrossings& found, std::vector<Piece>& pieces) {
   pieces.assign(found.pieces, {});
   for (const MeshCrossing& crossing : found.crossings) {
     Piece& piece = pieces[crossing.piece];
-    const double way = length(crossing.to - crossing.from);
+    const double segment_length = length(crossing.to - crossing.from);
     if (piece.length == 0) piece.first = crossing.from;
     piece.area = piece.area + cross(crossing.from - piece.first, crossing.to - piece.first) * 0.5;
-    piece.faces = piece.faces + (crossing.normal_a - crossing.normal_b) * way;
-    piece.length += way;
+    piece.faces = piece.faces + (crossing.normal_a - crossing.normal_b) * segment_length;
+    piece.length += segment_length;
   }
   for (Piece& piece : pieces) {
     const std::optional<Vec3> normal = normal_of(piece);
@@ -127,7 +127,7 @@ bool sum_up_pieces(const MeshCrossings& found, std::vector<Piece>& pieces) {
   return true;
 }
 
-/// Joins pieces that face one way into patches, the largest first.
+/// Joins pieces with nearly the same normal into patches, the largest first.
 void find_patches(Scratch& s) {
   s.by_area.clear(), s.patches.clear();
   for (std::uint32_t i = 0; i < s.pieces.size(); ++i)
@@ -140,7 +140,8 @@ void find_patches(Scratch& s) {
   for (const std::uint32_t i : s.by_area) {
     Piece& piece = s.pieces[i];
     std::uint32_t at = 0;
-    while (at < s.patches.size() && dot(s.pieces[s.patches[at]].normal, piece.normal) < kOneWay)
+    while (at < s.patches.size() &&
+           dot(s.pieces[s.patches[at]].normal, piece.normal) < kSameDirection)
       ++at;
     piece.patch = at;
     if (at == s.patches.size()) s.patches.push_back(i);
@@ -252,8 +253,8 @@ class InnerFinder {
   std::span<const std::uint32_t> welded_;
 };
 
-/// How far a point is, along the way out, behind the nearest of the faces that its loop crosses;
-/// no more than `enough` counts.
+/// How far a point is, along the direction out, behind the nearest of the faces that its loop
+/// crosses; no more than `enough` counts.
 double depth_of(const InnerPoint& inner, const Vec3& out, const Scratch& s, bool is_in_a,
                 double enough) {
   double least = std::numeric_limits<double>::infinity();
@@ -311,7 +312,7 @@ std::uint32_t side_of(const Pose& pose, const Vec3& direction) {
 /// The corners of each patch: where it ends in four directions that turn with A, so that they are
 /// the same ones in the next step. The directions are askew to A's axes, as edges seldom are.
 void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
-                 std::vector<ContactPoint>& touches) {
+                 std::vector<ContactPoint>& candidates) {
   const double* m = a.pose.data();
   for (std::uint32_t patch = 0; patch < s.patches.size(); ++patch) {
     const Vec3& normal = s.pieces[s.patches[patch]].normal;
@@ -325,7 +326,7 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
     const auto axis = [&](std::uint32_t i) { return Vec3{m[4 * i], m[4 * i + 1], m[4 * i + 2]}; };
     const Vec3 u = axis((k + 1) % 3), v = axis((k + 2) % 3);
     constexpr double kCosine = 0.95, kSine = 0.31;
-    const Vec3 ways[] = {u * kCosine + v * kSine, v * kCosine - u * kSine};
+    const Vec3 directions[] = {u * kCosine + v * kSine, v * kCosine - u * kSine};
     // A fifth is of the deepest loop, which may lie between the corners.
     const Loop* deepest = nullptr;
     for (const Loop& loop : s.loops) {
@@ -340,8 +341,8 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
       if (loop.piece->patch != patch) continue;
       for (int i = 0; i < 5; ++i) {
         if (i == 4 && &loop != deepest) continue;
-        const double along =
-            i < 2 || i == 4 ? dot(ways[i % 2], crossing.from) : -dot(ways[i - 2], crossing.from);
+        const double along = i < 2 || i == 4 ? dot(directions[i % 2], crossing.from)
+                                             : -dot(directions[i - 2], crossing.from);
         if (corner[i] == nullptr || along > most[i])
           most[i] = along, corner[i] = &crossing.from, of[i] = &loop;
       }
@@ -351,7 +352,7 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
       if (i == 4 && std::find(of, of + 4, deepest) != of + 4) continue;
       const std::uint64_t feature_a = (std::uint64_t{rank} << 8 | side_a) << 2 | (i % 4);
       const std::uint64_t fifth = i == 4 ? std::uint64_t{1} << 63 : 0;
-      touches.push_back(
+      candidates.push_back(
           {*corner[i], *corner[i], normal, of[i]->depth, fifth | feature_a, feature_b});
     }
   }
@@ -359,13 +360,13 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
 
 }  // namespace
 
-bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& touches,
-                          Work& work) {
+bool candidates_of_crossings(const PlacedShape& a, const PlacedShape& b,
+                             ContactCandidates& candidates, Work& work) {
   static thread_local Scratch s;  // no question is asked within another
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
-  touches.origin = middle_of(a.shape, a.pose);
-  const Vec3 origin = to_vec3(touches.origin);
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Vec3 origin = to_vec3(candidates.origin);
   const bool is_all = find_crossings(mesh_a, mesh_b, origin, s.found, work);
   if (s.found.pairs.empty()) return true;
   if (!is_all || !sum_up_pieces(s.found, s.pieces)) return false;
@@ -374,7 +375,7 @@ bool touches_of_crossings(const PlacedShape& a, const PlacedShape& b, Touches& t
   InnerFinder(mesh_a, InnerSide::OfA, origin, s, s.inner_a).run(s.found.edges_a);
   InnerFinder(mesh_b, InnerSide::OfB, origin, s, s.inner_b).run(s.found.edges_b);
   find_depths(s);
-  add_corners(mesh_a, mesh_b, s, touches.list);
+  add_corners(mesh_a, mesh_b, s, candidates.list);
   return true;
 }
 

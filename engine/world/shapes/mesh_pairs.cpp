@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 namespace graze {

@@ -67,7 +67,7 @@ void for_each_resting(double depth, Check&& check) {
   }
 }
 
-TEST(MeshTouches, FaceAndReachAsTheExactContactsDo) {
+TEST(MeshCandidates, FaceAndReachAsTheExactContactsDo) {
   int all = 0, alike = 0, as_deep = 0;
   for_each_resting(0.02, [&](const Resting& pair, const Manifold& manifold) {
     const MeshContacts exact = find_contacts({pair.a, pair.pose_a}, {pair.b, pair.pose_b});
@@ -93,7 +93,7 @@ TEST(MeshTouches, FaceAndReachAsTheExactContactsDo) {
 }
 
 /// Pressed into the top of a table by 0.3, whatever the size of the triangles.
-TEST(MeshTouches, FineMeshesAreAsDeepAsCoarseOnes) {
+TEST(MeshCandidates, FineMeshesAreAsDeepAsCoarseOnes) {
   const Mesh table = tests::make_box({8, 8, 1});
   for (const int sectors : {12, 48, 192}) {
     const Mesh ball = tests::make_sphere(1, sectors / 2, sectors);
@@ -119,7 +119,7 @@ Mesh moved_together(const Mesh& mesh, const std::vector<Vector3d>& places) {
 }
 
 /// Five teeth of one mesh in the two triangles of a table's top, the one in the middle the deepest.
-TEST(MeshTouches, EachToothIsAsDeepAsItIs) {
+TEST(MeshCandidates, EachToothIsAsDeepAsItIs) {
   const Mesh table = tests::make_box({8, 8, 1});
   const std::vector<Vector3d> places = {
       {-4, 0, 0.2}, {-2, 0, 0.1}, {0.1, 0, 0}, {2.2, 0, 0.1}, {4.3, 0, 0.2}};
@@ -142,7 +142,7 @@ TEST(MeshTouches, EachToothIsAsDeepAsItIs) {
   }
 }
 
-TEST(MeshTouches, SwappingMirrorsBitForBit) {
+TEST(MeshCandidates, SwappingMirrorsBitForBit) {
   for_each_resting(0.05, [&](const Resting& pair, const Manifold& manifold) {
     const Manifold other = find_contacts(Shape(pair.b), pair.pose_b, Shape(pair.a), pair.pose_a);
     ASSERT_EQ(other.size(), manifold.size());
@@ -158,7 +158,7 @@ TEST(MeshTouches, SwappingMirrorsBitForBit) {
   });
 }
 
-TEST(MeshTouches, OfMeshesInOnePoseTheirVerticesDecideWhoIsFirst) {
+TEST(MeshCandidates, OfMeshesInOnePoseTheirVerticesDecideWhoIsFirst) {
   const Mesh a = tests::make_torus(1, 0.35, 40, 16), b = tests::make_sphere(0.9, 15, 24);
   const Pose pose = Pose::Identity();
   const Manifold m = find_contacts(Shape(a), pose, Shape(b), pose);
@@ -172,7 +172,7 @@ TEST(MeshTouches, OfMeshesInOnePoseTheirVerticesDecideWhoIsFirst) {
 }
 
 // The patch is bent and as wide as the box; what is behind the floor or the wall is not deep.
-TEST(MeshTouches, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
+TEST(MeshCandidates, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
   const Mesh room(
       std::vector<Vector3d>{{0, -4, 0}, {4, -4, 0}, {4, 4, 0}, {0, 4, 0}, {0, -4, 4}, {0, 4, 4}},
       std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}});
@@ -191,7 +191,7 @@ TEST(MeshTouches, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
 }
 
 // Sunk into the middle of two large triangles: corners of the box, and how far it has sunk.
-TEST(MeshTouches, ABoxOnAPlaneHasFourCorners) {
+TEST(MeshCandidates, ABoxOnAPlaneHasFourCorners) {
   const Mesh ground(std::vector<Vector3d>{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}},
                     std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}});
   Pose pose = Pose::Identity();
@@ -209,7 +209,7 @@ TEST(MeshTouches, ABoxOnAPlaneHasFourCorners) {
   }
 }
 
-TEST(MeshTouches, FeaturesStayWhileMeshesMoveALittle) {
+TEST(MeshCandidates, FeaturesStayWhileMeshesMoveALittle) {
   RandomSource source(42);
   int all = 0, kept = 0;
   for_each_resting(0.02, [&](const Resting& pair, const Manifold& manifold) {
@@ -231,7 +231,7 @@ TEST(MeshTouches, FeaturesStayWhileMeshesMoveALittle) {
   EXPECT_GT(kept, 0.9 * all);
 }
 
-TEST(MeshTouches, AStepOfMeshesAllocatesNothing) {
+TEST(MeshCandidates, AStepOfMeshesAllocatesNothing) {
   World world;
   const std::vector<Mesh> meshes = solids();
   std::vector<BodyId> ids;

@@ -19,9 +19,9 @@ namespace graze {
 ///
 /// A distance as returned may be less than the true one, by 4 ulp of a difference of coordinates:
 /// 8 u times at most 1.8 (tau + 8), in common units, in which centres are tau and boxes 4 apart.
-class DistanceReach {
+class DistanceLimit {
  public:
-  DistanceReach(const PlacedFrame& a, const PlacedFrame& b, const bvh::RelativeFrame& relative)
+  DistanceLimit(const PlacedFrame& a, const PlacedFrame& b, const bvh::RelativeFrame& relative)
       : per_metre_(std::ldexp(1.0, -std::max(a.frame.exponent, b.frame.exponent))) {
     const double gram = 3.01 * a.deviation + b.deviation + 64 * 0x1p-53;
     growth_ = 1 + 2 * (a.deviation + gram);
@@ -35,7 +35,7 @@ class DistanceReach {
 
   double units() const { return units_; }
 
-  /// The other way about: placed points that are so far apart are at least so far in the common
+  /// The inverse: placed points that are so far apart are at least so far in the common
   /// frame, and back.
   double least_units(double metres) const { return (metres * per_metre_ - margin_) / growth_; }
   double least_metres(double units) const { return (units / growth_ - margin_) / per_metre_; }

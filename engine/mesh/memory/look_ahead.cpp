@@ -1,16 +1,16 @@
-#include <graze/engine/mesh/memory/front_reach.h>
+#include <graze/engine/mesh/memory/look_ahead.h>
 
 #include <algorithm>
 
 namespace graze {
 namespace {
 
-/// What costs nearly as much with a smaller reach had better have that.
+/// What costs nearly as much with a shorter look-ahead had better have that.
 constexpr double kWorth = 1.1;
 
 }  // namespace
 
-void FrontReach::learn(double cost) {
+void LookAhead::learn(double cost) {
   double& known = cost_[level_];
   known = known > 0 ? 0.5 * (known + cost) : cost;
   const bool was_new = is_new_;

@@ -1,6 +1,7 @@
+#include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
@@ -60,6 +61,17 @@ bool are_opposite(const Vec3& a, const Vec3& b) {
   return a.x == -b.x && a.y == -b.y && a.z == -b.z;
 }
 
+/// Nodes by a lower bound of the height of what is in them, for traverse_nearest().
+template <typename Bound>
+struct HeightBounds {
+  const Bound& bound;
+  const double& best;
+
+  double of(std::uint32_t node) const { return bound(node); }
+  bool is_missed(double) const { return false; }
+  bool is_beyond(double height) const { return height >= best; }
+};
+
 /// Walks towards the lowest vertex. A node's box is bounded by the plane turned into the mesh's
 /// frame; the slack there is that of MeshDescent, whose box this plane stands in for.
 Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
@@ -79,6 +91,7 @@ Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
                       2 * largest(from_mesh) + std::abs(plane.offset);
   const double law_1 = std::max(std::abs(m[12]), std::max(std::abs(m[13]), std::abs(m[14])));
   const double slack = 0x40p-53 * size + 0x10p-53 * law_1 + plane.slack;
+  Height best{std::numeric_limits<double>::infinity(), slack, {}};
   const auto bound = [&](std::uint32_t node) {
     ++work.volume_tests;
     const bvh::FloatBox& b = tree.nodes[node].box;
@@ -87,27 +100,8 @@ Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
       low += std::min(own[k] * b.min[k], own[k] * b.max[k]);
     return base + low * unit - slack;
   };
-
-  Height best{std::numeric_limits<double>::infinity(), slack, {}};
-  struct Waiting {
-    std::uint32_t node;
-    double bound;
-  };
-  bvh::TraversalStack<Waiting, 128> open;
-  open.push({0, bound(0)});
-  while (!open.empty() && best.height > enough) {
-    const Waiting top = open.pop();
-    if (top.bound >= best.height) continue;
-    const bvh::Node& node = tree.nodes[top.node];
-    if (!node.is_leaf()) {
-      Waiting near{node.first, bound(node.first)};
-      Waiting far{node.first + 1, bound(node.first + 1)};
-      if (far.bound < near.bound) std::swap(near, far);
-      open.push(far);
-      open.push(near);
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+  bvh::traverse_nearest(tree, HeightBounds{bound, best.height}, [&](const bvh::Node& leaf) {
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const Triangle t = narrowphase::place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
       for (const Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) {
         const Vec3 point = to_vec3(*corner) - to_vec3(origin);
@@ -115,7 +109,8 @@ Height lowest_vertex(const PlacedMesh& mesh, const PlacedHalfSpace& plane,
         if (height < best.height) best.height = height, best.lowest = point;
       }
     }
-  }
+    return best.height > enough ? bvh::Walk::Continue : bvh::Walk::Stop;
+  });
   return best;
 }
 

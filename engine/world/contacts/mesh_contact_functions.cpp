@@ -1,9 +1,9 @@
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
-#include <graze/engine/world/contacts/contact_questions.h>
+#include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/contact/triangle_parting.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
@@ -26,10 +26,10 @@ using narrowphase::Vec3;
 namespace {
 
 /// What one triangle offers.
-class TriangleTouches {
+class TriangleCandidates {
  public:
-  TriangleTouches(const Core& core, Touches& touches, Work& work)
-      : core_(core), touches_(touches), work_(work) {}
+  TriangleCandidates(const Core& core, ContactCandidates& candidates, Work& work)
+      : core_(core), candidates_(candidates), work_(work) {}
 
   void add(std::uint32_t index, const Core& triangle) {
     PairStatus status{};
@@ -39,8 +39,8 @@ class TriangleTouches {
   }
 
   /// Leaves those of triangles seen from outside, or else of those seen from behind.
-  void settle() {
-    if (touches_.list.empty()) std::swap(touches_.list, touches_.from_behind);
+  void choose_side() {
+    if (candidates_.list.empty()) std::swap(candidates_.list, candidates_.from_behind);
   }
 
   void offer(std::uint32_t index, const Core& triangle) {
@@ -49,13 +49,13 @@ class TriangleTouches {
     const bool has_area = largest(outward) > 0;
     const Vec3 normal = unit_or(outward, {0, 0, 1});
     const bool is_front = has_area && dot(normal, core_.at - triangle.corner[0]) >= 0;
-    std::vector<ContactPoint>& found = touches_.found;
+    std::vector<ContactPoint>& found = candidates_.found;
     found.clear();
     if (is_front) {
       Parting parting;
       parting.way = along(core_, triangle, -normal);
       parting.way.depth = std::max(parting.way.depth, 0.0);
-      add_touches_within(triangle, parting, found);
+      add_candidates_within(triangle, parting, found);
     }
     if (found.empty()) {
       const Parting parting = least_parting(triangle, has_area);
@@ -63,7 +63,8 @@ class TriangleTouches {
       work_.penetration_failures += parting.is_failed;
       add_touches(core_, triangle, parting, found);
     }
-    std::vector<ContactPoint>& list = is_front || !has_area ? touches_.list : touches_.from_behind;
+    std::vector<ContactPoint>& list =
+        is_front || !has_area ? candidates_.list : candidates_.from_behind;
     for (ContactPoint& touch : found) {
       touch.feature_b = (static_cast<std::uint64_t>(index) << 32) | (touch.feature_b & 0xffffffff);
       list.push_back(touch);
@@ -80,8 +81,8 @@ class TriangleTouches {
 
   /// Contacts along the triangle's normal, if the shape's deepest point or some of its face is
   /// above the triangle itself.
-  void add_touches_within(const Core& triangle, const Parting& parting,
-                          std::vector<ContactPoint>& found) {
+  void add_candidates_within(const Core& triangle, const Parting& parting,
+                             std::vector<ContactPoint>& found) {
     const Vec3& deepest = parting.way.point_a;
     const Vec3 normal = -parting.way.normal;
     bool is_within = true;
@@ -112,7 +113,7 @@ class TriangleTouches {
   }
 
   const Core& core_;
-  Touches& touches_;
+  ContactCandidates& candidates_;
   Work& work_;
 };
 
@@ -129,19 +130,19 @@ std::uint32_t triangle_at(const PlacedMesh& mesh, const Eigen::Vector3d& point) 
 
 }  // namespace
 
-void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& touches,
-                          Work& work) {
+void candidates_of_mesh_core(const PlacedShape& a, const PlacedShape& b,
+                             ContactCandidates& candidates, Work& work) {
   const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
-  touches.origin = middle_of(a.shape, a.pose);
-  const Core core = core_of(a.shape, a.pose, touches.origin);
-  MeshDescent descent(mesh, core, touches.origin, work);
-  TriangleTouches found(core, touches, work);
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, candidates.origin);
+  MeshDescent descent(mesh, core, candidates.origin, work);
+  TriangleCandidates found(core, candidates, work);
   descent.for_each_near([&](std::uint32_t index) {
     found.add(index, descent.triangle(index));
     return bvh::Walk::Continue;
   });
-  found.settle();
-  if (!touches.list.empty()) return;
+  found.choose_side();
+  if (!candidates.list.empty()) return;
   // An exact hit that rounding keeps apart: the nearest triangle touches.
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -152,7 +153,7 @@ void touches_of_mesh_core(const PlacedShape& a, const PlacedShape& b, Touches& t
                             return bvh::Walk::Continue;
                           });
   found.offer(nearest, descent.triangle(nearest));
-  found.settle();
+  found.choose_side();
 }
 
 namespace {
@@ -187,32 +188,33 @@ class ExactVolume {
 
 }  // namespace
 
-void touches_of_mesh_volume(const PlacedShape& a, const PlacedShape& b, Touches& touches,
-                            Work& work) {
+void candidates_of_mesh_volume(const PlacedShape& a, const PlacedShape& b,
+                               ContactCandidates& candidates, Work& work) {
   const PlacedMesh mesh{*b.shape.as<Mesh>(), b.pose};
-  touches.origin = middle_of(a.shape, a.pose);
-  const Core core = core_of(a.shape, a.pose, touches.origin);
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, candidates.origin);
   const ExactVolume volume(a);
-  MeshDescent descent(mesh, core, touches.origin, work);
-  TriangleTouches found(core, touches, work);
+  MeshDescent descent(mesh, core, candidates.origin, work);
+  TriangleCandidates found(core, candidates, work);
   descent.for_each_near([&](std::uint32_t index) {
     const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
-    if (volume.meets(placed, work)) found.offer(index, core_of(placed, touches.origin));
+    if (volume.meets(placed, work)) found.offer(index, core_of(placed, candidates.origin));
     return bvh::Walk::Continue;
   });
-  found.settle();
+  found.choose_side();
 }
 
-void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches,
-                           Work& work) {
+void candidates_of_mesh_plane(const PlacedShape& a, const PlacedShape& b,
+                              ContactCandidates& candidates, Work& work) {
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
-  touches.origin = Eigen::Vector3d(m[12], m[13], m[14]);
-  const PlacedHalfSpace plane = placed_half_space(*a.shape.as<HalfSpace>(), a.pose, touches.origin);
+  candidates.origin = Eigen::Vector3d(m[12], m[13], m[14]);
+  const PlacedHalfSpace plane =
+      placed_half_space(*a.shape.as<HalfSpace>(), a.pose, candidates.origin);
   const Aabb& box = mesh.bounds();
   const double size =
       largest(to_vec3(box.min)) + largest(to_vec3(box.max)) + std::abs(plane.offset) + plane.slack;
-  std::vector<bool>& is_seen = touches.is_seen;
+  std::vector<bool>& is_seen = candidates.is_seen;
   is_seen.assign(mesh.vertices().size(), false);
   double lowest = std::numeric_limits<double>::infinity();
   ContactPoint deepest{};
@@ -221,40 +223,41 @@ void touches_of_mesh_plane(const PlacedShape& a, const PlacedShape& b, Touches& 
       if (is_seen[index]) continue;
       is_seen[index] = true;
       const Vec3 point =
-          to_vec3(narrowphase::place(b.pose, mesh.vertices()[index])) - to_vec3(touches.origin);
+          to_vec3(narrowphase::place(b.pose, mesh.vertices()[index])) - to_vec3(candidates.origin);
       const double height = dot(plane.normal, point) - plane.offset;
       const double depth = std::max(-height, 0.0);
       const Vec3 foot = point - plane.normal * height;
       const ContactPoint touch{foot, point, plane.normal, depth, 0, index};
       if (height < lowest) lowest = height, deepest = touch;
-      if (height <= kTouchTolerance * size) touches.list.push_back(touch);
+      if (height <= kTouchTolerance * size) candidates.list.push_back(touch);
     }
   }
-  if (touches.list.empty()) touches.list.push_back(deepest);
+  if (candidates.list.empty()) candidates.list.push_back(deepest);
   ++work.convex_tests;
 }
 
 namespace {
 
 /// Of meshes that touch in planes, along lines or in points: by their exact intersection.
-void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
+void candidates_of_pieces(const PlacedShape& a, const PlacedShape& b, ContactCandidates& candidates,
+                          Work& work) {
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
-  touches.origin = middle_of(a.shape, a.pose);
-  const Vec3 origin = to_vec3(touches.origin);
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Vec3 origin = to_vec3(candidates.origin);
   const MeshContacts contacts = find_contacts(mesh_a, mesh_b, {}, &work);
   for (const MeshContact& contact : contacts) {
-    std::vector<ContactPoint>& of_piece = touches.found;
+    std::vector<ContactPoint>& of_piece = candidates.found;
     of_piece.clear();
     for (const Eigen::Vector3d& point : contacts.points_of(contact)) {
       const Vec3 on_both = to_vec3(point) - origin;
       of_piece.push_back({on_both, on_both, to_vec3(contact.normal), contact.depth, 0, 0});
     }
     narrowphase::reduce(of_piece, 4);
-    touches.list.insert(touches.list.end(), of_piece.begin(), of_piece.end());
+    candidates.list.insert(candidates.list.end(), of_piece.begin(), of_piece.end());
   }
-  narrowphase::reduce(touches.list, 4);
-  for (ContactPoint& touch : touches.list) {
+  narrowphase::reduce(candidates.list, 4);
+  for (ContactPoint& touch : candidates.list) {
     const Eigen::Vector3d point = to_eigen(touch.point_a + origin);
     touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
     touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
@@ -263,8 +266,10 @@ void touches_of_pieces(const PlacedShape& a, const PlacedShape& b, Touches& touc
 
 }  // namespace
 
-void touches_of_meshes(const PlacedShape& a, const PlacedShape& b, Touches& touches, Work& work) {
-  if (!touches_of_crossings(a, b, touches, work)) touches_of_pieces(a, b, touches, work);
+void candidates_of_meshes(const PlacedShape& a, const PlacedShape& b, ContactCandidates& candidates,
+                          Work& work) {
+  if (!candidates_of_crossings(a, b, candidates, work))
+    candidates_of_pieces(a, b, candidates, work);
 }
 
 }  // namespace graze

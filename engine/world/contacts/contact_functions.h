@@ -1,0 +1,48 @@
+#pragma once
+
+// What each row of the table of pairs offers as contacts; A's kind is not above B's, and points are
+// relative to the origin that is handed back. Private to engine/world.
+
+#include <graze/engine/world/shapes/pair_input.h>
+#include <graze/narrowphase/convex/contact/touches.h>
+
+#include <vector>
+
+namespace graze {
+
+/// What is offered. Kept from one question to the next, so that no step of a simulation allocates.
+struct ContactCandidates {
+  Eigen::Vector3d origin;
+  std::vector<narrowphase::ContactPoint> list;
+  std::vector<narrowphase::ContactPoint> from_behind;  ///< of a mesh, its triangles seen so
+  std::vector<narrowphase::ContactPoint> found;        ///< what is at hand
+  std::vector<bool> is_seen;                           ///< of a mesh, its vertices
+
+  void clear() {
+    list.clear();
+    from_behind.clear();
+  }
+};
+
+void candidates_of_cores(const PlacedShape& a, const PlacedShape& b, ContactCandidates& candidates,
+                         Work& work);
+/// Two boxes, which need not touch: no contacts then.
+void candidates_of_boxes(const PlacedShape& a, const PlacedShape& b, ContactCandidates& candidates,
+                         Work& work);
+void candidates_with_plane(const PlacedShape& a, const PlacedShape& b,
+                           ContactCandidates& candidates);
+void candidates_of_mesh_plane(const PlacedShape& a, const PlacedShape& b,
+                              ContactCandidates& candidates, Work& work);
+void candidates_of_mesh_core(const PlacedShape& a, const PlacedShape& b,
+                             ContactCandidates& candidates, Work& work);
+/// A sphere or a box and a mesh, which need not touch: no contacts then.
+void candidates_of_mesh_volume(const PlacedShape& a, const PlacedShape& b,
+                               ContactCandidates& candidates, Work& work);
+/// Two meshes, likewise.
+void candidates_of_meshes(const PlacedShape& a, const PlacedShape& b, ContactCandidates& candidates,
+                          Work& work);
+/// Likewise, where triangles go through each other. False if that does not tell.
+bool candidates_of_crossings(const PlacedShape& a, const PlacedShape& b,
+                             ContactCandidates& candidates, Work& work);
+
+}  // namespace graze
