@@ -1,7 +1,7 @@
 #include <graze/engine/mesh/contacts/contact_normal.h>
 #include <graze/engine/mesh/contacts/face_normals.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
-#include <graze/engine/mesh/sweep/middle.h>
+#include <graze/engine/mesh/sweep/sweep.h>
 
 #include <algorithm>
 #include <cmath>

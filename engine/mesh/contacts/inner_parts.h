@@ -20,7 +20,7 @@ struct MeshSide {
 /// points: placed vertices, and the nodes at which their edges leave the other mesh.
 struct InnerParts {
   std::vector<std::vector<Eigen::Vector3d>> parts;
-  std::vector<std::vector<std::uint32_t>> of_region;  // which parts end at it
+  std::vector<std::vector<std::uint32_t>> of_region;  ///< for each region, which parts end at it
 };
 
 /// Starting from the nodes, whose triangles say which end of an edge lies behind the other surface,

@@ -22,7 +22,7 @@ class SurfaceSides {
 
  private:
   const PlacedCorners& corners_;
-  std::vector<std::pair<FeatureName, std::uint32_t>> triangles_;  // at faces and edges, ascending
+  std::vector<std::pair<FeatureName, std::uint32_t>> triangles_;  ///< at faces and edges, ascending
 };
 
 }  // namespace graze::contacts

@@ -5,7 +5,7 @@
 namespace graze {
 namespace {
 
-/// What costs nearly as much with a shorter look-ahead had better have that.
+/// A longer look-ahead must cost less by this factor to be kept.
 constexpr double kWorth = 1.1;
 
 }  // namespace

@@ -6,28 +6,29 @@
 
 namespace graze {
 
-/// How far ahead a front looks where nothing meets: for how many queries the gap that a pass proves
-/// should last. To open boxes that are apart costs time, dearly so where surfaces lie near each
-/// other, and saves the passes of the queries that the gap then answers. Which pays is learned by
-/// trying: a step further as long as a query costs less, back when it costs more, and what was in
-/// vain is tried again later and later.
+/// The look-ahead of a front where nothing meets: for how many queries the gap that a pass proves
+/// should last. A longer one opens more boxes that are apart, which costs time, above all where
+/// surfaces lie near each other; and it saves the passes of the queries that the gap then answers.
+/// What pays is learned by trying: one level more as long as a query costs less, one less when it
+/// costs more. A level that did not pay is tried again later, and each time after a longer wait.
 class LookAhead {
  public:
-  /// 0 where it looks no further than what meets.
+  /// How many queries ahead; 0 where only what meets is looked at.
   double queries() const { return kQueries[level_]; }
 
-  /// What a query has cost with this look-ahead: any unit.
+  /// Takes note of what a query has cost with this look-ahead, in any unit.
   void learn(double cost);
 
  private:
   static constexpr int kLevels = 4;
   static constexpr double kQueries[kLevels] = {0, 2, 4, 8};
 
-  double cost_[kLevels] = {};  // the last ones count most; 0 where nothing is known
+  double cost_[kLevels] =
+      {};  ///< of each level, a mean in which the last queries count most; 0: unknown
   int level_ = 0;
-  bool is_new_ = false;  // no pass has had this level since it was raised
-  int hold_ = 0;         // passes until the next try
-  int next_hold_ = kFirstHold;
+  bool is_new_ = false;  ///< whether the level was raised and no query has been made with it yet
+  int hold_ = 0;         ///< how many queries remain until a higher level is tried
+  int next_hold_ = kFirstHold;  ///< what hold_ becomes when a level does not pay
 
   static constexpr int kFirstHold = 4;
   static constexpr int kLongestHold = 64;

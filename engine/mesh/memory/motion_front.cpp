@@ -17,11 +17,10 @@ constexpr int kLongestPause = 64;             // queries
 /// so before, or no front is begun for it.
 constexpr double kFast = 0.005;
 
-/// To begin a front costs three times a walk: so many passes pay for that.
+/// To begin a front costs as much as three walks: after so many updates that has paid.
 constexpr int kEnoughPasses = 4;
 
-/// Measured. What a smaller front has due is looked at in less time than the predicted motion
-/// takes.
+/// Measured. In a smaller front the pairs that are due take less time than a prediction.
 constexpr std::size_t kWorthAPrediction = 200;
 
 /// Of a predicted motion that is worth it: how fast its motion spent may run, for each unit of the
@@ -40,7 +39,7 @@ constexpr double kMostAhead = 0.25;
 constexpr std::size_t kFewAhead = 16;
 constexpr double kLongestGap = 1000;  // queries
 
-/// What is further than it was foreseen to come by this factor has jumped.
+/// A motion that is longer than the one before by this factor is a jump.
 constexpr double kJump = 4;
 
 /// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
@@ -60,7 +59,7 @@ void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
   is_jump_ = step.way > kJump * step_ * queries;
   step_ = step.way / queries;
   queries_ = queries;
-  // The sums round up.
+  // The factors round the sums up.
   motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
   since_last_.way = (since_last_.way + step.way) * (1 + 0x1p-50);
@@ -174,7 +173,7 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
   const double of_each = cost / (1 + lasts);
   const double tried = look_ahead_.queries();
   look_ahead_.learn(of_each);
-  // What was opened in vain is looked at for as long as the front lives.
+  // Pairs that were opened without need stay in the front: if it has grown much, it is given up.
   const bool was_in_vain = look_ahead_.queries() < tried;
   if (was_in_vain &&
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
@@ -184,7 +183,7 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
-  is_live_ = false;  // should it throw
+  is_live_ = false;  // so that the front is not used again if this throws
   const std::size_t size_before = front_.size();
   front_.advance(pass, limit, foresight());
   is_live_ = true;

@@ -59,7 +59,8 @@ class MeetingQuery {
         touch_(touch),
         work_(work) {}
 
-  /// Whether the boxes of all prove it, which the cache then keeps. A front has them, too.
+  /// Whether the boxes around both meshes prove that they are apart: then the cache keeps the gap.
+  /// Not asked with a live front, which holds these boxes, too.
   bool are_far_apart() {
     if (cache_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;
@@ -80,7 +81,7 @@ class MeetingQuery {
     };
     for (std::size_t i = 0; i < pairs.size() && touching == pairs.size(); ++i) {
       candidates.add(pairs[i], query_.triangle_a(pairs[i]), query_.triangle_b(pairs[i]));
-      // The first alone: most of the time it is enough.
+      // The first pair is decided alone: most of the time it is enough.
       if (i == 0 || i + 1 == pairs.size()) candidates.decide(on_pair);
     }
     if (touching == pairs.size()) return false;
@@ -90,8 +91,8 @@ class MeetingQuery {
     return true;
   }
 
-  /// Calls `on_pair(pair)` for each that meets, until it answers Stop. Whether the front could say:
-  /// otherwise it calls for none.
+  /// Calls `on_pair(pair)` for each pair that meets, until it answers Stop. Returns false if there
+  /// is no front that can answer: then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
     if (cache_.meeting.rests() || !cache_.follow(query_)) return false;
@@ -147,8 +148,8 @@ class MeetingQuery {
   Work& work_;
 };
 
-// What follows is not inlined: a query that a gap answers is over before there were frames and
-// counters for all that.
+// The functions that follow are not inlined: a query that a known gap answers should not pay for
+// their frames and counters.
 
 HWY_NOINLINE bool do_surfaces_meet(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                    PairCache& cache, Touch touch, Work* work) {
@@ -188,7 +189,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
   if (is_done && found.pairs.size() <= settings.limit) {
     sort_pairs(found.pairs);
   } else {
-    // Which pairs come first is for the walk to say.
+    // With a limit the walk decides which pairs are returned.
     Work done;
     found = find_triangle_pairs(mesh_a, mesh_b, settings, &done);
     if (settings.threads == 1 && found.completeness == Completeness::Complete)
@@ -196,7 +197,7 @@ HWY_NOINLINE TrianglePairs find_pairs(const PlacedMesh& mesh_a, const PlacedMesh
     counted.work() += done;
   }
   cache.remember(found.pairs);
-  // The next pose has about as many.
+  // The next pose has about as many pairs: it reserves room for a quarter more.
   cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
   return found;
 }

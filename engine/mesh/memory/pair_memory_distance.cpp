@@ -32,8 +32,8 @@ class NearQuery {
   }
 
   /// Calls `on_pair(pair, distance)` for each pair that may be within the limit, which may come
-  /// down meanwhile, until it answers Stop. Whether the front could say: otherwise it calls for
-  /// none.
+  /// down meanwhile, until it answers Stop. Returns false if there is no front that can answer:
+  /// then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
     MotionFront& near = cache_.near;
@@ -59,7 +59,7 @@ class NearQuery {
       }
       const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
       front.set_gap(i, *pass, units_between(found.distance));
-      // What is as near as any will be asked again, whatever keeps it apart.
+      // A pair that is as near as any is asked again in the next pose, so no plane is kept for it.
       if (found.distance > limit_) {
         narrowphase::DirectedGap along(largest_);
         along.set_direction(found);
@@ -73,7 +73,7 @@ class NearQuery {
     return true;
   }
 
-  /// What of a distance as it is returned is sure, and so of the true one.
+  /// A lower bound of the true distance, from one as distance() returns it.
   double surely(double metres) const { return metres - 0x1p-46 * largest_; }
 
  private:
@@ -86,12 +86,12 @@ class NearQuery {
     }
   }
 
-  /// How far apart in the trees' frames what is so far apart in space is at least.
+  /// A lower bound, in the trees' frames, of a distance in space.
   double units_between(double metres) const {
     return box_limit_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
   }
 
-  /// The same along a direction, with the slack of both frames.
+  /// The same of a gap along a direction, with the slack of both frames.
   bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres,
                                 double slack) const {
     // Poses turn directions into such that are longer by 1.5e-6 at most.
@@ -114,7 +114,7 @@ class NearQuery {
   Work& work_;
 };
 
-/// What is nearest, beginning with a pair that was.
+/// The distance of the meshes, beginning with the pair that was nearest before.
 MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& cache,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);
@@ -135,7 +135,7 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
     best = cache.are_beyond(0) ? distance_apart(meshes, best.pair, work)
                                : find_distance(meshes, best.pair, work);
   } else if (best.distance == 0) {
-    best = find_distance(meshes, best.pair, work);  // which pair touches is for it to say
+    best = find_distance(meshes, best.pair, work);  // it decides which touching pair is returned
   }
   if (best.distance > 0) cache.learn_gap(query.surely(best.distance));
   return best;
@@ -151,7 +151,7 @@ MeshDistance distance(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b, PairMe
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     const WideQuery query(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(), counted.work());
     const std::optional<TrianglePair> hint = cache.nearest ? cache.nearest : settings.hint;
-    // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
+    // After a touch another is likelier than a gap; a walk decides which touching pair is returned.
     const bool may_touch = !cache.nearest || cache.was_touching;
     MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
                                   : find_nearest(query, *hint, cache, counted.work());

@@ -5,7 +5,7 @@
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
-#include <graze/engine/mesh/sweep/middle.h>
+#include <graze/engine/mesh/sweep/sweep.h>
 
 #include <limits>
 #include <vector>

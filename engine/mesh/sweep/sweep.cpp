@@ -70,4 +70,12 @@ void SweepBounds::note(double along, double size, double lowest, double highest)
   if (low > 0) lower_ = std::max(lower_, low * scale.down);
 }
 
+Eigen::Vector3d middle_of(const PlacedMesh& placed) {
+  const Aabb& box = placed.mesh.bounds();
+  Eigen::Vector3d middle;
+  for (int k = 0; k < 3; ++k)
+    middle.data()[k] = 0.5 * box.min.data()[k] + 0.5 * box.max.data()[k];
+  return narrowphase::place(placed.pose, middle);
+}
+
 }  // namespace graze::contacts

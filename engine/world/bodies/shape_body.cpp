@@ -30,7 +30,7 @@ Manifold mirrored(Manifold manifold) {
   return manifold;
 }
 
-/// True for pairs whose test costs more than it takes to know that it can be left out.
+/// True for pairs whose test costs more than to measure and watch their gap.
 bool is_worth_a_gap(PairMethod method) {
   using enum PairMethod;
   return method == Cores || method == MeshVolume || method == MeshCore || method == Meshes;
@@ -40,7 +40,7 @@ double length_of(double x, double y, double z) {
   return std::sqrt((x * x + y * y) + z * z);
 }
 
-/// To the farthest corner of the shape's own box.
+/// The distance of the farthest corner of the shape's own box from the frame's origin.
 double bounding_radius_of(const Shape& shape) {
   if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
   const Aabb box = bounds_of(shape, Pose::Identity());
@@ -50,7 +50,7 @@ double bounding_radius_of(const Shape& shape) {
   return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
 }
 
-/// By how much law 3 may read a box otherwise than as its corners are placed.
+/// By how much a box as law 3 reads it may differ from the box of its placed corners.
 double reading_of(const Shape& shape, double bounding_radius) {
   return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * bounding_radius : 0;
 }
@@ -143,9 +143,9 @@ class ShapeBody final : public BodyShape {
     });
   }
 
-  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
-  /// half of a clearance, where distance() itself, which is off by roundings of coordinates, is
-  /// more than all of it.
+  /// A lower bound of the distance. Of two meshes the distance itself is seldom worth its cost: if
+  /// they are farther apart than a clearance, half of that is the bound, as distance() is off by
+  /// roundings of coordinates.
   double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
                      double smaller_radius) const {
     const Mesh* mesh = shape_.as<Mesh>();

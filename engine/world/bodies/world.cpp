@@ -35,8 +35,8 @@ void World::State::check_is_free(const char* what) const {
   if (is_updating) throw InputError(std::string(what) + ": the world is within an update");
 }
 
-/// note_change() of so many bodies will throw nothing: a body with the mark that is not in the list
-/// would never be looked at again. Each body is in it once.
+/// Makes room, so that note_change() of so many bodies throws nothing: a marked body that is not in
+/// the list would never be looked at again. Each body is in the list once.
 void World::State::make_room_for_changes(std::size_t more) {
   make_room_in(changed,
                std::min(more, all.bodies.size() - std::min(all.bodies.size(), changed.size())));
@@ -53,7 +53,8 @@ void World::State::note_other_filter(std::uint32_t index) {
   note_change(index);
 }
 
-/// Makes the list anew: where an update was cut short the marks may no longer be those of the list.
+/// Marks and lists all bodies anew: after an update that was cut short the marks may no longer
+/// agree with the list.
 void World::State::note_everything() {
   changed.reserve(all.bodies.size());
   changed.clear();
@@ -64,7 +65,8 @@ void World::State::note_everything() {
   }
 }
 
-/// For one more body, all but its box and what its mesh takes: the index that it will have.
+/// Makes room for one more body, except for its box and its mesh. Returns the index that the body
+/// will have.
 std::uint32_t World::State::make_room_for_one() {
   all.ids.prepare_take();
   const std::uint32_t index = all.ids.next();
@@ -91,8 +93,8 @@ void World::State::begin_move() {
   bounding_radii.clear();
 }
 
-/// Throws, or has the body's box in the list of those that move. All that is asked of a shape is
-/// asked here, where nothing has moved yet.
+/// Puts the body's box into the list of those that move, or throws. All that a move asks of a shape
+/// is asked here, before anything has moved.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
@@ -232,7 +234,8 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
         state.prepare_move(ids[i], poses[i], "move");
     } catch (const std::exception&) {
       const std::string what = "move, element " + std::to_string(i);
-      state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+      state.prepare_move(ids[i], poses[i],
+                         what.c_str());  // throws again, now with a name for this body
       throw;
     }
     state.move_prepared(ids, poses);

@@ -21,7 +21,7 @@ BodyContact World::State::contact_of(const BodyPair& pair) const {
           a.ask([&](const BodyShape& shape) { return shape.contacts(a.pose, *b.shape, b.pose); })};
 }
 
-/// Whether the two touch; if so, and if anyone asks, their contacts are found in the same go.
+/// Whether the two touch. If so, and if the settings ask for contacts, these are found as well.
 bool World::State::test(BoxPair pair) {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];

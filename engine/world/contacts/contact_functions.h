@@ -1,7 +1,8 @@
 #pragma once
 
-// What each row of the table of pairs offers as contacts; A's kind is not above B's, and points are
-// relative to the origin that is handed back. Private to engine/world.
+// The pair functions for contacts: what each row of the table of pairs offers as contact
+// candidates. A's kind is not above B's, and points are relative to the origin that is handed back.
+// Private to engine/world.
 
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/narrowphase/convex/contact/touches.h>
@@ -10,13 +11,16 @@
 
 namespace graze {
 
-/// What is offered. Kept from one question to the next, so that no step of a simulation allocates.
+/// The contact candidates of one pair, of which reduce() leaves four. The vectors are kept from one
+/// pair to the next, so that no step of a simulation allocates.
 struct ContactCandidates {
   Eigen::Vector3d origin;
   std::vector<narrowphase::ContactPoint> list;
-  std::vector<narrowphase::ContactPoint> from_behind;  ///< of a mesh, its triangles seen so
-  std::vector<narrowphase::ContactPoint> found;        ///< what is at hand
-  std::vector<bool> is_seen;                           ///< of a mesh, its vertices
+  std::vector<narrowphase::ContactPoint>
+      from_behind;  ///< of triangles of a mesh that face away from the shape
+  std::vector<narrowphase::ContactPoint>
+      found;                  ///< of one triangle, before it is known which list they belong to
+  std::vector<bool> is_seen;  ///< for each vertex of a mesh, whether it was looked at
 
   void clear() {
     list.clear();

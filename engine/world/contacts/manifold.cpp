@@ -87,7 +87,7 @@ bool is_one_question(PairMethod method) {
 }
 
 Manifold contacts_of_touching(const PlacedShape& a, const PlacedShape& b, Work& work) {
-  static thread_local ContactCandidates candidates;  // no question is asked within another
+  static thread_local ContactCandidates candidates;  // no pair is looked at within another
   candidates.clear();
   const bool is_mirrored = is_swapped(a, b);
   candidates_in_order(is_mirrored ? b : a, is_mirrored ? a : b, candidates, work);

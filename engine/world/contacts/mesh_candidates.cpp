@@ -28,21 +28,23 @@ constexpr double kFacingOut = 0.17;
 constexpr std::size_t kMostInner = 96;
 constexpr std::size_t kLeastInner = 8;
 
+/// Crossings that are connected by triangles.
 struct Piece {
-  Vec3 first;  // any of its points
-  Vec3 area;   // of its loops
-  Vec3 faces;  // normals of A less those of B
-  double length = 0;
-  Vec3 normal;  // unit, from A to B; then that of its patch
+  Vec3 first;         ///< any of its points
+  Vec3 area;          ///< the area vectors of its loops, added up
+  Vec3 faces;         ///< normals of A less those of B, by the lengths of segments
+  double length = 0;  ///< of all its segments
+  Vec3 normal;        ///< unit, from A to B; once patches are known, that of its patch
   std::uint32_t patch = 0;
 };
 
-/// Where one closed curve of a piece leads in, along the normal of the piece.
+/// One closed curve of a piece, and how deep the two are in each other there along the piece's
+/// normal.
 struct Loop {
   const Piece* piece = nullptr;
-  Vec3 first;                       // any of its points
-  double depth_a = 0, depth_b = 0;  // of points of each in the other
-  double high_a = 0, low_b = 0;     // along the normal, from `first`
+  Vec3 first;                       ///< any of its points
+  double depth_a = 0, depth_b = 0;  ///< how deep points of A lie in B, and of B in A
+  double high_a = 0, low_b = 0;     ///< the ends of A and B along the normal, from `first`
   double depth = 0;
 };
 
@@ -52,7 +54,7 @@ struct InnerPoint {
   std::uint32_t loop;
 };
 
-/// A vertex that may be one, and how far in it is.
+/// A vertex that may be an inner point, and how far in it is along the normal.
 struct OpenVertex {
   double height;
   std::uint32_t vertex;
@@ -63,7 +65,8 @@ struct OpenVertex {
   }
 };
 
-/// Which vertices have been met in this question, without ever clearing all of them.
+/// Which vertices have been met for this pair. Marks of earlier pairs count as none, so that they
+/// need not be cleared.
 class VertexMarks {
  public:
   enum class Mark : std::uint32_t { None, Inside, Outside };
@@ -88,19 +91,21 @@ class VertexMarks {
   std::uint32_t round_ = 0;
 };
 
+/// Memory that is kept from one pair to the next, so that no step of a simulation allocates.
 struct Scratch {
   MeshCrossings found;
   std::vector<Piece> pieces;
   std::vector<Loop> loops;
   std::vector<std::uint32_t> by_area;
-  std::vector<std::uint32_t> patches;  // the pieces that lead them
+  std::vector<std::uint32_t> patches;  ///< of each, its largest piece
   std::vector<InnerPoint> inner_a, inner_b;
-  std::vector<OpenVertex> open;       // a heap
-  std::vector<std::uint32_t> looked;  // at how many vertices of a loop
+  std::vector<OpenVertex> open;       ///< a heap, the vertex farthest in first
+  std::vector<std::uint32_t> looked;  ///< for each loop, how many vertices were looked at
   VertexMarks marks;
 };
 
-/// Where a piece leads out, or nothing where that cannot be told.
+/// The normal of a piece: that of its area, or the mean of its faces' normals; nothing where both
+/// are too small to tell.
 std::optional<Vec3> normal_of(const Piece& piece) {
   constexpr double kFlat = 1e-4;
   if (length(piece.area) > kFlat * piece.length * piece.length)
@@ -362,7 +367,7 @@ void add_corners(const PlacedMesh& a, const PlacedMesh& b, const Scratch& s,
 
 bool candidates_of_crossings(const PlacedShape& a, const PlacedShape& b,
                              ContactCandidates& candidates, Work& work) {
-  static thread_local Scratch s;  // no question is asked within another
+  static thread_local Scratch s;  // no pair is looked at within another
   const PlacedMesh mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMesh mesh_b{*b.shape.as<Mesh>(), b.pose};
   candidates.origin = middle_of(a.shape, a.pose);

@@ -25,7 +25,7 @@ using narrowphase::Vec3;
 
 namespace {
 
-/// What one triangle offers.
+/// The contact candidates that triangles of a mesh offer beside a convex shape.
 class TriangleCandidates {
  public:
   TriangleCandidates(const Core& core, ContactCandidates& candidates, Work& work)
@@ -38,7 +38,8 @@ class TriangleCandidates {
     offer(index, triangle);
   }
 
-  /// Leaves those of triangles seen from outside, or else of those seen from behind.
+  /// Keeps the candidates of triangles that face the shape, or where there are none those of
+  /// triangles that face away from it.
   void choose_side() {
     if (candidates_.list.empty()) std::swap(candidates_.list, candidates_.from_behind);
   }

@@ -217,7 +217,8 @@ void find_loops(MeshCrossings& found) {
   }
 }
 
-/// Each edge once, although it is one of two triangles.
+/// Keeps each crossing of an edge once, although two triangles share the edge, and gives it its
+/// loop.
 void remove_repeated(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end(), is_one_end), edges.end());
   for (EdgeCrossing& edge : edges)

@@ -35,7 +35,7 @@ struct EdgeCrossing {
   bool is_entry;  ///< from low to high it goes behind the triangle
 };
 
-/// Kept from one question to the next, so that no step of a simulation allocates.
+/// Kept from one pair to the next, so that no step of a simulation allocates.
 struct MeshCrossings {
   std::vector<TrianglePair> pairs;  ///< all that share a point, exactly
   std::vector<MeshCrossing> crossings;

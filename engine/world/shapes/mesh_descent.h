@@ -112,13 +112,13 @@ class MeshDescent {
   std::span<const Eigen::Vector3d> vertices_;
   std::span<const TriangleIndices> triangles_;
   Work& work_;
-  double min_[3];  // of the set's box, in the tree's units
+  double min_[3];  ///< of the set's box, in the tree's units
   double max_[3];
-  bvh::FloatBox around_;  // the same box, outward
-  double own_min_[3];     // in the mesh's frame, metres
+  bvh::FloatBox around_;  ///< the same box, outward
+  double own_min_[3];     ///< in the mesh's frame, metres
   double own_max_[3];
-  double unit_;    // metres
-  double shrink_;  // lengths in the mesh's frame are at most this much longer than in the world
+  double unit_;    ///< metres
+  double shrink_;  ///< lengths in the mesh's frame are at most this much longer than in the world
 };
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 #pragma once
 
-// What each row of the table of pairs answers; A's kind is not above B's. Private to engine/world.
+// The pair functions: what each row of the table of pairs answers. A's kind is not above B's.
+// Private to engine/world.
 
 #include <graze/engine/world/shapes/pair_input.h>
 

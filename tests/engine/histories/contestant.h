@@ -12,6 +12,7 @@
 
 #include "tests/engine/histories/oracle.h"
 #include "tests/engine/histories/player.h"
+#include "tests/engine/histories/questions.h"
 
 namespace graze::tests {
 

@@ -1,8 +1,7 @@
-#include <graze/engine/compare/judge/bodies/body_distance.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_bounds.h>
 

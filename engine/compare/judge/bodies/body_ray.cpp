@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/bodies/body_ray.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/world/shape_bounds.h>

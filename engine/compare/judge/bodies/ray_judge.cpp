@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/bodies/ray_judge.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_ray.h>
 #include <graze/engine/mesh/placement.h>

@@ -2,7 +2,6 @@
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/manifold.h>

@@ -1,12 +1,11 @@
-#include <graze/engine/compare/judge/meshes/inside_judge.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/box_tree.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
 #include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
-#include <graze/engine/compare/judge/volume_judge.h>
+#include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
 

@@ -1,8 +1,6 @@
-#include <graze/engine/compare/judge/meshes/inside_judge.h>
-#include <graze/engine/compare/judge/meshes/intersection_review.h>
-#include <graze/engine/compare/judge/meshes/mesh_contacts.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
+#include <graze/engine/compare/judge/meshes/mesh_reviews.h>
 #include <graze/engine/compare/judge/meshes/mesh_truth.h>
-#include <graze/engine/compare/judge/meshes/separation_review.h>
 #include <graze/engine/compare/judge/meshes/witness_check.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>

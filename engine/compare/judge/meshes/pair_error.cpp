@@ -1,6 +1,5 @@
 #include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/box_tree.h>
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/mesh/placement.h>
 

@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/meshes/separation_review.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/mesh/placement.h>
 

@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
 
 #include <algorithm>
 #include <array>

@@ -55,9 +55,9 @@ class SeparatingTranslation {
 
   const MeshReferee& referee_;
   const std::vector<TrianglePair>& hits_;
-  std::vector<std::vector<Slab>> known_slabs_;  // of the first hits
+  std::vector<std::vector<Slab>> known_slabs_;  ///< of the first hits
   std::vector<Eigen::Vector3d> directions_;
-  std::size_t effort_ = 0;  // pairs that may yet be looked at
+  std::size_t effort_ = 0;  ///< pairs that may yet be looked at
 };
 
 }  // namespace graze::compare

@@ -1,7 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
 #include <graze/narrowphase/triangle_box.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/shrink/shape_numbers.h>
-#include <graze/engine/compare/judge/shrink/shrink_bodies.h>
+#include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/peers/engine.h>
 
 #include <array>

@@ -1,12 +1,21 @@
 #pragma once
 
-#include <vector>
-
+#include <graze/engine/cases/case.h>
 #include <graze/engine/cases/case_intersection.h>
 #include <graze/engine/compare/judge/meshes/parts_review.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
+#include <graze/engine/compare/peers/engine.h>
+
+#include <string>
+#include <vector>
 
 namespace graze::compare {
+
+/// The contacts of two meshes that hit, `hits` being all pairs. See README.md for what is asked of
+/// each engine, and of convex meshes.
+PartsReview review_contacts(const MeshReferee& referee, const std::vector<TrianglePair>& hits,
+                            const MeshCase& meshes, const std::vector<CaseContact>& contacts,
+                            const std::string& engine);
 
 /// The parts of an intersection: every point lies on both triangles of each pair of its part,
 /// within kTouchUlps of the largest coordinate; every pair that is named is one of `hits`, and
