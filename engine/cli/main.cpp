@@ -1,17 +1,8 @@
-#include <graze/engine/cli/commands/compare_command.h>
-#include <graze/engine/cli/commands/contacts_command.h>
-#include <graze/engine/cli/commands/explain_command.h>
-#include <graze/engine/cli/commands/info_command.h>
-#include <graze/engine/cli/commands/pair_command.h>
-#include <graze/engine/cli/commands/pose_arguments.h>
-#include <graze/engine/cli/commands/replay_command.h>
-#include <graze/engine/cli/commands/simulate_command.h>
-#include <graze/engine/cli/commands/voxels_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/removal_on_signal.h>
 #include <graze/engine/cli/output/interruption.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/output.h>
-#include <graze/engine/cli/output/standard_streams.h>
-#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/version.h>
 

@@ -8,7 +8,8 @@
 namespace graze::compare {
 namespace {
 
-bool settle(const TrianglePair& pair, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) {
+bool do_triangles_meet(const TrianglePair& pair, const PlacedMeshView& mesh_a,
+                       const PlacedMeshView& mesh_b) {
   return referee_intersects(place(mesh_a.pose, mesh_a.mesh.triangle(pair.a)),
                             place(mesh_b.pose, mesh_b.mesh.triangle(pair.b)));
 }
@@ -35,7 +36,7 @@ Comparison compare_pairs(std::span<const TrianglePair> graze_pairs,
                                 fcl_pairs.end(), std::back_inserter(disputed));
   for (const TrianglePair& pair : disputed) {
     const bool graze_says = std::binary_search(graze_pairs.begin(), graze_pairs.end(), pair);
-    add(comparison, {pair, graze_says, !graze_says, settle(pair, mesh_a, mesh_b)});
+    add(comparison, {pair, graze_says, !graze_says, do_triangles_meet(pair, mesh_a, mesh_b)});
   }
   return comparison;
 }
@@ -55,9 +56,9 @@ Comparison compare_any(bool graze_intersects, bool fcl_intersects,
   comparison.fcl_intersects = fcl_intersects;
   if (graze_intersects == fcl_intersects) return comparison;
 
-  const auto proof =
-      std::find_if(witnesses.begin(), witnesses.end(),
-                   [&](const TrianglePair& pair) { return settle(pair, mesh_a, mesh_b); });
+  const auto proof = std::find_if(
+      witnesses.begin(), witnesses.end(),
+      [&](const TrianglePair& pair) { return do_triangles_meet(pair, mesh_a, mesh_b); });
   if (proof != witnesses.end()) {
     add(comparison, {*proof, graze_intersects, fcl_intersects, true});
   } else if (!witnesses.empty()) {

@@ -39,8 +39,8 @@ class ExactSimplex {
   bool is_feasible();
 
  private:
-  static constexpr int kObjective = 0;  // row of the sum of artificial variables
-  static constexpr int kRight = 0;      // column of the right-hand sides
+  static constexpr int kObjective = 0;  ///< row of the sum of artificial variables
+  static constexpr int kRight = 0;      ///< column of the right-hand sides
   static constexpr int kRows = 1 + kMaxConstraints;
   static constexpr int kColumns = 1 + kMaxUnknowns + kMaxConstraints;
   static constexpr int kFirstSlack = 1 + kMaxUnknowns;
@@ -60,8 +60,8 @@ class ExactSimplex {
   mpz_class product_a_;
   mpz_class product_b_;
   std::array<Relation, kRows> relation_{};
-  std::array<int, kRows> basic_{};       // the variable that row i is solved for
-  std::array<int, kColumns> outside_{};  // the variable of column j, which is zero
+  std::array<int, kRows> basic_{};       ///< the variable that row i is solved for
+  std::array<int, kColumns> outside_{};  ///< the variable of column j, which is zero
   int rows_ = 0;
   int columns_ = 0;
   int unknowns_ = 0;

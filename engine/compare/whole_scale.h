@@ -15,7 +15,7 @@ class WholeScale {
   void whole(double value, mpz_class& result) const;
 
  private:
-  int exponent_ = 2000;  // above that of every double
+  int exponent_ = 2000;  ///< so far; at first above that of every double
 };
 
 }  // namespace graze::compare

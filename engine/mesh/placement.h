@@ -23,7 +23,7 @@ Triangle place(const Pose& pose, const Triangle& triangle);
 
 /// The largest absolute value that each coordinate of a placed point of the box, and every
 /// intermediate result of place() on the way to it, can have; infinite if it could overflow.
-std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds);
+std::array<double, 3> largest_coordinates(const Pose& pose, const Aabb& bounds);
 
 /// The door (laws 1 and 10): throws PoseError, which begins with `what`, for a pose that is not
 /// rigid or under which a point of the box could overflow. Returns the deviation from a rotation.

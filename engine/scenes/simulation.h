@@ -40,7 +40,7 @@ class Simulation {
   double step_;
   World world_;
   std::vector<BodyId> ids_;
-  std::size_t count_ = 0;  // calls of advance()
+  std::size_t count_ = 0;  ///< calls of advance()
 };
 
 /// Throws PoseError, naming body and time, if a path leads beyond what a world can hold before

@@ -38,8 +38,9 @@ class BodyShape {
   virtual std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
                                        const Pose& other_pose) const;
 
-  /// A way, metres: while the two near each other by less, from these poses on, touches() stays
-  /// false. 0 where nothing is known, or where to ask touches() again costs less than this does.
+  /// A distance, metres: while the two near each other by less, from these poses on, touches()
+  /// stays false. 0 where nothing is known, or where to ask touches() again costs less than this
+  /// does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
   /// Where a ray meets it first, at most ray.max_distance away. A shape that does not know throws
@@ -48,7 +49,7 @@ class BodyShape {
 
   /// No point of the shape is further than this from its frame's origin, metres; infinite if not
   /// known.
-  virtual double reach() const;
+  virtual double bounding_radius() const;
 };
 
 /// A Shape as a world asks it, for World::add(): one for many bodies.
@@ -67,8 +68,8 @@ enum class BodyKind : std::uint8_t {
 };
 
 enum class Role : std::uint8_t {
-  Solid,  // meets as its motion says
-  Sensor  // is told of solid bodies that move: dynamic and kinematic ones, whatever its own motion
+  Solid,  // meets as its kind says
+  Sensor  // is told of solid bodies that move: dynamic and kinematic ones, whatever its own kind
           // is; of no static body and no other sensor. Its pairs have no contacts
 };
 

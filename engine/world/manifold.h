@@ -64,17 +64,17 @@ struct Manifold {
 ///
 /// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
 /// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the
-/// shape's middle is outside its plane and the common area is not empty, else along the least way
-/// out. Triangles that the middle is behind count only if there are no others. Two meshes offer the
-/// corners of the patches in which they meet, points of the curves of their find_intersection():
-/// each with its patch's normal, that of the area which its curves enclose, and the depth of the
-/// closed curve that it lies on. A patch that lies in several curves, as where the teeth of a comb
-/// enter, offers a point of the deepest one, too: so the first contact is as deep as any. A depth
-/// is mostly find_contacts()'s, and a guide: it is not proved to part them. Curves that do not
-/// close, of open meshes or where rounding tears them, count together as far as triangles connect
-/// them; and of a part inside with thousands of vertices those are looked at to which the way in
-/// leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a plane, along a line
-/// or in a point, offer their find_contacts().
+/// shape's middle is outside its plane and the common area is not empty, else along the shortest
+/// separating translation. Triangles that the middle is behind count only if there are no others.
+/// Two meshes offer the corners of the patches in which they meet, points of the curves of their
+/// find_intersection(): each with its patch's normal, that of the area which its curves enclose,
+/// and the depth of the closed curve that it lies on. A patch that lies in several curves, as where
+/// the teeth of a comb enter, offers a point of the deepest one, too: so the first contact is as
+/// deep as any. A depth is mostly find_contacts()'s, and a guide: it is not proved to part them.
+/// Curves that do not close, of open meshes or where rounding tears them, count together as far as
+/// triangles connect them; and of a part inside with thousands of vertices those are looked at to
+/// which the way in leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a
+/// plane, along a line or in a point, offer their find_contacts().
 ///
 /// **Points.** Each point_a is on A's surface and each point_b on B's, however deep the two are, to
 /// 2^-32 of the scale of the pair (their sizes and the distance of their middles) and the rounding

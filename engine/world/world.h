@@ -47,7 +47,7 @@ struct BodyContact {
 /// What an update did, and what it could leave out.
 struct WorldWork {
   /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
-  /// motion, role or exclusion changed. After that they cost nothing, and are not counted.
+  /// kind, role or exclusion changed. After that they cost nothing, and are not counted.
   std::uint64_t pairs_filtered = 0;
   std::uint64_t pairs_at_rest = 0;  // pairs with overlapping boxes in which nothing changed
   std::uint64_t pairs_asleep = 0;   // pairs in which something changed, but nobody is awake
@@ -144,7 +144,7 @@ class World {
   void set_user_data(BodyId id, std::uint64_t data);
 
   /// A body that comes is awake; what is moved or takes another shape wakes. An update looks at a
-  /// pair if one of the two changed - came, moved, woke, took another shape, filter, motion or role
+  /// pair if one of the two changed - came, moved, woke, took another shape, filter, kind or role
   /// - and one of the two is awake. So what lies still costs nothing, asleep or not; and what is
   /// put to sleep where it was moved to is not asked about others that sleep, nor about what is
   /// static: the last answer stands until one of the two wakes, but ends if their boxes part, a

@@ -3,9 +3,9 @@
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/meshes/inside_judge.h>
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/rational/rational_inside.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/distance.h>

@@ -47,7 +47,7 @@ Judgement judged(const Shape& a, const Shape& b, double x, bool says, const char
 
 /// How far along x a shape reaches, and so where two of them touch.
 double reach_of(const Shape& shape) {
-  return shape.kind() == ShapeKind::HalfSpace ? 0 : reach_along(shape, at_x(0), {1, 0, 0});
+  return shape.kind() == ShapeKind::HalfSpace ? 0 : support_along(shape, at_x(0), {1, 0, 0});
 }
 
 TEST(ShapeJudge, EveryPairIsProvedOnBothSidesOfTheTouch) {

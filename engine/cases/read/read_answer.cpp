@@ -28,10 +28,10 @@ double read_length(const JsonCursor& at) {
   return length;
 }
 
-double read_way(const JsonCursor& at) {
-  const double way = at.number_or_infinite();
-  if (way < 0) at.fail("is negative");
-  return way;
+double read_length_or_infinity(const JsonCursor& at) {
+  const double length = at.number_or_infinite();
+  if (length < 0) at.fail("is negative");
+  return length;
 }
 
 CaseContact read_contact(const JsonCursor& at) {
@@ -123,7 +123,7 @@ CaseAnswer read_hits(const JsonCursor& at, const Case& query) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const JsonCursor hit = list.item(i);
     hit.require_keys({"distance", "point", "normal", "triangle"});
-    answer.hits->push_back({.distance = read_way(hit.member("distance")),
+    answer.hits->push_back({.distance = read_length_or_infinity(hit.member("distance")),
                             .point = hit.member("point").point(),
                             .normal = hit.member("normal").point()});
     if (!hit.has("triangle")) continue;

@@ -1,6 +1,6 @@
 #include <graze/engine/cases/case_mesh_file.h>
 #include <graze/engine/cases/read/read_parts.h>
-#include <graze/engine/cases/text/at_place.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_bounds.h>
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/text/json_tree.h>
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -7,12 +11,9 @@
 #include <string>
 #include <string_view>
 
-#include <graze/engine/cases/text/json_tree.h>
-#include <Eigen/Core>
-
 namespace graze::cases {
 
-/// A place in a JSON tree, which knows the way that led there: errors name the file, the line and
+/// A place in a JSON tree, which knows its own path: errors name the file, the line and
 /// the JSON pointer (RFC 6901). It refers to the tree, the file's name and the cursor that it came
 /// from, which must outlive it.
 class JsonCursor {
@@ -62,5 +63,15 @@ class JsonCursor {
   std::string_view key_;
   std::size_t index_ = 0;
 };
+
+/// Calls `make()` and gives its error the place that the cursor stands at.
+template <typename Make>
+auto at_place(const JsonCursor& at, Make&& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    at.fail(error.what());
+  }
+}
 
 }  // namespace graze::cases

@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/compare_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/compare/compare_run.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/files/output_places.h>

@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/contacts_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/reports/contacts_report.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>

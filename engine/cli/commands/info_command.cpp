@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/info_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/output/progress.h>
 #include <graze/engine/cli/reports/mesh_report.h>
 

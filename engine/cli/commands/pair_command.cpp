@@ -1,5 +1,5 @@
 #include <graze/bvh/volume.h>
-#include <graze/engine/cli/commands/pair_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/pair/pair_options.h>
 #include <graze/engine/cli/pair/pair_run.h>
 

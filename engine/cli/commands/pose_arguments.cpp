@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/pose_arguments.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/pose_text.h>
 
 #include <cctype>

@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/replay_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/replay/replay_run.h>
 

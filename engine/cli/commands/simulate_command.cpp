@@ -1,4 +1,4 @@
-#include <graze/engine/cli/commands/simulate_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/reports/simulate_report.h>
 #include <graze/engine/scenes/read_scene.h>

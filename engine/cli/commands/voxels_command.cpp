@@ -1,8 +1,8 @@
-#include <graze/engine/cli/commands/voxels_command.h>
+#include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/progress.h>
-#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/cli/reports/voxels_report.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/load_mesh.h>

@@ -1,10 +1,10 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cli/compare/compare_folder.h>
+#include <graze/engine/cli/compare/compare_run.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/job_key.h>

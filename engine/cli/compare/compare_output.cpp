@@ -3,16 +3,17 @@
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/progress.h>
-#include <graze/engine/cli/output/simd_target.h>
-#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/files/source.h>
 
 #include <fmt/format.h>
+#include <hwy/targets.h>
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
@@ -20,6 +21,16 @@
 namespace graze::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// The SIMD instructions that this program uses on this machine: "AVX2". No answer depends on it.
+const char* simd_target() {
+  const std::int64_t usable = hwy::SupportedTargets() & static_cast<std::int64_t>(HWY_TARGETS);
+  return hwy::TargetName(usable & -usable);  // the lowest bit is the best
+}
+
+}  // namespace
 
 void check_places(const CompareOptions& options) {
   const FilePlace report = {"--report", options.report};

@@ -1,10 +1,8 @@
-#include <graze/engine/cli/compare/compare_folder.h>
 #include <graze/engine/cli/compare/compare_run.h>
-#include <graze/engine/cli/compare/compare_scene.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/job_key.h>
 #include <graze/engine/compare/run/pose_source.h>

@@ -1,14 +1,14 @@
 #pragma once
 
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/output/output.h>
+#include <graze/engine/compare/peers/engine.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
-
-#include <graze/engine/cli/output/exit_code.h>
-#include <graze/engine/cli/output/output.h>
-#include <graze/engine/compare/peers/engine.h>
 
 namespace graze::cli {
 
@@ -50,5 +50,15 @@ struct CompareOptions {
 /// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.
 ExitCode run_compare(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
                      Output& output);
+
+/// `graze compare FOLDER`, of cases, each of which says what is asked. Throws UsageError for
+/// options of meshes and scenes, CaseError for what is no case.
+ExitCode run_compare_folder(const CompareOptions& options,
+                            std::span<const compare::EngineEntry> engines, Output& output);
+
+/// `graze compare SCENE`. Throws UsageError for options of meshes, SceneError for what is no scene,
+/// PoseError for paths that lead beyond what a world can hold.
+ExitCode run_compare_scene(const CompareOptions& options,
+                           std::span<const compare::EngineEntry> engines, Output& output);
 
 }  // namespace graze::cli

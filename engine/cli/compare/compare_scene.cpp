@@ -1,9 +1,9 @@
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cli/compare/compare_scene.h>
+#include <graze/engine/cli/compare/compare_run.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/reports/table.h>
 #include <graze/engine/compare/run/job_key.h>
 #include <graze/engine/compare/run/scene_comparison.h>

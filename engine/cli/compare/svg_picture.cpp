@@ -42,7 +42,7 @@ Eigen::Vector3d normal_of(const Outline& outline, const Eigen::Vector3d& otherwi
 }
 
 /// The direction from one body to the other, if the library knows it.
-std::optional<Eigen::Vector3d> way_between(const Case& query) {
+std::optional<Eigen::Vector3d> direction_between(const Case& query) {
   const std::optional<compare::BodyCase> bodies = compare::as_bodies(query);
   if (!bodies) return std::nullopt;
   try {
@@ -52,12 +52,12 @@ std::optional<Eigen::Vector3d> way_between(const Case& query) {
   }
 }
 
-/// What is between the two shows from both sides: of bodies along the way from one to the other, of
-/// triangles with one view onto the plane of the first, and one along it.
+/// What is between the two shows from both sides: of bodies along the line from one to the other,
+/// of triangles with one view onto the plane of the first, and one along it.
 std::array<View, 2> views_of(const Case& query, const std::vector<Outline>& outlines) {
-  if (const std::optional<Eigen::Vector3d> way = way_between(query)) {
-    const Eigen::Vector3d up = way->unitOrthogonal();
-    return {View{*way, up}, View{*way, way->cross(up)}};
+  if (const std::optional<Eigen::Vector3d> direction = direction_between(query)) {
+    const Eigen::Vector3d up = direction->unitOrthogonal();
+    return {View{*direction, up}, View{*direction, direction->cross(up)}};
   }
   const Eigen::Vector3d normal = normal_of(outlines.front(), Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d other = normal_of(outlines.back(), Eigen::Vector3d::UnitX());

@@ -1,5 +1,5 @@
 #include <graze/engine/cli/files/output_places.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/files/output_target.h>
 #include <graze/engine/files/source.h>
 

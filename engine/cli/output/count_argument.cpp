@@ -1,5 +1,5 @@
 #include <graze/engine/cli/output/count_argument.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/files/source.h>
 
 #include <charconv>

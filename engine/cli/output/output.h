@@ -1,9 +1,9 @@
 #pragma once
 
+#include <graze/bvh/error.h>
+
 #include <cstdio>
 #include <string_view>
-
-#include <graze/bvh/error.h>
 
 namespace graze::cli {
 
@@ -28,5 +28,10 @@ class Output {
  private:
   std::FILE* stream_;
 };
+
+/// Gives back the numbers of standard input, output and error where the caller has closed them:
+/// else the next file that is opened would get one, and have written into it whatever the program,
+/// or a library, says. What is written to such a stream fails, as it does to a closed one.
+void reserve_standard_streams();
 
 }  // namespace graze::cli

@@ -1,6 +1,6 @@
 // Takes the place of fcl_check.cpp in builds without FCL.
 
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/pair/fcl_check.h>
 
 namespace graze::cli {

@@ -11,7 +11,7 @@ struct PairOptions {
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
-  std::optional<std::string> poses;  // given and empty is an error, not as if not given
+  std::optional<std::string> poses;  ///< given and empty is an error, not as if not given
   std::string query = "pairs";
   std::string volume = "wide";
   std::string touch = "include";

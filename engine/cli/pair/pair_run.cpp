@@ -1,6 +1,6 @@
 #include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/progress.h>
-#include <graze/engine/cli/output/usage_error.h>
 #include <graze/engine/cli/pair/fcl_check.h>
 #include <graze/engine/cli/pair/pair_report.h>
 #include <graze/engine/cli/pair/pair_run.h>

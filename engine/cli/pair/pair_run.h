@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/engine/cli/output/exit_code.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/output.h>
 #include <graze/engine/cli/pair/pair_options.h>
 

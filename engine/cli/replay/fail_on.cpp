@@ -1,4 +1,4 @@
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/files/source.h>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <graze/engine/cli/output/exit_code.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/output.h>
 #include <graze/engine/compare/peers/engine.h>
 

@@ -9,23 +9,23 @@
 #include <vector>
 
 namespace graze::cli {
-namespace {
-
-std::string json_of(const Eigen::Vector3d& v) {
+std::string vector_json(const Eigen::Vector3d& v) {
   return fmt::format("[{},{},{}]", v.data()[0], v.data()[1], v.data()[2]);
 }
+
+namespace {
 
 std::string json_of(const MeshContacts& contacts, const MeshContact& contact, bool is_listing) {
   std::string text = fmt::format(
       "{{\"depth\":{},\"normal\":{},\"point\":{},\"point_a\":{},\"point_b\":{},\"corners\":{}",
-      contact.depth, json_of(contact.normal), json_of(contact.point), json_of(contact.point_a),
-      json_of(contact.point_b), contact.point_count);
+      contact.depth, vector_json(contact.normal), vector_json(contact.point),
+      vector_json(contact.point_a), vector_json(contact.point_b), contact.point_count);
   if (!is_listing) return text + "}";
   text += ",\"list\":[";
   const char* separator = "";
   for (const Eigen::Vector3d& point : contacts.points_of(contact)) {
     text += separator;
-    text += json_of(point);
+    text += vector_json(point);
     separator = ",";
   }
   return text + "]}";
@@ -50,7 +50,7 @@ std::string to_json(const ContactsAnswer& answer) {
   fmt::format_to(end, "],\"complete\":{}", contacts.completeness == Completeness::Complete);
   if (answer.separation) {
     fmt::format_to(end, ",\"separation\":{{\"distance\":{},\"translation\":{}}}",
-                   answer.separation->distance, json_of(answer.separation->translation));
+                   answer.separation->distance, vector_json(answer.separation->translation));
   }
   fmt::format_to(end,
                  ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"

@@ -23,4 +23,7 @@ std::string to_json(const ContactsAnswer& answer);
 /// A table for people.
 std::string to_text(const ContactsAnswer& answer);
 
+/// A point or a vector as a JSON list of three numbers.
+std::string vector_json(const Eigen::Vector3d& v);
+
 }  // namespace graze::cli

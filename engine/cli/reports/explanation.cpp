@@ -131,9 +131,9 @@ Explanation explain(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) 
   result.gap = nearest.distance;
   if (!result.intersects) {
     // Scaled first, so that a gap near the smallest double still has a direction.
-    const Eigen::Vector3d way = nearest.point_b - nearest.point_a;
-    const double largest = way.cwiseAbs().maxCoeff();
-    result.axis = largest > 0 ? Eigen::Vector3d((way / largest).normalized())
+    const Eigen::Vector3d offset = nearest.point_b - nearest.point_a;
+    const double largest = offset.cwiseAbs().maxCoeff();
+    result.axis = largest > 0 ? Eigen::Vector3d((offset / largest).normalized())
                               : widest_axis(mesh_a, mesh_b).direction;
   }
   if (!result.intersects) {

@@ -19,14 +19,15 @@ struct PlacedBox {
   const Pose& pose;
 
   Eigen::Vector3d middle() const { return place(pose, Eigen::Vector3d(box.min / 2 + box.max / 2)); }
-  double reach(const Eigen::Vector3d& axis) const {
+  double projected_radius(const Eigen::Vector3d& axis) const {
     const Eigen::Vector3d half = box.max / 2 - box.min / 2;
     return (pose.linear().transpose() * axis).cwiseAbs().dot(half);
   }
 };
 
 double gap_along(const Eigen::Vector3d& axis, const PlacedBox& a, const PlacedBox& b) {
-  return std::abs(axis.dot(b.middle() - a.middle())) - a.reach(axis) - b.reach(axis);
+  return std::abs(axis.dot(b.middle() - a.middle())) - a.projected_radius(axis) -
+         b.projected_radius(axis);
 }
 
 /// Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996: the fifteen directions in which two boxes
@@ -54,10 +55,10 @@ BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   return best;
 }
 
-/// A way from the root of a mesh's tree down to the leaf that holds a triangle.
-class WayDown {
+/// The path from the root of a mesh's tree down to the leaf that holds a triangle.
+class DescentPath {
  public:
-  WayDown(const PlacedMeshView& placed, std::uint32_t triangle)
+  DescentPath(const PlacedMeshView& placed, std::uint32_t triangle)
       : pose_(placed.pose), tree_(tree_of(placed.mesh)) {
     const std::vector<std::uint32_t>& all = tree_.primitives;
     place_ = static_cast<std::size_t>(std::find(all.begin(), all.end(), triangle) - all.begin());
@@ -119,13 +120,14 @@ BoxAxis widest_axis(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) 
 
 std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                                               TrianglePair pair) {
-  WayDown a(mesh_a, pair.a);
-  WayDown b(mesh_b, pair.b);
+  DescentPath a(mesh_a, pair.a);
+  DescentPath b(mesh_b, pair.b);
   for (;;) {
     const BoxAxis axis = widest_axis(a.box(), b.box());
     if (axis.gap > 0) return SeparatedBoxes{a.triangles(), b.triangles(), axis};
     if (a.is_at_leaf() && b.is_at_leaf()) return std::nullopt;
-    WayDown& larger = b.is_at_leaf() || (!a.is_at_leaf() && a.diagonal() >= b.diagonal()) ? a : b;
+    DescentPath& larger =
+        b.is_at_leaf() || (!a.is_at_leaf() && a.diagonal() >= b.diagonal()) ? a : b;
     larger.go_down();
   }
 }

@@ -1,6 +1,7 @@
 // Numbers are printed with as many digits as it takes to read the same double again.
 
 #include <graze/engine/cases/text/json_text.h>
+#include <graze/engine/cli/reports/contacts_report.h>
 #include <graze/engine/cli/reports/simulate_report.h>
 #include <graze/engine/files/source.h>
 
@@ -12,17 +13,13 @@
 namespace graze::cli {
 namespace {
 
-std::string json_of(const Eigen::Vector3d& v) {
-  return fmt::format("[{},{},{}]", v.data()[0], v.data()[1], v.data()[2]);
-}
-
 std::string json_of(const Manifold& manifold) {
   std::string out;
   for (const ShapeContact& contact : manifold) {
-    out +=
-        fmt::format("{}{{\"depth\":{},\"normal\":{},\"point\":{},\"point_a\":{},\"point_b\":{}}}",
-                    out.empty() ? "" : ",", contact.depth, json_of(contact.normal),
-                    json_of(contact.point), json_of(contact.point_a), json_of(contact.point_b));
+    out += fmt::format(
+        "{}{{\"depth\":{},\"normal\":{},\"point\":{},\"point_a\":{},\"point_b\":{}}}",
+        out.empty() ? "" : ",", contact.depth, vector_json(contact.normal),
+        vector_json(contact.point), vector_json(contact.point_a), vector_json(contact.point_b));
   }
   return "[" + out + "]";
 }

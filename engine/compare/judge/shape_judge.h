@@ -1,11 +1,12 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include <graze/bvh/pose.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/world/shape.h>
+
+#include <memory>
+#include <optional>
 
 namespace graze::compare {
 
@@ -50,5 +51,10 @@ class ShapeJudge {
   struct Truth;
   std::unique_ptr<Truth> truth_;
 };
+
+/// Of the questions any and pairs about shapes of which B, or both, are volumes. Exact; graze is
+/// right to call oriented boxes a hit that are apart by rounding, and is not judged where it does
+/// so though they are further apart (law 11: there only "apart" is sure).
+Judgement judge_volumes(const Case& query, const CaseAnswer& answer, bool is_graze);
 
 }  // namespace graze::compare

@@ -55,7 +55,7 @@ Geometry coal_mesh(const Mesh& mesh) {
   return model;
 }
 
-/// With the box that reach_of() asks for.
+/// With the box that bounding_radius_of() asks for.
 Geometry measured(Geometry geometry) {
   geometry->computeLocalAABB();
   return geometry;
@@ -75,22 +75,23 @@ auto unless_it_throws(const Query& query) -> std::optional<decltype(query())> {
 }
 
 /// No point of the geometry is further than this from the origin of the common frame.
-double reach_of(const coal::CollisionGeometry& geometry, const coal::Transform3s& pose) {
+double bounding_radius_of(const coal::CollisionGeometry& geometry, const coal::Transform3s& pose) {
   return pose.getTranslation().norm() + geometry.aabb_center.norm() + geometry.aabb_radius;
 }
 
 /// How far apart boxes may be and still be opened. Coal's default is a millimetre whatever the size
 /// of things, which takes many times as long for the same answers; with none at all the rounding of
 /// its boxes loses pairs that touch.
-double slack_of(double reach) {
-  return 0x1p-40 * reach;
+double slack_of(double radius) {
+  return 0x1p-40 * radius;
 }
 
 coal::CollisionResult collide(const coal::CollisionGeometry& a, const coal::Transform3s& pose_a,
                               const coal::CollisionGeometry& b, const coal::Transform3s& pose_b,
                               std::size_t max_contacts) {
   coal::CollisionRequest request(coal::CONTACT, max_contacts);
-  request.break_distance = slack_of(std::max(reach_of(a, pose_a), reach_of(b, pose_b)));
+  request.break_distance =
+      slack_of(std::max(bounding_radius_of(a, pose_a), bounding_radius_of(b, pose_b)));
   coal::CollisionResult result;
   coal::collide(&a, pose_a, &b, pose_b, request, result);
   return result;

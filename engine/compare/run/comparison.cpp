@@ -96,19 +96,19 @@ class PoseTrial {
     std::optional<Case> query;
     std::optional<Judge> judge;
     for (std::size_t i = 0; i < said.size(); ++i) {
-      const bool is_settled = is_disputed || !said[i].answer;
-      if (is_settled && !judge) judge.emplace(query.emplace(case_of(job_, pose)));
-      Heard heard = is_settled ? settled(*judge, *owners[i], std::move(said[i]), pose)
-                               : Heard{std::move(said[i]), {}};
+      const bool is_judged = is_disputed || !said[i].answer;
+      if (is_judged && !judge) judge.emplace(query.emplace(case_of(job_, pose)));
+      Heard heard = is_judged ? judged_by(*judge, *owners[i], std::move(said[i]), pose)
+                              : Heard{std::move(said[i]), {}};
       record.answers.push_back(record_of(*owners[i], heard));
-      record.answers.back().is_agreed = !is_settled;
+      record.answers.back().is_agreed = !is_judged;
     }
     return record;
   }
 
  private:
-  static Heard settled(const Judge& judge, const LoadedEngine& owner, Utterance said,
-                       std::size_t pose) {
+  static Heard judged_by(const Judge& judge, const LoadedEngine& owner, Utterance said,
+                         std::size_t pose) {
     return judged(
         owner.name(), std::move(said),
         [&](const CaseAnswer& answer) {

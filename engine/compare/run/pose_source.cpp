@@ -55,20 +55,20 @@ class Dice {
 };
 
 /// A box by its middle and its half diagonal.
-struct Reach {
+struct Extent {
   Eigen::Vector3d middle;
   Eigen::Vector3d half;
   double radius;
 };
 
-Reach reach_of(const Aabb& box) {
+Extent extent_of(const Aabb& box) {
   const Eigen::Vector3d half = box.max / 2 - box.min / 2;
   return {box.max / 2 + box.min / 2, half,
           std::sqrt((half.x() * half.x() + half.y() * half.y()) + half.z() * half.z())};
 }
 
 /// The pose that turns B and brings the middle of its bounds to a point in A's frame.
-Pose with_middle_at(const Pose& rotation, const Reach& b, const Eigen::Vector3d& point,
+Pose with_middle_at(const Pose& rotation, const Extent& b, const Eigen::Vector3d& point,
                     const Pose& pose_a) {
   Pose pose = rotation;
   pose.translation() = place(pose_a, point) - place(rotation, b.middle);
@@ -79,8 +79,8 @@ Pose with_middle_at(const Pose& rotation, const Reach& b, const Eigen::Vector3d&
 
 std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
                                std::uint64_t seed) {
-  const Reach a = reach_of(mesh_a.mesh.bounds());
-  const Reach b = reach_of(mesh_b.bounds());
+  const Extent a = extent_of(mesh_a.mesh.bounds());
+  const Extent b = extent_of(mesh_b.bounds());
   Dice dice(seed);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < count; ++i) {
@@ -94,25 +94,27 @@ std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b,
 
 std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
                                 std::uint64_t seed) {
-  constexpr int kSteps = 64;        // on the way in
+  constexpr int kSteps = 64;        // from far away to where the middles meet
   constexpr int kMaxMisses = 1000;  // lines through A that meet nothing
-  const Reach a = reach_of(mesh_a.mesh.bounds());
-  const Reach b = reach_of(mesh_b.bounds());
+  const Extent a = extent_of(mesh_a.mesh.bounds());
+  const Extent b = extent_of(mesh_b.bounds());
   Dice dice(seed);
   std::vector<Pose> poses;
   for (int misses = 0; poses.size() < count;) {
     const Pose rotation = dice.rotation();
     const Eigen::Vector3d target = a.middle + dice.in_cube().cwiseProduct(a.half) / 2;
     const Eigen::Vector3d out = dice.direction() * (2 * (a.radius + b.radius));
-    const auto pose_at = [&](double way) {
-      return with_middle_at(rotation, b, target + out * way, mesh_a.pose);
+    const auto pose_at = [&](double share) {
+      return with_middle_at(rotation, b, target + out * share, mesh_a.pose);
     };
-    const auto is_hit_at = [&](double way) { return intersects(mesh_a, {mesh_b, pose_at(way)}); };
+    const auto is_hit_at = [&](double share) {
+      return intersects(mesh_a, {mesh_b, pose_at(share)});
+    };
     double hit = -1;
     double apart = 1;
     for (int step = kSteps - 1; step >= 0 && hit < 0; --step) {
-      const double way = static_cast<double>(step) / kSteps;
-      (is_hit_at(way) ? hit : apart) = way;
+      const double share = static_cast<double>(step) / kSteps;
+      (is_hit_at(share) ? hit : apart) = share;
     }
     if (hit < 0) {
       if (++misses == kMaxMisses) throw InputError("--grazing: the meshes never touch");

@@ -172,7 +172,7 @@ class StepTrial {
     });
     if (!is_disputed && !is_fault) return;
     keep(pair);
-    settle(pair, is_disputed);
+    judge_answers(pair, is_disputed);
   }
 
   void add(const SceneEngine* engine, std::size_t place, Utterance utterance) {
@@ -205,8 +205,8 @@ class StepTrial {
   }
 
   /// All answers, or, where none is disputed, those that are none.
-  void settle(const ScenePair& pair, bool is_disputed) {
-    const ShapeJudge judge(body(pair.a), body(pair.b));
+  void judge_answers(const ScenePair& pair, bool is_disputed) {
+    const ShapeJudge referee(body(pair.a), body(pair.b));
     const Engine* graze = nullptr;
     std::optional<bool> graze_says;
     for (const Said& each : heard_) {
@@ -223,8 +223,8 @@ class StepTrial {
       Heard heard = judged(
           name, std::move(each.utterance),
           [&](const CaseAnswer& answer) {
-            return judge.judge(*answer.says, {name, ""},
-                               asked == nullptr ? JudgeSettings() : asking(*asked));
+            return referee.judge(*answer.says, {name, ""},
+                                 asked == nullptr ? JudgeSettings() : asking(*asked));
           },
           [&] { return each.engine->hear_alone(bodies_[pair.a], bodies_[pair.b]); });
       each.utterance = std::move(heard.said);

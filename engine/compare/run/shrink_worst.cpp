@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/write_case.h>
-#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 #include <graze/engine/compare/run/trial.h>

@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/answer_case.h>
-#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/run/trial.h>
 
 #include <array>

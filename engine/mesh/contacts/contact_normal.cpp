@@ -1,7 +1,7 @@
 #include <graze/engine/mesh/contacts/contact_normal.h>
 #include <graze/engine/mesh/contacts/face_normals.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
-#include <graze/engine/mesh/sweep/middle.h>
+#include <graze/engine/mesh/sweep/sweep.h>
 
 #include <algorithm>
 #include <cmath>
@@ -193,8 +193,9 @@ Eigen::Vector3d contact_normal(const CellComplex& complex, const std::vector<Cur
   const RegionNormal normal(complex, curves, region, units);
   if (const auto by_area = normal.by_area()) return *by_area;
   if (const auto by_faces = normal.by_faces()) return *by_faces;
-  const Vector way = 0.5 * from(middle_of(b)) - 0.5 * from(middle_of(a));
-  if (way.x != 0 || way.y != 0 || way.z != 0) return unit_direction({way.x, way.y, way.z});
+  const Vector offset = 0.5 * from(middle_of(b)) - 0.5 * from(middle_of(a));
+  if (offset.x != 0 || offset.y != 0 || offset.z != 0)
+    return unit_direction({offset.x, offset.y, offset.z});
   return {complex.b.is_before(complex.a) ? -1.0 : 1.0, 0, 0};
 }
 

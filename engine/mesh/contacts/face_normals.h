@@ -14,7 +14,7 @@ Eigen::Vector3d face_normal(const PlacedCorners& corners, std::uint32_t triangle
 
 /// What the triangles of a cell look like from either side.
 struct CellNormals {
-  Eigen::Vector3d sum_a{0, 0, 0};  // of the unit normals of its triangles of A, each once
+  Eigen::Vector3d sum_a{0, 0, 0};  ///< of the unit normals of its triangles of A, each once
   Eigen::Vector3d sum_b{0, 0, 0};
   int count_a = 0;
   int count_b = 0;

@@ -250,7 +250,7 @@ class Search {
            !side_.own.elements(triangle).has_area();
   }
 
-  /// Whether the way from corner to corner meets no node; otherwise its end belongs to the part.
+  /// Whether no node lies between one corner and the next; otherwise its end belongs to the part.
   bool leads_on(std::uint32_t corner, std::uint32_t next,
                 std::vector<Eigen::Vector3d>& points) const {
     if (next == FeatureName::kNone) return true;

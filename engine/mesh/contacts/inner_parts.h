@@ -20,13 +20,13 @@ struct MeshSide {
 /// points: placed vertices, and the nodes at which their edges leave the other mesh.
 struct InnerParts {
   std::vector<std::vector<Eigen::Vector3d>> parts;
-  std::vector<std::vector<std::uint32_t>> of_region;  // which parts end at it
+  std::vector<std::vector<std::uint32_t>> of_region;  ///< for each region, which parts end at it
 };
 
 /// Starting from the nodes, whose triangles say which end of an edge lies behind the other surface,
 /// parts are followed from vertex to vertex as far as no edge meets the other mesh. Inside is where
 /// the triangles' counter-clockwise sides look away. A region with a loose end encloses nothing,
-/// nor does one from which a way leads from the inside to the outside: of these, the next vertices
+/// nor does one from which edges lead from the inside to the outside: of these, the next vertices
 /// are all there is. Time O(n) in the parts.
 InnerParts find_inner_parts(const CellComplex& complex, const std::vector<Region>& regions,
                             const MeshSide& side);

@@ -26,22 +26,22 @@ class Furthest {
 
   void add(const Eigen::Vector3d& point) {
     const double* p = point.data();
-    const double reach =
+    const double extent =
         ((p[0] - origin_[0]) * direction_[0] + (p[1] - origin_[1]) * direction_[1]) +
         (p[2] - origin_[2]) * direction_[2];
-    if (reach < reach_ || (reach == reach_ && !is_before(point, point_))) return;
-    reach_ = reach;
+    if (extent < extent_ || (extent == extent_ && !is_before(point, point_))) return;
+    extent_ = extent;
     for (int k = 0; k < 3; ++k)
       point_.data()[k] = p[k] + 0.0;  // no negative zeros
   }
 
-  double reach() const { return reach_; }
+  double extent() const { return extent_; }
   const Eigen::Vector3d& point() const { return point_; }
 
  private:
   const double* origin_;
   const double* direction_;
-  double reach_ = -std::numeric_limits<double>::infinity();
+  double extent_ = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d point_{0, 0, 0};
 };
 
@@ -111,7 +111,7 @@ class ContactQuery {
     for (int k = 0; k < 3; ++k) {
       contact.point.data()[k] = 0.5 * contact.point_a.data()[k] + 0.5 * contact.point_b.data()[k];
     }
-    const double width = std::max(deepest_a.reach() + deepest_b.reach(), 0.0);
+    const double width = std::max(deepest_a.extent() + deepest_b.extent(), 0.0);
     contact.depth =
         width == 0 ? 0
                    : std::min(width, contacts::last_contact(a_, b_, contact.normal, width, work_));

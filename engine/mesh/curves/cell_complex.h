@@ -15,13 +15,14 @@ namespace graze::contacts {
 /// A corner of a cell.
 struct Node {
   NodeName name;
-  Eigen::Vector3d position;  // off by at most 2 ulp of the largest coordinate
+  Eigen::Vector3d position;  ///< off by at most 2 ulp of the largest coordinate
 };
 
 /// A point, the segment between two nodes, or a convex polygon, and the pairs of triangles whose
 /// intersection it is.
 struct Cell {
-  std::array<std::uint32_t, 6> corner{};  // from the lowest on, towards its lower neighbour
+  std::array<std::uint32_t, 6>
+      corner{};  ///< in cyclic order: from the lowest node on, its lower neighbour next
   std::uint32_t count = 0;
   std::uint32_t first_pair = 0;
   std::uint32_t pair_count = 0;
@@ -40,7 +41,7 @@ struct CellComplex {
   std::vector<Cell> points;
   std::vector<Cell> segments;
   std::vector<Cell> polygons;
-  std::vector<TrianglePair> pairs;  // of the cells, one after the other
+  std::vector<TrianglePair> pairs;  ///< of the cells, one after the other
 
   std::span<const TrianglePair> pairs_of(const Cell& cell) const {
     return {pairs.data() + cell.first_pair, cell.pair_count};

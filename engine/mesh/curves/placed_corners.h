@@ -14,7 +14,8 @@ namespace graze::contacts {
 /// its corners, or the point that it is. So an edge that a triangle without area shares with one of
 /// its neighbours is an edge of both.
 struct Elements {
-  std::array<std::array<std::uint32_t, 3>, 2> corners;  // numbers that ascend; repeated for less
+  std::array<std::array<std::uint32_t, 3>, 2>
+      corners;  ///< ascending; an edge repeats one number, a point all
   int count;
 
   bool has_area() const { return corners[0][0] != corners[0][1] && corners[0][1] != corners[0][2]; }

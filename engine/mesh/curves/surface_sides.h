@@ -10,18 +10,19 @@ namespace graze::contacts {
 
 enum class SurfaceSide { Inside, Outside, Unknown };
 
-/// On which side of a surface the way to a point leads that starts from a point on the surface.
+/// On which side of a surface a segment leads that starts from a point on the surface.
 class SurfaceSides {
  public:
   explicit SurfaceSides(const PlacedCorners& corners);
 
-  /// Exact where `feature`, in which the way starts, is a face, or an edge of two triangles with
-  /// the same sense; Unknown at vertices, at other edges, and for ways that stay in the surface.
+  /// Exact where `feature`, in which the segment starts, is a face, or an edge of two triangles
+  /// with the same sense; Unknown at vertices, at other edges, and for segments that stay in the
+  /// surface.
   SurfaceSide side_of(const Eigen::Vector3d& point, const FeatureName& feature) const;
 
  private:
   const PlacedCorners& corners_;
-  std::vector<std::pair<FeatureName, std::uint32_t>> triangles_;  // at faces and edges, ascending
+  std::vector<std::pair<FeatureName, std::uint32_t>> triangles_;  ///< at faces and edges, ascending
 };
 
 }  // namespace graze::contacts

@@ -34,7 +34,7 @@ struct Mesh::Data {
   };
 
   std::vector<Eigen::Vector3d> vertices;
-  std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  // of all deformations
+  std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< of all deformations
   std::span<const TriangleIndices> triangles;
   Aabb bounds;
 

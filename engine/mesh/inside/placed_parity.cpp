@@ -31,7 +31,7 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 Aabb placed_bounds(const PlacedMeshView& placed) {
   const Aabb& bounds = placed.mesh.bounds();
   const double* m = placed.pose.data();  // column-major 4x4
-  const std::array<double, 3> reach = placed_reach(placed.pose, bounds);
+  const std::array<double, 3> reach = largest_coordinates(placed.pose, bounds);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(bounds);
   const Eigen::Vector3d centre = narrowphase::place(
       placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));

@@ -1,8 +1,5 @@
 #include <graze/engine/mesh/io/format.h>
-#include <graze/engine/mesh/io/obj.h>
-#include <graze/engine/mesh/io/off.h>
-#include <graze/engine/mesh/io/ply.h>
-#include <graze/engine/mesh/io/stl.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <graze/engine/mesh/io/text_cursor.h>
 #include <algorithm>
 #include <array>

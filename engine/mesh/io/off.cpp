@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/io/off.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <graze/engine/mesh/io/text_cursor.h>
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 #include <graze/engine/mesh/io/byte_cursor.h>
-#include <graze/engine/mesh/io/ply.h>
 #include <graze/engine/mesh/io/ply_header.h>
 #include <graze/engine/mesh/io/ply_rows.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <algorithm>
 #include <string>
 

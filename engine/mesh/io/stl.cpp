@@ -1,5 +1,5 @@
 #include <graze/engine/mesh/io/byte_cursor.h>
-#include <graze/engine/mesh/io/stl.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <graze/engine/mesh/io/text_cursor.h>
 
 namespace graze::mesh_io {

@@ -1,5 +1,5 @@
 #include <graze/engine/mesh/io/position_index.h>
-#include <graze/engine/mesh/io/stl.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <graze/engine/mesh/io/text_cursor.h>
 #include <string>
 

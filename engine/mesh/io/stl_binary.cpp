@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/io/byte_cursor.h>
 #include <graze/engine/mesh/io/position_index.h>
-#include <graze/engine/mesh/io/stl.h>
+#include <graze/engine/mesh/io/readers.h>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -5,11 +5,12 @@
 namespace graze {
 namespace {
 
-constexpr double kNotWorth = 1.1;  // of a walk
+constexpr double kNotWorth = 1.1;  // times the cost of a walk
 constexpr double kFarTooMuch = 2;
 constexpr double kWellWorth = 0.7;
 
-/// What a front costs at first, where a motion has just come near, is not what it costs later.
+/// The first queries with a front tell little: a motion that has just come near costs more than
+/// later.
 constexpr int kEnoughQueries = 4;
 
 /// How much the last query counts in the mean.

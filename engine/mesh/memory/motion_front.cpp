@@ -17,15 +17,14 @@ constexpr int kLongestPause = 64;             // queries
 /// so before, or no front is begun for it.
 constexpr double kFast = 0.005;
 
-/// To begin a front costs three times a walk: so many passes pay for that.
+/// To begin a front costs as much as three walks: after so many updates that has paid.
 constexpr int kEnoughPasses = 4;
 
-/// Measured. What a smaller front has due is looked at in less time than the predicted motion
-/// takes.
+/// Measured. In a smaller front the pairs that are due take less time than a prediction.
 constexpr std::size_t kWorthAPrediction = 200;
 
 /// Of a predicted motion that is worth it: how fast its motion spent may run, for each unit of the
-/// way, and in how many passes another may follow at once.
+/// motion itself, and in how many passes another may follow at once.
 constexpr double kFastestSpending = 1.5;
 constexpr int kEnoughPredicted = 8;
 
@@ -40,18 +39,18 @@ constexpr double kMostAhead = 0.25;
 constexpr std::size_t kFewAhead = 16;
 constexpr double kLongestGap = 1000;  // queries
 
-/// What is further than it was foreseen to come by this factor has jumped.
+/// A motion that is longer than the one before by this factor is a jump.
 constexpr double kJump = 4;
 
 /// Of boxes beside eight others, leaves and triangles: some 250 bytes each.
 constexpr std::size_t kLargest = std::size_t{1} << 19;
 
-/// From corner to corner along the edges.
-double way_around(const bvh::FloatBox& box, double unit) {
-  double way = 0;
+/// The lengths of the edges in the three directions, added up.
+double sum_of_edges(const bvh::FloatBox& box, double unit) {
+  double sum = 0;
   for (int i = 0; i < 3; ++i)
-    way += (double{box.max[i]} - double{box.min[i]}) * unit;
-  return way;
+    sum += (double{box.max[i]} - double{box.min[i]}) * unit;
+  return sum;
 }
 
 }  // namespace
@@ -60,7 +59,7 @@ void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
   is_jump_ = step.way > kJump * step_ * queries;
   step_ = step.way / queries;
   queries_ = queries;
-  // The sums round up.
+  // The factors round the sums up.
   motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
   since_last_.way = (since_last_.way + step.way) * (1 + 0x1p-50);
@@ -98,8 +97,8 @@ bool MotionFront::is_outgrown() const {
 void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
   if (front_.has_prediction()) {
     ++passes_predicted_;
-    way_predicted_ += since_last_.way;
-    if (front_.spent() - spent_at_prediction_ > kFastestSpending * way_predicted_) {
+    motion_predicted_ += since_last_.way;
+    if (front_.spent() - spent_at_prediction_ > kFastestSpending * motion_predicted_) {
       front_.drop_prediction();
       next_unpredicted_ = passes_predicted_ >= kEnoughPredicted
                               ? 1
@@ -112,7 +111,7 @@ void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
       passes_unpredicted_-- <= 0) {
     front_.set_prediction(last_, since_last_);
     passes_predicted_ = 0;
-    way_predicted_ = 0;
+    motion_predicted_ = 0;
     spent_at_prediction_ = front_.spent();
   }
   std::copy_n(now, 2, last_);
@@ -143,8 +142,8 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
     pause();
     return std::nullopt;
   }
-  const double smaller =
-      std::min(way_around(tree_a.box(), b_in_a.units_a), way_around(tree_b.box(), b_in_a.units_b));
+  const double smaller = std::min(sum_of_edges(tree_a.box(), b_in_a.units_a),
+                                  sum_of_edges(tree_b.box(), b_in_a.units_b));
   is_live_ = false;
   if (is_jump_ && step_ > kFast * smaller) return std::nullopt;
   front_.begin(tree_a, tree_b, b_in_a, a_in_b);
@@ -157,13 +156,13 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
 }
 
 bvh::WideFront::Foresight MotionFront::foresight() const {
-  const double reach = reach_.queries() * step_;
+  const double distance = look_ahead_.queries() * step_;
   // To go far away and to come back are of one length, and neither jumps beside the other.
-  const bool is_near = reach < bvh::WideFront::kFarthest;
+  const bool is_near = distance < bvh::WideFront::kFarthest;
   if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_ || !is_near) return {};
   const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
   return {
-      .reach = reach,
+      .reach = distance,
       .useful = step_,
       .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
 }
@@ -172,10 +171,10 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
   if (!(step_ > 0)) return;
   const double lasts = std::clamp(std::floor(front_.proven_gap(pass) / step_), 0.0, kLongestGap);
   const double of_each = cost / (1 + lasts);
-  const double tried = reach_.queries();
-  reach_.learn(of_each);
-  // What was opened in vain is looked at for as long as the front lives.
-  const bool was_in_vain = reach_.queries() < tried;
+  const double tried = look_ahead_.queries();
+  look_ahead_.learn(of_each);
+  // Pairs that were opened without need stay in the front: if it has grown much, it is given up.
+  const bool was_in_vain = look_ahead_.queries() < tried;
   if (was_in_vain &&
       static_cast<double>(front_.size()) > kMostGrowth * static_cast<double>(first_size_))
     is_live_ = false;
@@ -184,7 +183,7 @@ void MotionFront::learn(const bvh::WideFront::Pass& pass, double cost) {
 }
 
 void MotionFront::advance(const bvh::WideFront::Pass& pass, double limit, Work& work) {
-  is_live_ = false;  // should it throw
+  is_live_ = false;  // so that the front is not used again if this throws
   const std::size_t size_before = front_.size();
   front_.advance(pass, limit, foresight());
   is_live_ = true;

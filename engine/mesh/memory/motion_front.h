@@ -3,8 +3,8 @@
 // Private to engine/mesh.
 
 #include <graze/bvh/wide/front/wide_front.h>
-#include <graze/engine/mesh/memory/front_reach.h>
 #include <graze/engine/mesh/memory/front_worth.h>
+#include <graze/engine/mesh/memory/look_ahead.h>
 #include <graze/engine/work.h>
 
 #include <cstddef>
@@ -20,63 +20,67 @@ class MotionFront {
   bvh::WideFront& front() { return front_; }
   bool is_live() const { return is_live_; }
 
-  /// Whether this query had better do without it, because others have.
+  /// Whether this query should do without the front, because it rests for some queries; counts
+  /// down.
   bool rests();
 
-  /// B has come so much further (common units), in so many queries.
+  /// Takes note that in so many queries no point of B has moved by more than the step (common
+  /// units).
   void move(const bvh::WideFront::Motion& step, int queries);
 
-  /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
-  /// be. Where most of it is due, or queries with it have cost more than a walk, or have looked at
-  /// a third of it for a distance, the query had better walk the trees, and so had the next ones,
-  /// the more of them the more often that happens in turn. `limit` as in WideFront::advance().
+  /// The update of the front for this query, if the front is worth it or, begun anew in these
+  /// poses, promises to be. Otherwise the query should walk the trees: where most of the front is
+  /// due, where queries with it have cost more than a walk, or where distances made it look at a
+  /// third of the front. Then the front rests for some queries, and for more of them each time that
+  /// this happens in turn. `limit` as in WideFront::advance().
   std::optional<bvh::WideFront::Pass> pass(const bvh::WideTree& tree_a, const bvh::WideTree& tree_b,
                                            const bvh::RelativeFrame& b_in_a,
                                            const bvh::RelativeFrame& a_in_b, double limit);
 
-  /// Looks at what is due, and counts that.
+  /// Looks at the pairs that are due, and adds what that took to `work`.
   void advance(const bvh::WideFront::Pass& pass, double limit, Work& work);
 
-  /// A query has walked the trees instead, to the end: what that was.
+  /// Takes note of what a query did that walked the trees to the end instead.
   void learn_walk(const Work& walk) { worth_.learn_walk(FrontWorth::cost_of_walk(walk)); }
 
  private:
   bool is_outgrown() const;
 
-  /// Of distances, each of which is computed: where many are nearly equal a walk sees fewer.
+  /// Whether a query for a distance would compute so many distances that a walk, which sees fewer
+  /// where many are nearly equal, costs less.
   bool has_many_candidates(const bvh::WideFront::Pass& pass, double limit);
   void pause();
 
-  /// What this pass is to do for later queries.
+  /// How far ahead this update is to look for later queries.
   bvh::WideFront::Foresight foresight() const;
 
-  /// What a pass that cost so much was worth.
+  /// Learns from what an update has cost whether it was worth that.
   void learn(const bvh::WideFront::Pass& pass, double cost);
 
-  /// Gives the front a predicted motion where there is one, and none where it would not be kept to.
+  /// Gives the front a predicted motion, or takes it away where the motion deviates from it.
   void steer(const bvh::RelativeFrame (&now)[2]);
 
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
-  bvh::WideFront::Motion motion_;  // since it was begun
-  int passes_ = 0;                 // since it was begun
-  std::size_t first_size_ = 0;     // after the first of these
-  int pause_ = 0;                  // queries until it may begin
+  bvh::WideFront::Motion motion_;  ///< since the front was begun
+  int passes_ = 0;                 ///< updates since the front was begun
+  std::size_t first_size_ = 0;     ///< of the front, after the first update
+  int pause_ = 0;                  ///< queries until a front may be begun
   int next_pause_ = 1;
   FrontWorth worth_;
-  FrontReach reach_;
-  double step_ = 0;  // of B in each of the last queries, from where it was before them
-  int queries_ = 1;  // how many these are
+  LookAhead look_ahead_;
+  double step_ = 0;  ///< how far B moved in each of the last queries, at most, on average
+  int queries_ = 1;  ///< how many queries that average is over
   bool is_jump_ = true;
 
-  bvh::RelativeFrame last_[2] = {};  // when a pass was last asked for
+  bvh::RelativeFrame last_[2] = {};  ///< the relative frames when an update was last asked for
   bvh::WideFront::Motion since_last_;
   bool is_last_known_ = false;
   int passes_predicted_ = 0;
-  double way_predicted_ = 0;
+  double motion_predicted_ = 0;
   double spent_at_prediction_ = 0;
-  int passes_unpredicted_ = 0;  // until another is tried
+  int passes_unpredicted_ = 0;  ///< updates until another prediction is tried
   int next_unpredicted_ = 1;
 };
 

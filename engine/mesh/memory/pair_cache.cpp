@@ -1,4 +1,5 @@
-// A gap that is proved in one pose holds in others, and so does each that a front holds.
+// A gap that is proved in one pose, of the whole meshes or of a pair in a front, bounds the gap in
+// later poses, too.
 //
 // In space: law 1 rounds a placed vertex by less than 7 u m + 2 u |t| in each coordinate, with m
 // the mesh's largest and u = 2^-53, so that from one pose to another none moves by more than |dR x
@@ -49,19 +50,20 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
   }
   double square = 0;
   for (int i = 0; i < 3; ++i) {
-    const double way = now.translation[i] - translation[i];
-    sizes += std::abs(way);
-    square += (moved[i] + way) * (moved[i] + way);
+    const double offset = now.translation[i] - translation[i];
+    sizes += std::abs(offset);
+    square += (moved[i] + offset) * (moved[i] + offset);
   }
   // Rounding of sums of five terms, and squares that underflow.
-  const double way = (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
-  return {way, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
+  const double displacement =
+      (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+  return {displacement, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
 }
 
 }  // namespace
 
 bool have_same_bits(const Pose& one, const Pose& other) {
-  if (one.data()[12] != other.data()[12]) return false;  // as when it moves
+  if (one.data()[12] != other.data()[12]) return false;  // what moves differs here mostly
   std::uint64_t difference = 0;
   for (int i = 0; i < 16; ++i)
     difference |=
@@ -93,7 +95,7 @@ void CachedMesh::place(const Pose& pose, const char* what) {
   is_placed_ = true;
 }
 
-CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
+CachedMesh::DisplacementBound CachedMesh::displacement_from(const Pose& before) const {
   const double* m = pose_.data();  // column-major 4x4
   const double* n = before.data();
   double moved[3];
@@ -108,7 +110,7 @@ CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
       turned_square += turned * turned;
     }
   }
-  // The square of a sum is at most twice the sum of squares: a root less.
+  // The square of a sum is at most twice the sum of squares: this saves a root.
   const double square = moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
   return {2 * (square + radius_ * radius_ * turned_square) * (1 + 0x1p-40),
           0x1p-46 * sizes + 0x1p-500};
@@ -117,17 +119,17 @@ CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
 void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
   a_.place(pose_a, "pose of mesh A");
   b_.place(pose_b, "pose of mesh B");
-  // No number of queries is too large: some are over in nanoseconds.
+  // The count is capped, as some queries take nanoseconds only.
   queries_ = std::min(queries_ + 1, kMostQueries);
 }
 
 bool PairCache::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const CachedMesh::Motion of_a = motion_from(gap_place_a_, a_);
-  const CachedMesh::Motion of_b = motion_from(gap_place_b_, b_);
+  const CachedMesh::DisplacementBound of_a = displacement_from(gap_place_a_, a_);
+  const CachedMesh::DisplacementBound of_b = displacement_from(gap_place_b_, b_);
   const double left =
       gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
-  // Of two motions of which one is none the other is the sum.
+  // If only one of the two moved, its motion is the sum.
   const double both = of_a.square + of_b.square;
   const double square = of_a.square > 0 && of_b.square > 0 ? 2 * both : both;
   return left > 0 && left * left * (1 - 0x1p-40) > square;

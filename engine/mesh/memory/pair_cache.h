@@ -16,7 +16,7 @@
 
 namespace graze {
 
-/// Bit by bit.
+/// Whether the two are equal bit by bit.
 bool have_same_bits(const Pose& one, const Pose& other);
 
 /// A mesh in its last pose, with what bounds how far a motion takes its points.
@@ -26,7 +26,7 @@ class CachedMesh {
 
   const Mesh& mesh() const { return mesh_; }
   const Pose& pose() const { return pose_; }
-  /// Another number each time that the pose changes.
+  /// A number that grows each time that the pose changes.
   std::uint64_t pose_number() const { return pose_number_; }
   double deviation() const { return error_.largest(); }
 
@@ -35,19 +35,19 @@ class CachedMesh {
 
   /// No placed point of the mesh is further from where `before` placed it than the root of `square`
   /// and `rounding` (metres).
-  struct Motion {
+  struct DisplacementBound {
     double square = 0;
     double rounding = 0;
   };
-  Motion motion_from(const Pose& before) const;
+  DisplacementBound displacement_from(const Pose& before) const;
 
  private:
-  alignas(64) Pose pose_ = Pose::Identity();  // two cache lines: each query compares it
+  alignas(64) Pose pose_ = Pose::Identity();  ///< fills two cache lines, as each query compares it
   Mesh mesh_;
   double middle_[3];
-  double radius_;   // of the bounds, around their middle
-  double largest_;  // coordinate
-  double sizes_;    // of the bounds, added up
+  double radius_;   ///< of a ball around the bounds, about their middle
+  double largest_;  ///< coordinate of the bounds
+  double sizes_;    ///< of the bounds, added up
   bvh::RotationError error_{pose_};
   std::uint64_t pose_number_ = 0;
   bool is_placed_ = false;
@@ -64,23 +64,23 @@ class PairCache {
     return a_.mesh() == a.mesh && b_.mesh() == b.mesh;
   }
 
-  /// Where the next query has them. Throws PoseError.
+  /// Puts both meshes into the poses of the next query. Throws PoseError.
   void place(const Pose& pose_a, const Pose& pose_b);
 
   double deviation_a() const { return a_.deviation(); }
   double deviation_b() const { return b_.deviation(); }
 
-  /// Whether all placed triangles are surely further apart than so many metres: because of the gap
-  /// that was proved last, less the motion since.
+  /// Whether all placed triangles are surely farther apart than so many metres: by the gap that was
+  /// proved last, less how far both meshes moved since.
   bool are_beyond(double metres) const;
 
-  /// The same, and a query that is over with it, which is counted.
+  /// The same for a query that this answers: counts it if so.
   bool are_still_beyond(double metres, Work* work);
 
-  /// No triangles are nearer than so many metres in these poses.
+  /// Takes note that in these poses no triangles are nearer than so many metres.
   void learn_gap(double metres);
 
-  /// How B lies in A now: the fronts move along. Whether there was a query before.
+  /// Tells the fronts how far B has moved in A since the last call. False if this is the first.
   bool follow(const WideQuery& query);
 
   std::span<const TrianglePair> pairs() const { return {pairs_.data(), pair_count_}; }
@@ -89,8 +89,8 @@ class PairCache {
 
   std::optional<TrianglePair> nearest;
   bool was_within = false;
-  bool was_touching = false;    // when a distance was last asked for
-  std::size_t pairs_found = 0;  // when all pairs were last asked for
+  bool was_touching = false;    ///< when a distance was last asked for
+  std::size_t pairs_found = 0;  ///< when all pairs were last asked for
   MotionFront meeting{bvh::WideFront::Bounds::Meeting};
   MotionFront near{bvh::WideFront::Bounds::Distance};
   std::uint64_t still_apart = 0;
@@ -105,26 +105,28 @@ class PairCache {
     std::uint64_t number = 0;
   };
   static Place place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
-  static CachedMesh::Motion motion_from(const Place& before, const CachedMesh& mesh) {
-    return before.number == mesh.pose_number() ? CachedMesh::Motion()
-                                               : mesh.motion_from(before.pose);
+  static CachedMesh::DisplacementBound displacement_from(const Place& before,
+                                                         const CachedMesh& mesh) {
+    return before.number == mesh.pose_number() ? CachedMesh::DisplacementBound()
+                                               : mesh.displacement_from(before.pose);
   }
 
   Place gap_place_a_;
   Place gap_place_b_;
-  double gap_ = -1;  // metres, in these places; less than 0: nothing is known
+  double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
 
-  double rotation_[3][3];  // of B in A, in common units, when last computed
+  double rotation_[3][3];  ///< of B in A, in common units, at the last follow()
   double translation_[3];
   bool is_followed_ = false;
   static constexpr int kMostQueries = 1 << 20;
-  int queries_ = 0;  // since then, or so many
+  int queries_ = 0;  ///< since then, at most kMostQueries
 
-  std::array<TrianglePair, kMostPairs> pairs_{};  // that touched, the last to do so first
+  std::array<TrianglePair, kMostPairs> pairs_{};  ///< that touched, the last one that did first
   std::size_t pair_count_ = 0;
 };
 
-/// What the memory knows of these two, placed: nothing if it was about others. Throws PoseError.
+/// The cache of this pair of meshes, in these poses; an empty one if the memory was about others.
+/// Throws PoseError.
 PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
 
 /// A lower bound of how far apart the meshes are by the boxes of all that they hold (metres), or

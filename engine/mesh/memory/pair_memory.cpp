@@ -49,14 +49,14 @@ namespace {
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
-  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& remembered, Touch touch,
-               Work& work)
-      : query_(a, b, remembered.deviation_a(), remembered.deviation_b(), work),
-        cache_(remembered),
+  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache, Touch touch, Work& work)
+      : query_(a, b, cache.deviation_a(), cache.deviation_b(), work),
+        cache_(cache),
         touch_(touch),
         work_(work) {}
 
-  /// Whether the boxes of all prove it, which is then remembered. A front has them, too.
+  /// Whether the boxes around both meshes prove that they are apart: then the cache keeps the gap.
+  /// Not asked with a live front, which holds these boxes, too.
   bool are_far_apart() {
     if (cache_.meeting.is_live()) return false;
     if (!query_.are_far_apart(work_)) return false;
@@ -77,7 +77,7 @@ class MeetingQuery {
     };
     for (std::size_t i = 0; i < pairs.size() && touching == pairs.size(); ++i) {
       candidates.add(pairs[i], query_.triangle_a(pairs[i]), query_.triangle_b(pairs[i]));
-      // The first alone: most of the time it is enough.
+      // The first pair is decided alone: most of the time it is enough.
       if (i == 0 || i + 1 == pairs.size()) candidates.decide(on_pair);
     }
     if (touching == pairs.size()) return false;
@@ -87,8 +87,8 @@ class MeetingQuery {
     return true;
   }
 
-  /// Calls `on_pair(pair)` for each that meets, until it answers Stop. Whether the front could say:
-  /// otherwise it calls for none.
+  /// Calls `on_pair(pair)` for each pair that meets, until it answers Stop. Returns false if there
+  /// is no front that can answer: then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
     if (cache_.meeting.rests() || !cache_.follow(query_)) return false;
@@ -144,17 +144,17 @@ class MeetingQuery {
   Work& work_;
 };
 
-// What follows is not inlined: a query that a gap answers is over before there were frames and
-// counters for all that.
+// The functions that follow are not inlined: a query that a known gap answers should not pay for
+// their frames and counters.
 
 HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                   PairCache& remembered, Touch touch, Work* work) {
+                                   PairCache& cache, Touch touch, Work* work) {
   CountedWork counted(work);
-  MeetingQuery query(mesh_a, mesh_b, remembered, touch, counted.work());
+  MeetingQuery query(mesh_a, mesh_b, cache, touch, counted.work());
   if (query.are_far_apart()) return false;
   if (query.does_cached_pair_touch()) return true;
   // After a hit another is likelier than a gap.
-  const bool was_apart = remembered.pairs().empty();
+  const bool was_apart = cache.pairs().empty();
   TrianglePair found[PairCache::kMostPairs];
   std::size_t count = 0;
   const auto on_pair = [&](TrianglePair pair) {
@@ -162,7 +162,7 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMes
     return bvh::Walk::Stop;
   };
   if (!was_apart || !query.pass_front(on_pair)) query.walk(on_pair);
-  remembered.remember({found, count});
+  cache.remember({found, count});
   return count > 0;
 }
 
@@ -172,32 +172,31 @@ HWY_NOINLINE bool is_one_inside(const PlacedMeshView& mesh_a, const PlacedMeshVi
 }
 
 HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                      PairCache& remembered, const MemoryPairSettings& settings,
-                                      Work* work) {
+                                      PairCache& cache, const MemoryPairSettings& settings, Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
-  MeetingQuery query(mesh_a, mesh_b, remembered, settings.touch, counted.work());
+  MeetingQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
   if (query.are_far_apart()) return found;
   const bool is_done = settings.threads == 1 && query.pass_front([&](TrianglePair pair) {
-    if (found.pairs.empty()) found.pairs.reserve(std::min(remembered.pairs_found, settings.limit));
+    if (found.pairs.empty()) found.pairs.reserve(std::min(cache.pairs_found, settings.limit));
     found.pairs.push_back(pair);
     return found.pairs.size() > settings.limit ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (is_done && found.pairs.size() <= settings.limit) {
     sort_pairs(found.pairs);
   } else {
-    // Which pairs come first is for the walk to say.
+    // With a limit the walk decides which pairs are returned.
     Work done;
     found = find_triangle_pairs(
         mesh_a, mesh_b,
         {.limit = settings.limit, .touch = settings.touch, .threads = settings.threads}, &done);
     if (settings.threads == 1 && found.completeness == Completeness::Complete)
-      remembered.meeting.learn_walk(done);
+      cache.meeting.learn_walk(done);
     counted.work() += done;
   }
-  remembered.remember(found.pairs);
-  // The next pose has about as many.
-  remembered.pairs_found = found.pairs.size() + found.pairs.size() / 4;
+  cache.remember(found.pairs);
+  // The next pose has about as many pairs: it reserves room for a quarter more.
+  cache.pairs_found = found.pairs.size() + found.pairs.size() / 4;
   return found;
 }
 
@@ -211,9 +210,9 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Pair
       check_closed(mesh_a.mesh, "mesh A");
       check_closed(mesh_b.mesh, "mesh B");
     }
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    if (!remembered.are_still_beyond(0, work) &&
-        do_surfaces_meet(mesh_a, mesh_b, remembered, touch_of(settings.hit), work))
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (!cache.are_still_beyond(0, work) &&
+        do_surfaces_meet(mesh_a, mesh_b, cache, touch_of(settings.hit), work))
       return true;
     return settings.hit == Hit::Solid && is_one_inside(mesh_a, mesh_b, work);
   });
@@ -224,9 +223,9 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    if (remembered.are_still_beyond(0, work)) return {};
-    return find_pairs(mesh_a, mesh_b, remembered, settings, work);
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (cache.are_still_beyond(0, work)) return {};
+    return find_pairs(mesh_a, mesh_b, cache, settings, work);
   });
 }
 

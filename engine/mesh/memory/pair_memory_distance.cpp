@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/memory/pair_cache.h>
+#include <graze/engine/mesh/nearest/distance_limit.h>
 #include <graze/engine/mesh/nearest/distance_parts.h>
-#include <graze/engine/mesh/nearest/distance_reach.h>
 #include <graze/engine/mesh/pair_memory.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
@@ -16,38 +16,38 @@ namespace {
 /// A query that knows a pair of triangles near each other.
 class NearQuery {
  public:
-  NearQuery(const WideQuery& query, PairCache& remembered, Work& work)
+  NearQuery(const WideQuery& query, PairCache& cache, Work& work)
       : query_(query),
-        reach_(query_.frame_a, query_.frame_b, query_.b_in_a),
+        box_limit_(query_.frame_a, query_.frame_b, query_.b_in_a),
         largest_(std::max(largest_of(query.a), largest_of(query.b))),
         gap_(largest_),
-        cache_(remembered),
+        cache_(cache),
         work_(work) {}
 
-  /// Looks for what separates along the way between these points, beyond so many metres.
+  /// Looks for what separates along the line between these points, beyond so many metres.
   void aim_along(const TriangleDistance& found) { gap_.set_direction(found); }
   void shrink_to(double metres) {
     limit_ = metres;
-    reach_.shrink_to(metres);
+    box_limit_.shrink_to(metres);
   }
 
   /// Calls `on_pair(pair, distance)` for each pair that may be within the limit, which may come
-  /// down meanwhile, until it answers Stop. Whether the front could say: otherwise it calls for
-  /// none.
+  /// down meanwhile, until it answers Stop. Returns false if there is no front that can answer:
+  /// then it calls for none.
   template <typename OnPair>
   bool pass_front(OnPair&& on_pair) {
     MotionFront& near = cache_.near;
     if (near.rests() || !cache_.follow(query_)) return false;
     auto pass =
-        near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), reach_.units());
+        near.pass(query_.tree_a, query_.tree_b, query_.b_in_a, query_.a_in_b(), box_limit_.units());
     if (!pass) return false;
     double direction_in_a[3];
     turn_into(direction_in_a, query_.a.pose, gap_.direction());
     pass->aim_along(direction_in_a);
-    near.advance(*pass, reach_.units(), work_);
+    near.advance(*pass, box_limit_.units(), work_);
     bvh::WideFront& front = near.front();
     for (std::size_t i = 0; i < front.candidate_count(); ++i) {
-      if (!front.is_due(i, *pass, reach_.units())) continue;
+      if (!front.is_due(i, *pass, box_limit_.units())) continue;
       const TrianglePair pair = query_.pair_at(front.candidate(i));
       const Triangle triangle_a = query_.triangle_a(pair);
       const Triangle triangle_b = query_.triangle_b(pair);
@@ -59,7 +59,7 @@ class NearQuery {
       }
       const TriangleDistance found = distance_of(triangle_a, triangle_b, work_);
       front.set_gap(i, *pass, units_between(found.distance));
-      // What is as near as any will be asked again, whatever keeps it apart.
+      // A pair that is as near as any is asked again in the next pose, so no plane is kept for it.
       if (found.distance > limit_) {
         narrowphase::DirectedGap along(largest_);
         along.set_direction(found);
@@ -69,11 +69,11 @@ class NearQuery {
       }
       if (on_pair(pair, found) == bvh::Walk::Stop) return true;
     }
-    cache_.learn_gap(reach_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
+    cache_.learn_gap(box_limit_.least_metres(front.proven_gap(*pass) - 2 * query_.b_in_a.slack));
     return true;
   }
 
-  /// What of a distance as it is returned is sure, and so of the true one.
+  /// A lower bound of the true distance, from one as distance() returns it.
   double surely(double metres) const { return metres - 0x1p-46 * largest_; }
 
  private:
@@ -86,18 +86,18 @@ class NearQuery {
     }
   }
 
-  /// How far apart in the trees' frames what is so far apart in space is at least.
+  /// A lower bound, in the trees' frames, of a distance in space.
   double units_between(double metres) const {
-    return reach_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
+    return box_limit_.least_units(surely(metres)) - 2 * query_.b_in_a.slack;
   }
 
-  /// The same along a direction, with the slack of both frames.
+  /// The same of a gap along a direction, with the slack of both frames.
   bvh::WideFront::Gap gap_along(const narrowphase::DirectedGap& along, double metres,
                                 double slack) const {
     // Poses turn directions into such that are longer by 1.5e-6 at most.
     constexpr double kShorter = 1 - 0x1p-18;
     bvh::WideFront::Gap gap;
-    gap.units = kShorter * (reach_.least_units_along(surely(metres)) - 2 * slack);
+    gap.units = kShorter * (box_limit_.least_units_along(surely(metres)) - 2 * slack);
     turn_into(gap.along_in_a, query_.a.pose, along.direction());
     turn_into(gap.along_in_b, query_.b.pose, along.direction());
     for (int i = 0; i < 3; ++i)
@@ -106,7 +106,7 @@ class NearQuery {
   }
 
   const WideQuery& query_;
-  DistanceReach reach_;
+  DistanceLimit box_limit_;
   double largest_;
   narrowphase::DirectedGap gap_;
   double limit_ = 0;
@@ -114,12 +114,12 @@ class NearQuery {
   Work& work_;
 };
 
-/// What is nearest, beginning with a pair that was.
-MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& remembered,
+/// The distance of the meshes, beginning with the pair that was nearest before.
+MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& cache,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);
   if (known.distance == 0) return find_distance(meshes, pair, work);
-  NearQuery query(meshes, remembered, work);
+  NearQuery query(meshes, cache, work);
   MeshDistance best = result_of(known, pair);
   query.shrink_to(best.distance);
   query.aim_along(known);
@@ -132,12 +132,12 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
     return best.distance == 0 ? bvh::Walk::Stop : bvh::Walk::Continue;
   });
   if (!is_done) {
-    best = remembered.are_beyond(0) ? distance_apart(meshes, best.pair, work)
-                                    : find_distance(meshes, best.pair, work);
+    best = cache.are_beyond(0) ? distance_apart(meshes, best.pair, work)
+                               : find_distance(meshes, best.pair, work);
   } else if (best.distance == 0) {
-    best = find_distance(meshes, best.pair, work);  // which pair touches is for it to say
+    best = find_distance(meshes, best.pair, work);  // it decides which touching pair is returned
   }
-  if (best.distance > 0) remembered.learn_gap(query.surely(best.distance));
+  if (best.distance > 0) cache.learn_gap(query.surely(best.distance));
   return best;
 }
 
@@ -148,17 +148,15 @@ MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b
   return bvh::in_standard_arithmetic([&]() -> MeshDistance {
     CountedWork counted(work);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    const WideQuery query(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
-                          counted.work());
-    const std::optional<TrianglePair> hint =
-        remembered.nearest ? remembered.nearest : settings.hint;
-    // After a touch another is likelier than a gap, and which pair touches is for a walk to say.
-    const bool may_touch = !remembered.nearest || remembered.was_touching;
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    const WideQuery query(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(), counted.work());
+    const std::optional<TrianglePair> hint = cache.nearest ? cache.nearest : settings.hint;
+    // After a touch another is likelier than a gap; a walk decides which touching pair is returned.
+    const bool may_touch = !cache.nearest || cache.was_touching;
     MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
-                                  : find_nearest(query, *hint, remembered, counted.work());
-    remembered.nearest = best.pair;
-    remembered.was_touching = best.distance == 0;
+                                  : find_nearest(query, *hint, cache, counted.work());
+    cache.nearest = best.pair;
+    cache.was_touching = best.distance == 0;
     return best;
   });
 }
@@ -168,21 +166,21 @@ bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double c
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_clearance(clearance);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);
-    PairCache& remembered = recall(memory, mesh_a, mesh_b);
-    if (remembered.are_still_beyond(clearance, work)) return false;
+    PairCache& cache = recall(memory, mesh_a, mesh_b);
+    if (cache.are_still_beyond(clearance, work)) return false;
     CountedWork counted(work);
-    const WideQuery meshes(mesh_a, mesh_b, remembered.deviation_a(), remembered.deviation_b(),
+    const WideQuery meshes(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(),
                            counted.work());
     std::optional<TriangleDistance> known;
-    if (remembered.nearest) {
-      known = distance_of(meshes, *remembered.nearest, counted.work());
+    if (cache.nearest) {
+      known = distance_of(meshes, *cache.nearest, counted.work());
       if (known->distance <= clearance) {
-        ++remembered.still_touching;
+        ++cache.still_touching;
         ++counted.work().skipped_by_memory;
         return true;
       }
     }
-    NearQuery query(meshes, remembered, counted.work());
+    NearQuery query(meshes, cache, counted.work());
     query.shrink_to(clearance);
     if (known) query.aim_along(*known);
     std::optional<TrianglePair> found;
@@ -191,12 +189,12 @@ bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double c
       return found ? bvh::Walk::Stop : bvh::Walk::Continue;
     };
     // After a hit another is likelier than a gap.
-    const bool was_within = remembered.was_within;
+    const bool was_within = cache.was_within;
     if (was_within || !query.pass_front(on_pair)) {
       found = find_within(meshes, clearance, settings.hint, counted.work());
     }
-    if (found) remembered.nearest = found;
-    remembered.was_within = found.has_value();
+    if (found) cache.nearest = found;
+    cache.was_within = found.has_value();
     return found.has_value();
   });
 }

@@ -2,8 +2,8 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/wide/walk/wide_distance_walk.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/nearest/distance_limit.h>
 #include <graze/engine/mesh/nearest/distance_parts.h>
-#include <graze/engine/mesh/nearest/distance_reach.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/query_results.h>
@@ -31,7 +31,7 @@ class Search {
   Search(const WideQuery& query, Work& work)
       : query_(query),
         a_in_b_(query.a_in_b()),
-        reach_(query.frame_a, query.frame_b, query.b_in_a),
+        box_limit_(query.frame_a, query.frame_b, query.b_in_a),
         gap_(std::max(largest_of(query.a), largest_of(query.b))),
         work_(work) {}
 
@@ -43,7 +43,7 @@ class Search {
 
   void shrink_to(double metres) {
     limit_ = metres;
-    reach_.shrink_to(share_ * metres);
+    box_limit_.shrink_to(share_ * metres);
   }
 
   /// Looks first for what separates, as the nearest points found so far do.
@@ -54,14 +54,15 @@ class Search {
     const double* o = frame.centre;
     const double per_metre = query_.b_in_a.units_a / frame.unit();
     const double* m = query_.a.pose.data();  // column-major 4x4
-    double way[3];                           // from where the frame's centre is placed
+    double offset[3];                        // from where the frame's centre is placed
     for (int i = 0; i < 3; ++i) {
-      way[i] = found.point_a[i] - (m[i] * o[0] + m[4 + i] * o[1] + m[8 + i] * o[2] + m[12 + i]);
+      offset[i] = found.point_a[i] - (m[i] * o[0] + m[4 + i] * o[1] + m[8 + i] * o[2] + m[12 + i]);
     }
     for (int i = 0; i < 3; ++i) {
       const double* axis = m + 4 * i;
       direction_in_a_[i] = axis[0] * z[0] + axis[1] * z[1] + axis[2] * z[2];
-      point_in_a_[i] = (axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2]) * per_metre;
+      point_in_a_[i] =
+          (axis[0] * offset[0] + axis[1] * offset[1] + axis[2] * offset[2]) * per_metre;
     }
   }
 
@@ -70,18 +71,18 @@ class Search {
   template <typename OnPair>
   void run(OnPair&& on_pair) {
     bvh::WideDistanceWalk walk(query_.tree_a, query_.tree_b, query_.b_in_a, a_in_b_,
-                               reach_.margins());
+                               box_limit_.margins());
     bvh::BoundedPlaces found[bvh::WideDistanceWalk::kMostAtOnce];
     bool is_stopped = false;
     while (!is_stopped) {
       walk.aim_along(direction_in_a_, point_in_a_);
-      const std::size_t count = walk.next(found, reach_.square());
+      const std::size_t count = walk.next(found, box_limit_.square());
       if (count == 0) break;
       std::sort(found, found + count, [](const auto& one, const auto& other) {
         return one.squared_bound < other.squared_bound;
       });
       for (std::size_t i = 0; i < count && !is_stopped; ++i) {
-        if (walk.is_beyond(found[i], reach_.square())) break;
+        if (walk.is_beyond(found[i], box_limit_.square())) break;
         is_stopped = visit(found[i].places, on_pair) == bvh::Walk::Stop;
       }
     }
@@ -101,7 +102,7 @@ class Search {
 
   const WideQuery& query_;
   bvh::RelativeFrame a_in_b_;
-  DistanceReach reach_;
+  DistanceLimit box_limit_;
   narrowphase::DirectedGap gap_;
   double direction_in_a_[3] = {0, 0, 0};
   double point_in_a_[3] = {0, 0, 0};  // in common units, near the nearest found so far
@@ -117,7 +118,7 @@ void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) 
   const auto check = [](std::uint32_t index, std::size_t count, const char* name) {
     if (index < count) return;
     throw InputError(std::string("hint: triangle ") + std::to_string(index) + " of mesh " + name +
-                         ", which has " + std::to_string(count),
+                     ", which has " + std::to_string(count),
                      {.element = "triangle", .index = index});
   };
   check(settings.hint->a, a.triangles().size(), "A");
@@ -130,8 +131,8 @@ void check_clearance(double clearance) {
 }
 
 double largest_of(const PlacedMeshView& placed) {
-  const std::array<double, 3> reach = placed_reach(placed.pose, placed.mesh.bounds());
-  return std::max(reach[0], std::max(reach[1], reach[2]));
+  const std::array<double, 3> largest = largest_coordinates(placed.pose, placed.mesh.bounds());
+  return std::max(largest[0], std::max(largest[1], largest[2]));
 }
 
 std::optional<TrianglePair> first_pair_that_meets(const WideQuery& query, Work& work) {

@@ -40,7 +40,7 @@ class SharedWalk {
   enum class Answer { Taken, Later, Never };
   Answer try_take(bvh::WidePairWalk& walk);
 
-  std::mutex mutex_;  // of offer_; who takes has it until its turn is counted
+  std::mutex mutex_;  ///< guards offer_; whoever takes holds it until its turn is counted
   std::vector<bvh::WidePairWalk::Waiting> offer_;
   std::atomic<std::size_t> on_offer_{0};
   std::atomic<std::size_t> waiting_{0};

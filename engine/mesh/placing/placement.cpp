@@ -40,26 +40,26 @@ Triangle place(const Pose& pose, const Triangle& triangle) {
       [&]() -> Triangle { return narrowphase::place(pose, triangle); });
 }
 
-std::array<double, 3> placed_reach(const Pose& pose, const Aabb& bounds) {
+std::array<double, 3> largest_coordinates(const Pose& pose, const Aabb& bounds) {
   const double* m = pose.data();
   double largest[3];
   for (int k = 0; k < 3; ++k) {
     largest[k] = std::max(std::abs(bounds.min.data()[k]), std::abs(bounds.max.data()[k]));
   }
   // Rounding is monotone: the same operations on absolute values bound all of place()'s.
-  std::array<double, 3> reach;
+  std::array<double, 3> placed;
   for (int i = 0; i < 3; ++i) {
-    reach[i] = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
-                std::abs(m[8 + i]) * largest[2]) +
-               std::abs(m[12 + i]);
+    placed[i] = ((std::abs(m[i]) * largest[0] + std::abs(m[4 + i]) * largest[1]) +
+                 std::abs(m[8 + i]) * largest[2]) +
+                std::abs(m[12 + i]);
   }
-  return reach;
+  return placed;
 }
 
 namespace {
 
-[[noreturn]] void throw_overflow(const std::array<double, 3>& reach, const char* what) {
-  const char axis = !std::isfinite(reach[0]) ? 'x' : !std::isfinite(reach[1]) ? 'y' : 'z';
+[[noreturn]] void throw_overflow(const std::array<double, 3>& largest, const char* what) {
+  const char axis = !std::isfinite(largest[0]) ? 'x' : !std::isfinite(largest[1]) ? 'y' : 'z';
   throw PoseError(std::string(what) + ": coordinate " + axis + " of the mesh could overflow");
 }
 
@@ -69,9 +69,9 @@ double check_placement(const Pose& pose, const Aabb& bounds, const char* what) {
   const bvh::RotationError error(pose);
   if (is_surely_placeable(pose, error, sum_of_sizes(bounds))) return error.largest();
   const double deviation = bvh::check_rigid(pose, what);
-  const std::array<double, 3> reach = placed_reach(pose, bounds);
-  for (const double most : reach) {
-    if (!std::isfinite(most)) throw_overflow(reach, what);
+  const std::array<double, 3> largest = largest_coordinates(pose, bounds);
+  for (const double most : largest) {
+    if (!std::isfinite(most)) throw_overflow(largest, what);
   }
   return deviation;
 }

@@ -2,12 +2,12 @@
 // are. A point p of a placed triangle has y = R^T (p - P) within 3 dev r + 3.5 placing of the
 // node's box, and one of the ray, o + s d, has y = R^T (o - P) + s R^T d. The first term as
 // computed is off by 10 u |o - P|, components of the second, |d| being less than 4, by 28 u;
-// RaySlabs takes components below 2^-60 for 0. A ray point in reach of the mesh has s < 4 r + 4
-// |R^T (o - P)|, as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing + 256 u
-// (r + |o - P|) covers all.
+// RaySlabs takes components below 2^-60 for 0. A ray point near enough to meet the mesh has s < 4 r
+// + 4 |R^T (o - P)|, as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing +
+// 256 u (r + |o - P|) covers all.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/traverse/traverse_ray.h>
+#include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/bvh/value/ray_slabs.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/mesh_ray.h>
@@ -38,13 +38,13 @@ class RayInFrame {
     const double* m = placed.pose.data();  // column-major 4x4
     const Eigen::Vector3d centre = narrowphase::place(
         placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
-    double way[3], origin[3], direction[3];
+    double offset[3], origin[3], direction[3];
     for (int i = 0; i < 3; ++i)
-      way[i] = ray.ray.origin.data()[i] - centre.data()[i];
+      offset[i] = ray.ray.origin.data()[i] - centre.data()[i];
     for (int i = 0; i < 3; ++i) {
       const double* axis = m + 4 * i;
       const double* d = ray.scaled.component;
-      origin[i] = ((axis[0] * way[0] + axis[1] * way[1]) + axis[2] * way[2]) * per_metre_;
+      origin[i] = ((axis[0] * offset[0] + axis[1] * offset[1]) + axis[2] * offset[2]) * per_metre_;
       direction[i] = (axis[0] * d[0] + axis[1] * d[1]) + axis[2] * d[2];
     }
     slabs_ = {origin, direction};
@@ -54,7 +54,7 @@ class RayInFrame {
     const double placing = 8 * kUnitRoundoff * (largest + largest_component(m + 12)) + 0x1p-1070;
     const double radius = 2 * frame.unit();
     const double metres = 3 * (deviation + 8 * kUnitRoundoff) * radius + 4 * placing +
-                          256 * kUnitRoundoff * (radius + largest_component(way));
+                          256 * kUnitRoundoff * (radius + largest_component(offset));
     slack_ = 1.01 * (metres * per_metre_) + 0x1p-900;
     is_blind_ = !std::isfinite(slack_) || !std::isfinite(largest_component(origin));
   }
@@ -83,6 +83,23 @@ class RayInFrame {
   bool is_blind_;
 };
 
+/// Where the ray enters the nodes' boxes, for traverse_nearest().
+struct EntryBounds {
+  const bvh::Tree& tree;
+  const RayInFrame& ray;
+  const double& limit;  ///< comes down when a hit is found
+  Work& work;
+
+  double of(std::uint32_t node) const {
+    ++work.volume_tests;
+    const double entry = ray.entry(tree.nodes[node].box, limit);
+    work.volume_rejections += entry == bvh::kNever;
+    return entry;
+  }
+  bool is_missed(double entry) const { return entry == bvh::kNever; }
+  bool is_beyond(double entry) const { return entry > limit; }
+};
+
 /// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to which
 /// that comes down when it returns one.
 template <typename OnHit>
@@ -93,12 +110,7 @@ void for_each_hit(const PlacedMeshView& placed, const Ray& ray, Work& work, OnHi
   const narrowphase::PreparedRay prepared(ray);
   const RayInFrame in_frame(placed, deviation, tree.frame, prepared);
   double limit = in_frame.limit_for(ray.max_distance);
-  const auto entry_fn = [&](const bvh::Node& node) {
-    ++work.volume_tests;
-    const double entry = in_frame.entry(node.box, limit);
-    work.volume_rejections += entry == bvh::kNever;
-    return entry;
-  };
+  const EntryBounds bounds{tree, in_frame, limit, work};
   const auto leaf_fn = [&](const bvh::Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const std::uint32_t index = tree.primitives[i];
@@ -111,8 +123,9 @@ void for_each_hit(const PlacedMeshView& placed, const Ray& ray, Work& work, OnHi
       const double wanted = on_hit(RayHit{found->distance, found->point, found->normal, index});
       limit = std::min(limit, in_frame.limit_for(wanted));
     }
+    return bvh::Walk::Continue;
   };
-  bvh::traverse_ray(tree, limit, entry_fn, leaf_fn);
+  bvh::traverse_nearest(tree, bounds, leaf_fn);
 }
 
 bool is_before(const RayHit& s, const RayHit& t) {

@@ -90,7 +90,7 @@ class SkinsOfOne {
 /// rounding is monotone: if these are finite, so is every intermediate result.
 void check_way_into_frame(const PlacedMeshView& placed, const FramedVolume& box) {
   if (box.kind != FramedVolume::Kind::Oriented) return;
-  std::array<double, 3> way = placed_reach(placed.pose, placed.mesh.bounds());
+  std::array<double, 3> way = largest_coordinates(placed.pose, placed.mesh.bounds());
   const double* m = box.frame.data();  // column-major 4x4: column i is the frame's axis i
   for (int i = 0; i < 3; ++i)
     way[i] += std::abs(m[12 + i]);

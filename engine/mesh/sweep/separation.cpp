@@ -5,7 +5,7 @@
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/sweep/last_contact.h>
-#include <graze/engine/mesh/sweep/middle.h>
+#include <graze/engine/mesh/sweep/sweep.h>
 
 #include <limits>
 #include <vector>
@@ -79,12 +79,13 @@ Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMesh
     Eigen::Vector3d best;
     for (const Eigen::Vector3d& direction : candidates(mesh_a, mesh_b, counted.work())) {
       const double* d = direction.data();
-      for (const Eigen::Vector3d& way : {direction, Eigen::Vector3d(-d[0], -d[1], -d[2])}) {
+      for (const Eigen::Vector3d& signed_direction :
+           {direction, Eigen::Vector3d(-d[0], -d[1], -d[2])}) {
         const double distance =
-            contacts::last_contact(mesh_a, mesh_b, way, shortest, counted.work());
+            contacts::last_contact(mesh_a, mesh_b, signed_direction, shortest, counted.work());
         if (distance >= shortest) continue;
         shortest = distance;
-        best = way;
+        best = signed_direction;
       }
     }
     return end_contact(mesh_a, mesh_b, best, shortest, counted.work());

@@ -11,10 +11,10 @@ namespace {
 constexpr int kSmallestExponent = -1000;  // so that its inverse is a double, too
 
 /// A quarter of what bounds the absolute value of each placed coordinate: sums cannot overflow.
-double quarter_reach(const PlacedMeshView& placed) {
+double quarter_of_largest(const PlacedMeshView& placed) {
   double largest = 0;
-  for (double reach : placed_reach(placed.pose, placed.mesh.bounds()))
-    largest = std::max(largest, 0.25 * reach);
+  for (double coordinate : largest_coordinates(placed.pose, placed.mesh.bounds()))
+    largest = std::max(largest, 0.25 * coordinate);
   return largest;
 }
 
@@ -33,7 +33,7 @@ constexpr double kDown = 1 - 8 * kUnitRoundoff;
 }  // namespace
 
 SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b) {
-  const double quarter = quarter_reach(a) + quarter_reach(b);
+  const double quarter = quarter_of_largest(a) + quarter_of_largest(b);
   int exponent = kSmallestExponent;
   if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);
   if (exponent > 1023) throw PoseError("sweep of mesh B: its coordinates could overflow");
@@ -68,6 +68,14 @@ void SweepBounds::note(double along, double size, double lowest, double highest)
   }
   upper_ = high < 0 ? -1 : std::min(upper_, high * scale.up);
   if (low > 0) lower_ = std::max(lower_, low * scale.down);
+}
+
+Eigen::Vector3d middle_of(const PlacedMeshView& placed) {
+  const Aabb& box = placed.mesh.bounds();
+  Eigen::Vector3d middle;
+  for (int k = 0; k < 3; ++k)
+    middle.data()[k] = 0.5 * box.min.data()[k] + 0.5 * box.max.data()[k];
+  return narrowphase::place(placed.pose, middle);
 }
 
 }  // namespace graze::contacts

@@ -6,6 +6,7 @@
 // bounds s, whatever its own rounding, and a few well chosen ones bound it tightly.
 
 #include <graze/engine/mesh/placed_mesh.h>
+
 #include <limits>
 
 namespace graze::contacts {
@@ -17,7 +18,7 @@ struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
 
   double per_metre;
-  double metres;  // of one unit
+  double metres;  ///< of one unit
 };
 
 /// Products with smaller vectors could underflow; they say nothing.
@@ -53,5 +54,8 @@ class SweepBounds {
   double lower_ = 0;
   double upper_ = std::numeric_limits<double>::infinity();
 };
+
+/// The middle of the mesh's own bounds, placed.
+Eigen::Vector3d middle_of(const PlacedMeshView& placed);
 
 }  // namespace graze::contacts

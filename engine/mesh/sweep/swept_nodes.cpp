@@ -1,10 +1,11 @@
 // The margin, u = 2^-53, in units in which all placed coordinates are below 1. With the derivation
 // of law 5's slack (relative_frame.cpp): a placed vertex is P + R (x - o) + e, |e| <= 2 placing =
-// 16 u (m + |t|); m is below 1.74 of the placed reach and |t| below it: 44 u for both meshes. R is
-// taken as it is. Products R_k . n are off by 3 u of the size of n; with local coordinates, up to
-// 2, of three axes, in units of at most 1.74: 32 u. A box is its middle and its half along n, and
-// no term of the sums of both boxes passes more than eight roundings; the sums are below 8 of the
-// size of n: 64 u. With the 16 u of law 1's rounding of a moved B these are 156 u.
+// 16 u (m + |t|); m is below 1.74 of the largest placed coordinate and |t| below it: 44 u for both
+// meshes. R is taken as it is. Products R_k . n are off by 3 u of the size of n; with local
+// coordinates, up to 2, of three axes, in units of at most 1.74: 32 u. A box is its middle and its
+// half along n, and no term of the sums of both boxes passes more than eight roundings; the sums
+// are below 8 of the size of n: 64 u. With the 16 u of law 1's rounding of a moved B these are 156
+// u.
 
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>

@@ -40,12 +40,12 @@ class SweptNodes {
 
   /// A vector n, in the sense in which n . d is not negative.
   struct Direction {
-    double between;  // n . (the centre of A - the centre of B)
+    double between;  ///< n . (the centre of A - the centre of B)
     double margin;
-    double
-        across;   // not negative for what is hardly along the motion: then n . (p - q) is 0 to this
-    double up;    // what n . (p - q) is multiplied by to bound the translation from above
-    double down;  // and from below
+    double across;  ///< not negative for what is hardly along the motion: then n . (p - q) is 0 to
+                    ///< this
+    double up;      ///< what n . (p - q) is multiplied by to bound the translation from above
+    double down;    ///< and from below
   };
   /// A tree's frame, placed, in the units of the sweep.
   struct Frame {

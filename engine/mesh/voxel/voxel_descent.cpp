@@ -141,7 +141,7 @@ bool VoxelDescent::is_odd_between_corners(const VoxelBlock& block, const VoxelBl
                                           int axis, const VoxelCandidates& candidates) {
   const Eigen::Vector3d from = scene_.planes.first_corner(block);
   const Eigen::Vector3d to = scene_.planes.first_corner(upper);
-  const bvh::FloatBox way =
+  const bvh::FloatBox segment_box =
       bvh::merged(scene_.planes.local_first_corner(block), scene_.planes.local_first_corner(upper));
   const std::vector<bvh::Node>& nodes = scene_.tree.nodes;
   bool is_odd = false;
@@ -150,7 +150,7 @@ bool VoxelDescent::is_odd_between_corners(const VoxelBlock& block, const VoxelBl
 
   const auto is_apart = [&](std::uint32_t index) {
     ++work_.volume_tests;
-    const bool is_pruned = !bvh::overlap(nodes[index].box, way);
+    const bool is_pruned = !bvh::overlap(nodes[index].box, segment_box);
     work_.volume_rejections += is_pruned;
     return is_pruned;
   };

@@ -1,5 +1,5 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/at_place.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/scenes/path/turn.h>
 #include <graze/engine/scenes/read/scene_parts.h>

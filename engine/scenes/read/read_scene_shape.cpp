@@ -1,6 +1,6 @@
 #include <graze/engine/cases/read/read_parts.h>
-#include <graze/engine/cases/text/at_place.h>
 #include <graze/engine/cases/text/inside_folder.h>
+#include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>

@@ -25,8 +25,8 @@ class MeshFiles {
 
  private:
   std::filesystem::path folder_;
-  std::map<std::pair<std::string, std::string>, Mesh> loaded_;  // by path and unit
-  std::unordered_map<std::string, std::string> hashes_;         // by path
+  std::map<std::pair<std::string, std::string>, Mesh> loaded_;  ///< by path and unit
+  std::unordered_map<std::string, std::string> hashes_;         ///< by path
 };
 
 /// Names and where they stand in their list.

@@ -16,23 +16,24 @@ double sum_of_sizes(const double* v) {
 
 // A point x of the body goes from R x + t to S x + u: by at most |u - t| + |S - R| |x|, with the
 // Frobenius norm for |S - R|. Both sums, their roots and their product are off by less than 16
-// roundings. Placing a point, by law 1 or in any of the ways of the narrow phase, is off by less
+// roundings. Placing a point, by law 1 or in any other formula of the narrow phase, is off by less
 // than 0x10p-53 of |t| + |x| at each end; and that term is above what squares lose to underflow,
-// as no reach is less than kSmallestLength.
-double motion_bound(const Pose& from, const Pose& to, double reach) {
-  if (reach == kInfinity) return kInfinity;
+// as no bounding radius is less than kSmallestLength.
+double motion_bound(const Pose& from, const Pose& to, double bounding_radius) {
+  if (bounding_radius == kInfinity) return kInfinity;
   const double* r = from.data();  // column-major 4x4
   const double* s = to.data();
   double turn = 0;
-  double way = 0;
+  double shift = 0;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
       const double change = s[4 * column + row] - r[4 * column + row];
-      (column == 3 ? way : turn) += change * change;
+      (column == 3 ? shift : turn) += change * change;
     }
   }
-  const double rounding = 0x20p-53 * (sum_of_sizes(r + 12) + sum_of_sizes(s + 12) + 2 * reach);
-  return (std::sqrt(way) + std::sqrt(turn) * reach) * (1 + 0x20p-53) + rounding;
+  const double rounding =
+      0x20p-53 * (sum_of_sizes(r + 12) + sum_of_sizes(s + 12) + 2 * bounding_radius);
+  return (std::sqrt(shift) + std::sqrt(turn) * bounding_radius) * (1 + 0x20p-53) + rounding;
 }
 
 double longer_path(double path, double motion) {
@@ -53,7 +54,7 @@ bool Separation::wants_gap(const GapCost& cost) {
   return true;
 }
 
-// Motions since now are the paths then less the paths now, each path rounded up on its way.
+// Motions since now are the paths then less the paths now, each path rounded up at every step.
 void Separation::set_gap(double gap, double path_a, double path_b) {
   limit_ = next_down(next_down(path_a + path_b) + gap);
 }

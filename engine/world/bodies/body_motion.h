@@ -10,17 +10,18 @@
 
 namespace graze {
 
-/// No point of a body, at most `reach` from its frame's origin, is further than this, metres, from
-/// where it was, each placed as rounding leaves it. Infinite for an infinite reach.
-double motion_bound(const Pose& from, const Pose& to, double reach);
+/// No point of a body, at most `bounding_radius` from its frame's origin, is further than this,
+/// metres, from where it was, each placed as rounding leaves it. Infinite for an infinite radius.
+double motion_bound(const Pose& from, const Pose& to, double bounding_radius);
 
 /// The sum of all motions of a body, rounded up.
 double longer_path(double path, double motion);
 
-/// What it takes for a gap to be worth knowing.
+/// When to measure the gap of a pair: that costs time, and saves tests while the gap lasts.
 struct GapCost {
-  std::uint16_t first_wait;  ///< tests that find the two apart before it is measured
-  std::uint16_t worth_it;    ///< skips, or else the next one waits longer
+  std::uint16_t first_wait;  ///< how many tests find the two apart before the gap is measured
+  std::uint16_t
+      worth_it;  ///< how many tests the gap must save, or else the next measurement waits longer
 };
 /// To measure two meshes takes as long as some twenty tests that find them apart.
 inline constexpr GapCost kMeasuredGap{3, 16};
@@ -44,9 +45,10 @@ class Separation {
   static constexpr std::uint16_t kLongestWait = 255;
   static constexpr std::uint16_t kNotAsked = 0xffff;
 
-  double limit_ = -std::numeric_limits<double>::infinity();  // of the sum of both paths
-  std::uint32_t skips_ = 0;                                  // since the gap was measured
-  std::uint16_t wait_ = kNotAsked;                           // tests before the next measurement
+  double limit_ = -std::numeric_limits<double>::infinity();  ///< the gap holds while the sum of
+                                                             ///< both paths is below this
+  std::uint32_t skips_ = 0;         ///< tests saved since the gap was measured
+  std::uint16_t wait_ = kNotAsked;  ///< tests before the next measurement
   std::uint16_t tests_left_ = 0;
 };
 

@@ -30,7 +30,7 @@ Manifold mirrored(Manifold manifold) {
   return manifold;
 }
 
-/// True for pairs whose test costs more than it takes to know that it can be left out.
+/// True for pairs whose test costs more than to measure and watch their gap.
 bool is_worth_a_gap(PairMethod method) {
   using enum PairMethod;
   return method == Cores || method == MeshVolume || method == MeshCore || method == Meshes;
@@ -40,8 +40,8 @@ double length_of(double x, double y, double z) {
   return std::sqrt((x * x + y * y) + z * z);
 }
 
-/// To the farthest corner of the shape's own box.
-double reach_of(const Shape& shape) {
+/// The distance of the farthest corner of the shape's own box from the frame's origin.
+double bounding_radius_of(const Shape& shape) {
   if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
   const Aabb box = bounding_aabb({shape, Pose::Identity()});
   double side[3];
@@ -50,9 +50,9 @@ double reach_of(const Shape& shape) {
   return length_of(side[0], side[1], side[2]) * (1 + 0x8p-53);
 }
 
-/// By how much law 3 may read a box otherwise than as its corners are placed.
-double reading_of(const Shape& shape, double reach) {
-  return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * reach : 0;
+/// By how much a box as law 3 reads it may differ from the box of its placed corners.
+double reading_of(const Shape& shape, double bounding_radius) {
+  return shape.kind() == ShapeKind::Box ? 4 * kMaxRotationDeviation * bounding_radius : 0;
 }
 
 double largest_coordinate(const Pose& pose) {
@@ -62,7 +62,8 @@ double largest_coordinate(const Pose& pose) {
 
 class ShapeBody final : public BodyShape {
  public:
-  explicit ShapeBody(const Shape& shape) : shape_(shape), reach_(reach_of(shape)) {}
+  explicit ShapeBody(const Shape& shape)
+      : shape_(shape), bounding_radius_(bounding_radius_of(shape)) {}
 
   const Shape* shape() const override { return &shape_; }
 
@@ -112,38 +113,41 @@ class ShapeBody final : public BodyShape {
     });
   }
 
-  // distance() proves a way that the two can near each other before they meet. touches() may say
-  // "hit" at kTouchTolerance of the pair's scale before that. With s = the two reaches and the
-  // distance of the origins now, that scale is at most 6 s, and at most 12 s after a way that is
-  // less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less than
-  // 0x10p-53 of the largest coordinates, of which a way less than the gap makes at most s more. A
-  // box that meets a mesh is read by law 3, and by then in a pose that deviates from a rotation by
-  // as much as the door lets in: see bounding_aabb().
+  // distance() proves a length by which the two can near each other before they meet. touches() may
+  // say "hit" at kTouchTolerance of the pair's scale before that. With s = the two bounding radii
+  // and the distance of the origins now, that scale is at most 6 s, and at most 12 s after a motion
+  // that is less than the gap, itself at most s. Placing, by law 1 or law 3, moves points by less
+  // than 0x10p-53 of the largest coordinates, of which a motion less than the gap makes at most s
+  // more. A box that meets a mesh is read by law 3, and by then in a pose that deviates from a
+  // rotation by as much as the door lets in: see bounding_aabb().
   double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
     return bvh::in_standard_arithmetic([&]() -> double {
       const Shape* shape = other.shape();
       if (shape == nullptr) return 0;
       const PairMethod method = pair_method(shape_.kind(), shape->kind());
       if (is_gap_quick(method) && method != PairMethod::MeshVolume)
-        return quick_gap({shape_, pose, reach_}, {*shape, other_pose, other.reach()});
+        return quick_gap({shape_, pose, bounding_radius_},
+                         {*shape, other_pose, other.bounding_radius()});
       if (!is_worth_a_gap(method)) return 0;
       const double* t = pose.data() + 12;
       const double* o = other_pose.data() + 12;
-      const double scale =
-          length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) + (reach_ + other.reach());
+      const double scale = length_of(t[0] - o[0], t[1] - o[1], t[2] - o[2]) +
+                           (bounding_radius_ + other.bounding_radius());
       const double rounding =
           0x40p-53 * (largest_coordinate(pose) + largest_coordinate(other_pose) + scale);
-      const double lower = lower_bound(pose, *shape, other_pose, std::min(reach_, other.reach()));
-      const double readings = reading_of(shape_, reach_) + reading_of(*shape, other.reach());
+      const double lower = lower_bound(pose, *shape, other_pose,
+                                       std::min(bounding_radius_, other.bounding_radius()));
+      const double readings =
+          reading_of(shape_, bounding_radius_) + reading_of(*shape, other.bounding_radius());
       return std::max(lower - (16 * kTouchTolerance * scale + rounding + readings), 0.0);
     });
   }
 
-  /// Of the distance. Of two meshes it is seldom worth more than to know that they are not near:
-  /// half of a clearance, where distance() itself, which is off by roundings of coordinates, is
-  /// more than all of it.
+  /// A lower bound of the distance. Of two meshes the distance itself is seldom worth its cost: if
+  /// they are farther apart than a clearance, half of that is the bound, as distance() is off by
+  /// roundings of coordinates.
   double lower_bound(const Pose& pose, const Shape& shape, const Pose& other_pose,
-                     double smaller_reach) const {
+                     double smaller_radius) const {
     const Mesh* mesh = shape_.as<Mesh>();
     const Mesh* other = shape.as<Mesh>();
     if (pair_method(shape_.kind(), shape.kind()) == PairMethod::MeshVolume) {
@@ -153,7 +157,7 @@ class ShapeBody final : public BodyShape {
     }
     if (mesh == nullptr || other == nullptr)
       return distance({shape_, pose}, {shape, other_pose}, &shape_work()).lower_bound;
-    const double clearance = smaller_reach / 64;
+    const double clearance = smaller_radius / 64;
     const bool is_near = within({*mesh, pose}, {*other, other_pose}, clearance, {}, &shape_work());
     return is_near ? 0 : 0.5 * clearance;
   }
@@ -162,11 +166,11 @@ class ShapeBody final : public BodyShape {
     return graze::cast_ray({shape_, pose}, ray);
   }
 
-  double reach() const override { return reach_; }
+  double bounding_radius() const override { return bounding_radius_; }
 
  private:
   Shape shape_;
-  double reach_;
+  double bounding_radius_;
 };
 
 }  // namespace
@@ -191,7 +195,7 @@ std::optional<RayHit> BodyShape::cast_ray(const Pose& /*pose*/, const Ray& /*ray
   throw UnsupportedPairError("cast_ray: a shape of a user's own does not know where rays meet it");
 }
 
-double BodyShape::reach() const {
+double BodyShape::bounding_radius() const {
   return std::numeric_limits<double>::infinity();
 }
 

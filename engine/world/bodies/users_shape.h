@@ -10,7 +10,8 @@ namespace graze {
 /// False for what share() makes.
 bool is_users_shape(const BodyShape& shape);
 
-/// What `question()`, which asks the shape, says: of a user's own computed the user's way.
+/// What `question()`, which asks the shape, says: of a user's own computed in the user's
+/// arithmetic.
 template <typename Question>
 auto ask_shape(bool is_users, const Question& question) {
   if (!is_users) return question();

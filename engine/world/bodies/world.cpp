@@ -38,42 +38,44 @@ void World::State::check_is_free(const char* what) const {
   if (is_updating) throw InputError(std::string(what) + ": the world is within an update");
 }
 
-/// note_change() of so many bodies will throw nothing: a body with the mark that is not in the list
-/// would never be looked at again. Each body is in it once.
+/// Makes room, so that note_change() of so many bodies throws nothing: a marked body that is not in
+/// the list would never be looked at again. Each body is in the list once.
 void World::State::make_room_for_changes(std::size_t more) {
   make_room_in(changed,
                std::min(more, all.bodies.size() - std::min(all.bodies.size(), changed.size())));
 }
 
 void World::State::note_change(std::uint32_t index) {
-  if (all.ways[index].has_changed) return;
+  if (all.changes[index].has_changed) return;
   changed.push_back(index);
-  all.ways[index].has_changed = true;
+  all.changes[index].has_changed = true;
 }
 
 void World::State::note_other_filter(std::uint32_t index) {
-  all.ways[index].has_other_filter = true;
+  all.changes[index].has_other_filter = true;
   note_change(index);
 }
 
-/// Makes the list anew: where an update was cut short the marks may no longer be those of the list.
+/// Marks and lists all bodies anew: after an update that was cut short the marks may no longer
+/// agree with the list.
 void World::State::note_everything() {
   changed.reserve(all.bodies.size());
   changed.clear();
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
-    Bodies::Way& way = all.ways[index];
-    way.has_changed = way.has_other_filter = all.ids.is_live(index);
-    if (way.has_changed) changed.push_back(index);
+    Bodies::Changes& record = all.changes[index];
+    record.has_changed = record.has_other_filter = all.ids.is_live(index);
+    if (record.has_changed) changed.push_back(index);
   }
 }
 
-/// For one more body, all but its box and what its mesh takes: the index that it will have.
+/// Makes room for one more body, except for its box and its mesh. Returns the index that the body
+/// will have.
 std::uint32_t World::State::make_room_for_one() {
   all.ids.prepare_take();
   const std::uint32_t index = all.ids.next();
   if (index >= all.bodies.size()) {
-    make_room_in(all.ways, 1);
-    all.bodies.emplace_back(), all.ways.emplace_back();
+    make_room_in(all.changes, 1);
+    all.bodies.emplace_back(), all.changes.emplace_back();
   }
   make_room_in(changed, 1);
   return index;
@@ -91,17 +93,18 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
 void World::State::begin_move() {
   boxes_to_move.clear();
   places.clear();
-  reaches.clear();
+  bounding_radii.clear();
 }
 
-/// Throws, or has the body's box in the list of those that move. All that is asked of a shape is
-/// asked here, where nothing has moved yet.
+/// Puts the body's box into the list of those that move, or throws. All that a move asks of a shape
+/// is asked here, before anything has moved.
 void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   bvh::check_rigid(pose, what);
   places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
-  reaches.push_back(mover.ask([](const BodyShape& shape) { return shape.reach(); }));
+  bounding_radii.push_back(
+      mover.ask([](const BodyShape& shape) { return shape.bounding_radius(); }));
   boxes_to_move.push_back(broad.id(mover.box));
 }
 
@@ -110,8 +113,8 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
   broad.move(boxes_to_move, places);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Bodies::Body& mover = all.bodies[ids[i].index];
-    double& path = all.ways[ids[i].index].path;
-    path = longer_path(path, motion_bound(mover.pose, poses[i], reaches[i]));
+    double& path = all.changes[ids[i].index].path;
+    path = longer_path(path, motion_bound(mover.pose, poses[i], bounding_radii[i]));
     mover.pose = poses[i];
     mover.is_awake = true;
     note_change(ids[i].index);
@@ -137,12 +140,12 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
   all.bodies[index].is_users = is_users_shape(*shape);
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
-  all.ways[index].has_unbuilt_tree = is_unbuilt;
+  all.changes[index].has_unbuilt_tree = is_unbuilt;
 }
 
 void World::State::drop_shape(std::uint32_t index) {
-  if (all.ways[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
-  all.ways[index].has_unbuilt_tree = false;
+  if (all.changes[index].has_unbuilt_tree) unbuilt.remove(*all.bodies[index].mesh);
+  all.changes[index].has_unbuilt_tree = false;
   all.bodies[index].mesh = nullptr;
   all.bodies[index].shape.reset();
 }
@@ -168,7 +171,7 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     const std::uint32_t index = state.make_room_for_one();
     Bodies::Body& body = state.all.bodies[index];
     body = {};
-    state.all.ways[index] = {};
+    state.all.changes[index] = {};
     state.take_shape(index, shape, mesh);
     try {
       state.insert_box(index, box);
@@ -231,7 +234,7 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
     } catch (const std::exception&) {
       const std::string what = "move, element " + std::to_string(i);
       bvh::at_element("element", i, [&] {
-        state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, by that name
+        state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, with its own name
       });
       throw;
     }
@@ -251,7 +254,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     state.take_shape(id.index, std::move(shape), mesh);
     state.broad.move(state.broad.id(body.box), box);
     body.is_awake = true;
-    state.all.ways[id.index].has_other_shape = true;
+    state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);
   });
 }

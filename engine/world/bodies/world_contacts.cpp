@@ -9,7 +9,7 @@
 
 namespace graze {
 
-void World::State::check_is_settled(const char* what) const {
+void World::State::check_is_updated(const char* what) const {
   if (changed.empty() && removed == 0 && !is_cut_short) return;
   throw InputError(std::string(what) + ": changes wait for an update");
 }
@@ -21,7 +21,7 @@ BodyContact World::State::contact_of(const BodyPair& pair) const {
           a.ask([&](const BodyShape& shape) { return shape.contacts(a.pose, *b.shape, b.pose); })};
 }
 
-/// Whether the two touch; if so, and if anyone asks, their contacts are found in the same go.
+/// Whether the two touch. If so, and if the settings ask for contacts, these are found as well.
 bool World::State::test(BoxPair pair) {
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
@@ -52,7 +52,7 @@ void World::State::sort_contacts() {
 
 std::vector<BodyContact> World::contacts() const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyContact> {
-    state_->check_is_settled("contacts");
+    state_->check_is_updated("contacts");
     std::vector<BodyContact> contacts;
     for (const BodyPair& pair : pairs()) {
       if (state_->all.are_solid(pair.a.index, pair.b.index))

@@ -23,16 +23,16 @@ void make_room_in(std::vector<T>& of, std::size_t more) {
 struct Bodies {
   struct Body {
     std::shared_ptr<const BodyShape> shape;
-    const Mesh* mesh = nullptr;  // that the shape stands for
+    const Mesh* mesh = nullptr;  ///< the mesh that the shape stands for, if it is one
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
-    std::uint32_t box = 0;  // its index in the broad phase
+    std::uint32_t box = 0;  ///< its index in the broad phase
     std::uint32_t exclusions = 0;
     BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     bool is_awake = true;
-    bool is_users = false;  // the shape's class is
+    bool is_users = false;  ///< whether a user wrote the shape's class
     /// What `question(shape)` says, computed as its author does.
     template <typename Question>
     auto ask(const Question& question) const {
@@ -41,19 +41,22 @@ struct Bodies {
     bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
   };
 
-  /// What a walk over all pairs reads of each body, apart from the rest so that it stays at hand.
-  struct Way {
-    double path = 0;                // metres: no point of it has gone further since it came
-    bool has_changed = false;       // came, moved, woke, changed its filter since the last update
-    bool has_other_filter = false;  // its filter, motion or exclusions changed
-    bool has_other_shape = false;   // what was known of gaps is void
-    bool has_unbuilt_tree = false;  // as far as is known: UnbuiltTrees
+  /// What a walk over all pairs reads of each body. It is kept apart from the rest, so that it
+  /// stays in the cache.
+  struct Changes {
+    /// Metres: since the body was added no point of it has travelled farther.
+    double path = 0;
+    /// Whether since the last update it was added, moved, woken or given another filter.
+    bool has_changed = false;
+    bool has_other_filter = false;  ///< whether its filter, kind or exclusions changed
+    bool has_other_shape = false;   ///< whether known gaps of its pairs no longer hold
+    bool has_unbuilt_tree = false;  ///< the mark that UnbuiltTrees speaks of
   };
 
   IdTable<std::uint32_t> ids;
-  std::vector<Body> bodies;          // by index
-  std::vector<Way> ways;             // likewise
-  std::set<std::uint64_t> excluded;  // pairs, each both ways: one index in the high half
+  std::vector<Body> bodies;          ///< by index
+  std::vector<Changes> changes;      ///< by index
+  std::set<std::uint64_t> excluded;  ///< pairs in both orders, one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
 
   /// The id of a body that is there, or was until the last update.
@@ -63,9 +66,10 @@ struct Bodies {
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
-  /// Whether its pairs are looked at where one of the two changed.
+  /// Whether it is awake and changed or can move. A pair of which a body changed is looked at if
+  /// this is true of one of the two.
   bool is_up(std::uint32_t index) const {
-    return bodies[index].is_awake && (ways[index].has_changed || !bodies[index].is_static());
+    return bodies[index].is_awake && (changes[index].has_changed || !bodies[index].is_static());
   }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
@@ -152,7 +156,7 @@ class ContactList {
   bool is_ascending() const { return is_ascending_; }
 
  private:
-  /// What the next one will write to, if it is of one contact.
+  /// Fetches the memory that the next manifold is written to, if it has one contact.
   static void fetch(const BodyContact& next) {
     __builtin_prefetch(&next, 1);
     __builtin_prefetch(&next.manifold.contacts[0].feature, 1);
@@ -175,24 +179,25 @@ struct World::State {
   std::vector<std::uint32_t> body_of_box;
   Candidates candidates;
   UnbuiltTrees unbuilt;
-  std::vector<std::uint32_t> changed;  // bodies
-  std::size_t removed = 0;             // since the last update
+  std::vector<std::uint32_t> changed;  ///< indices of bodies
+  std::size_t removed = 0;             ///< how many bodies were removed since the last update
   std::vector<std::uint32_t> partners;
-  std::vector<BoxPair> asked;  // bodies that changed, and their partners: boxes, and then bodies
+  std::vector<BoxPair> asked;  ///< changed bodies and their partners: as boxes, and then as bodies
   std::vector<BodyPair> begun, ended, moved;
-  ContactList found;                      // in the order in which pairs were tested
-  std::vector<std::uint32_t> due;         // pairs to be tested, in the order of the list
-  std::vector<std::uint32_t> order;       // of those, or of contacts that were found
-  std::vector<std::uint32_t> first_pair;  // of each body, in that
-  ContactList contacts;                   // the same, ascending
+  ContactList found;                      ///< in the order in which pairs were tested
+  std::vector<std::uint32_t> due;         ///< pairs to be tested, in the order of the list
+  std::vector<std::uint32_t> order;       ///< an order of `due`, or of `found`
+  std::vector<std::uint32_t> first_pair;  ///< of each body, its first place in `order`
+  ContactList contacts;                   ///< `found` in ascending order of pairs
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
-  std::vector<double> reaches;
+  std::vector<double> bounding_radii;
   WorldWork work;
 
   bool is_updating = false;
-  bool is_cut_short = false;  // the last update: something that it asked threw, or it had no memory
+  /// The last update did not end: something that it asked threw, or it had no memory.
+  bool is_cut_short = false;
 
   const Bodies::Body& body(BodyId id, const char* what) const;
   Bodies::Body& body(BodyId id, const char* what) {
@@ -239,7 +244,7 @@ struct World::State {
   BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
   template <typename OnHit>
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
-  void check_is_settled(const char* what) const;
+  void check_is_updated(const char* what) const;
   BodyContact contact_of(const BodyPair& pair) const;
   bool test(BoxPair pair);
   void sort_contacts();

@@ -29,7 +29,7 @@ bool lets_pass(const Filter& a, const Filter& b) {
 
 namespace {
 
-/// Whether bodies of these roles and motions are of interest to each other at all.
+/// Whether bodies of these roles and kinds can form a pair at all.
 bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   if (s.role == Role::Sensor && t.role == Role::Sensor) return false;
   if (s.role == Role::Sensor) return t.kind != BodyKind::Static;
@@ -37,7 +37,7 @@ bool can_meet(const Bodies::Body& s, const Bodies::Body& t) {
   return s.kind == BodyKind::Dynamic || t.kind == BodyKind::Dynamic;
 }
 
-/// What it finds begun and ended stays listed if it ends by an exception.
+/// Pairs that it finds begun and ended stay listed if it ends by an exception.
 class UpdatingScope {
  public:
   UpdatingScope(bool& is_updating, bool& is_cut_short)
@@ -59,8 +59,8 @@ class UpdatingScope {
   int exceptions_;
 };
 
-/// What is left of two ascending lists when each element of the one takes an equal one of the other
-/// with it: a pair that began, ended and began again while updates were cut short has begun, once.
+/// Removes pairs of equal elements, one from each of two ascending lists: a pair that began, ended
+/// and began again while updates were cut short has begun once.
 void cancel_common(std::vector<BodyPair>& s, std::vector<BodyPair>& t) {
   std::vector<BodyPair> of_s, of_t;
   std::set_difference(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(of_s));
@@ -103,8 +103,8 @@ void World::State::end_pairs() {
   }
 }
 
-/// The same where an update was cut short, and those lists may be gone. filter_again() sees to all
-/// that began.
+/// The same after an update that was cut short, when the broad phase's lists may be lost: asks
+/// every candidate whether its boxes still overlap. filter_again() finds the pairs that began.
 void World::State::end_parted_pairs() {
   for (auto at = static_cast<std::uint32_t>(candidates.list().size()); at-- > 0;) {
     const BoxPair pair = candidates.list()[at];
@@ -119,8 +119,8 @@ void World::State::end_parted_pairs() {
 void World::State::begin_pairs() {
   for (const BoxPair& boxes : broad.begun()) {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
-    // Where a filter changed, too, filter_again() sees to it.
-    if (all.ways[pair.a].has_other_filter || all.ways[pair.b].has_other_filter) continue;
+    // Where a filter changed, too, filter_again() adds the pair.
+    if (all.changes[pair.a].has_other_filter || all.changes[pair.b].has_other_filter) continue;
     if (all.meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
@@ -140,11 +140,11 @@ void World::State::list_partners(std::uint32_t index) {
   std::sort(partners.begin(), partners.end());
 }
 
-/// Of two with other filters the smaller one sees to the pair, so that each is asked about once.
+/// Of two bodies whose filters changed the one with the smaller index adds the pair: once.
 void World::State::filter_again(std::uint32_t index) {
   list_partners(index);
   for (const std::uint32_t partner : partners) {
-    if (all.ways[partner].has_other_filter && partner < index) continue;
+    if (all.changes[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
@@ -154,9 +154,8 @@ void World::State::filter_again(std::uint32_t index) {
   }
 }
 
-/// Where few changed, each with its partners; of two that changed the smaller one sees to the pair.
-/// What is known of a pair lies anywhere in memory: so each step of the way there is taken for all
-/// before the next one, for which it fetches.
+/// For few changed bodies: each is tested with its partners, a pair of two changed ones once. What
+/// is known of pairs may lie anywhere in memory: each step of the lookup prefetches for the next.
 void World::State::test_partners() {
   asked.clear(), due.clear(), order.clear();
   for (const std::uint32_t index : changed) {
@@ -171,11 +170,11 @@ void World::State::test_partners() {
   }
   for (BoxPair& each : asked) {
     each.b = body_of_box[each.b];
-    hwy::Prefetch(&all.ways[each.b]);
+    hwy::Prefetch(&all.changes[each.b]);
     candidates.fetch(ordered_pair(each.a, each.b));
   }
   for (const BoxPair& each : asked) {
-    if (all.ways[each.b].has_changed && each.b < each.a) continue;
+    if (all.changes[each.b].has_changed && each.b < each.a) continue;
     const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
     if (at == Candidates::kNowhere) continue;
     due.push_back(at);
@@ -208,7 +207,7 @@ void World::State::test_candidate(std::uint32_t at) {
   look_for_tree(pair.a), look_for_tree(pair.b);
 }
 
-/// Bodies of one pair lie anywhere in memory.
+/// Prefetches the bodies of a pair, which may lie anywhere in memory.
 void World::State::fetch(BoxPair pair) const {
   for (const std::uint32_t index : {pair.a, pair.b}) {
     const char* body = reinterpret_cast<const char*>(&all.bodies[index]);
@@ -218,7 +217,7 @@ void World::State::fetch(BoxPair pair) const {
   }
 }
 
-/// Where many changed, to go through all pairs is less than to ask for the partners of each.
+/// For many changed bodies: goes through all pairs, which costs less than asking for partners.
 void World::State::test_changed() {
   constexpr std::size_t kMany = 8;
   if (std::max(candidates.list().size(), all.bodies.size()) > kMany * changed.size()) {
@@ -234,11 +233,12 @@ void World::State::test_changed() {
 }
 
 bool World::State::is_due(BoxPair pair) const {
-  return all.ways[pair.a].has_changed || all.ways[pair.b].has_changed;
+  return all.changes[pair.a].has_changed || all.changes[pair.b].has_changed;
 }
 
-/// Those that are not apart for sure, in `order`, ascending by their bodies, so that what is found
-/// needs no sorting: by counting for the first body, and then the few of each by the second.
+/// Lists in `order` the pairs that no known gap keeps apart, ascending by their bodies, so that
+/// what is found needs no sorting: a counting sort by the first body, then the few of each by the
+/// second.
 void World::State::list_changed_pairs() {
   const std::span<const BoxPair> list = candidates.list();
   due.clear();
@@ -260,8 +260,8 @@ void World::State::list_changed_pairs() {
   }
 }
 
-/// In vain, as nothing moved: what WorldSettings::skip_at_rest leaves out. Where all sleep the last
-/// answer stands.
+/// Tests the pairs in which nothing moved, without need: WorldSettings::skip_at_rest leaves this
+/// out. Pairs of sleepers keep their last answer.
 void World::State::test_pairs_at_rest() {
   for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
     const BoxPair pair = candidates.list()[at];
@@ -275,9 +275,9 @@ void World::State::test_pairs_at_rest() {
   }
 }
 
-/// After what may have built the tree of a body's mesh.
+/// To be called after what may have built the tree of the body's mesh: takes the mark away if so.
 void World::State::look_for_tree(std::uint32_t index) {
-  bool& is_marked = all.ways[index].has_unbuilt_tree;
+  bool& is_marked = all.changes[index].has_unbuilt_tree;
   if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].mesh);
 }
 
@@ -289,7 +289,7 @@ void World::State::note_answer(std::uint32_t at, bool touches) {
 
 bool World::State::is_apart_for_sure(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
-  const Bodies::Way &a = all.ways[pair.a], &b = all.ways[pair.b];
+  const Bodies::Changes &a = all.changes[pair.a], &b = all.changes[pair.b];
   Separation& separation = candidates.separation(at);
   if (a.has_other_shape || b.has_other_shape) separation = {};
   if (!separation.holds(a.path, b.path)) return false;
@@ -307,7 +307,7 @@ void World::State::learn_gap(std::uint32_t at) {
   if (!separation.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
   const double gap =
       a.ask([&](const BodyShape& shape) { return shape.gap(a.pose, *b.shape, b.pose); });
-  separation.set_gap(gap, all.ways[pair.a].path, all.ways[pair.b].path);
+  separation.set_gap(gap, all.changes[pair.a].path, all.changes[pair.b].path);
   ++work.gaps_measured;
 }
 
@@ -317,17 +317,17 @@ void World::State::find_changes() {
   begin_pairs();
   std::erase_if(changed, [&](std::uint32_t index) {
     const bool is_gone = !all.ids.is_live(index);
-    if (is_gone) all.ways[index].has_changed = false;
+    if (is_gone) all.changes[index].has_changed = false;
     return is_gone;
   });
   for (const std::uint32_t index : changed) {
-    if (all.ways[index].has_other_filter) filter_again(index);
+    if (all.changes[index].has_other_filter) filter_again(index);
   }
   test_changed();
   if (!settings.skip_at_rest) test_pairs_at_rest();
   for (const std::uint32_t index : changed) {
-    Bodies::Way& way = all.ways[index];
-    way.has_changed = way.has_other_filter = way.has_other_shape = false;
+    Bodies::Changes& record = all.changes[index];
+    record.has_changed = record.has_other_filter = record.has_other_shape = false;
     look_for_tree(index);
   }
   changed.clear();
@@ -372,7 +372,7 @@ WorldUpdate World::update() {
 
 WorldSnapshot World::snapshot() const {
   const State& state = *state_;
-  state.check_is_settled("snapshot");
+  state.check_is_updated("snapshot");
   const auto candidates = state.candidates.list();
   const auto touches = state.candidates.all_touches();
   return WorldSnapshot(std::make_shared<WorldSnapshot::State>(WorldSnapshot::State{
@@ -389,7 +389,7 @@ void World::restore(const WorldSnapshot& snapshot) {
       const Bodies::Body& body = fresh->all.bodies[index];
       fresh->insert_box(index,
                         body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); }));
-      fresh->all.ways[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
+      fresh->all.changes[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
     }
     fresh->broad.update();
     fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->touches);

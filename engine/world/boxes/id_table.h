@@ -39,8 +39,8 @@ class IdTable {
   std::size_t bytes() const;
 
  private:
-  std::vector<Generation> generation_;  // odd while the index is in use
-  std::vector<std::uint32_t> free_;     // may be taken, the last first
+  std::vector<Generation> generation_;  ///< odd while the index is in use
+  std::vector<std::uint32_t> free_;     ///< indices that may be taken, the last first
   std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
 };

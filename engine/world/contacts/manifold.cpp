@@ -1,8 +1,8 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/world/contacts/contact_questions.h>
+#include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/manifold.h>
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
@@ -14,25 +14,26 @@ using enum PairMethod;
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
-void touches_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Touches& touches, Work& work) {
+void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
+                         Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:
     case ClosedForm:
     case Cores:
-      return touches_of_cores(a, b, touches, work);
+      return candidates_of_cores(a, b, candidates, work);
     case BoxAxes:
-      return touches_of_boxes(a, b, touches, work);
+      return candidates_of_boxes(a, b, candidates, work);
     case Plane:
-      return touches_with_plane(a, b, touches);
+      return candidates_with_plane(a, b, candidates);
     case MeshPlane:
-      return touches_of_mesh_plane(a, b, touches, work);
+      return candidates_of_mesh_plane(a, b, candidates, work);
     case MeshVolume:
-      return touches_of_mesh_volume(a, b, touches, work);
+      return candidates_of_mesh_volume(a, b, candidates, work);
     case MeshCore:
-      return touches_of_mesh_core(a, b, touches, work);
+      return candidates_of_mesh_core(a, b, candidates, work);
     case Meshes:
-      return touches_of_meshes(a, b, touches, work);
+      return candidates_of_meshes(a, b, candidates, work);
     case Planes:
       break;
   }
@@ -54,11 +55,11 @@ void make_unique(Manifold& manifold) {
   }
 }
 
-Manifold manifold_of(Touches& touches, bool is_mirrored) {
-  narrowphase::reduce(touches.list, 4);
-  const Vec3 origin = to_vec3(touches.origin);
+Manifold manifold_of(ContactCandidates& candidates, bool is_mirrored) {
+  narrowphase::reduce(candidates.list, 4);
+  const Vec3 origin = to_vec3(candidates.origin);
   Manifold manifold;
-  for (const ContactPoint& touch : touches.list) {
+  for (const ContactPoint& touch : candidates.list) {
     ShapeContact& contact = manifold.contacts[manifold.count++];
     const Vec3 on_a = (is_mirrored ? touch.point_b : touch.point_a) + origin;
     const Vec3 on_b = (is_mirrored ? touch.point_a : touch.point_b) + origin;
@@ -86,11 +87,11 @@ bool is_one_question(PairMethod method) {
 }
 
 Manifold contacts_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
-  static thread_local Touches touches;  // no question is asked within another
-  touches.clear();
+  static thread_local ContactCandidates candidates;  // no pair is looked at within another
+  candidates.clear();
   const bool is_mirrored = is_swapped(a, b);
-  touches_in_order(is_mirrored ? b : a, is_mirrored ? a : b, touches, work);
-  return manifold_of(touches, is_mirrored);
+  candidates_in_order(is_mirrored ? b : a, is_mirrored ? a : b, candidates, work);
+  return manifold_of(candidates, is_mirrored);
 }
 
 }  // namespace

@@ -217,8 +217,9 @@ void find_loops(MeshCrossings& found) {
   }
 }
 
-/// Each edge once, although it is one of two triangles.
-void settle_edges(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
+/// Keeps each crossing of an edge once, although two triangles share the edge, and gives it its
+/// loop.
+void remove_repeated(const std::vector<MeshCrossing>& crossings, std::vector<EdgeCrossing>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end(), is_one_end), edges.end());
   for (EdgeCrossing& edge : edges)
     edge.loop = crossings[edge.loop].loop;
@@ -233,8 +234,8 @@ bool find_crossings(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, 
   if (left_out > found.crossings.size()) return false;
   find_pieces(found);
   find_loops(found);
-  settle_edges(found.crossings, found.edges_a);
-  settle_edges(found.crossings, found.edges_b);
+  remove_repeated(found.crossings, found.edges_a);
+  remove_repeated(found.crossings, found.edges_b);
   return true;
 }
 

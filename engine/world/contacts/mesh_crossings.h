@@ -30,12 +30,12 @@ struct MeshCrossing {
 struct EdgeCrossing {
   std::uint32_t low;  ///< welded vertices
   std::uint32_t high;
-  double share;  ///< of the way from low to high
+  double share;  ///< of the edge, from low to high
   std::uint32_t loop;
-  bool is_entry;  ///< on that way it goes behind the triangle
+  bool is_entry;  ///< from low to high it goes behind the triangle
 };
 
-/// Kept from one question to the next, so that no step of a simulation allocates.
+/// Kept from one pair to the next, so that no step of a simulation allocates.
 struct MeshCrossings {
   std::vector<TrianglePair> pairs;  ///< all that share a point, exactly
   std::vector<MeshCrossing> crossings;

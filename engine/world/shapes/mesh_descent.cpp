@@ -27,17 +27,17 @@ Extent extent_along(const Core& core, const Vec3& axis) {
   if (core.kind != Point && core.kind != Box)
     return {dot(rounded_support(core, -axis), axis), dot(rounded_support(core, axis), axis)};
   const double middle = dot(core.at, axis);
-  const double reach = (std::abs(dot(core.axis[0], axis)) * core.half.x +
-                        std::abs(dot(core.axis[1], axis)) * core.half.y) +
-                       (std::abs(dot(core.axis[2], axis)) * core.half.z + core.radius);
-  return {middle - reach, middle + reach};
+  const double projected_radius = (std::abs(dot(core.axis[0], axis)) * core.half.x +
+                                   std::abs(dot(core.axis[1], axis)) * core.half.y) +
+                                  (std::abs(dot(core.axis[2], axis)) * core.half.z + core.radius);
+  return {middle - projected_radius, middle + projected_radius};
 }
 
 }  // namespace
 
 // A point p of a placed triangle, p = R x + t to rounding, has the coordinates q = R^T (p - t) in
 // the mesh's frame: off from x by R^T R - I, 3 dev of the largest coordinate of x, and by law 1's
-// rounding, 8 u of all coordinates on the way. The set's box there comes from what it reaches along
+// rounding, 8 u of all coordinates in between. The set's box there comes from its extent along
 // R's columns, off by 20 u of the pair's scale, and by 2 dev of the radius for columns that are not
 // quite of length 1. The slack, 8 dev + 2^-45 of the sum of all, covers both.
 MeshDescent::MeshDescent(const PlacedMeshView& mesh, const Core& core, const Eigen::Vector3d& origin,

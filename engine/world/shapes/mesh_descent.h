@@ -2,6 +2,7 @@
 
 // A mesh's tree walked towards one convex shape. Private to engine/world.
 
+#include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/bvh/traverse/traverse_volume.h>
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/placed_mesh.h>
@@ -10,12 +11,11 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 namespace graze {
 
 /// Where a convex set lies in the frame of a mesh's tree: a box around it, outward, with the slack
-/// of the way there.
+/// of the transformation.
 class MeshDescent {
  public:
   /// `origin` is that of the core's frame. The mesh must outlive it. Builds the mesh's tree if it
@@ -43,32 +43,25 @@ class MeshDescent {
   /// `limit()`, metres, which may shrink on the way.
   template <typename OnTriangle, typename Limit>
   void for_each_within(Limit&& limit, OnTriangle&& on_triangle) {
-    struct Waiting {
-      std::uint32_t node;
-      double bound;
-    };
-    bvh::TraversalStack<Waiting, 128> open;
-    open.push({0, bound(0)});
-    while (!open.empty()) {
-      const Waiting top = open.pop();
-      if (is_beyond(top.bound, limit())) continue;
-      const bvh::Node& node = tree_.nodes[top.node];
-      if (node.is_leaf()) {
-        if (visit(node, limit, on_triangle) == bvh::Walk::Stop) return;
-        continue;
-      }
-      Waiting near{node.first, bound(node.first)};
-      Waiting far{node.first + 1, bound(node.first + 1)};
-      if (far.bound < near.bound) std::swap(near, far);
-      open.push(far);
-      open.push(near);
-    }
+    bvh::traverse_nearest(tree_, NodeBounds<Limit>{*this, limit},
+                          [&](const bvh::Node& leaf) { return visit(leaf, limit, on_triangle); });
   }
 
   /// The corners of a triangle as the solvers take them (law 1, then relative to the origin).
   narrowphase::Core triangle(std::uint32_t index) const;
 
  private:
+  /// What traverse_nearest() asks.
+  template <typename Limit>
+  struct NodeBounds {
+    const MeshDescent& descent;
+    Limit& limit;
+
+    double of(std::uint32_t node) const { return descent.bound(node); }
+    bool is_missed(double) const { return false; }
+    bool is_beyond(double bound) const { return descent.is_beyond(bound, limit()); }
+  };
+
   /// Of the distance between what is in the node, or the triangle, and the set, metres.
   double bound(std::uint32_t node) const;
   double triangle_bound(std::uint32_t index) const;
@@ -119,13 +112,13 @@ class MeshDescent {
   std::span<const Eigen::Vector3d> vertices_;
   std::span<const TriangleIndices> triangles_;
   Work& work_;
-  double min_[3];  // of the set's box, in the tree's units
+  double min_[3];  ///< of the set's box, in the tree's units
   double max_[3];
-  bvh::FloatBox around_;  // the same box, outward
-  double own_min_[3];     // in the mesh's frame, metres
+  bvh::FloatBox around_;  ///< the same box, outward
+  double own_min_[3];     ///< in the mesh's frame, metres
   double own_max_[3];
-  double unit_;    // metres
-  double shrink_;  // lengths in the mesh's frame are at most this much longer than in the world
+  double unit_;    ///< metres
+  double shrink_;  ///< lengths in the mesh's frame are at most this much longer than in the world
 };
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/gap/box_gap.h>
 #include <graze/narrowphase/derived/double_pair.h>
@@ -26,7 +26,7 @@ DoublePair square_of(const DoublePair& value) {
   return value * value;
 }
 
-/// way - radius from the square of the way, which is longer by less than either is.
+/// length - radius from the square of the length, which is greater by less than either is.
 double beyond(const DoublePair& square, const DoublePair& radius) {
   const DoublePair difference = square - square_of(radius);
   return difference.high / (std::sqrt(square.high) + radius.high);
@@ -85,11 +85,11 @@ ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedS
   const Vec3 own = to_vec3(narrowphase::point_into_frame(centre, b.pose));
   const Vec3 half = to_vec3(b.shape.as<Box>()->half_extents);
   DoublePair square{0, 0};
-  const auto past = [&](double at, double reach) {
-    const DoublePair way = narrowphase::exact_difference(std::abs(at), reach);
-    if (!(way.high > 0)) return 0.0;
-    square = square + square_of(way);
-    return at < 0 ? -way.high : way.high;
+  const auto past = [&](double at, double half_extent) {
+    const DoublePair excess = narrowphase::exact_difference(std::abs(at), half_extent);
+    if (!(excess.high > 0)) return 0.0;
+    square = square + square_of(excess);
+    return at < 0 ? -excess.high : excess.high;
   };
   const Vec3 out{past(own.x, half.x), past(own.y, half.y), past(own.z, half.z)};
   const double gap = beyond(square, {radius, 0});

@@ -14,16 +14,17 @@ using narrowphase::Core;
 using narrowphase::Vec3;
 
 // In what follows dev is kMaxRotationDeviation, to which all poses keep, now and later; D is the
-// way between the frames' origins now, and the scale is D and both reaches. While paths add up to
-// less than a gap, which is at most D, the origins are less than 2 D apart.
+// distance between the frames' origins now, and the scale is D and both bounding radii. While paths
+// add up to less than a gap, which is at most D, the origins are less than 2 D apart.
 //
 // Tests differ from the distance of R x + t, whose points the paths are about, by less than 64 dev
 // of the scale:
 // - Balls: not at all but for rounding.
-// - A ball and a box: law 3 reads the box within 4 dev of its reach of its image, now and later,
+// - A ball and a box: law 3 reads the box within 4 dev of its bounding radius of its image, now and
+// later,
 //   and the length of R^T v is within 1.6 dev of that of v, which is at most the scale.
 // - Two boxes: obb_slack.h. The slack is below 18 dev of the sum of all half extents, which is
-//   below 1.74 of the reaches, and the test takes A's frame for B's axes: 3.1 dev of 2 D.
+//   below 1.74 of the bounding radii, and the test takes A's frame for B's axes: 3.1 dev of 2 D.
 // Rounding: differences of origins are off by u of all coordinates, what three products and sums
 // make of them and of the sizes by less than 20 u of the scale.
 constexpr double kReadingsOfTests = 64 * kMaxRotationDeviation;
@@ -53,21 +54,21 @@ double apart_as_ball_and_box(const Sphere& ball, const Vec3& at, const Box& box,
   return std::sqrt(square) - ball.radius;
 }
 
-/// The way beside the faces of A. Where A turns, B is swept past its faces by as much as B's points
+/// The gap beside the faces of A. Where A turns, B is swept past its faces by as much as B's points
 /// are farther from A's origin than A's own: so B's farthest point sets the measure.
-double gap_beside_faces(const Box& box_a, const ReachingShape& a, const Box& box_b,
-                        const ReachingShape& b, double margin) {
+double gap_beside_faces(const Box& box_a, const BoundedShape& a, const Box& box_b,
+                        const BoundedShape& b, double margin) {
   const Vec3 between = origin_of(b.pose) - origin_of(a.pose);
   const double* half_b = box_b.half_extents.data();
   double apart = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = axis_of(a.pose, i);
-    double reach = box_a.half_extents.data()[i];
+    double radius = box_a.half_extents.data()[i];
     for (int j = 0; j < 3; ++j)
-      reach += half_b[j] * std::abs(dot(axis, axis_of(b.pose, j)));
-    apart = std::max(apart, std::abs(dot(axis, between)) - reach);
+      radius += half_b[j] * std::abs(dot(axis, axis_of(b.pose, j)));
+    apart = std::max(apart, std::abs(dot(axis, between)) - radius);
   }
-  const double sweep = std::max(1.0, (length(between) + b.reach) / a.reach);
+  const double sweep = std::max(1.0, (length(between) + b.bounding_radius) / a.bounding_radius);
   return (apart - margin) / (sweep * (1 + 4 * kMaxRotationDeviation));
 }
 
@@ -79,19 +80,19 @@ bool is_gap_quick(PairMethod method) {
          method == MeshVolume;
 }
 
-// Two boxes. Beside a face of A, whose outward axis is a: f = |a . T| - h - (what B reaches along
-// a). When A and B move, T by dT, a by da, |da| <= |dR_A|, the first term loses at most |dT| +
-// |da| |T|, the last gains at most (|da| + |dR_B|) reach_B, each to a factor 1 + 2 dev. With the
-// paths P = |dt| + |dR| reach all that is at most P_B + P_A max(1, (D + reach_B) / reach_A). While
-// f is more than the margin the same face shows the test that the two are apart.
-double quick_gap(const ReachingShape& a, const ReachingShape& b) {
+// Two boxes. Beside a face of A, whose outward axis is a: f = |a . T| - h - (the projected radius
+// of B along a). When A and B move, T by dT, a by da, |da| <= |dR_A|, the first term loses at most
+// |dT| + |da| |T|, the last gains at most (|da| + |dR_B|) r_B, each to a factor 1 + 2 dev. With the
+// paths P = |dt| + |dR| r, r the bounding radius, all that is at most P_B + P_A max(1, (D + r_B) /
+// r_A). While f is more than the margin the same face shows the test that the two are apart.
+double quick_gap(const BoundedShape& a, const BoundedShape& b) {
   const Vec3 origin_a = origin_of(a.pose), origin_b = origin_of(b.pose);
-  const double scale = length(origin_b - origin_a) + (a.reach + b.reach);
+  const double scale = length(origin_b - origin_a) + (a.bounding_radius + b.bounding_radius);
   const double margin =
       kReadingsOfTests * scale + kRoundings * ((largest(origin_a) + largest(origin_b)) + scale);
   const auto *ball_a = a.shape.as<Sphere>(), *ball_b = b.shape.as<Sphere>();
   const auto *box_a = a.shape.as<Box>(), *box_b = b.shape.as<Box>();
-  const auto middle = [](const ReachingShape& s) { return to_vec3(middle_of(s.shape, s.pose)); };
+  const auto middle = [](const BoundedShape& s) { return to_vec3(middle_of(s.shape, s.pose)); };
   double gap = 0;
   if (ball_a != nullptr && ball_b != nullptr) {
     gap = apart_as_balls(*ball_a, middle(a), *ball_b, middle(b)) - margin;
@@ -124,14 +125,14 @@ class Beyond {
 
  private:
   /// Of a length of at most 1.
-  void offer(const Vec3& way) {
-    const double a = dot(corner_[0], way), b = dot(corner_[1], way), c = dot(corner_[2], way);
+  void offer(const Vec3& axis) {
+    const double a = dot(corner_[0], axis), b = dot(corner_[1], axis), c = dot(corner_[2], axis);
     const double low = std::min(a, std::min(b, c)), high = std::max(a, std::max(b, c));
     const Vec3& half = core_.half;  // none of a ball
-    const double reach =
-        (std::abs(dot(core_.axis[0], way)) * half.x + std::abs(dot(core_.axis[1], way)) * half.y) +
-        (std::abs(dot(core_.axis[2], way)) * half.z + core_.radius);
-    most_ = std::max(most_, std::max(low, -high) - reach);
+    const double radius = (std::abs(dot(core_.axis[0], axis)) * half.x +
+                           std::abs(dot(core_.axis[1], axis)) * half.y) +
+                          (std::abs(dot(core_.axis[2], axis)) * half.z + core_.radius);
+    most_ = std::max(most_, std::max(low, -high) - radius);
   }
 
   const Core& core_;
@@ -141,7 +142,7 @@ class Beyond {
 
 }  // namespace
 
-// Triangles that are passed over are in boxes that are further away than the bound.
+// Triangles that are skipped are in boxes that are further away than the bound.
 double mesh_distance_bound(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);

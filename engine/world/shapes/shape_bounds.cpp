@@ -23,9 +23,9 @@ double above(double value) {
   return std::min(next_up(value), kLargest);
 }
 
-// Distances as computed are off by at most 128 u of the sizes of both shapes and the way between
-// them (core_gap.cpp): each box has room for twice its share, so that it tells of no more than
-// they.
+// Distances as computed are off by at most 128 u of the sizes of both shapes and the distance
+// between them (core_gap.cpp): each box has room for twice its share, so that it tells of no more
+// than they.
 constexpr double kDistanceShare = 0x100p-53;
 
 // The shape as law 3 reads it, or a ray, is the set of all p with R^T (p - t) in its own frame: off
@@ -38,7 +38,7 @@ void give_room(Aabb& box, int i, double room) {
   box.max.data()[i] += room;
 }
 
-/// How far a box reaches from its middle along each axis.
+/// The box around a turned box: its projected radius along each axis of the world.
 Aabb bounds_of_box(const Box& shape, const Pose& pose, double deviation) {
   const double* m = pose.data();  // column-major 4x4
   const double* half = shape.half_extents.data();
@@ -47,11 +47,11 @@ Aabb bounds_of_box(const Box& shape, const Pose& pose, double deviation) {
   const double room = (kDistanceShare + kReadings * deviation) * size;
   Aabb box;
   for (int i = 0; i < 3; ++i) {
-    const double reach =
+    const double projected_radius =
         ((std::abs(m[i]) * half[0] + std::abs(m[4 + i]) * half[1]) + std::abs(m[8 + i]) * half[2]) +
         pad;
-    box.max.data()[i] = above(m[12 + i] + reach);
-    box.min.data()[i] = below(m[12 + i] - reach);
+    box.max.data()[i] = above(m[12 + i] + projected_radius);
+    box.min.data()[i] = below(m[12 + i] - projected_radius);
     give_room(box, i, room);
   }
   return box;
@@ -83,18 +83,18 @@ Aabb bounds_of_half_space(const HalfSpace& half_space, const Pose& pose) {
   const double normal[3] = {placed.normal.x, placed.normal.y, placed.normal.z};
   for (int i = 0; i < 3; ++i) {
     if (normal[(i + 1) % 3] != 0 || normal[(i + 2) % 3] != 0) continue;
-    const double reach = above(placed.offset + 8 * placed.slack);
-    if (normal[i] > 0) box.max.data()[i] = reach;
-    if (normal[i] < 0) box.min.data()[i] = -reach;
+    const double bound = above(placed.offset + 8 * placed.slack);
+    if (normal[i] > 0) box.max.data()[i] = bound;
+    if (normal[i] < 0) box.min.data()[i] = -bound;
   }
   return box;
 }
 
-// A placed coordinate is a sum of four terms with at most 4 roundings of what placed_reach()
+// A placed coordinate is a sum of four terms with at most 4 roundings of what largest_coordinates()
 // bounds.
 Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
   const Aabb& own = mesh.bounds();
-  const std::array<double, 3> reach = placed_reach(pose, own);
+  const std::array<double, 3> largest = largest_coordinates(pose, own);
   const double* m = pose.data();  // column-major 4x4
   Aabb box;
   for (int i = 0; i < 3; ++i) {
@@ -106,10 +106,10 @@ Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
       low += std::min(at_min, at_max);
       high += std::max(at_min, at_max);
     }
-    const double pad = 0x10p-53 * reach[i];
+    const double pad = 0x10p-53 * largest[i];
     box.min.data()[i] = below(low - pad);
     box.max.data()[i] = above(high + pad);
-    give_room(box, i, kDistanceShare * reach[i]);
+    give_room(box, i, kDistanceShare * largest[i]);
   }
   return box;
 }

@@ -7,7 +7,7 @@
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/engine/world/shapes/pair_questions.h>
+#include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/obb_rows.h>
@@ -89,10 +89,10 @@ bool have_near_middles(const PlacedShapeView& a, const PlacedShapeView& b) {
   const double inner_a = inner_radius(a.shape), inner_b = inner_radius(b.shape);
   if (inner_a == 0 || inner_b == 0) return false;
   const Eigen::Vector3d s = middle_of(a.shape, a.pose), t = middle_of(b.shape, b.pose);
-  double way = 0;
+  double offset = 0;
   for (int i = 0; i < 3; ++i)
-    way = std::max(way, std::abs(s.data()[i] - t.data()[i]));
-  return way <= 0.999 * (inner_a + inner_b);
+    offset = std::max(offset, std::abs(s.data()[i] - t.data()[i]));
+  return offset <= 0.999 * (inner_a + inner_b);
 }
 
 BoxGap gap_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b) {
@@ -132,15 +132,16 @@ ShapeDistance distance_of_meshes(const PlacedShapeView& a, const PlacedShapeView
   // Law 7: off by at most 4 ulp of the largest difference of coordinates.
   const Aabb& box_a = placed_mesh(a).mesh.bounds();
   const Aabb& box_b = placed_mesh(b).mesh.bounds();
-  double reach = 0;
-  const std::array<double, 3> of_a = placed_reach(a.pose, box_a);
-  const std::array<double, 3> of_b = placed_reach(b.pose, box_b);
+  double largest = 0;
+  const std::array<double, 3> of_a = largest_coordinates(a.pose, box_a);
+  const std::array<double, 3> of_b = largest_coordinates(b.pose, box_b);
   for (int k = 0; k < 3; ++k)
-    reach = std::max(reach, of_a[k] + of_b[k]);
-  const narrowphase::Vec3 way = unit_or(to_vec3(found.point_b) - to_vec3(found.point_a), {0, 0, 1});
-  return {found.distance, std::max(found.distance - 0x8p-53 * reach, 0.0),
-          found.point_a,  found.point_b,
-          to_eigen(way),  PairStatus::Converged};
+    largest = std::max(largest, of_a[k] + of_b[k]);
+  const narrowphase::Vec3 normal =
+      unit_or(to_vec3(found.point_b) - to_vec3(found.point_a), {0, 0, 1});
+  return {found.distance,   std::max(found.distance - 0x8p-53 * largest, 0.0),
+          found.point_a,    found.point_b,
+          to_eigen(normal), PairStatus::Converged};
 }
 
 bool intersect_placed(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {

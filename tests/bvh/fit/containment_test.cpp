@@ -105,13 +105,13 @@ void expect_refused(Fit fit, const char* name) {
 }
 
 TEST(FitBadInput, NoPointsAndNotFiniteOnesAreRefused) {
-  expect_refused(bounding_aabb, "fit_aabb");
-  expect_refused(bounding_kdop, "fit_kdop");
+  expect_refused(bounding_aabb, "bounding_aabb");
+  expect_refused(bounding_kdop, "bounding_kdop");
   expect_refused(ritter_sphere, "ritter_sphere");
-  expect_refused(bounding_sphere, "minimal_sphere");
+  expect_refused(bounding_sphere, "bounding_sphere");
   expect_refused(covariance_box, "covariance_box");
   expect_refused(ditetrahedron_box, "ditetrahedron_box");
-  expect_refused(bounding_obb, "tight_box");
+  expect_refused(bounding_obb, "bounding_obb");
 }
 
 TEST(FitBadInput, WhatOverflowsIsRefused) {

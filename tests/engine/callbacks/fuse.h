@@ -88,9 +88,9 @@ class FusedShape final : public BodyShape {
     fuse_->burn();
     return inner_->cast_ray(pose, ray);
   }
-  double reach() const override {
+  double bounding_radius() const override {
     fuse_->burn();
-    return inner_->reach();
+    return inner_->bounding_radius();
   }
 
  private:

@@ -2,7 +2,7 @@
 
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/files/case_folder.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <gtest/gtest.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>

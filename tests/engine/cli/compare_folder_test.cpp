@@ -6,7 +6,7 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare/html_report.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/shape_pairs.h>

@@ -2,7 +2,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/cli/output/interruption.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <atomic>

@@ -6,7 +6,7 @@
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cli/compare/compare_report.h>
 #include <graze/engine/cli/compare/html_report.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/baseline.h>
 #include <graze/engine/compare/run/pose_source.h>

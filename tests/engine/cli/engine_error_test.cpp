@@ -3,8 +3,8 @@
 
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/to_case.h>
-#include <graze/engine/compare/judge/answer_fault.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/judge/judgement.h>
 #include <gtest/gtest.h>
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include <graze/engine/cases/answer_case.h>
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/to_case.h>
-#include <graze/engine/cli/output/usage_error.h>
+#include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <gtest/gtest.h>
 #include <cstdio>

@@ -36,7 +36,7 @@ class Witness : public BodyShape {
     note();
     return std::nullopt;
   }
-  double reach() const override {
+  double bounding_radius() const override {
     note();
     return 2;
   }

@@ -29,14 +29,14 @@ bool meet(const Placed& a, const Placed& b) {
 /// a little less.
 Placed moved(const Placed& from, const Eigen::Vector3d& way, double path, RandomSource& source) {
   const double push = path * (source.integer(0, 2) == 0 ? 1 : source.uniform(0, 1));
-  const double reach = from.body->reach();
+  const double radius = from.body->bounding_radius();
   Placed to = from;
   to.pose.translation() += way * push;
-  const double angle = (path - push) / (std::sqrt(2) * reach);
+  const double angle = (path - push) / (std::sqrt(2) * radius);
   const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
   to.pose.linear() =
       Eigen::AngleAxisd(angle, axis).toRotationMatrix() * Eigen::Matrix3d(from.pose.linear());
-  EXPECT_LE(motion_bound(from.pose, to.pose, reach), path * (1 + 9e-7) + 1e-12);
+  EXPECT_LE(motion_bound(from.pose, to.pose, radius), path * (1 + 9e-7) + 1e-12);
   return to;
 }
 
@@ -50,8 +50,8 @@ Counts count_pairs(const Shape& shape_a, const Shape& shape_b, RandomSource& sou
   const auto body_a = share(shape_a), body_b = share(shape_b);
   for (int n = 0; n < 40; ++n) {
     const bool is_distorted = n % 4 == 0;
-    const auto pose = [&](double reach) {
-      const Pose at = tests::random_pose(reach, source);
+    const auto pose = [&](double radius) {
+      const Pose at = tests::random_pose(radius, source);
       return is_distorted ? tests::distorted(at, 3e-7, source) : at;
     };
     const Placed a{body_a, pose(0.5)}, b{body_b, pose(2)};

@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/bodies/body_contacts.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/shape_bounds.h>
@@ -15,10 +15,10 @@ using Fault = std::optional<WitnessFault>;
 /// Normals are unit to some ulp.
 constexpr double kUnitTolerance = 0x1p-48;
 
-/// What find_contacts() grants itself: of how far the contacts are spread, for what the depth is
+/// What find_contacts() grants itself: of how far the contacts lie apart, for what the depth is
 /// short of parting the two; of the smaller shape, for the search of the least depth and for where
 /// points lie; and for points between boxes, of the depth.
-constexpr double kSpreadTolerance = 1e-4;
+constexpr double kExtentTolerance = 1e-4;
 constexpr double kSearchTolerance = 1e-6;
 constexpr double kPointTolerance = 0x1p-18;
 constexpr double kBoxShare = 0.05;
@@ -59,22 +59,22 @@ Fault fault_of_list(const std::vector<CaseShapeContact>& contacts) {
   return std::nullopt;
 }
 
-double spread_of(const std::vector<CaseShapeContact>& contacts) {
-  double spread = 0;
+double extent_of(const std::vector<CaseShapeContact>& contacts) {
+  double extent = 0;
   for (const CaseShapeContact& c : contacts)
-    spread = std::max(spread, (c.point - contacts[0].point).norm());
-  return spread;
+    extent = std::max(extent, (c.point - contacts[0].point).norm());
+  return extent;
 }
 
 /// Moving B by the greatest depth along the normal must part the two, and not much less will do.
 Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
                        const std::vector<CaseShapeContact>& contacts, double tolerance) {
   const CaseShapeContact& deepest = contacts.front();
-  const double needed =
-      reach_along(a.shape, a.pose, deepest.normal) + reach_along(b.shape, b.pose, -deepest.normal);
+  const double needed = support_along(a.shape, a.pose, deepest.normal) +
+                        support_along(b.shape, b.pose, -deepest.normal);
   if (!(needed <= deepest.depth + tolerance)) {
-    const double back = reach_along(a.shape, a.pose, -deepest.normal) +
-                        reach_along(b.shape, b.pose, deepest.normal);
+    const double back = support_along(a.shape, a.pose, -deepest.normal) +
+                        support_along(b.shape, b.pose, deepest.normal);
     if (back <= deepest.depth + tolerance)
       return WitnessFault{"a normal from B to A", 2 * deepest.depth};
     return WitnessFault{"a depth that does not part the two", needed - deepest.depth};
@@ -145,7 +145,7 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
     most_off = std::max(most_off, p.off);
   }
   if (has_mesh) return {.unjudged = "normals and depths"};
-  const double tolerance = slack + kSpreadTolerance * spread_of(contacts);
+  const double tolerance = slack + kExtentTolerance * extent_of(contacts);
   if (Fault fault = fault_of_parting(a, b, contacts, tolerance)) return {.fault = fault};
   return most_off > beside ? PartsReview{.unjudged = "where its points are, to a part in 16"}
                            : PartsReview{};

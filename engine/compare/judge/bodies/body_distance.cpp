@@ -1,8 +1,7 @@
-#include <graze/engine/compare/judge/bodies/body_distance.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_bounds.h>
 
@@ -34,7 +33,7 @@ double largest_of(const PlacedBody& body) {
 
 /// By how much a plane across the unit direction has A behind it and B before it.
 double gap_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
-  const double gap = -reach_along(b.shape, b.pose, -n) - reach_along(a.shape, a.pose, n);
+  const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 

@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/bodies/body_ray.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/world/shape_bounds.h>
@@ -15,17 +15,17 @@ using Eigen::Vector3d;
 constexpr double kTolerance = 0x1p-38;         // of the scale
 constexpr double kUnitTolerance = 0x1p-48;     // of normals
 constexpr double kSupportTolerance = 0x1p-28;  // of the scale: a normal to about 1e-4
-constexpr int kSteps = 200;                    // each leaves two thirds of the way
+constexpr int kSteps = 200;                    // each leaves two thirds of the interval
 
 class BodyRay {
  public:
   BodyRay(const CaseBody& body, const Ray& ray)
       : body_(body), ray_(ray), direction_(ray.direction.stableNormalized()) {
     const bool is_plane = body.shape.kind() == ShapeKind::HalfSpace;
-    const double reach = ray.origin.norm() + body.pose.translation().norm();
+    const double largest = ray.origin.norm() + body.pose.translation().norm();
     if (is_plane) {
-      scale_ = reach + std::abs(body.shape.as<HalfSpace>()->offset);
-      // Beyond this way even a ray that comes in at an angle of 1e-12 has met it.
+      scale_ = largest + std::abs(body.shape.as<HalfSpace>()->offset);
+      // Beyond this distance even a ray that comes in at an angle of 1e-12 has met it.
       most_ = 1e12 * (scale_ + 1);
     } else {
       const Aabb box = bounding_aabb({body.shape, body.pose});
@@ -34,7 +34,7 @@ class BodyRay {
       most_ = 2 * scale_;
     }
     most_ = std::min(most_, ray.max_distance);
-    slack_ = kTolerance * scale_ + 64 * 0x1p-52 * reach;
+    slack_ = kTolerance * scale_ + 64 * 0x1p-52 * largest;
     find_least();
   }
 
@@ -90,7 +90,7 @@ class BodyRay {
       return std::nullopt;
     }
     const double beyond =
-        reach_along(body_.shape, body_.pose, hit.normal) - hit.normal.dot(hit.point);
+        support_along(body_.shape, body_.pose, hit.normal) - hit.normal.dot(hit.point);
     if (!(beyond <= kSupportTolerance * scale_))
       return std::pair("a normal of another surface", beyond);
     return std::nullopt;

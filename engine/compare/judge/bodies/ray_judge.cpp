@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/bodies/ray_judge.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_ray.h>
 #include <graze/engine/mesh/placement.h>
@@ -79,8 +79,8 @@ class SurfaceRay {
     const double off = root_error(hit.distance, found->square);
     if (off > bound(found->distance)) return std::pair("another distance", off);
     const RationalPoint at = exact_.at(found->s);
-    const RationalPoint way = minus(compare::exactly(hit.point), at);
-    const double off_point = rounded_root(dot(way, way));
+    const RationalPoint offset = minus(compare::exactly(hit.point), at);
+    const double off_point = rounded_root(dot(offset, offset));
     const double largest = std::max(found->distance, ray_.origin.cwiseAbs().maxCoeff());
     // Of each of three coordinates.
     if (off_point > 2 * ulps_ * ulp_at(largest)) return std::pair("another point", off_point);

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The largest d . x over the shape in its own frame.
-struct Reach {
+struct Support {
   const Vector3d& d;
   double flat = std::hypot(d.x(), d.y());
 
@@ -96,9 +96,9 @@ struct Outside {
 
 }  // namespace
 
-double reach_along(const Shape& shape, const Pose& pose, const Vector3d& n) {
+double support_along(const Shape& shape, const Pose& pose, const Vector3d& n) {
   const Vector3d d = pose.linear().transpose() * n;
-  return n.dot(pose.translation()) + std::visit(Reach{d}, shape.value());
+  return n.dot(pose.translation()) + std::visit(Support{d}, shape.value());
 }
 
 double outside_by(const Shape& shape, const Pose& pose, const Vector3d& point) {

@@ -10,7 +10,7 @@ namespace graze::compare {
 
 /// The largest n . x over the placed shape, for a unit n; of a mesh over its vertices. Infinite for
 /// a half-space in all directions but its own, to 1e-7.
-double reach_along(const Shape& shape, const Pose& pose, const Eigen::Vector3d& n);
+double support_along(const Shape& shape, const Pose& pose, const Eigen::Vector3d& n);
 
 /// How far a point is outside of the placed shape, at about its surface: at least this for a hull
 /// and a box, at most this for an ellipsoid. Negative inside. Of a mesh, a surface, the distance.

@@ -2,7 +2,6 @@
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/manifold.h>
@@ -95,7 +94,7 @@ double proved_gap(const PlacedBody& a, const PlacedBody& b, Eigen::Vector3d n) {
   // A half-space is bounded in its own direction only.
   if (const auto* plane = a.shape.as<HalfSpace>()) n = a.pose.linear() * plane->normal;
   if (const auto* plane = b.shape.as<HalfSpace>()) n = -(b.pose.linear() * plane->normal);
-  const double gap = -reach_along(b.shape, b.pose, -n) - reach_along(a.shape, a.pose, n);
+  const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 

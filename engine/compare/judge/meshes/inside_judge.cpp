@@ -1,10 +1,9 @@
-#include <graze/engine/compare/judge/meshes/inside_judge.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_inside.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
 

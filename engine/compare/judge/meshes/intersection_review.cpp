@@ -1,7 +1,7 @@
-#include <graze/engine/compare/judge/meshes/intersection_review.h>
+#include <graze/engine/compare/judge/meshes/mesh_reviews.h>
 #include <graze/engine/compare/judge/meshes/pair_error.h>
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
 
 #include <algorithm>
 #include <cmath>

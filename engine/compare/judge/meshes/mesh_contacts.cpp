@@ -1,6 +1,6 @@
-#include <graze/engine/compare/judge/meshes/mesh_contacts.h>
+#include <graze/engine/compare/judge/meshes/mesh_reviews.h>
 #include <graze/engine/compare/judge/meshes/pair_error.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/mesh/placement.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include <graze/engine/compare/judge/meshes/pair_error.h>
 #include <graze/engine/compare/judge/rational/box_tree.h>
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/mesh/placement.h>
 
@@ -24,10 +23,10 @@ bool moves(const Pose& pose) {
 /// Triangles whose boxes hold the placed ones with and without law 1's rounding: six operations,
 /// none on numbers larger than the sum here.
 std::vector<Triangle> boxes_of(const PlacedMeshView& mesh) {
-  double reach = 0;
+  double largest = 0;
   for (const Eigen::Vector3d& vertex : mesh.mesh.vertices())
-    reach = std::max(reach, vertex.cwiseAbs().maxCoeff());
-  const double slack = 0x1p-49 * (4 * reach + mesh.pose.translation().cwiseAbs().maxCoeff());
+    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  const double slack = 0x1p-49 * (4 * largest + mesh.pose.translation().cwiseAbs().maxCoeff());
   std::vector<Triangle> boxes;
   for (std::size_t i = 0; i < mesh.mesh.triangles().size(); ++i) {
     const Triangle t = place(mesh.pose, mesh.mesh.triangle(i));

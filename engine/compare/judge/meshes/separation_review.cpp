@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/meshes/separation_review.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/mesh/placement.h>
 
@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 /// The direction is a unit vector to a few ulp, and each product with the length is rounded.
 constexpr double kLengthTolerance = 0x1p-49;
 
-/// Shares of the way by which it may be longer than it must be.
+/// Shares of its length by which the translation may be longer than it must be.
 constexpr double kLongerTolerance = 0x1p-20;
 
 Judgement wrong(const char* what, double error) {
@@ -53,16 +53,16 @@ Judgement judge_apart(const MeshCase& meshes, const Pose& pose_b) {
 }  // namespace
 
 Judgement judge_separation(const Case& query, const MeshCase& meshes, const CaseAnswer& answer) {
-  const Vector3d& way = *answer.translation;
-  const double length = way.stableNorm();
+  const Vector3d& translation = *answer.translation;
+  const double length = translation.stableNorm();
   const double off = std::abs(length - *answer.distance);
   if (!(off <= kLengthTolerance * length)) return wrong("a translation of another length", off);
   if (query.settings.direction && length > 0) {
     const Vector3d direction = query.settings.direction->stableNormalized();
-    const double aside = (way.stableNormalized() - direction).norm();
+    const double aside = (translation.stableNormalized() - direction).norm();
     if (aside > kLengthTolerance) return wrong("another direction", aside * length);
   }
-  const std::optional<Pose> after = moved(meshes.b, way);
+  const std::optional<Pose> after = moved(meshes.b, translation);
   if (!after) {
     Judgement judgement;
     judgement.truth = "it takes B out of the range of double";
@@ -74,7 +74,7 @@ Judgement judge_separation(const Case& query, const MeshCase& meshes, const Case
     return judgement;
   }
   judgement.truth = "apart after it";
-  const std::optional<Pose> before = moved(meshes.b, (1 - kLongerTolerance) * way);
+  const std::optional<Pose> before = moved(meshes.b, (1 - kLongerTolerance) * translation);
   const bool is_needed =
       length == 0 ||
       (before && MeshReferee({meshes.a.mesh, meshes.a.pose}, {meshes.b.mesh, *before}).find_hit());

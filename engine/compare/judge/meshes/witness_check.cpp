@@ -1,7 +1,7 @@
 #include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/judge/meshes/witness_check.h>
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,4 @@
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/mesh/placement.h>

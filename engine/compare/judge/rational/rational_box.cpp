@@ -65,16 +65,18 @@ Extent range_of(const Points& points, const RationalPoint& axis) {
 }
 
 template <typename PointsA, typename PointsB>
-std::optional<mpq_class> least_way(const PointsA& a, const PointsB& b, const Directions& axes) {
+std::optional<mpq_class> least_translation(const PointsA& a, const PointsB& b,
+                                           const Directions& axes) {
   std::optional<mpq_class> best;
   for (const RationalPoint& axis : axes) {
     const mpq_class length = dot(axis, axis);
     if (length == 0) continue;
     const Extent in_a = range_of(a, axis);
     const Extent in_b = range_of(b, axis);
-    for (const mpq_class& way : {mpq_class(in_a.max - in_b.min), mpq_class(in_b.max - in_a.min)}) {
-      if (way < 0) return std::nullopt;
-      const mpq_class square = way * way / length;
+    for (const mpq_class& overlap :
+         {mpq_class(in_a.max - in_b.min), mpq_class(in_b.max - in_a.min)}) {
+      if (overlap < 0) return std::nullopt;
+      const mpq_class square = overlap * overlap / length;
       if (!best || square < *best) best = square;
     }
   }
@@ -133,14 +135,15 @@ std::vector<RationalTriangle> faces_of(const RationalBox& box) {
 }
 
 std::optional<mpq_class> squared_overlap(const RationalBox& a, const RationalBox& b) {
-  return least_way(corners_of(a), corners_of(b),
-                   axes_of(normals_of(a), edges_of(a), normals_of(b), edges_of(b)));
+  return least_translation(corners_of(a), corners_of(b),
+                           axes_of(normals_of(a), edges_of(a), normals_of(b), edges_of(b)));
 }
 
 std::optional<mpq_class> squared_overlap(const RationalTriangle& triangle, const RationalBox& box) {
   const Directions edges = {edge_of(triangle, 0), edge_of(triangle, 1), edge_of(triangle, 2)};
-  return least_way(triangle, corners_of(box),
-                   axes_of({cross(edges[0], edges[1])}, edges, normals_of(box), edges_of(box)));
+  return least_translation(
+      triangle, corners_of(box),
+      axes_of({cross(edges[0], edges[1])}, edges, normals_of(box), edges_of(box)));
 }
 
 mpq_class squared_gap(const RationalBox& a, const RationalBox& b) {

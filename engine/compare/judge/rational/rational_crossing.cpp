@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/rational/rational_crossing.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
 
 #include <algorithm>
 #include <array>
@@ -39,9 +39,9 @@ std::vector<RationalPoint> points_at_height_zero(const RationalTriangle& t,
     if (heights[i] == 0) points.push_back(t[i]);
     if (sgn(heights[i]) * sgn(heights[k]) >= 0) continue;
     const mpq_class share = heights[i] / (heights[i] - heights[k]);
-    const RationalPoint way = edge_of(t, i);
+    const RationalPoint offset = edge_of(t, i);
     points.push_back(
-        {t[i][0] + share * way[0], t[i][1] + share * way[1], t[i][2] + share * way[2]});
+        {t[i][0] + share * offset[0], t[i][1] + share * offset[1], t[i][2] + share * offset[2]});
   }
   return points;
 }
@@ -76,18 +76,18 @@ bool does_pierce(const RationalTriangle& segment, const RationalTriangle& t) {
 }  // namespace
 
 bool are_coplanar(const RationalTriangle& a, const RationalTriangle& b) {
-  std::array<RationalPoint, 5> ways = {minus(a[1], a[0]), minus(a[2], a[0]), minus(b[0], a[0]),
-                                       minus(b[1], a[0]), minus(b[2], a[0])};
-  const auto first = std::find_if_not(ways.begin(), ways.end(), is_zero);
-  if (first == ways.end()) return true;
+  std::array<RationalPoint, 5> offsets = {minus(a[1], a[0]), minus(a[2], a[0]), minus(b[0], a[0]),
+                                          minus(b[1], a[0]), minus(b[2], a[0])};
+  const auto first = std::find_if_not(offsets.begin(), offsets.end(), is_zero);
+  if (first == offsets.end()) return true;
   RationalPoint normal{};
-  for (const RationalPoint& way : ways) {
-    if (is_zero(normal)) normal = cross(*first, way);
-    if (dot(normal, way) != 0) return false;
+  for (const RationalPoint& offset : offsets) {
+    if (is_zero(normal)) normal = cross(*first, offset);
+    if (dot(normal, offset) != 0) return false;
   }
   // A normal that was found late must hold for those before it, too.
-  return std::all_of(ways.begin(), ways.end(),
-                     [&](const RationalPoint& way) { return dot(normal, way) == 0; });
+  return std::all_of(offsets.begin(), offsets.end(),
+                     [&](const RationalPoint& offset) { return dot(normal, offset) == 0; });
 }
 
 bool do_cross(const RationalTriangle& a, const RationalTriangle& b) {

@@ -36,8 +36,8 @@ bool is_in_shadow(const RationalTriangle& t, const RationalPoint& p) {
 bool is_ahead(const RationalTriangle& t, const RationalPoint& p) {
   const RationalPoint normal = cross(edge_of(t, 0), edge_of(t, 1));
   // normal . (x, p_y, p_z) = normal . t[0] at the x sought; normal[0] is the shadow's area.
-  const RationalPoint way = minus(t[0], p);
-  return dot(normal, way) / normal[0] > 0;
+  const RationalPoint offset = minus(t[0], p);
+  return dot(normal, offset) / normal[0] > 0;
 }
 
 }  // namespace

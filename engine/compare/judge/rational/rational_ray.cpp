@@ -24,15 +24,15 @@ Meeting first_on_line(const RationalRay& ray, const RationalPoint& from, const R
 Meeting first_on_segment(const RationalRay& ray, const RationalPoint& from,
                          const RationalPoint& to) {
   const RationalPoint side = minus(to, from);
-  const RationalPoint way = minus(from, ray.origin);
+  const RationalPoint offset = minus(from, ray.origin);
   const RationalPoint across = cross(ray.direction, side);
   if (is_zero(across)) {
-    return is_zero(cross(way, ray.direction)) ? first_on_line(ray, from, to) : std::nullopt;
+    return is_zero(cross(offset, ray.direction)) ? first_on_line(ray, from, to) : std::nullopt;
   }
-  if (dot(across, way) != 0) return std::nullopt;
+  if (dot(across, offset) != 0) return std::nullopt;
   const mpq_class square = dot(across, across);
-  const mpq_class s = dot(cross(way, side), across) / square;
-  const mpq_class r = dot(cross(way, ray.direction), across) / square;
+  const mpq_class s = dot(cross(offset, side), across) / square;
+  const mpq_class r = dot(cross(offset, ray.direction), across) / square;
   if (s < 0 || r < 0 || r > 1) return std::nullopt;
   return s;
 }

@@ -91,19 +91,19 @@ mpz_class determinant(const Matrix& m, std::size_t size) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// The corners of two triangles that two bit masks name: the first of each, and the ways to the
+/// The corners of two triangles that two bit masks name: the first of each, and the edges to the
 /// others, those of the second triangle backwards.
 struct Supports {
   WholePoint apart;
-  std::array<WholePoint, 3> ways;
-  std::size_t ways_a = 0;
+  std::array<WholePoint, 3> edges;
+  std::size_t edges_a = 0;
   std::size_t count = 0;
 
-  /// False if there are more than three ways, so that the system is singular in any case.
+  /// False if there are more than three edges, so that the system is singular in any case.
   bool set(const WholePair& pair, unsigned mask_a, unsigned mask_b) {
     count = 0;
     const std::size_t first_a = add(pair.a, mask_a, 1);
-    ways_a = count;
+    edges_a = count;
     if (count > 3) return false;
     const std::size_t first_b = add(pair.b, mask_b, -1);
     for (std::size_t k = 0; k < 3; ++k)
@@ -122,7 +122,7 @@ struct Supports {
       }
       if (count < 3) {
         for (std::size_t k = 0; k < 3; ++k)
-          ways[count][k] = (t[i][k] - t[first][k]) * sign;
+          edges[count][k] = (t[i][k] - t[first][k]) * sign;
       }
       ++count;
     }
@@ -148,8 +148,8 @@ bool find_stationary(const Supports& s, mpq_class& square) {
   std::array<mpz_class, 3> right;
   for (std::size_t i = 0; i < s.count; ++i) {
     for (std::size_t j = 0; j < s.count; ++j)
-      gram[i][j] = dot(s.ways[i], s.ways[j]);
-    right[i] = -dot(s.ways[i], s.apart);
+      gram[i][j] = dot(s.edges[i], s.edges[j]);
+    right[i] = -dot(s.edges[i], s.apart);
   }
   const mpz_class denominator = determinant(gram, s.count);
   if (sgn(denominator) == 0) return false;
@@ -160,15 +160,15 @@ bool find_stationary(const Supports& s, mpq_class& square) {
       replaced[i][j] = right[i];
     weights[j] = determinant(replaced, s.count);
   }
-  if (!are_weights(weights, 0, s.ways_a, denominator) ||
-      !are_weights(weights, s.ways_a, s.count, denominator)) {
+  if (!are_weights(weights, 0, s.edges_a, denominator) ||
+      !are_weights(weights, s.edges_a, s.count, denominator)) {
     return false;
   }
   WholePoint apart;
   for (std::size_t k = 0; k < 3; ++k) {
     apart[k] = s.apart[k] * denominator;
     for (std::size_t i = 0; i < s.count; ++i)
-      apart[k] += weights[i] * s.ways[i][k];
+      apart[k] += weights[i] * s.edges[i][k];
   }
   square = mpq_class(dot(apart, apart), denominator * denominator);
   square.canonicalize();
@@ -219,9 +219,10 @@ mpq_class squared_depth(const RationalTriangle& a, const RationalTriangle& b) {
     if (length == 0) continue;
     const Extent in_a = extent_of(a, axis);
     const Extent in_b = extent_of(b, axis);
-    for (const mpq_class& way : {mpq_class(in_a.max - in_b.min), mpq_class(in_b.max - in_a.min)}) {
-      if (way < 0) return 0;  // they are apart
-      const mpq_class square = way * way / length;
+    for (const mpq_class& overlap :
+         {mpq_class(in_a.max - in_b.min), mpq_class(in_b.max - in_a.min)}) {
+      if (overlap < 0) return 0;  // they are apart
+      const mpq_class square = overlap * overlap / length;
       if (best == unknown || square < best) best = square;
     }
   }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <gmpxx.h>
-
-#include <array>
-
 #include <graze/bvh/pose.h>
 #include <graze/narrowphase/triangle.h>
+
+#include <gmpxx.h>
+#include <array>
 
 namespace graze::compare {
 
@@ -16,7 +15,7 @@ RationalPoint minus(const RationalPoint& p, const RationalPoint& q);
 mpq_class dot(const RationalPoint& p, const RationalPoint& q);
 RationalPoint cross(const RationalPoint& p, const RationalPoint& q);
 
-/// The way from corner i to the next one.
+/// The edge from corner i to the next one.
 RationalPoint edge_of(const RationalTriangle& triangle, std::size_t i);
 
 struct Extent {
@@ -55,5 +54,14 @@ double rounded_root(const mpq_class& square);
 /// |value - root of square|, rounded likewise.
 double root_error(double value, const mpq_class& square);
 double root_error(const mpq_class& value, const mpq_class& square);
+
+/// Whether one plane holds all six corners.
+bool are_coplanar(const RationalTriangle& triangle_a, const RationalTriangle& triangle_b);
+
+/// Whether the relative interiors of the two share a point and no plane holds both: what
+/// Touch::Exclude counts. Each triangle is cut with the other's plane; the two open segments that
+/// result lie on one line, and overlap or do not (Moeller, "A fast triangle-triangle intersection
+/// test", Journal of Graphics Tools 2(2), 1997), here in rational numbers.
+bool do_cross(const RationalTriangle& triangle_a, const RationalTriangle& triangle_b);
 
 }  // namespace graze::compare

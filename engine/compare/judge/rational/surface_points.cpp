@@ -1,5 +1,5 @@
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/surface_points.h>
 
 #include <algorithm>
 #include <array>

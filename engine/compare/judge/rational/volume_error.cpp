@@ -1,7 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
 #include <graze/narrowphase/triangle_box.h>
 
 #include <algorithm>
@@ -11,13 +10,13 @@ namespace graze::compare {
 namespace {
 
 /// A ball and something at a distance from its centre.
-VolumeError ball_error(const mpq_class& squared_distance, const mpq_class& reach) {
-  return {squared_distance <= reach * reach, root_error(reach, squared_distance)};
+VolumeError ball_error(const mpq_class& squared_distance, const mpq_class& radius) {
+  return {squared_distance <= radius * radius, root_error(radius, squared_distance)};
 }
 
 VolumeError error_of(const Sphere& a, const Sphere& b) {
-  const RationalPoint way = minus(exactly(a.centre), exactly(b.centre));
-  return ball_error(dot(way, way), mpq_class(a.radius) + mpq_class(b.radius));
+  const RationalPoint offset = minus(exactly(a.centre), exactly(b.centre));
+  return ball_error(dot(offset, offset), mpq_class(a.radius) + mpq_class(b.radius));
 }
 
 VolumeError error_of(const Sphere& ball, const Aabb& box) {
@@ -107,8 +106,8 @@ double largest_coordinate(const CaseShape& volume) {
   if (const auto* box = std::get_if<Aabb>(&volume))
     return std::max(box->min.cwiseAbs().maxCoeff(), box->max.cwiseAbs().maxCoeff());
   if (const auto* box = std::get_if<Obb>(&volume)) {
-    const Eigen::Vector3d reach = box->pose.linear().cwiseAbs() * box->half_extents;
-    return (box->pose.translation().cwiseAbs() + reach).maxCoeff();
+    const Eigen::Vector3d projected_radii = box->pose.linear().cwiseAbs() * box->half_extents;
+    return (box->pose.translation().cwiseAbs() + projected_radii).maxCoeff();
   }
   const auto* ball = std::get_if<Sphere>(&volume);
   return ball == nullptr ? 0 : ball->centre.cwiseAbs().maxCoeff() + ball->radius;

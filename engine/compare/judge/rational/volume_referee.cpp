@@ -1,5 +1,5 @@
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/volume_referee.h>
+#include <graze/engine/compare/judge/rational/volume_error.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/narrowphase/triangle_box.h>
 

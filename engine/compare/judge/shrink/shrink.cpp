@@ -2,7 +2,6 @@
 #include <graze/engine/compare/judge/shrink/reductions.h>
 #include <graze/engine/compare/judge/shrink/shape_numbers.h>
 #include <graze/engine/compare/judge/shrink/shrink.h>
-#include <graze/engine/compare/judge/shrink/shrink_bodies.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/mesh/placement.h>
 

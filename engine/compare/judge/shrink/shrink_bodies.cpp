@@ -1,6 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/shrink/shape_numbers.h>
-#include <graze/engine/compare/judge/shrink/shrink_bodies.h>
+#include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/peers/engine.h>
 
 #include <array>
@@ -34,7 +34,7 @@ class BodyShrinking {
   }
 
   /// Both bodies as a file would give them back.
-  bool settle() {
+  bool round_trip() {
     Case candidate = best_;
     for (const Side side : kSides) {
       CaseBody& body = body_of(candidate, side);
@@ -138,7 +138,7 @@ class BodyShrinking {
 Case shrink_bodies(const Case& query, const StillWrong& is_still_wrong) {
   BodyShrinking shrinking(query, is_still_wrong);
   try {
-    if (shrinking.settle()) shrinking.shrink();
+    if (shrinking.round_trip()) shrinking.shrink();
   } catch (const ShrinkingStopped&) {  // the best so far is true
   }
   return shrinking.take();

@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/answer_fault.h>
+#include <graze/engine/compare/judge/judgement.h>
 
 #include <algorithm>
 #include <cmath>

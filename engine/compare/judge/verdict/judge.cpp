@@ -1,13 +1,9 @@
-#include <graze/engine/compare/judge/answer_fault.h>
-#include <graze/engine/compare/judge/bodies/body_contacts.h>
-#include <graze/engine/compare/judge/bodies/body_distance.h>
-#include <graze/engine/compare/judge/bodies/body_ray.h>
-#include <graze/engine/compare/judge/bodies/ray_judge.h>
+#include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/judge.h>
-#include <graze/engine/compare/judge/meshes/inside_judge.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/meshes/mesh_truth.h>
 #include <graze/engine/compare/judge/shape_judge.h>
-#include <graze/engine/compare/judge/volume_judge.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/manifold.h>

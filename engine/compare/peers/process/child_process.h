@@ -44,7 +44,7 @@ class ChildProcess {
     void open();
     void close();
     void close_end(int which);
-    int ends[2] = {-1, -1};  // to read from, to write to
+    int ends[2] = {-1, -1};  ///< to read from, to write to
   };
 
   bool write_some(std::string_view text, std::size_t& written);
@@ -56,8 +56,8 @@ class ChildProcess {
 
   Pipe in_, out_, err_;
   pid_t id_ = -1;
-  std::string unread_;  // of its output
-  std::string errors_;  // the end of what it wrote there
+  std::string unread_;  ///< what the program wrote and nobody has read yet
+  std::string errors_;  ///< the end of what it wrote to its standard error
 };
 
 }  // namespace graze::compare

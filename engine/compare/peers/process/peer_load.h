@@ -64,7 +64,7 @@ class PeerLoad {
   std::mutex mutex_;
   std::vector<std::unique_ptr<PeerSession>> idle_;
   bool is_refused_ = false;
-  std::optional<std::string> failure_;  // to load
+  std::optional<std::string> failure_;  ///< why nothing could be loaded
 };
 
 }  // namespace graze::compare

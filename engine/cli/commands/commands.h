@@ -1,0 +1,47 @@
+#pragma once
+
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/output/output.h>
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace graze::cli {
+
+/// What the chosen subcommand does once all arguments are parsed.
+using Action = std::function<ExitCode(Output&)>;
+
+/// Adds `graze pair`. Parsing it sets `action`.
+void add_pair_command(CLI::App& program, Action& action);
+
+/// Adds `graze contacts`. Parsing it sets `action`.
+void add_contacts_command(CLI::App& program, Action& action);
+
+/// Adds `graze voxels`. Parsing it sets `action`.
+void add_voxels_command(CLI::App& program, Action& action);
+
+/// Adds `graze info`. Parsing it sets `action`.
+void add_info_command(CLI::App& program, Action& action);
+
+/// Adds `graze explain`. Parsing it sets `action`.
+void add_explain_command(CLI::App& program, Action& action);
+
+/// Adds `graze simulate`. Parsing it sets `action`.
+void add_simulate_command(CLI::App& program, Action& action);
+
+/// Adds `graze compare`. Parsing it sets `action`; `arguments` are all that were given, for the
+/// report.
+void add_compare_command(CLI::App& program, Action& action,
+                         const std::vector<std::string>& arguments);
+
+/// Adds `graze replay`. Parsing it sets `action`.
+void add_replay_command(CLI::App& program, Action& action);
+
+/// Rewrites `--pose-a` and `--pose-b` with the arguments that follow, be it one with 12 numbers or
+/// 12 with one each, as a single argument `--pose-a=...`: a parser of options then cannot take
+/// negative numbers for options, nor meshes for numbers.
+std::vector<std::string> join_pose_arguments(const std::vector<std::string>& arguments);
+
+}  // namespace graze::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <graze/bvh/error.h>
+
+namespace graze::cli {
+
+/// What the command tells its caller. The help text and the README promise these numbers.
+enum class ExitCode {
+  Answered = 0,    ///< an answer was given, whatever it is
+  GrazeWrong = 1,  ///< a check was asked for, and the referee overruled graze
+  Failed = 1,      ///< the same to the caller: a wrong answer that --fail-on names
+  BadInput = 2,  ///< no answer: usage, meshes, poses, memory or output; one line on stderr says why
+  Interrupted = 130,  ///< by SIGINT: what is done is in the file of --resume
+};
+
+/// Arguments that cannot be used; what() names the option.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace graze::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/compare/judge/meshes/parts_review.h>
+#include <graze/engine/compare/judge/shape_judge.h>
+
+#include <vector>
+
+namespace graze::compare {
+
+/// The contacts of two bodies that hit, as find_contacts() of shapes promises them. Of two convex
+/// bodies a plane across the common normal must part them once B is moved by the greatest depth,
+/// and not much sooner; and points lie midway between the surfaces. Of meshes the normals and
+/// depths are not judged.
+PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
+                            const std::vector<CaseShapeContact>& contacts);
+
+/// The distance of two bodies: two balls, or a mesh and a mesh or a ball, exactly; else by proof.
+/// The points are on the surfaces and so far apart: no less is claimed than is true. A plane across
+/// the normal, or across the segment between the points, has the two so far on different sides: no
+/// more is claimed. Where that proves nothing, as of a mesh and what is not flat, the distance from
+/// below is not judged.
+PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer);
+
+/// A ray at a body that is no mesh. How far a point is outside of a convex shape is a convex
+/// function along the ray: its least value, found by dividing the interval, says whether the ray
+/// goes in, and the hit is where it first falls to zero. All to 2^-38 of the scale, four times what
+/// cast_ray() grants itself; a ray that comes nearer to the surface than that is not judged.
+Judgement judge_body_ray(const CaseBody& body, const Ray& ray, const CaseAnswer& answer);
+
+/// A ray at a mesh or a triangle, the first hit or all of them, in rational numbers: which
+/// triangles are met, how far away, in which point and with which normal. The bounds are those that
+/// cast_ray() promises, for other engines kTouchUlps. A hit as far as the ray reaches, but for
+/// these, may be told either way.
+Judgement judge_surface_ray(const Case& query, const CaseAnswer& answer, bool is_graze);
+
+}  // namespace graze::compare

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <vector>
+
+#include <graze/engine/compare/judge/rational/mesh_referee.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
+
+namespace graze::compare {
+
+/// How far B must be moved until no pair of triangles hits any more. That each pair alone needs
+/// little says nothing: of two cubes pushed into each other along an axis all pairs merely touch.
+///
+/// Directions are tried, not all of them: the axes, normals of triangles that hit, and the shortest
+/// translation that parts each pair. Along one of them the answer is exact, in rational numbers:
+/// each pair of triangles meets for an interval of lengths, and the first length that no interval
+/// goes beyond separates the two. So a length found is always enough, an upper bound of the depth.
+class SeparatingTranslation {
+ public:
+  /// `hits` are all that there are; both must outlive this.
+  SeparatingTranslation(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
+
+  /// The length of the shortest translation found, metres, if it is no longer than `limit`.
+  std::optional<double> find_within(double limit);
+
+  /// The shortest one found with bounded effort, at most what lets the boxes of both part.
+  double find();
+
+ private:
+  /// Of the move t * d the triangles share a point only while t * (normal . d) lies between these.
+  struct Slab {
+    RationalPoint normal;
+    mpq_class low;
+    mpq_class high;
+  };
+  struct Interval {
+    mpq_class first;
+    mpq_class last;
+    bool is_empty = false;
+    bool is_bounded = false;
+  };
+
+  static std::vector<Slab> slabs_of(const RationalTriangle& a, const RationalTriangle& b);
+  static Interval interval_of(const std::vector<Slab>& slabs, const RationalPoint& direction);
+  Interval interval_of(std::size_t hit, const RationalPoint& direction);
+  Interval interval_of(const TrianglePair& pair, const RationalPoint& direction) const;
+  void add_direction(const Eigen::Vector3d& direction);
+  void add_directions(std::size_t hit);
+  double length_along(const Eigen::Vector3d& direction) const;
+  bool may_look();
+  /// The square of the least length along the direction, if it is no more than `limit`.
+  std::optional<mpq_class> march(const Eigen::Vector3d& direction, const mpq_class& limit);
+
+  const MeshReferee& referee_;
+  const std::vector<TrianglePair>& hits_;
+  std::vector<std::vector<Slab>> known_slabs_;  ///< of the first hits
+  std::vector<Eigen::Vector3d> directions_;
+  std::size_t effort_ = 0;  ///< pairs that may yet be looked at
+};
+
+}  // namespace graze::compare

@@ -1,0 +1,99 @@
+#include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/core/contact_face.h>
+#include <graze/narrowphase/convex/depth/box_axes.h>
+#include <graze/narrowphase/convex/gap/closed_gap.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graze {
+
+using narrowphase::ContactFace;
+using narrowphase::Core;
+using narrowphase::CoreGap;
+using narrowphase::Parting;
+using narrowphase::Vec3;
+
+// The tables' booleans have been asked before: what comes here touches, but for boxes.
+
+namespace {
+
+/// As below, of two spheres: where the formulas are short, cores cost more than the answer.
+bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
+                           ContactCandidates& candidates) {
+  const Sphere& sphere_a = *a.shape.as<Sphere>();
+  const Sphere& sphere_b = *b.shape.as<Sphere>();
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Vec3 between = to_vec3(middle_of(b.shape, b.pose)) - to_vec3(candidates.origin);
+  const double distance = length(between);
+  const double radii = sphere_a.radius + sphere_b.radius;
+  if (!(distance > 0x1p-20 * radii)) return false;
+  const Vec3 normal = unit_or(between, {0, 0, 1});
+  const Vec3 on_a = normal * sphere_a.radius;
+  const Vec3 on_b = between - normal * sphere_b.radius;
+  candidates.list.push_back({on_a, on_b, normal, std::max(radii - distance, 0.0),
+                             narrowphase::kPointFeature, narrowphase::kPointFeature});
+  return true;
+}
+
+}  // namespace
+
+void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
+                         Work& work) {
+  if (b.shape.kind() == ShapeKind::Sphere && candidates_of_spheres(a, b, candidates)) return;
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Core core_a = core_of(a.shape, a.pose, candidates.origin);
+  const Core core_b = core_of(b.shape, b.pose, candidates.origin);
+  const CoreGap gap = narrowphase::nearest(core_a, core_b);
+  ++work.convex_tests;
+  const Parting parting = part(core_a, core_b, gap);
+  work.penetration_tests += parting.is_asked;
+  work.penetration_failures += parting.is_failed;
+  add_touches(core_a, core_b, parting, candidates.list);
+}
+
+// The axes along which they part mostly tell for sure whether they touch.
+void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
+                         Work& work) {
+  using narrowphase::Verdict;
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Core core_a = core_of(a.shape, a.pose, candidates.origin);
+  const Core core_b = core_of(b.shape, b.pose, candidates.origin);
+  const narrowphase::BoxAxes axes(core_a, core_b);
+  const Verdict verdict = axes.verdict();
+  if (verdict == Verdict::Apart) return;
+  if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
+  add_touches(core_a, core_b, part_boxes(axes), candidates.list);
+}
+
+void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                           ContactCandidates& candidates) {
+  candidates.origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, candidates.origin);
+  const PlacedHalfSpace plane =
+      placed_half_space(*b.shape.as<HalfSpace>(), b.pose, candidates.origin);
+  const Vec3 down = -plane.normal;
+  const auto add = [&](const Vec3& point, std::uint64_t feature) {
+    const double depth = plane.offset - dot(plane.normal, point);
+    const Vec3 foot = point + plane.normal * depth;
+    candidates.list.push_back({point, foot, down, std::max(depth, 0.0), feature, 0});
+  };
+  const Vec3 lowest = rounded_support(core, down);
+  const double deepest = plane.offset - dot(plane.normal, lowest);
+  const ContactFace face = face_along(core, down);
+  const double tolerance = kTouchTolerance * (core.reach + core.radius + std::abs(plane.offset));
+  double found = -1;
+  for (int i = 0; i < face.count; ++i) {
+    const double depth = plane.offset - dot(plane.normal, face.corner[i]);
+    if (depth < -tolerance) continue;
+    found = std::max(found, depth);
+    add(face.corner[i], (static_cast<std::uint64_t>(face.id) << 32) | face.corner_id[i]);
+  }
+  // What the corners of a face leave out, above all of a round one, is the deepest point itself.
+  constexpr double kSameDepth = 1e-6;
+  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius))
+    add(lowest, narrowphase::kPointFeature);
+}
+
+}  // namespace graze

@@ -1,0 +1,51 @@
+#include <graze/engine/world/shapes/pair_functions.h>
+#include <graze/engine/world/shapes/placed_core.h>
+
+namespace graze {
+
+using narrowphase::Core;
+using narrowphase::Vec3;
+
+namespace {
+
+struct Cores {
+  Eigen::Vector3d origin;
+  Core a;
+  Core b;
+};
+
+/// The middle of A is the origin.
+Cores cores_of(const PlacedShapeView& a, const PlacedShapeView& b) {
+  const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
+  return {origin, core_of(a.shape, a.pose, origin), core_of(b.shape, b.pose, origin)};
+}
+
+Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
+  return to_eigen(point + to_vec3(origin));
+}
+
+}  // namespace
+
+bool intersect_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const Cores cores = cores_of(a, b);
+  PairStatus status{};
+  const bool is_apart = are_apart(cores.a, cores.b, status);
+  ++work.convex_tests;
+  work.convex_failures += status == PairStatus::NotConverged;
+  return !is_apart;
+}
+
+ShapeDistance distance_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const Cores cores = cores_of(a, b);
+  const SetGap gap = gap_of_sets(cores.a, cores.b);
+  ++work.convex_tests;
+  work.convex_failures += gap.status == PairStatus::NotConverged;
+  return {gap.distance,
+          gap.lower,
+          in_world(gap.point_a, cores.origin),
+          in_world(gap.point_b, cores.origin),
+          to_eigen(gap.normal),
+          gap.status};
+}
+
+}  // namespace graze

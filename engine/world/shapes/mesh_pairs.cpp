@@ -1,0 +1,59 @@
+#include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/world/shapes/mesh_descent.h>
+#include <graze/engine/world/shapes/pair_functions.h>
+#include <graze/engine/world/shapes/placed_core.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace graze {
+
+using narrowphase::Core;
+using narrowphase::Vec3;
+
+bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
+  const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, origin);
+  MeshDescent descent(mesh, core, origin, work);
+  bool is_hit = false;
+  descent.for_each_near([&](std::uint32_t index) {
+    PairStatus status{};
+    is_hit = !are_apart(core, descent.triangle(index), status);
+    ++work.convex_tests;
+    work.convex_failures += status == PairStatus::NotConverged;
+    return is_hit ? bvh::Walk::Stop : bvh::Walk::Continue;
+  });
+  return is_hit;
+}
+
+ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
+  const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
+  const Core core = core_of(a.shape, a.pose, origin);
+  MeshDescent descent(mesh, core, origin, work);
+  SetGap best{};
+  best.distance = std::numeric_limits<double>::infinity();
+  std::uint32_t nearest = 0;
+  double lower = best.distance;
+  PairStatus status = PairStatus::Converged;
+  descent.for_each_within([&] { return best.distance; },
+                          [&](std::uint32_t index) {
+                            const SetGap gap =
+                                gap_of_sets(core, descent.triangle(index), best.distance);
+                            ++work.convex_tests;
+                            lower = std::min(lower, gap.lower);
+                            if (gap.status == PairStatus::NotConverged) {
+                              ++work.convex_failures;
+                              status = gap.status;
+                            }
+                            const bool is_tie = gap.distance == best.distance && index < nearest;
+                            if (gap.distance < best.distance || is_tie) best = gap, nearest = index;
+                            return bvh::Walk::Continue;
+                          });
+  const Vec3 o = to_vec3(origin);
+  return {best.distance,         lower, to_eigen(best.point_a + o), to_eigen(best.point_b + o),
+          to_eigen(best.normal), status};
+}
+
+}  // namespace graze
