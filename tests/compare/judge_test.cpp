@@ -8,7 +8,7 @@
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/way_out.h>
+#include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/judge/shrink/shrink.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/compare/run/trial.h>
@@ -206,7 +206,7 @@ CaseMesh cube_at(double x, double y = 0) {
 }
 
 // All pairs of triangles of cubes in line merely touch: what undoes the hit is what counts.
-TEST(JudgeClasses, AMissedHitIsAsLargeAsTheWayOut) {
+TEST(JudgeClasses, AMissedHitIsAsLargeAsTheTranslationThatParts) {
   for (const double x : {1.5, -1.5, 0.25}) {
     const Judgement missed = judged(cube_at(0), cube_at(x), false);
     EXPECT_EQ(missed.error_class, ErrorClass::Real) << x;
@@ -255,9 +255,9 @@ TEST(JudgeClasses, AnEmptyListOrNoContactSaysThatTheyAreApart) {
   EXPECT_EQ(Judge(query).judge(no_contact, {"somebody", ""}).error, 0.5);
 }
 
-/// The way out is one: moved by a little more, two soups of triangles are apart, and every pair
-/// needs at least its own depth.
-TEST(JudgeClasses, TheWayOutIsNoShorterThanAnyPairNeeds) {
+/// The translation found parts the two: moved by a little more, two soups of triangles are apart.
+/// It is no shorter than what any one pair needs.
+TEST(JudgeClasses, TheTranslationIsNoShorterThanAnyPairNeeds) {
   RandomSource source(11);
   std::size_t hits = 0;
   for (int run = 0; run < 12; ++run) {
@@ -272,11 +272,11 @@ TEST(JudgeClasses, TheWayOutIsNoShorterThanAnyPairNeeds) {
       deepest = std::max(deepest, rounded_root(squared_depth(exactly(a.triangle(pair.a)),
                                                              exactly(b.triangle(pair.b)))));
     }
-    WayOut way_out(referee, pairs);
-    const double way = way_out.find();
-    EXPECT_GE(way, deepest * (1 - 0x1p-40));
-    EXPECT_FALSE(way_out.find_within(deepest / 2));
-    EXPECT_TRUE(way_out.find_within(way * (1 + 0x1p-40)));
+    SeparatingTranslation translation(referee, pairs);
+    const double length = translation.find();
+    EXPECT_GE(length, deepest * (1 - 0x1p-40));
+    EXPECT_FALSE(translation.find_within(deepest / 2));
+    EXPECT_TRUE(translation.find_within(length * (1 + 0x1p-40)));
   }
   EXPECT_GT(hits, 6u);
 }

@@ -18,18 +18,20 @@ struct PlacedBox {
   const Pose& pose;
 
   Eigen::Vector3d middle() const { return place(pose, Eigen::Vector3d(box.min / 2 + box.max / 2)); }
-  double reach(const Eigen::Vector3d& axis) const {
+  double projected_radius(const Eigen::Vector3d& axis) const {
     const Eigen::Vector3d half = box.max / 2 - box.min / 2;
     return (pose.linear().transpose() * axis).cwiseAbs().dot(half);
   }
 };
 
 double gap_along(const Eigen::Vector3d& axis, const PlacedBox& a, const PlacedBox& b) {
-  return std::abs(axis.dot(b.middle() - a.middle())) - a.reach(axis) - b.reach(axis);
+  return std::abs(axis.dot(b.middle() - a.middle())) - a.projected_radius(axis) -
+         b.projected_radius(axis);
 }
 
-/// Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996: the fifteen directions in which two boxes
-/// can be apart. Computed in double, for people to read; no answer comes from here.
+/// The fifteen directions in which two boxes can be apart (bvh/value/separating_axes.h). They are
+/// computed in the world's frame and as unit vectors, because people read the direction and the
+/// metres; no answer comes from here.
 BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   BoxAxis best{"", Eigen::Vector3d::UnitX(), -std::numeric_limits<double>::infinity()};
   const auto offer = [&](const std::string& name, const Eigen::Vector3d& direction) {
@@ -53,10 +55,10 @@ BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   return best;
 }
 
-/// A way from the root of a mesh's tree down to the leaf that holds a triangle.
-class WayDown {
+/// The nodes from the root of a mesh's tree down to the leaf that holds a triangle, one at a time.
+class Descent {
  public:
-  WayDown(const PlacedMesh& placed, std::uint32_t triangle)
+  Descent(const PlacedMesh& placed, std::uint32_t triangle)
       : pose_(placed.pose), tree_(placed.mesh.tree()) {
     const std::vector<std::uint32_t>& all = tree_.primitives;
     place_ = static_cast<std::size_t>(std::find(all.begin(), all.end(), triangle) - all.begin());
@@ -69,7 +71,7 @@ class WayDown {
   PlacedBox box() const { return {box_, pose_}; }
   double diagonal() const { return (box_.max - box_.min).norm(); }
 
-  void go_down() {
+  void descend() {
     const std::uint32_t second = node().first + 1;
     const std::size_t middle = first_place(second);
     if (place_ < middle) {
@@ -102,8 +104,8 @@ class WayDown {
 
   const Pose& pose_;
   const bvh::Tree& tree_;
-  std::size_t place_ = 0;  // of the triangle, in the order of the leaves
-  std::size_t begin_ = 0;  // of the node's triangles, there
+  std::size_t place_ = 0;  ///< of the triangle, in the order of the leaves
+  std::size_t begin_ = 0;  ///< the node's triangles are from here to `end_` in that order
   std::size_t end_ = 0;
   std::uint32_t node_ = 0;
   Aabb box_;
@@ -118,14 +120,14 @@ BoxAxis widest_axis(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b) {
 
 std::optional<SeparatedBoxes> separated_boxes(const PlacedMesh& mesh_a, const PlacedMesh& mesh_b,
                                               TrianglePair pair) {
-  WayDown a(mesh_a, pair.a);
-  WayDown b(mesh_b, pair.b);
+  Descent a(mesh_a, pair.a);
+  Descent b(mesh_b, pair.b);
   for (;;) {
     const BoxAxis axis = widest_axis(a.box(), b.box());
     if (axis.gap > 0) return SeparatedBoxes{a.triangles(), b.triangles(), axis};
     if (a.is_at_leaf() && b.is_at_leaf()) return std::nullopt;
-    WayDown& larger = b.is_at_leaf() || (!a.is_at_leaf() && a.diagonal() >= b.diagonal()) ? a : b;
-    larger.go_down();
+    Descent& larger = b.is_at_leaf() || (!a.is_at_leaf() && a.diagonal() >= b.diagonal()) ? a : b;
+    larger.descend();
   }
 }
 

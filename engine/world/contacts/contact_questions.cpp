@@ -48,7 +48,7 @@ void touches_of_cores(const PlacedShape& a, const PlacedShape& b, Touches& touch
   const Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
-  add_touches(core_a, core_b, parting, touches.list);
+  add_contact_points(core_a, core_b, parting, touches.list);
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
@@ -61,7 +61,7 @@ void touches_of_boxes(const PlacedShape& a, const PlacedShape& b, Touches& touch
   const Verdict verdict = axes.verdict();
   if (verdict == Verdict::Apart) return;
   if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
-  add_touches(core_a, core_b, part_boxes(axes), touches.list);
+  add_contact_points(core_a, core_b, part_boxes(axes), touches.list);
 }
 
 void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& touches) {
@@ -77,7 +77,8 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
   const Vec3 lowest = rounded_support(core, down);
   const double deepest = plane.offset - dot(plane.normal, lowest);
   const ContactFace face = face_along(core, down);
-  const double tolerance = kTouchTolerance * (core.reach + core.radius + std::abs(plane.offset));
+  const double tolerance =
+      kTouchTolerance * (core.bounding_radius + core.radius + std::abs(plane.offset));
   double found = -1;
   for (int i = 0; i < face.count; ++i) {
     const double depth = plane.offset - dot(plane.normal, face.corner[i]);
@@ -87,7 +88,7 @@ void touches_with_plane(const PlacedShape& a, const PlacedShape& b, Touches& tou
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   constexpr double kSameDepth = 1e-6;
-  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius))
+  if (found < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
     add(lowest, narrowphase::kPointFeature);
 }
 

@@ -4,7 +4,7 @@
 // relative to the origin that is handed back. Private to engine/world.
 
 #include <graze/engine/world/shapes/pair_input.h>
-#include <graze/narrowphase/convex/contact/touches.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
 
 #include <vector>
 

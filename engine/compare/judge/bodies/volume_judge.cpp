@@ -3,9 +3,9 @@
 #include <graze/engine/compare/judge/rational/box_tree.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_box.h>
+#include <graze/engine/compare/judge/rational/separating_translation.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
 #include <graze/engine/compare/judge/rational/volume_referee.h>
-#include <graze/engine/compare/judge/rational/way_out.h>
 #include <graze/engine/compare/judge/volume_judge.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -95,11 +95,11 @@ class SurfaceAndVolume {
     const MeshReferee referee({surface}, {*box});
     const std::vector<TrianglePair> pairs = referee.find_hits();
     if (pairs.empty()) return;
-    WayOut way_out(referee, pairs);
+    SeparatingTranslation translation(referee, pairs);
     const double ulp = judgement_ulp(triangles_[hits_.front()]);
-    if (way_out.find_within(kTouchUlps * ulp)) return;
+    if (translation.find_within(kTouchUlps * ulp)) return;
     judgement.error_class = ErrorClass::Real;
-    judgement.error = way_out.find();
+    judgement.error = translation.find();
     judgement.ulps = judgement.error / ulp;
   }
 

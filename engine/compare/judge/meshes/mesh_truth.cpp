@@ -6,7 +6,7 @@
 #include <graze/engine/compare/judge/meshes/witness_check.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/compare/judge/rational/way_out.h>
+#include <graze/engine/compare/judge/rational/separating_translation.h>
 
 #include <algorithm>
 #include <array>
@@ -93,13 +93,13 @@ void MeshTruth::add_missed_hit(Judgement& judgement, const JudgeSettings& settin
                                           [&](const TrianglePair& pair) { return has_area(pair); });
   if (are_triangles || is_degenerate) return;
 
-  WayOut way_out(referee_, hits());
+  SeparatingTranslation translation(referee_, hits());
   const bool may_be_rounding = judgement.error_class != ErrorClass::Real;
-  const std::optional<double> way =
-      may_be_rounding ? way_out.find_within(kTouchUlps * ulp) : std::nullopt;
-  judgement.error = way ? *way : std::max(way_out.find(), judgement.error);
+  const std::optional<double> within =
+      may_be_rounding ? translation.find_within(kTouchUlps * ulp) : std::nullopt;
+  judgement.error = within ? *within : std::max(translation.find(), judgement.error);
   judgement.ulps = judgement.error / ulp;
-  if (!way) {
+  if (!within) {
     judgement.error_class = ErrorClass::Real;
   } else if (judgement.error_class == ErrorClass::PoseRounding && !settings.ask_again &&
              !is_hit_by_placing(placed_a(), placed_b())) {

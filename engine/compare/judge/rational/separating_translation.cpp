@@ -1,4 +1,4 @@
-#include <graze/engine/compare/judge/rational/way_out.h>
+#include <graze/engine/compare/judge/rational/separating_translation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,8 @@ Triangle moved_box(const Triangle& t, const Eigen::Vector3d& by) {
 
 }  // namespace
 
-WayOut::WayOut(const MeshReferee& referee, const std::vector<TrianglePair>& hits)
+SeparatingTranslation::SeparatingTranslation(const MeshReferee& referee,
+                                             const std::vector<TrianglePair>& hits)
     : referee_(referee), hits_(hits) {
   const std::size_t known = std::min(hits.size(), kMaxKnown);
   for (std::size_t i = 0; i < known; ++i) {
@@ -78,7 +79,8 @@ WayOut::WayOut(const MeshReferee& referee, const std::vector<TrianglePair>& hits
     add_direction(Eigen::Vector3d::Unit(axis));
 }
 
-std::vector<WayOut::Slab> WayOut::slabs_of(const RationalTriangle& a, const RationalTriangle& b) {
+std::vector<SeparatingTranslation::Slab> SeparatingTranslation::slabs_of(
+    const RationalTriangle& a, const RationalTriangle& b) {
   std::vector<Slab> slabs;
   for (RationalPoint& axis : axes_of(a, b)) {
     const Extent in_a = extent_of(a, axis);
@@ -88,8 +90,8 @@ std::vector<WayOut::Slab> WayOut::slabs_of(const RationalTriangle& a, const Rati
   return slabs;
 }
 
-WayOut::Interval WayOut::interval_of(const std::vector<Slab>& slabs,
-                                     const RationalPoint& direction) {
+SeparatingTranslation::Interval SeparatingTranslation::interval_of(const std::vector<Slab>& slabs,
+                                                                   const RationalPoint& direction) {
   Interval result;
   bool has_slab = false;
   for (const Slab& slab : slabs) {
@@ -111,38 +113,39 @@ WayOut::Interval WayOut::interval_of(const std::vector<Slab>& slabs,
   return result;
 }
 
-WayOut::Interval WayOut::interval_of(std::size_t hit, const RationalPoint& direction) {
+SeparatingTranslation::Interval SeparatingTranslation::interval_of(std::size_t hit,
+                                                                   const RationalPoint& direction) {
   if (hit < known_slabs_.size()) return interval_of(known_slabs_[hit], direction);
   return interval_of(hits_[hit], direction);
 }
 
-WayOut::Interval WayOut::interval_of(const TrianglePair& pair,
-                                     const RationalPoint& direction) const {
+SeparatingTranslation::Interval SeparatingTranslation::interval_of(
+    const TrianglePair& pair, const RationalPoint& direction) const {
   return interval_of(
       slabs_of(exactly(referee_.triangle_a(pair.a)), exactly(referee_.triangle_b(pair.b))),
       direction);
 }
 
-void WayOut::add_direction(const Eigen::Vector3d& direction) {
+void SeparatingTranslation::add_direction(const Eigen::Vector3d& direction) {
   const Eigen::Vector3d opposite = -direction;
-  for (const Eigen::Vector3d& way : {direction, opposite}) {
-    if (!way.allFinite() || way.isZero()) continue;
+  for (const Eigen::Vector3d& either : {direction, opposite}) {
+    if (!either.allFinite() || either.isZero()) continue;
     const bool is_known =
         std::any_of(directions_.begin(), directions_.end(), [&](const Eigen::Vector3d& known) {
-          return (known - way).cwiseAbs().maxCoeff() < kSameDirection;
+          return (known - either).cwiseAbs().maxCoeff() < kSameDirection;
         });
-    if (!is_known) directions_.push_back(way);
+    if (!is_known) directions_.push_back(either);
   }
 }
 
-void WayOut::add_directions(std::size_t hit) {
+void SeparatingTranslation::add_directions(std::size_t hit) {
   const mpq_class unknown = -1;
   mpq_class best = unknown;
   RationalPoint soonest;
   for (const Slab& slab : known_slabs_[hit]) {
     const mpq_class length = dot(slab.normal, slab.normal);
-    for (const mpq_class& way : {slab.low, slab.high}) {
-      const mpq_class square = way * way / length;
+    for (const mpq_class& move : {slab.low, slab.high}) {
+      const mpq_class square = move * move / length;
       if (best != unknown && square >= best) continue;
       best = square;
       soonest = slab.normal;
@@ -163,7 +166,7 @@ void WayOut::add_directions(std::size_t hit) {
 }
 
 /// How far B must go until a plane across the direction parts the two.
-double WayOut::reach_along(const Eigen::Vector3d& direction) const {
+double SeparatingTranslation::length_along(const Eigen::Vector3d& direction) const {
   double most_a = -std::numeric_limits<double>::infinity();
   double least_b = std::numeric_limits<double>::infinity();
   for (const Triangle& t : referee_.triangles_a())
@@ -173,13 +176,14 @@ double WayOut::reach_along(const Eigen::Vector3d& direction) const {
   return std::max(most_a - least_b, 0.0);
 }
 
-bool WayOut::may_look() {
+bool SeparatingTranslation::may_look() {
   if (effort_ == 0) return false;
   --effort_;
   return true;
 }
 
-std::optional<mpq_class> WayOut::march(const Eigen::Vector3d& direction, const mpq_class& limit) {
+std::optional<mpq_class> SeparatingTranslation::march(const Eigen::Vector3d& direction,
+                                                      const mpq_class& limit) {
   const RationalPoint d = exactly(direction);
   const mpq_class length = dot(d, d);
   const auto is_too_far = [&](const mpq_class& t) { return t * t * length > limit; };
@@ -212,37 +216,38 @@ std::optional<mpq_class> WayOut::march(const Eigen::Vector3d& direction, const m
   }
 }
 
-std::optional<double> WayOut::find_within(double limit) {
+std::optional<double> SeparatingTranslation::find_within(double limit) {
   std::optional<mpq_class> best;
   mpq_class square = mpq_class(limit) * mpq_class(limit);
   for (const Eigen::Vector3d& direction : directions_) {
     effort_ = std::numeric_limits<std::size_t>::max();
-    const std::optional<mpq_class> way = march(direction, square);
-    if (!way) continue;
-    best = way;
-    square = *way;
+    const std::optional<mpq_class> found = march(direction, square);
+    if (!found) continue;
+    best = found;
+    square = *found;
     if (square == 0) break;
   }
   if (!best) return std::nullopt;
   return rounded_root(*best);
 }
 
-double WayOut::find() {
-  struct Way {
-    double reach;
+double SeparatingTranslation::find() {
+  struct Candidate {
+    double length;
     Eigen::Vector3d direction;
   };
-  std::vector<Way> ways;
+  std::vector<Candidate> candidates;
   for (const Eigen::Vector3d& direction : directions_)
-    ways.push_back({reach_along(direction), direction});
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const Way& a, const Way& b) { return a.reach < b.reach; });
-  double best = ways.front().reach;
+    candidates.push_back({length_along(direction), direction});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  double best = candidates.front().length;
   if (!std::isfinite(best)) return best;
   effort_ = kMaxEffort;
-  for (const Way& way : ways) {
+  for (const Candidate& candidate : candidates) {
     if (effort_ == 0) break;
-    const std::optional<mpq_class> square = march(way.direction, mpq_class(best) * mpq_class(best));
+    const std::optional<mpq_class> square =
+        march(candidate.direction, mpq_class(best) * mpq_class(best));
     if (square) best = std::min(best, rounded_root(*square));
   }
   return best;

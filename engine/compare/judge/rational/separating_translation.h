@@ -10,20 +10,21 @@
 
 namespace graze::compare {
 
-/// How far B must be moved until no pair of triangles hits any more. That each pair alone needs
-/// little says nothing: of two cubes pushed into each other along an axis all pairs merely touch.
+/// A short translation of B after which no pair of triangles hits any more. That each pair alone
+/// needs little says nothing: of two cubes pushed into each other along an axis all pairs merely
+/// touch.
 ///
-/// Directions are tried, not all of them: the axes, normals of triangles that hit, and the way that
-/// parts each pair soonest. Along one of them the answer is exact, in rational numbers: each pair
-/// of triangles meets for an interval of the way, and the first point after the start that no
-/// interval goes beyond is the way out. So a length found is always enough, an upper bound of the
-/// depth.
-class WayOut {
+/// Directions are tried, not all of them: the axes, normals of triangles that hit, and the
+/// direction that parts each pair soonest. Along one of them the answer is exact, in rational
+/// numbers: each pair of triangles meets for an interval of the move, and the meshes are apart at
+/// the first point after the start that no interval goes beyond. So a length found is always
+/// enough: an upper bound of the depth.
+class SeparatingTranslation {
  public:
   /// `hits` are all that there are; both must outlive this.
-  WayOut(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
+  SeparatingTranslation(const MeshReferee& referee, const std::vector<TrianglePair>& hits);
 
-  /// The shortest way out found, metres, if it is no longer than `limit`.
+  /// The length of the shortest translation found, metres, if it is no longer than `limit`.
   std::optional<double> find_within(double limit);
 
   /// The shortest one found with bounded effort, at most what lets the boxes of both part.
@@ -49,16 +50,16 @@ class WayOut {
   Interval interval_of(const TrianglePair& pair, const RationalPoint& direction) const;
   void add_direction(const Eigen::Vector3d& direction);
   void add_directions(std::size_t hit);
-  double reach_along(const Eigen::Vector3d& direction) const;
+  double length_along(const Eigen::Vector3d& direction) const;
   bool may_look();
-  /// The square of the way out, if it is no more than `limit`.
+  /// The square of the length along that direction, if it is no more than `limit`.
   std::optional<mpq_class> march(const Eigen::Vector3d& direction, const mpq_class& limit);
 
   const MeshReferee& referee_;
   const std::vector<TrianglePair>& hits_;
-  std::vector<std::vector<Slab>> known_slabs_;  // of the first hits
+  std::vector<std::vector<Slab>> known_slabs_;  ///< of the first hits
   std::vector<Eigen::Vector3d> directions_;
-  std::size_t effort_ = 0;  // pairs that may yet be looked at
+  std::size_t effort_ = 0;  ///< pairs that may yet be looked at
 };
 
 }  // namespace graze::compare
