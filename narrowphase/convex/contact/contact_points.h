@@ -24,7 +24,7 @@ static inline Vec3 middle_of(const ContactPoint& contact) {
   return (contact.point_a + contact.point_b) * 0.5;
 }
 
-/// Of a point that is of no corner, edge or face in particular.
+/// The feature of a point that belongs to no corner, edge or face in particular.
 inline constexpr std::uint64_t kPointFeature = 0x30000;
 
 /// How two sets that touch part soonest, and at what cost.
@@ -47,7 +47,7 @@ Parting part_boxes(const BoxAxes& boxes);
 void add_contact_points(const Core& a, const Core& b, const Parting& parting,
                         std::vector<ContactPoint>& contacts);
 
-/// Of these, only those where faces face each other: none, if none do.
+/// The same, but only where faces face each other: none are added where none do.
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts);
 

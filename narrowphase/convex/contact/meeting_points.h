@@ -23,6 +23,8 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
 /// pass each other beyond an end.
 bool lie_along(const Penetration& penetration, double tolerance);
 
+/// By how much more than the penetration B is moved out before the nearest points are taken, as a
+/// share of the smaller size.
 inline constexpr double kClearance = 0x1p-20;
 
 /// A face that takes part in a contact, and whose it is.

@@ -110,7 +110,7 @@ class Alignment {
   }
 
   /// No point of the core is further from where it would be if its axes were the frame's, as a
-  /// share of its reach.
+  /// share of its bounding radius.
   double deviation(const Core& core, Axes axes) const {
     const Vec3* axis = core.axis;
     const double last = distance_to_axis(axis[2]);
