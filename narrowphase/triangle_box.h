@@ -22,7 +22,7 @@ bool intersects(const Triangle& triangle, const Obb& box);
 
 namespace narrowphase {
 
-/// Law 3's way into the frame of an oriented box, without checking either.
+/// Law 3's transformation into the frame of an oriented box, without checking either.
 Eigen::Vector3d point_into_frame(const Eigen::Vector3d& point, const Pose& frame);
 Triangle into_frame(const Triangle& triangle, const Pose& frame);
 

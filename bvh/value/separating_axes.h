@@ -10,43 +10,82 @@ namespace graze::bvh {
 /// Two boxes in the frame of the first: axis j of B is column j of `rotation`, its centre lies at
 /// `offset` from that of A.
 struct BoxesInFrame {
-  const double (&rotation)[3][3];  // row-major
-  const double (&size)[3][3];      // |rotation|
+  const double (&rotation)[3][3];  ///< row-major
+  const double (&size)[3][3];      ///< |rotation|
   const double (&offset)[3];
   const double (&half_a)[3];
   const double (&half_b)[3];
 };
 
-/// True if an axis has the boxes further apart than `slack`, which must cover all rounding and the
-/// rotation's deviation from one. A slack or an offset that is NaN or infinite proves nothing.
-/// Static, so that each source compiles its own copy, whatever flags others have.
-static inline bool are_boxes_apart(const BoxesInFrame& boxes, double slack) {
+/// The two boxes seen along an axis L that need not be of length 1: `distance` is L . (centre of B
+/// - centre of A), `radius` the sum of the boxes' projected radii, sum h_k |L . axis k| of each. L
+/// has the two apart if |distance| > radius.
+///
+/// The 15 axes, e_i of A and column C_j of the rotation for B: L = e_i gives L . C_k = C_ik; L =
+/// C_j gives L . C_k = 0 for k other than j, as far as C is a rotation; L = e_i x C_j gives L . v =
+/// C_(i+1)j v_(i+2) - C_(i+2)j v_(i+1) for vectors v of A's frame, and L . C_k = -+C_il for l
+/// neither j nor k. What C is off from a rotation is for the caller's slack.
+///
+/// These functions are the one scalar form of the test: are_boxes_apart() and the gaps of
+/// box_separation.cpp are made of them. Kernels repeat them operation by operation, so that all
+/// round alike; where other sums are kept it is said why. They are static, so that each source
+/// compiles its own copy, whatever flags others have.
+struct AxisProjection {
+  double distance;
+  double radius;
+};
+
+static inline AxisProjection along_axis_of_a(const BoxesInFrame& boxes, int i) {
+  const double(&s)[3][3] = boxes.size;
+  const double(&half_b)[3] = boxes.half_b;
+  const double radius =
+      boxes.half_a[i] + half_b[0] * s[i][0] + half_b[1] * s[i][1] + half_b[2] * s[i][2];
+  return {boxes.offset[i], radius};
+}
+
+static inline AxisProjection along_axis_of_b(const BoxesInFrame& boxes, int j) {
+  const double(&r)[3][3] = boxes.rotation;
+  const double(&s)[3][3] = boxes.size;
+  const double(&d)[3] = boxes.offset;
+  const double(&half_a)[3] = boxes.half_a;
+  const double distance = d[0] * r[0][j] + d[1] * r[1][j] + d[2] * r[2][j];
+  const double radius =
+      boxes.half_b[j] + half_a[0] * s[0][j] + half_a[1] * s[1][j] + half_a[2] * s[2][j];
+  return {distance, radius};
+}
+
+static inline AxisProjection along_cross_product(const BoxesInFrame& boxes, int i, int j) {
   const double(&r)[3][3] = boxes.rotation;
   const double(&s)[3][3] = boxes.size;
   const double(&d)[3] = boxes.offset;
   const double(&half_a)[3] = boxes.half_a;
   const double(&half_b)[3] = boxes.half_b;
+  const int i1 = (i + 1) % 3;
+  const int i2 = (i + 2) % 3;
+  const int j1 = (j + 1) % 3;
+  const int j2 = (j + 2) % 3;
+  const double distance = d[i2] * r[i1][j] - d[i1] * r[i2][j];
+  const double radius =
+      half_a[i1] * s[i2][j] + half_a[i2] * s[i1][j] + half_b[j1] * s[i][j2] + half_b[j2] * s[i][j1];
+  return {distance, radius};
+}
+
+static inline bool is_separating(const AxisProjection& projection, double slack) {
+  return std::abs(projection.distance) > projection.radius + slack;
+}
+
+/// True if an axis has the boxes further apart than `slack`, which must cover all rounding and the
+/// rotation's deviation from one. A slack or an offset that is NaN or infinite proves nothing.
+static inline bool are_boxes_apart(const BoxesInFrame& boxes, double slack) {
   for (int i = 0; i < 3; ++i) {
-    const double reach =
-        half_a[i] + half_b[0] * s[i][0] + half_b[1] * s[i][1] + half_b[2] * s[i][2];
-    if (std::abs(d[i]) > reach + slack) return true;
+    if (is_separating(along_axis_of_a(boxes, i), slack)) return true;
   }
   for (int j = 0; j < 3; ++j) {
-    const double distance = d[0] * r[0][j] + d[1] * r[1][j] + d[2] * r[2][j];
-    const double reach =
-        half_b[j] + half_a[0] * s[0][j] + half_a[1] * s[1][j] + half_a[2] * s[2][j];
-    if (std::abs(distance) > reach + slack) return true;
+    if (is_separating(along_axis_of_b(boxes, j), slack)) return true;
   }
   for (int i = 0; i < 3; ++i) {
-    const int i1 = (i + 1) % 3;
-    const int i2 = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {
-      const int j1 = (j + 1) % 3;
-      const int j2 = (j + 2) % 3;
-      const double distance = d[i2] * r[i1][j] - d[i1] * r[i2][j];
-      const double reach = half_a[i1] * s[i2][j] + half_a[i2] * s[i1][j] + half_b[j1] * s[i][j2] +
-                           half_b[j2] * s[i][j1];
-      if (std::abs(distance) > reach + slack) return true;
+      if (is_separating(along_cross_product(boxes, i, j), slack)) return true;
     }
   }
   return false;

@@ -1,6 +1,5 @@
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/double_pair.h>
-#include <graze/narrowphase/derived/exact_rounding.h>
 #include <graze/narrowphase/derived/simplex.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
@@ -96,8 +95,8 @@ constexpr double kSmallest = 0x1p-100;
 constexpr double kLargest = 0x1p+100;
 
 // Write w for kPairRoundoff; L for the size of the edge; V for that of the sides of the other, D
-// for that of the way from the edge's start. A height, as kTripleBound has it, is off by 50 w V^2
-// D or 50 w V^2 (D + L), a projected cross product by 8 w D V or 8 w L V. The point moves by L
+// for that of the offset from the edge's start. A height, as kTripleBound has it, is off by 50 w
+// V^2 D or 50 w V^2 (D + L), a projected cross product by 8 w D V or 8 w L V. The point moves by L
 // times the error of the ratio, which is that of both terms over the denominator; when that is at
 // least 2^-36 V^2 L (or L V), by less than 2^-101 + 36 * 150 (D + L) < 2^-57 (D + L). Coordinates
 // of size M have D and L at most 2 M: below 2^-55 M, a quarter of an ulp of M.
@@ -105,11 +104,12 @@ constexpr double kFlattest = 0x1p-36;
 
 std::optional<std::array<double, 3>> rounded_value(const Crossing& c) {
   const double length = size_of(c.to, c.from);
-  const double way = size_of(c.from, c.other[0]);
+  const double start = size_of(c.from, c.other[0]);
   const bool is_plane = c.through == Crossing::Through::Plane;
   const double side =
       std::max(size_of(c.other[1], c.other[0]), is_plane ? size_of(c.other[2], c.other[0]) : 0.0);
-  if (!(std::min(length, side) >= kSmallest && std::max(length, std::max(side, way)) <= kLargest)) {
+  if (!(std::min(length, side) >= kSmallest &&
+        std::max(length, std::max(side, start)) <= kLargest)) {
     return std::nullopt;
   }
   const auto ratio = is_plane ? ratio_through_plane(c, PairVector::difference)

@@ -20,8 +20,8 @@ struct Side {
   bool is_off_plane() const {
     return sign[0] != Sign::Zero && sign[0] == sign[1] && sign[1] == sign[2];
   }
-  /// The closed edge reaches the other's plane.
-  bool reaches_plane(int edge) const {
+  /// Whether the closed edge shares a point with the other's plane.
+  bool meets_plane(int edge) const {
     const Sign from = sign[kEdges[edge][0]];
     return from == Sign::Zero || from != sign[kEdges[edge][1]];
   }
@@ -99,9 +99,9 @@ void add_edges(CommonPoints& points, const Side& a, const Side& b) {
 
 void add_crossings(CommonPoints& points, const Side& a, const Side& b) {
   for (int i = 0; i < 3; ++i) {
-    if (!a.simplex.has_edge(i) || !a.reaches_plane(i)) continue;
+    if (!a.simplex.has_edge(i) || !a.meets_plane(i)) continue;
     for (int j = 0; j < 3; ++j) {
-      if (!b.simplex.has_edge(j) || !b.reaches_plane(j)) continue;
+      if (!b.simplex.has_edge(j) || !b.meets_plane(j)) continue;
       if (!edges_cross(a.simplex.edge_start(i), a.simplex.edge_end(i), b.simplex.edge_start(j),
                        b.simplex.edge_end(j))) {
         continue;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include <graze/narrowphase/derived/ordered_triangles.h>
+#include <graze/narrowphase/derived/simplex.h>
 
 namespace graze::narrowphase {
 

@@ -13,7 +13,7 @@
 namespace graze::narrowphase {
 namespace {
 
-// Between these the way between two points has no components that underflow visibly, and squares
+// Between these the offset between two points has no components that underflow visibly, and squares
 // and sums do not overflow.
 constexpr double kSmallest = 0x1p-400;
 constexpr double kLargest = 0x1p+400;
@@ -29,16 +29,16 @@ DirectedGap::DirectedGap(double largest)
                                   : std::numeric_limits<double>::infinity()) {}
 
 void DirectedGap::set_direction(const TriangleDistance& found) {
-  double way[3];
+  double offset[3];
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    way[k] = found.point_b.data()[k] - found.point_a.data()[k];
-    square += way[k] * way[k];
+    offset[k] = found.point_b.data()[k] - found.point_a.data()[k];
+    square += offset[k] * offset[k];
   }
   const bool is_usable = square >= kSmallest && square <= kLargest;
   const double length = std::sqrt(square);
   for (int k = 0; k < 3; ++k)
-    direction_[k] = is_usable ? way[k] / length : 0;
+    direction_[k] = is_usable ? offset[k] / length : 0;
 }
 
 double DirectedGap::end_of(const Triangle& triangle_a) const {

@@ -11,17 +11,18 @@ class DirectedGap {
   /// For triangles whose coordinates are at most `largest`. Without a direction nothing is sure.
   explicit DirectedGap(double largest);
 
-  /// From the point of A to that of B. A distance that is very small or large gives no direction.
+  /// Takes the direction from the nearest point of A to that of B. A distance that is very small or
+  /// large gives no direction.
   void set_direction(const TriangleDistance& found);
 
   /// Of length 1 but for rounding, or 0.
   const double (&direction() const)[3] { return direction_; }
 
-  /// How far a triangle A reaches along the direction, and where a triangle B begins.
+  /// The largest coordinate of a triangle A along the direction, and the smallest of a triangle B.
   double end_of(const Triangle& triangle_a) const;
   double start_of(const Triangle& triangle_b) const;
 
-  /// No distance() of these two is `limit` or less.
+  /// Whether no distance() of two such triangles is `limit` or less.
   bool is_beyond(double limit, double end_a, double start_b) const {
     return start_b - end_a > limit + margin_;
   }

@@ -1,7 +1,13 @@
 #pragma once
 
+// The stages of the distance of two triangles: what the whole answers, and how points are rounded
+// once the nearest features are known.
+
+#include <graze/narrowphase/derived/nearest_features.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/verdict.h>
+#include <array>
+#include <optional>
 
 namespace graze::narrowphase {
 
@@ -14,7 +20,21 @@ struct StagedDistance {
 
 StagedDistance decide_distance(const Triangle& triangle_a, const Triangle& triangle_b);
 
-/// By the exact stages alone.
+/// What distance() answers, by the exact stages alone.
 TriangleDistance distance_exactly(const Triangle& triangle_a, const Triangle& triangle_b);
+
+/// The nearest points and their distance, rounded.
+struct Witness {
+  double distance;
+  std::array<double, 3> point_a;
+  std::array<double, 3> point_b;
+};
+
+/// The nearest points of triangles that do not meet, from features that hold them, computed in
+/// twice the precision of double; empty where that could miss the bounds of law 7.
+std::optional<Witness> rounded_witness(const OrderedTriangles& triangles, const FeaturePair& pair);
+
+/// The same from integers, with one rounding for each number. The distance is not 0.
+Witness exact_witness(const OrderedTriangles& triangles, const FeaturePair& pair);
 
 }  // namespace graze::narrowphase

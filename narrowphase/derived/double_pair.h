@@ -6,6 +6,7 @@
 // DWTimesDW1 by 7 u^2, relative to the result, u = 2^-53, while nothing overflows and no error term
 // underflows: the caller's duty.
 
+#include <graze/narrowphase/predicates/big_integer.h>
 #include <graze/narrowphase/predicates/expansion.h>
 #include <cmath>
 
@@ -113,5 +114,15 @@ inline PairVector operator*(const PairVector& a, const DoublePair& b) {
 inline double largest_component(const PairVector& a) {
   return std::fmax(std::abs(a.x.high), std::fmax(std::abs(a.y.high), std::abs(a.z.high)));
 }
+
+// From integers back to doubles, with one rounding. `exponent` scales by a power of two.
+
+/// numerator / denominator * 2^exponent, off by at most 0.51 ulp; infinite if it overflows. The
+/// denominator is positive.
+double rounded_ratio(const BigInteger& numerator, const BigInteger& denominator, int exponent);
+
+/// The square root of numerator / denominator, times 2^exponent, likewise; both are positive.
+double rounded_root_of_ratio(const BigInteger& numerator, const BigInteger& denominator,
+                             int exponent);
 
 }  // namespace graze::narrowphase

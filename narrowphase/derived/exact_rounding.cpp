@@ -1,5 +1,4 @@
 #include <graze/narrowphase/derived/double_pair.h>
-#include <graze/narrowphase/derived/exact_rounding.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

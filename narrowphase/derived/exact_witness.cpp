@@ -1,6 +1,6 @@
-#include <graze/narrowphase/derived/exact_rounding.h>
+#include <graze/narrowphase/derived/distance_stages.h>
+#include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/derived/simplex.h>
-#include <graze/narrowphase/derived/witness.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <limits>

@@ -14,7 +14,7 @@ struct SureProof {
   bool holds_triple(Step p, Step q, Step r) const {
     return triple_filter(p, q, r) == Sign::Positive;
   }
-  bool holds_crosses(Step p, Step q, Step r, Step s) const {
+  bool holds_cross_products(Step p, Step q, Step r, Step s) const {
     return crosses_filter(p, q, r, s) == Sign::Positive;
   }
   Sign side(Step p, Step q, Step r) const { return triple_filter(p, q, r).value_or(Sign::Zero); }
@@ -26,8 +26,8 @@ struct ExactProof {
   bool holds_triple(Step p, Step q, Step r) const {
     return sign_of_triple(p, q, r) != Sign::Negative;
   }
-  bool holds_crosses(Step p, Step q, Step r, Step s) const {
-    return sign_of_crosses(p, q, r, s) != Sign::Negative;
+  bool holds_cross_products(Step p, Step q, Step r, Step s) const {
+    return sign_of_cross_products(p, q, r, s) != Sign::Negative;
   }
   Sign side(Step p, Step q, Step r) const { return sign_of_triple(p, q, r); }
 };

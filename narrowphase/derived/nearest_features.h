@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/derived/ordered_triangles.h>
+#include <graze/narrowphase/derived/simplex.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <optional>
 
@@ -18,8 +18,8 @@ struct FeaturePair {
 /// Which features look nearest to rounded arithmetic: any answer is possible, most are right.
 FeaturePair guess_nearest(const OrderedTriangles& triangles);
 
-/// Proved to hold the only pair of nearest points, by rounded arithmetic with bounds. Empty when
-/// that is not sure, as when the triangles meet.
+/// Features that rounded arithmetic with bounds proves to hold the only pair of nearest points.
+/// Empty when that is not sure, as when the triangles meet.
 std::optional<FeaturePair> find_surely_nearest(const OrderedTriangles& triangles);
 
 /// Features that hold a pair of nearest points, exactly. The triangles must not meet.

@@ -44,13 +44,13 @@ struct Edges {
   explicit Edges(const double (&corners)[3][3]) {
     for (int i = 0; i < 4; ++i) {
       const double* start = corners[kEdges[std::min(i, 2)][0]];
-      const Vector way = difference(corners[kEdges[std::min(i, 2)][1]], start);
+      const Vector edge = difference(corners[kEdges[std::min(i, 2)][1]], start);
       for (int k = 0; k < 3; ++k)
         from[k][i] = start[k];
-      along[0][i] = way.x;
-      along[1][i] = way.y;
-      along[2][i] = way.z;
-      square[i] = dot(way, way);
+      along[0][i] = edge.x;
+      along[1][i] = edge.y;
+      along[2][i] = edge.z;
+      square[i] = dot(edge, edge);
       inverse[i] = 1 / square[i];
     }
   }

@@ -19,15 +19,15 @@ using TriangleCorners = double[3][3];
 template <typename Proof>
 bool are_nearest_vertices(const Proof& proof, const TriangleCorners& x, int i,
                           const TriangleCorners& y, int j) {
-  const Step way{x[i], y[j]};
+  const Step offset{x[i], y[j]};
   for (int k = 1; k < 3; ++k) {
-    if (!proof.holds_dot({x[(i + k) % 3], x[i]}, way)) return false;
-    if (!proof.holds_dot({y[j], y[(j + k) % 3]}, way)) return false;
+    if (!proof.holds_dot({x[(i + k) % 3], x[i]}, offset)) return false;
+    if (!proof.holds_dot({y[j], y[(j + k) % 3]}, offset)) return false;
   }
   return true;
 }
 
-/// Vertex p of x and its foot on edge e of y: with w from the edge's start to p, the way from p to
+/// Vertex p of x and its foot on edge e of y: with w from the edge's start to p, the step from p to
 /// the foot is (w.e) e - (e.e) w, times something positive, and v . that is (w x e) . (e x v).
 template <typename Proof>
 bool are_nearest_vertex_and_edge(const Proof& proof, const TriangleCorners& x, int i,
@@ -38,10 +38,10 @@ bool are_nearest_vertex_and_edge(const Proof& proof, const TriangleCorners& x, i
   if (!proof.has_length(e)) return false;
   if (!proof.holds_dot(w, e) || !proof.holds_dot({p, e.to}, e)) return false;
   for (int k = 1; k < 3; ++k) {
-    if (!proof.holds_crosses(w, e, e, {x[(i + k) % 3], p})) return false;
+    if (!proof.holds_cross_products(w, e, e, {x[(i + k) % 3], p})) return false;
   }
   const double* opposite = y[3 - kEdges[edge][0] - kEdges[edge][1]];
-  return proof.holds_crosses(w, e, e, {e.from, opposite});
+  return proof.holds_cross_products(w, e, e, {e.from, opposite});
 }
 
 /// Vertex p of x and its foot on the face of y: the rest of x lies beyond p, as seen from the
@@ -60,12 +60,12 @@ bool are_nearest_vertex_and_face(const Proof& proof, const TriangleCorners& x, i
   }
   for (int k = 0; k < 3; ++k) {
     const Step edge{y[k], y[(k + 1) % 3]};
-    if (!proof.holds_crosses(edge, {y[k], p}, f, g)) return false;
+    if (!proof.holds_cross_products(edge, {y[k], p}, f, g)) return false;
   }
   return true;
 }
 
-/// Insides of two edges, which are not parallel: the way between them is along their cross product
+/// Insides of two edges, which are not parallel: the step between them is along their cross product
 /// n = u x v. With w from the start of u to that of v, the nearest points of the lines are at (w x
 /// v) . n / n^2 along u and at (w x u) . n / n^2 along v.
 template <typename Proof>
@@ -82,11 +82,11 @@ bool are_nearest_edges(const Proof& proof, const TriangleCorners& x, int edge_x,
   const Step on{v.from, opposite_y};
   const bool is_along = side == Sign::Positive;
   return proof.holds_triple(u, v, is_along ? back : -back) &&
-         proof.holds_triple(u, v, is_along ? on : -on) &&  //
-         proof.holds_crosses(w, v, u, v) &&                //
-         proof.holds_crosses({v.from, u.to}, v, u, v) &&   //
-         proof.holds_crosses(w, u, u, v) &&                //
-         proof.holds_crosses({v.to, u.from}, u, u, v);
+         proof.holds_triple(u, v, is_along ? on : -on) &&        //
+         proof.holds_cross_products(w, v, u, v) &&               //
+         proof.holds_cross_products({v.from, u.to}, v, u, v) &&  //
+         proof.holds_cross_products(w, u, u, v) &&               //
+         proof.holds_cross_products({v.to, u.from}, u, u, v);
 }
 
 }  // namespace graze::narrowphase

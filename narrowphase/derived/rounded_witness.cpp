@@ -1,8 +1,8 @@
-// Error bounds. w is kPairRoundoff; U, V, W are the largest components of two edges and of the way
-// between their starts; D is that of all differences and M the largest coordinate, so that U, V, W
-// <= D <= 2 M. Law 7 allows each coordinate 4 ulp of M, at least 2^-51 M, and the distance 4 ulp of
-// D, at least 2^-51 D. The last rounding of a coordinate takes 2^-53 M, and that of the distance,
-// at most sqrt(3) D, 2^-52 D: what remains is more than 2^-52 of M and of D.
+// Error bounds. w is kPairRoundoff; U, V, W are the largest components of two edges and of the
+// offset between their starts; D is that of all differences and M the largest coordinate, so that
+// U, V, W <= D <= 2 M. Law 7 allows each coordinate 4 ulp of M, at least 2^-51 M, and the distance
+// 4 ulp of D, at least 2^-51 D. The last rounding of a coordinate takes 2^-53 M, and that of the
+// distance, at most sqrt(3) D, 2^-52 D: what remains is more than 2^-52 of M and of D.
 //
 // Vertex and edge: w.e is off by at most 12 w W V, the ratio by that over e.e >= V^2 and a little,
 // the point by less than 40 w W.
@@ -12,12 +12,12 @@
 //
 // Two edges: each of the parameters' numerators is off by less than 145 w U W V^2 (or with U and V
 // exchanged), their determinant by 136 w U^2 V^2. When it is at least 2^-36 U^2 V^2, a point moves
-// by less than 2^36 * 150 w (W + U) < 2^-57 (W + U) <= 2^-55 M. The way between the points moves by
-// 2^-55 D in each component: the distance by less than 2^-54 D.
+// by less than 2^36 * 150 w (W + U) < 2^-57 (W + U) <= 2^-55 M. The offset between the points moves
+// by 2^-55 D in each component: the distance by less than 2^-54 D.
 
+#include <graze/narrowphase/derived/distance_stages.h>
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/derived/simplex.h>
-#include <graze/narrowphase/derived/witness.h>
 #include <algorithm>
 
 namespace graze::narrowphase {
@@ -45,10 +45,10 @@ std::array<double, 3> moved(const double* p, const PairVector& by) {
 }
 
 /// A distance that comes out as zero is left to integers.
-std::optional<Witness> witness(const PairVector& way, const std::array<double, 3>& point_a,
+std::optional<Witness> witness(const PairVector& offset, const std::array<double, 3>& point_a,
                                const std::array<double, 3>& point_b) {
-  if (!is_in_range(largest_component(way))) return std::nullopt;
-  return Witness{rounded_root(dot(way, way)), point_a, point_b};
+  if (!is_in_range(largest_component(offset))) return std::nullopt;
+  return Witness{rounded_root(dot(offset, offset)), point_a, point_b};
 }
 
 std::optional<Witness> between_vertices(const double* p, const double* q) {

@@ -24,7 +24,7 @@ constexpr double kTripleBound = 50 * kUnitRoundoff;
 // products with three roundings, and one of their difference). Their three products are off by 3 (2
 // * 2 * 8.01) u P Q R S from that, 12 u P Q R S from their own rounding, and their sums round 8 and
 // 12 P Q R S: 129 u P Q R S.
-constexpr double kCrossesBound = 132 * kUnitRoundoff;
+constexpr double kCrossProductsBound = 132 * kUnitRoundoff;
 
 // Products of two sizes between these make no product of four overflow, and an underflow of n in
 // any of them is below 2^-1074 + 500 of the largest size, less than 2^-100 u of what bounds it. The
@@ -102,7 +102,7 @@ std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s) {
   const double size_pq = vp.size() * vq.size();
   const double size_rs = vr.size() * vs.size();
   if (!is_in_range(size_pq) || !is_in_range(size_rs)) return std::nullopt;
-  return sure_sign(dot(cross(vp, vq), cross(vr, vs)), kCrossesBound * (size_pq * size_rs));
+  return sure_sign(dot(cross(vp, vq), cross(vr, vs)), kCrossProductsBound * (size_pq * size_rs));
 }
 
 Sign sign_of_dot(Step p, Step q) {
@@ -117,7 +117,7 @@ Sign sign_of_triple(Step p, Step q, Step r) {
   return dot(cross(exactly(p, unit), exactly(q, unit)), exactly(r, unit)).sign();
 }
 
-Sign sign_of_crosses(Step p, Step q, Step r, Step s) {
+Sign sign_of_cross_products(Step p, Step q, Step r, Step s) {
   if (const auto sign = crosses_filter(p, q, r, s)) return *sign;
   const CommonUnit unit = common_unit({p, q, r, s});
   return dot(cross(exactly(p, unit), exactly(q, unit)), cross(exactly(r, unit), exactly(s, unit)))

@@ -18,16 +18,16 @@ constexpr Step operator-(Step step) {
   return {step.to, step.from};
 }
 
-/// p . q
+/// The sign of p . q.
 std::optional<Sign> dot_filter(Step p, Step q);
 Sign sign_of_dot(Step p, Step q);
 
-/// (p x q) . r
+/// The sign of (p x q) . r.
 std::optional<Sign> triple_filter(Step p, Step q, Step r);
 Sign sign_of_triple(Step p, Step q, Step r);
 
-/// (p x q) . (r x s)
+/// The sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);
-Sign sign_of_crosses(Step p, Step q, Step r, Step s);
+Sign sign_of_cross_products(Step p, Step q, Step r, Step s);
 
 }  // namespace graze::narrowphase

@@ -1,8 +1,19 @@
 #pragma once
 
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/triangle.h>
 
 namespace graze::narrowphase {
+
+/// Two triangles in the one order in which derived values are computed (law 4): the corners of each
+/// ascend lexicographically, and so do the triangles. Negative zeros have become positive.
+struct OrderedTriangles {
+  double a[3][3];
+  double b[3][3];
+  bool is_swapped;  ///< `a` holds what was given as B
+};
+
+OrderedTriangles ordered(const Triangle& triangle_a, const Triangle& triangle_b);
 
 /// The three edges of a triangle with corners in ascending order, each ascending too, so that
 /// triangles that share an edge compute the same numbers for it.
@@ -22,7 +33,7 @@ struct Simplex {
   bool has_vertex(int i) const { return i == 0 || has_area() || (i == 2 && !is_point_); }
   bool has_edge(int edge) const { return has_area() || (edge == 2 && !is_point_); }
 
-  /// Along which the projection has area, and in which sense its corners turn.
+  /// The axis along which the projection has area, and the sense in which its corners turn there.
   int axis() const { return axis_; }
   Sign turn() const { return turn_; }
 

@@ -1,8 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/common_points.h>
 #include <graze/narrowphase/derived/distance_stages.h>
-#include <graze/narrowphase/derived/witness.h>
-#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <algorithm>
 #include <cmath>
 

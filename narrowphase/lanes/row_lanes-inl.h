@@ -1,5 +1,5 @@
-// What the kernels on rows of doubles share: vectors of lanes, and ways to load them. Included once
-// for each SIMD target, after <hwy/highway.h>'s own manner.
+// What the kernels on rows of doubles share: vectors of lanes, and how they are loaded. Included
+// once for each SIMD target, in the manner of <hwy/highway.h> itself.
 
 #if defined(GRAZE_NARROWPHASE_ROW_LANES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_NARROWPHASE_ROW_LANES
@@ -17,7 +17,7 @@ namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-inline constexpr std::size_t kBlock = 8;  // elements whose verdicts are written at once
+inline constexpr std::size_t kBlock = 8;  ///< elements whose verdicts are written at once
 using Tag = hn::CappedTag<double, kBlock>;
 using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
@@ -45,7 +45,7 @@ HWY_INLINE Vector chosen(Mask mask, const Vector& a, const Vector& b) {
           hn::IfThenElse(mask, a.z, b.z)};
 }
 
-/// Bit i is that of lane i.
+/// A mask as bits: bit i is set if lane i is.
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
   std::uint8_t bits[8] = {};  // Highway may write eight bytes
   hn::StoreMaskBits(Tag(), mask, bits);

@@ -6,8 +6,8 @@
 
 namespace graze::narrowphase {
 
-/// The verdict of two certificates, of which at most one holds. No branch: which of them does is
-/// often beyond prediction.
+/// The verdict of two certificates, of which at most one holds. It has no branch, because a CPU
+/// often cannot predict which of them does.
 constexpr Verdict verdict_of(bool is_apart, bool is_touching) {
   static_assert(static_cast<int>(Verdict::Apart) == 0 && static_cast<int>(Verdict::Touching) == 1 &&
                 static_cast<int>(Verdict::Unsure) == 2);

@@ -11,7 +11,7 @@ __extension__ using Wide = unsigned __int128;
 
 struct Decomposed {
   std::uint64_t mantissa;
-  int exponent;  // value = mantissa * 2^exponent
+  int exponent;  ///< value = mantissa * 2^exponent
 };
 
 Decomposed decompose(double value) {

@@ -45,8 +45,9 @@ class BigInteger {
   static BigInteger add_magnitude(const BigInteger& a, const BigInteger& b);
   static BigInteger subtract_magnitude(const BigInteger& larger, const BigInteger& smaller);
 
-  std::array<std::uint64_t, kCapacity> limbs_;  // least significant first; size_ of them are set
-  int size_ = 0;                                // no leading zeros; 0 for zero
+  std::array<std::uint64_t, kCapacity>
+      limbs_;     ///< least significant first; `size_` of them are set
+  int size_ = 0;  ///< no leading zeros are counted; 0 for zero
   bool is_negative_ = false;
 };
 

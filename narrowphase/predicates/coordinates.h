@@ -10,4 +10,15 @@ inline const double* coordinates(const Triangle& triangle) {
   return reinterpret_cast<const double*>(&triangle);
 }
 
+/// The corners of a triangle in space, each an array of three numbers: doubles, or integers that
+/// stand for them (fixed_point.h).
+template <typename Number>
+struct Corners {
+  const Number* point[3];
+};
+
+inline Corners<double> corners_of(const Triangle& triangle) {
+  return {{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
+}
+
 }  // namespace graze::narrowphase

@@ -3,7 +3,7 @@
 // Triangles and segments in one plane, exactly, by comparisons and orientations in projections
 // along an axis: for coordinates that are doubles, or integers (fixed_point.h).
 
-#include <graze/narrowphase/predicates/corners.h>
+#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <algorithm>
@@ -46,8 +46,8 @@ bool segments_intersect(const Number* a0, const Number* a1, const Number* b0, co
   return true;
 }
 
-/// Closed containment. A triangle without area contains nothing here: it is the union of its edges,
-/// which are tested by themselves.
+/// Whether a closed triangle contains a point. One without area contains nothing here: it is the
+/// union of its edges, which are tested by themselves.
 template <typename Point>
 bool contains(const Point (&triangle)[3], Point point) {
   bool has_positive = false;
@@ -60,8 +60,8 @@ bool contains(const Point (&triangle)[3], Point point) {
   return has_positive != has_negative;
 }
 
-/// Some edge of a triangle, which has area and turns as `turn` says, has all of another strictly
-/// beyond it.
+/// Whether some edge of a triangle, which has area and turns as `turn` says, has all of another
+/// triangle strictly beyond it.
 template <typename Point>
 bool has_separating_edge(const Point (&triangle)[3], Sign turn, const Point (&other)[3]) {
   for (int i = 0; i < 3; ++i) {

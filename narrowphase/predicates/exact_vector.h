@@ -12,10 +12,10 @@ class CommonUnit {
  public:
   CommonUnit(std::initializer_list<double> values);
 
-  /// Takes `count` more values into account. Before anything is counted in this unit.
+  /// Takes `count` more values into account. To be called before anything is counted in this unit.
   void include(const double* values, int count);
 
-  /// value, a - b and a + b in this unit, of values that it was made for.
+  /// The integers value, a - b and a + b in this unit, for values that it was made for.
   BigInteger of(double value) const { return BigInteger::from_double(value, unit_); }
   BigInteger operator()(double a, double b) const { return of(a) - of(b); }
   BigInteger sum(double a, double b) const { return of(a) + of(b); }

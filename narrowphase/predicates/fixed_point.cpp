@@ -38,7 +38,7 @@ bool to_fixed_axis(const double* const* points, int count, int axis, FixedPoint*
   const double inverse = power_of_two(unit);
   bool is_exact = true;
   for (int i = 0; i < count; ++i) {
-    // What does not survive the way there and back is no integer, or so small that it underflows.
+    // A value that conversion and back does not restore is no integer, or underflows.
     const double value = points[i][axis] * enlargement;
     const auto integer = static_cast<std::int64_t>(value * scale);
     is_exact &= static_cast<double>(integer) * inverse == value;

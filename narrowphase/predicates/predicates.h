@@ -1,5 +1,9 @@
 #pragma once
 
+namespace graze {
+struct Triangle;
+}
+
 namespace graze::narrowphase {
 
 enum class Sign : int { Negative = -1, Zero = 0, Positive = 1 };
@@ -22,6 +26,9 @@ constexpr Point2 project(const double* point, int axis) {
 
 // The predicates are exact for all finite doubles and undefined for others, which the tests that
 // call them refuse first. Each goes through the stages of orientation_stages.h.
+
+/// Throws InputError, naming `what` and the vertex, for a coordinate that is not finite.
+void check_finite(const Triangle& triangle, const char* what);
 
 /// The sign of (b - a) x (c - a): Positive when a, b, c turn counter-clockwise.
 Sign orientation_2d(Point2 a, Point2 b, Point2 c);

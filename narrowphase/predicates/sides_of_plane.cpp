@@ -3,23 +3,24 @@
 
 namespace graze::narrowphase {
 
-Sides sides_of_plane(const Corners<double>& plane, const Corners<double>& other) {
-  Sides sides;
+PlaneSides sides_of_plane(const Corners<double>& plane, const Corners<double>& other) {
+  PlaneSides sides;
   for (int i = 0; i < 3; ++i) {
     sides.sign[i] = orientation_3d(plane.point[0], plane.point[1], plane.point[2], other.point[i]);
   }
   return sides;
 }
 
-Sides sides_of_plane(const Corners<std::int64_t>& plane, const Corners<std::int64_t>& other) {
+PlaneSides sides_of_plane(const Corners<std::int64_t>& plane, const Corners<std::int64_t>& other) {
   const FixedNormal normal = normal_of(plane.point[0], plane.point[1], plane.point[2]);
-  Sides sides;
+  PlaneSides sides;
   for (int i = 0; i < 3; ++i)
     sides.sign[i] = side_of(normal, plane.point[0], other.point[i]);
   return sides;
 }
 
-/// The one of largest rounded size, where the filters of orientations are most often sure.
+/// Of the axes along which the projection has area the one with the largest, as it is rounded:
+/// there the filters of orientations are most often sure.
 int projection_axis(const Corners<double>& triangle) {
   int best = -1;
   double best_area = -1;

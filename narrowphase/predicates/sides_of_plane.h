@@ -1,23 +1,30 @@
 #pragma once
 
-// What a triangle's plane says of other points, exactly, for coordinates of either kind.
+// On which sides of a triangle's plane other points lie, exactly, for coordinates of either kind:
+// doubles, or integers that stand for them.
 
-#include <graze/narrowphase/predicates/corners.h>
+#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/predicates.h>
 
 namespace graze::narrowphase {
 
-/// On which sides of the plane of a triangle the vertices of another lie.
-struct Sides {
+/// On which sides of the plane of a triangle the vertices of another lie. All zero if the triangle
+/// has no area.
+struct PlaneSides {
   Sign sign[3];
 
   bool are_equal() const { return sign[0] == sign[1] && sign[1] == sign[2]; }
   bool are_all_zero() const { return are_equal() && sign[0] == Sign::Zero; }
+  bool has(Sign asked) const { return sign[0] == asked || sign[1] == asked || sign[2] == asked; }
+  bool are_on_both() const { return has(Sign::Negative) && has(Sign::Positive); }
+
+  /// The first vertex of that sign, which one of them has.
+  int first(Sign asked) const { return sign[0] == asked ? 0 : sign[1] == asked ? 1 : 2; }
 };
 
-Sides sides_of_plane(const Corners<double>& plane, const Corners<double>& other);
-Sides sides_of_plane(const Corners<std::int64_t>& plane, const Corners<std::int64_t>& other);
+PlaneSides sides_of_plane(const Corners<double>& plane, const Corners<double>& other);
+PlaneSides sides_of_plane(const Corners<std::int64_t>& plane, const Corners<std::int64_t>& other);
 
 /// An axis along which the triangle's projection has area; negative for a triangle without any.
 int projection_axis(const Corners<double>& triangle);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The stages of a ray and a triangle: signs that decide, then values. Private.
+// The stages of a ray and a triangle: signs decide whether they meet, then values say where.
 //
 // With w = a - o, n = (b - a) x (c - a), ray points are o + s d. The line through the ray passes
 // the edge p q on the side that the sign of ((p - o) x (q - o)) . d says; the three add up to
@@ -15,7 +15,7 @@
 
 namespace graze::narrowphase {
 
-/// A ray that has been checked, which must outlive it.
+/// A ray that has been checked, with what all triangles need of it. The ray must outlive it.
 struct PreparedRay {
   explicit PreparedRay(const Ray& checked)
       : ray(checked), scaled(bvh::scaled_direction(checked.direction.data())) {}
@@ -24,8 +24,8 @@ struct PreparedRay {
   bvh::ScaledDirection scaled;
 };
 
-/// As cast_ray() of a triangle that is finite; `stage` says whether a rounded stage sufficed to
-/// decide whether they meet.
+/// What cast_ray() answers for a triangle that is finite. `stage` becomes the stage that decided
+/// whether the two meet.
 std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedRay& ray,
                                        Stage& stage);
 
@@ -35,11 +35,11 @@ struct RayPlace {
   Eigen::Vector3d point;
 };
 
-/// For a ray that goes through the triangle, by the signs above.
+/// Where a ray meets a triangle that it goes through by the signs above.
 RayPlace place_on_face(const Triangle& triangle, const PreparedRay& ray);
 
-/// For a ray whose line passes all three edges with sign zero: it and the triangle lie in one
-/// plane, or the triangle has no area. Decides whether they meet at all. In integers.
+/// The same for a ray whose line passes all three edges with sign zero: it and the triangle lie in
+/// one plane, or the triangle has no area. Decides in integers whether they meet at all.
 std::optional<RayPlace> place_in_plane(const Triangle& triangle, const PreparedRay& ray);
 
 /// The unit normal of a triangle with area, on the side where its corners turn counter-clockwise.

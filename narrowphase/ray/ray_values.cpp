@@ -2,7 +2,6 @@
 // integers with one rounding.
 
 #include <graze/narrowphase/derived/double_pair.h>
-#include <graze/narrowphase/derived/exact_rounding.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 

@@ -1,6 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/sign_of_products.h>
-#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 namespace graze {

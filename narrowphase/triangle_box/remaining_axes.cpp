@@ -1,7 +1,7 @@
-// The ten axes of the triangle/box test that need arithmetic, for each SIMD target that the
+// The remaining axes of the separating axis test of triangle and box, for each SIMD target that the
 // compiler knows: the three edges at once where four doubles fit, two axes at once elsewhere. Both
 // do the same operations and none is fused, so that all targets round alike. The bounds are in
-// box_bound.h.
+// remaining_axes.h.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/triangle_box/remaining_axes.cpp"
@@ -9,7 +9,6 @@
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
-#include <graze/narrowphase/triangle_box/box_bound.h>
 #include <graze/narrowphase/triangle_box/remaining_axes.h>
 #include <hwy/highway.h>
 #include <algorithm>
@@ -133,7 +132,7 @@ TwoLanes largest(TwoLanes x, TwoLanes y, TwoLanes z) {
   return larger(larger(magnitude(x), magnitude(y)), magnitude(z));
 }
 
-/// The ten axes, for valid input of this sum of sizes.
+/// The remaining axes, for valid input of this sum of sizes.
 Verdict triage_remaining_axes(const double* t, const double* low, const double* high, double size) {
   const TwoLanes centre_xy = 0.5 * (load(low) + load(high));
   const TwoLanes half_xy = 0.5 * (load(high) - load(low));

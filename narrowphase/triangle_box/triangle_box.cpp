@@ -1,6 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
-#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_box.h>
 
 namespace graze {

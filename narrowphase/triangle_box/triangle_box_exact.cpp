@@ -1,7 +1,5 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/predicates/corners.h>
-#include <graze/narrowphase/predicates/finite.h>
 #include <graze/narrowphase/predicates/fixed_point.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_box.h>

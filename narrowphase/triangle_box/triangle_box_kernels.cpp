@@ -8,7 +8,7 @@
 
 #include <graze/narrowphase/lanes/row_lanes-inl.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_box/box_bound.h>
+#include <graze/narrowphase/triangle_box/remaining_axes.h>
 #include <graze/narrowphase/triangle_box/triangle_box_batch.h>
 #include <hwy/highway.h>
 #include <limits>

@@ -1,5 +1,5 @@
 // Akenine-Möller's test in rounded arithmetic. The box axes, and a vertex inside the box, are
-// decided here by comparing inputs, exactly; the other ten axes in remaining_axes.cpp.
+// decided here by comparing inputs, exactly; the remaining axes in remaining_axes.cpp.
 
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
@@ -26,7 +26,7 @@ bool is_ordered(const double* low, const double* high) {
   return (sign_bits(are_greater(load(low), load(high))) == 0) & (low[2] <= high[2]);
 }
 
-/// Without branches: what random input does here cannot be foreseen.
+/// Without branches, because a CPU cannot predict them for random input.
 bool is_apart_along_box_axes(const double* t, const double* low, const double* high) {
   const TwoLanes a = load(t), b = load(t + 3), c = load(t + 6);
   const TwoLanes above = are_greater(smaller(smaller(a, b), c), load(high));

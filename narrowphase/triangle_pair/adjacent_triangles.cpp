@@ -1,13 +1,10 @@
+#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/coplanar.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 namespace graze::narrowphase {
 namespace {
-
-Corners<double> corners_of(const Triangle& triangle) {
-  return {{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
-}
 
 bool contains(const Triangle& triangle, const Eigen::Vector3d& point) {
   return intersects_exactly({point, point, point}, triangle);

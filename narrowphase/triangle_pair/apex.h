@@ -12,15 +12,15 @@ struct Apex {
 };
 
 /// Finds it from the signs of the vertices, which are neither all zero nor all of one sign that is
-/// not zero. Both edges at the apex then reach the plane, and between their points of it
-/// lies the triangle's share of the plane.
+/// not zero. Both edges at the apex then meet the plane, and between the points where they do
+/// lies what the triangle and the plane have in common.
 constexpr Apex find_apex(const Sign (&signs)[3]) {
   for (int i = 0; i < 3; ++i) {
     const Sign second = signs[(i + 1) % 3];
     const Sign third = signs[(i + 2) % 3];
     if (signs[i] != Sign::Zero && signs[i] != second && signs[i] != third) return {i, signs[i]};
   }
-  // Left are two equal signs and a zero: the vertex in the plane is the lone one, seen from the
+  // Left are two equal signs and a zero: the vertex in the plane is the apex, seen from the
   // others.
   for (int i = 0; i < 3; ++i) {
     if (signs[i] == Sign::Zero) return {i, -signs[(i + 1) % 3]};

@@ -1,6 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/pair_stages.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <string>
 
@@ -28,6 +30,15 @@ Decision decide(const Triangle& triangle_a, const Triangle& triangle_b, Touch to
   const Verdict verdict = crossing_triage(triangle_a, triangle_b);
   if (verdict != Verdict::Unsure) return {verdict == Verdict::Touching, Stage::Triage};
   return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
+}
+
+Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch) {
+  check_touch(touch);
+  const Verdict verdict = compare_coordinates(triangle_a, triangle_b);
+  if (verdict == Verdict::Apart) return {false, Stage::Triage};
+  if (touch == Touch::Exclude) return {crosses_exactly(triangle_a, triangle_b), Stage::Exact};
+  if (verdict == Verdict::Touching) return {true, Stage::Triage};
+  return {intersects_exactly(triangle_a, triangle_b), Stage::Exact};
 }
 
 }  // namespace narrowphase

@@ -10,9 +10,10 @@
 // either triangle.
 
 #include <graze/narrowphase/crossing.h>
-#include <graze/narrowphase/predicates/corners.h>
-#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/predicates/orientation_stages.h>
+#include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/predicates/sides_of_plane.h>
 #include <graze/narrowphase/triangle_pair/apex.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
@@ -24,32 +25,9 @@ namespace {
 
 using Vertices = Corners<double>;
 
-Vertices corners_of(const Triangle& triangle) {
-  return {{triangle.a.data(), triangle.b.data(), triangle.c.data()}};
-}
-
-/// On which sides of the plane of a triangle the vertices of another lie. All zero if the triangle
-/// has no area.
-struct Sides {
-  Sign sign[3];
-
-  bool has(Sign asked) const { return sign[0] == asked || sign[1] == asked || sign[2] == asked; }
-  bool are_on_both() const { return has(Sign::Negative) && has(Sign::Positive); }
-  bool are_all_zero() const { return !has(Sign::Negative) && !has(Sign::Positive); }
-  int first(Sign asked) const { return sign[0] == asked ? 0 : sign[1] == asked ? 1 : 2; }
-};
-
-Sides sides_of_plane(const Vertices& plane, const Vertices& other) {
-  Sides sides;
-  for (int i = 0; i < 3; ++i) {
-    sides.sign[i] = orientation_3d(plane.point[0], plane.point[1], plane.point[2], other.point[i]);
-  }
-  return sides;
-}
-
-/// The same by the filter alone; nothing unless all signs are sure and none is zero.
-std::optional<Sides> strict_sides_of_plane(const Vertices& plane, const Vertices& other) {
-  Sides sides;
+/// sides_of_plane() by the filter alone; nothing unless all signs are sure and none is zero.
+std::optional<PlaneSides> strict_sides_of_plane(const Vertices& plane, const Vertices& other) {
+  PlaneSides sides;
   for (int i = 0; i < 3; ++i) {
     const auto sign =
         orientation_3d_filter(plane.point[0], plane.point[1], plane.point[2], other.point[i]);
@@ -59,32 +37,32 @@ std::optional<Sides> strict_sides_of_plane(const Vertices& plane, const Vertices
   return sides;
 }
 
-/// A triangle seen from its apex, the others in an order in which the other triangle's lone
-/// vertex is on the positive side of its plane.
+/// A triangle seen from its apex, the others in an order in which the other triangle's
+/// apex is on the positive side of its plane.
 struct Canonical {
   const double* p;
   const double* q;
   const double* r;
 };
 
-Canonical canonical(const Vertices& corners, int lone, Sign other_side) {
-  const double* q = corners.point[(lone + 1) % 3];
-  const double* r = corners.point[(lone + 2) % 3];
+Canonical canonical(const Vertices& corners, int apex, Sign other_side) {
+  const double* q = corners.point[(apex + 1) % 3];
+  const double* r = corners.point[(apex + 2) % 3];
   if (other_side == Sign::Negative) std::swap(q, r);
-  return {corners.point[lone], q, r};
+  return {corners.point[apex], q, r};
 }
 
 /// Two triangles, each with vertices strictly on both sides of the other's plane.
 std::pair<Canonical, Canonical> canonical(const Vertices& a, const Vertices& b,
-                                          const Sides& sides_a, const Sides& sides_b) {
-  const Apex lone_a = find_apex(sides_a.sign);
-  const Apex lone_b = find_apex(sides_b.sign);
-  return {canonical(a, lone_a.index, lone_b.side), canonical(b, lone_b.index, lone_a.side)};
+                                          const PlaneSides& sides_a, const PlaneSides& sides_b) {
+  const Apex apex_a = find_apex(sides_a.sign);
+  const Apex apex_b = find_apex(sides_b.sign);
+  return {canonical(a, apex_a.index, apex_b.side), canonical(b, apex_b.index, apex_a.side)};
 }
 
 /// Whether a triangle without area, a segment with ends on different sides of the other's plane,
 /// pierces the inside of the other.
-bool pierces(const Vertices& segment, const Sides& sides, const Vertices& triangle) {
+bool pierces(const Vertices& segment, const PlaneSides& sides, const Vertices& triangle) {
   const double* u = segment.point[sides.first(Sign::Negative)];
   const double* v = segment.point[sides.first(Sign::Positive)];
   const auto passes = [&](int i) {
@@ -118,8 +96,8 @@ bool crosses_exactly(const Triangle& triangle_a, const Triangle& triangle_b) {
   check_finite(triangle_b, "triangle B");
   const Vertices a = corners_of(triangle_a);
   const Vertices b = corners_of(triangle_b);
-  const Sides sides_a = sides_of_plane(b, a);
-  const Sides sides_b = sides_of_plane(a, b);
+  const PlaneSides sides_a = sides_of_plane(b, a);
+  const PlaneSides sides_b = sides_of_plane(a, b);
   if (sides_a.are_on_both() && sides_b.are_on_both()) {
     const auto [s, t] = canonical(a, b, sides_a, sides_b);
     return orientation_3d(s.p, s.q, t.p, t.q) == Sign::Negative &&

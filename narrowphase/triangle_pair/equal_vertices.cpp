@@ -1,5 +1,5 @@
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_pair/equal_vertices.h>
+#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <algorithm>
 
 namespace graze::narrowphase {

@@ -2,7 +2,9 @@
 
 #include <graze/narrowphase/lanes/triangle_rows.h>
 #include <graze/narrowphase/lanes/verdicts.h>
+#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/verdict.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,8 +42,14 @@ class TrianglePairBatch {
 };
 
 /// What triage() says of each pair by its determinants, for the whole batch at once. Pairs that it
-/// leaves unsure go to decide(). The same on every SIMD target.
+/// leaves unsure go to decide_unsure(). The same on every SIMD target.
 Verdicts triage(const TrianglePairBatch& batch);
+
+/// What decide() answers for a pair that the triage of a batch has left unsure. The rounded
+/// determinants would be the same once more, so they are not computed again: coordinates are
+/// compared, which is exact and may show that the two are apart, or that they share a vertex; else
+/// the exact stage decides. Throws as decide() does.
+Decision decide_unsure(const Triangle& triangle_a, const Triangle& triangle_b, Touch touch);
 
 /// Bit i is set if pair i is surely apart because one triangle is strictly on one side of the
 /// other's plane: the first half of triage(), for less time. The same on every SIMD target.

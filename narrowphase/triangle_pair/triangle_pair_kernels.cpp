@@ -8,7 +8,7 @@
 
 #include <graze/narrowphase/lanes/row_lanes-inl.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_pair/pair_bound.h>
+#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <hwy/highway.h>
 
@@ -21,13 +21,13 @@ struct Corners {
 };
 
 /// The signs of three vertices beside a plane.
-struct Sides {
-  Mask is_sure;  // all three
-  Mask a, b, c;  // negative
+struct SideMasks {
+  Mask is_sure;  ///< of all three
+  Mask a, b, c;  ///< set where the vertex is on the negative side
   HWY_INLINE Mask are_equal() const { return hn::Not(hn::Or(hn::Xor(a, b), hn::Xor(a, c))); }
 };
 
-HWY_INLINE Sides sides_of_plane(const Corners& plane, const Corners& other, Lanes bound) {
+HWY_INLINE SideMasks sides_of_plane(const Corners& plane, const Corners& other, Lanes bound) {
   const Vector normal = cross(difference(plane.b, plane.a), difference(plane.c, plane.a));
   const Lanes a = dot(normal, difference(other.a, plane.a));
   const Lanes b = dot(normal, difference(other.b, plane.a));
@@ -67,12 +67,12 @@ HWY_INLINE Vector chosen(Mask first, const Vector& a, Mask second, const Vector&
           hn::IfThenElse(first, a.z, hn::IfThenElse(second, b.z, c.z))};
 }
 
-/// Which vertex is the lone one (the third, if neither), and on which side.
-struct Lone {
+/// Which vertex is the apex (the third, if neither of these), and on which side it lies.
+struct ApexLanes {
   Mask is_first, is_second, is_negative;
 };
 
-HWY_INLINE Lone apex(const Sides& sides) {
+HWY_INLINE ApexLanes apex(const SideMasks& sides) {
   return {hn::Not(hn::Xor(sides.b, sides.c)), hn::Not(hn::Xor(sides.a, sides.c)),
           hn::Xor(hn::Xor(sides.a, sides.b), sides.c)};
 }
@@ -82,23 +82,24 @@ struct Sure {
 };
 
 /// triage_intervals(), for lanes whose signs are sure and not equal.
-HWY_INLINE Sure triage_intervals(const Corners& s, const Sides& sides_s, const Corners& t,
-                                 const Sides& sides_t, Lanes bound) {
-  const Lone lone_s = apex(sides_s);
-  const Lone lone_t = apex(sides_t);
-  const Vector origin = chosen(lone_s.is_first, s.a, lone_s.is_second, s.b, s.c);
-  const Vector next = difference(chosen(lone_s.is_first, s.b, lone_s.is_second, s.c, s.a), origin);
-  const Vector last = difference(chosen(lone_s.is_first, s.c, lone_s.is_second, s.a, s.b), origin);
-  const Vector way = difference(chosen(lone_t.is_first, t.a, lone_t.is_second, t.b, t.c), origin);
-  const Vector t_next = chosen(lone_t.is_first, t.b, lone_t.is_second, t.c, t.a);
-  const Vector t_last = chosen(lone_t.is_first, t.c, lone_t.is_second, t.a, t.b);
-  const Mask is_crossed = hn::Xor(lone_s.is_negative, lone_t.is_negative);
-  const Vector with_next = difference(chosen(is_crossed, t_last, t_next), origin);
-  const Vector with_last = difference(chosen(is_crossed, t_next, t_last), origin);
-  const Lanes first = dot(cross(next, way), with_next);
-  const Lanes second = dot(cross(last, way), with_last);
-  const Lanes first_gap = hn::IfThenElse(lone_t.is_negative, hn::Neg(first), first);
-  const Lanes second_gap = hn::IfThenElse(lone_t.is_negative, second, hn::Neg(second));
+HWY_INLINE Sure triage_intervals(const Corners& s, const SideMasks& sides_s, const Corners& t,
+                                 const SideMasks& sides_t, Lanes bound) {
+  const ApexLanes apex_s = apex(sides_s);
+  const ApexLanes apex_t = apex(sides_t);
+  const Vector origin = chosen(apex_s.is_first, s.a, apex_s.is_second, s.b, s.c);
+  const Vector next = difference(chosen(apex_s.is_first, s.b, apex_s.is_second, s.c, s.a), origin);
+  const Vector last = difference(chosen(apex_s.is_first, s.c, apex_s.is_second, s.a, s.b), origin);
+  const Vector offset =
+      difference(chosen(apex_t.is_first, t.a, apex_t.is_second, t.b, t.c), origin);
+  const Vector t_next = chosen(apex_t.is_first, t.b, apex_t.is_second, t.c, t.a);
+  const Vector t_last = chosen(apex_t.is_first, t.c, apex_t.is_second, t.a, t.b);
+  const Mask is_turned = hn::Xor(apex_s.is_negative, apex_t.is_negative);
+  const Vector with_next = difference(chosen(is_turned, t_last, t_next), origin);
+  const Vector with_last = difference(chosen(is_turned, t_next, t_last), origin);
+  const Lanes first = dot(cross(next, offset), with_next);
+  const Lanes second = dot(cross(last, offset), with_last);
+  const Lanes first_gap = hn::IfThenElse(apex_t.is_negative, hn::Neg(first), first);
+  const Lanes second_gap = hn::IfThenElse(apex_t.is_negative, second, hn::Neg(second));
   const Lanes minus = hn::Neg(bound);
   return {hn::Or(hn::Gt(first_gap, bound), hn::Gt(second_gap, bound)),
           hn::And(hn::Lt(first_gap, minus), hn::Lt(second_gap, minus))};
@@ -110,8 +111,8 @@ HWY_INLINE Verdicts bits_of(const Sure& sure) {
 
 HWY_INLINE Verdicts triage_lanes(const Corners& s, const Corners& t) {
   const Bound bound = bound_of(s, t);
-  const Sides sides_s = sides_of_plane(t, s, bound.value);
-  const Sides sides_t = sides_of_plane(s, t, bound.value);
+  const SideMasks sides_s = sides_of_plane(t, s, bound.value);
+  const SideMasks sides_t = sides_of_plane(s, t, bound.value);
   const Mask apart =
       hn::And(bound.is_in_range, hn::Or(hn::And(sides_s.is_sure, sides_s.are_equal()),
                                         hn::And(sides_t.is_sure, sides_t.are_equal())));
@@ -124,8 +125,8 @@ HWY_INLINE Verdicts triage_lanes(const Corners& s, const Corners& t) {
 
 HWY_INLINE std::uint32_t find_apart_lanes(const Corners& s, const Corners& t) {
   const Bound bound = bound_of(s, t);
-  const Sides sides_s = sides_of_plane(t, s, bound.value);
-  const Sides sides_t = sides_of_plane(s, t, bound.value);
+  const SideMasks sides_s = sides_of_plane(t, s, bound.value);
+  const SideMasks sides_t = sides_of_plane(s, t, bound.value);
   return bits_of(hn::And(bound.is_in_range, hn::Or(hn::And(sides_s.is_sure, sides_s.are_equal()),
                                                    hn::And(sides_t.is_sure, sides_t.are_equal()))));
 }

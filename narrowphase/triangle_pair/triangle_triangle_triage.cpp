@@ -4,8 +4,7 @@
 #include <graze/narrowphase/lanes/two_lanes.h>
 #include <graze/narrowphase/lanes/verdicts.h>
 #include <graze/narrowphase/predicates/coordinates.h>
-#include <graze/narrowphase/triangle_pair/equal_vertices.h>
-#include <graze/narrowphase/triangle_pair/pair_bound.h>
+#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <cstdint>
 
@@ -36,7 +35,7 @@ TwoLanes extent(TwoLanes a, TwoLanes b, TwoLanes c) {
 /// their order. Bit i of an index is set if vertex i is on the negative side; offsets are to the
 /// first coordinates of the apex and of the two that follow it.
 struct Order {
-  std::uint8_t lone, next, last;
+  std::uint8_t apex, next, last;
 };
 constexpr Order kOrders[8] = {{0, 3, 6}, {0, 3, 6}, {3, 6, 0}, {6, 0, 3},
                               {6, 0, 3}, {3, 6, 0}, {0, 3, 6}, {0, 3, 6}};
@@ -60,11 +59,11 @@ Verdict triage_intervals(const double* a, unsigned signs_a, const double* b, uns
   const bool is_b_negative = is_apex_negative(signs_b);
   const int with_next = is_a_negative == is_b_negative ? order_b.next : order_b.last;
   const int with_last = is_a_negative == is_b_negative ? order_b.last : order_b.next;
-  const TwoVectors origin = points(a + order_a.lone, a + order_a.lone);
+  const TwoVectors origin = points(a + order_a.apex, a + order_a.apex);
   const TwoVectors edges = points(a + order_a.next, a + order_a.last) - origin;
-  const TwoVectors way = points(b + order_b.lone, b + order_b.lone) - origin;
+  const TwoVectors offset = points(b + order_b.apex, b + order_b.apex) - origin;
   const TwoVectors ends = points(b + with_next, b + with_last) - origin;
-  const TwoLanes determinant = dot(cross(edges, way), ends);
+  const TwoLanes determinant = dot(cross(edges, offset), ends);
   const TwoLanes gap = negated(determinant, is_b_negative ? 0b01 : 0b10);
   return verdict_of(sign_bits(are_greater(gap, both(bound))) != 0,
                     sign_bits(are_greater(both(-bound), gap)) == 0b11);

@@ -3,7 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -64,6 +66,70 @@ TEST(BoxSeparation, NothingIsProvedByNanOrInfinity) {
   EXPECT_FALSE(
       are_apart_along_faces(frame(identity, {kInfinity, 0, 0}, kInfinity), cube(1), cube(1)));
   EXPECT_EQ(gap_along_faces(frame(identity, {kNan, 0, 0}, 0), cube(1), cube(1)), 0);
+}
+
+/// gap_along_faces() written out: sums and products in the order in which they have always been.
+double gap_written_out(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b) {
+  double half_a[3], half_b[3], centre_b[3], offset[3];
+  for (int k = 0; k < 3; ++k) {
+    half_a[k] = (double{a.max[k]} - a.min[k]) * (0.5 * frame.units_a);
+    half_b[k] = (double{b.max[k]} - b.min[k]) * (0.5 * frame.units_b);
+    centre_b[k] = (double{b.max[k]} + b.min[k]) * (0.5 * frame.units_b);
+  }
+  const auto& r = frame.rotation;
+  double gap = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double centre_a = (double{a.max[i]} + a.min[i]) * (0.5 * frame.units_a);
+    offset[i] = frame.translation[i] - centre_a + r[i][0] * centre_b[0] + r[i][1] * centre_b[1] +
+                r[i][2] * centre_b[2];
+    const double radius = half_a[i] + std::abs(r[i][0]) * half_b[0] +
+                          std::abs(r[i][1]) * half_b[1] + std::abs(r[i][2]) * half_b[2];
+    gap = std::max(gap, std::abs(offset[i]) - radius);
+  }
+  for (int j = 0; j < 3; ++j) {
+    const double distance = offset[0] * r[0][j] + offset[1] * r[1][j] + offset[2] * r[2][j];
+    const double radius = half_b[j] + std::abs(r[0][j]) * half_a[0] +
+                          std::abs(r[1][j]) * half_a[1] + std::abs(r[2][j]) * half_a[2];
+    gap = std::max(gap, std::abs(distance) - radius);
+  }
+  return gap;
+}
+
+TEST(BoxSeparation, GapsAlongFacesAreTheSameBitForBit) {
+  std::mt19937_64 random(7);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  const auto box = [&](int n) {
+    FloatBox result;
+    for (int k = 0; k < 3; ++k) {
+      const auto from = static_cast<float>(uniform(-1, 1));
+      const auto size = n % 5 == 0 ? 0.0f : static_cast<float>(std::ldexp(uniform(0, 1), -n % 40));
+      result.min[k] = from, result.max[k] = from + size;
+    }
+    return result;
+  };
+  int apart = 0;
+  for (int n = 0; n < 100000; ++n) {
+    Eigen::Matrix3d rotation =
+        Eigen::Quaterniond(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1))
+            .normalized()
+            .toRotationMatrix();
+    if (n % 7 == 0) rotation.setIdentity();
+    if (n % 11 == 0) rotation = -rotation.rowwise().reverse().eval();
+    Eigen::Vector3d translation(uniform(-3, 3), uniform(-3, 3), uniform(-3, 3));
+    if (n % 13 == 0) translation *= n % 2 == 0 ? 1e300 : 1e-300;
+    if (n % 101 == 0) translation[n % 3] = n % 2 == 0 ? kNan : kInfinity;
+    RelativeFrame between = frame(rotation, translation, uniform(0, 1));
+    between.units_a = std::ldexp(1.0, n % 9 - 4);
+    const FloatBox a = box(n), b = box(n / 3);
+    const double expected = gap_written_out(between, a, b);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(gap_along_faces(between, a, b)),
+              std::bit_cast<std::uint64_t>(expected))
+        << n;
+    apart += expected > 0;
+  }
+  EXPECT_GT(apart, 20000);
 }
 
 // Conservative: a point of both boxes forbids "apart". And useful: boxes that a plane separates

@@ -182,7 +182,7 @@ TEST(JudgeClasses, WhatOnlyThePoseHasRoundedIsPoseRounding) {
 }
 
 // All pairs of triangles of cubes in line merely touch: what undoes the hit is what counts.
-TEST(JudgeClasses, AMissedHitIsAsLargeAsTheWayOut) {
+TEST(JudgeClasses, AMissedHitIsAsLargeAsTheTranslationThatParts) {
   for (const double x : {1.5, -1.5, 0.25}) {
     const Judgement missed = judged(cube_at(0), cube_at(x), false);
     EXPECT_EQ(missed.error_class, ErrorClass::Real) << x;

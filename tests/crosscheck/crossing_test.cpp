@@ -1,4 +1,5 @@
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/crosscheck/corpus_run.h>
 #include <tests/crosscheck/permutations.h>
@@ -31,6 +32,8 @@ std::string fault_of(const TrianglePair& pair) {
     fault = "law 6: the triage is sure and wrong";
   } else if (narrowphase::crosses_exactly(pair.a, pair.b) != truth) {
     fault = "the exact stage is wrong";
+  } else if (narrowphase::decide_unsure(pair.a, pair.b, Touch::Exclude).is_hit != truth) {
+    fault = "left unsure by a batch it would be wrong";
   } else if (truth && !intersects(pair.a, pair.b)) {
     fault = "they cross and do not intersect";
   } else if (!all_orders_say(pair, truth)) {

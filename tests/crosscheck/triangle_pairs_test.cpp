@@ -1,4 +1,5 @@
 #include <graze/engine/compare/referee.h>
+#include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <tests/crosscheck/corpus_run.h>
 #include <tests/crosscheck/permutations.h>
@@ -30,6 +31,8 @@ std::string fault_of(const TrianglePair& pair) {
     fault = "law 6: the triage is sure and wrong";
   } else if (narrowphase::intersects_exactly(pair.a, pair.b) != truth) {
     fault = "law 2: the exact stage is wrong";
+  } else if (narrowphase::decide_unsure(pair.a, pair.b, Touch::Include).is_hit != truth) {
+    fault = "law 2: left unsure by a batch it would be wrong";
   } else if (!all_orders_say(pair, truth)) {
     fault = "law 4: another order of the arguments or vertices is wrong";
   }

@@ -3,7 +3,7 @@
 
 #include <graze/narrowphase/predicates/coordinates.h>
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/triangle_pair/signs_of_crossing.h>
+#include <graze/narrowphase/triangle_pair/intersection_signs.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
 

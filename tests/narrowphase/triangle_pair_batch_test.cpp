@@ -1,4 +1,6 @@
-#include <graze/narrowphase/triangle_pair/equal_vertices.h>
+#include <graze/bvh/error.h>
+#include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/triangle_pair/pair_stages.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 #include <graze/narrowphase/triangle_triangle.h>
 #include <gtest/gtest.h>
@@ -172,6 +174,50 @@ TEST(Law6, ManyAtOnceAreJudgedAsEachAlone) {
     touching += verdict_of_bit(all.rows, n) == Verdict::Touching;
   }
   EXPECT_GT(touching, 500u);
+}
+
+bool is_finite(const Pair& pair) {
+  const auto finite = [](const Triangle& t) {
+    return t.a.allFinite() && t.b.allFinite() && t.c.allFinite();
+  };
+  return finite(pair.a) && finite(pair.b);
+}
+
+TEST(Law2, UnsurePairsAreDecidedAsByThemselves) {
+  const std::vector<Pair> pairs = pairs_of_every_sort(20005);
+  const AllVerdicts all = all_verdicts(pairs);
+  std::size_t unsure = 0, hits = 0;
+  for (std::size_t n = 0; n < pairs.size(); ++n) {
+    if (verdict_of_bit(all.batch, n) != Verdict::Unsure) continue;
+    const auto& [a, b] = pairs[n];
+    for (const Touch touch : {Touch::Include, Touch::Exclude}) {
+      if (!is_finite(pairs[n])) {
+        EXPECT_THROW(decide_unsure(a, b, touch), InputError) << n;
+        continue;
+      }
+      const bool is_hit = decide_unsure(a, b, touch).is_hit;
+      ASSERT_EQ(is_hit, decide(a, b, touch).is_hit) << n;
+      ++unsure, hits += is_hit;
+    }
+  }
+  EXPECT_GT(unsure, 5000u);
+  EXPECT_GT(hits, 500u);
+}
+
+/// What the determinants know shows in no stage: coordinates decide, or exact arithmetic does.
+TEST(UnsurePairs, AreNotTriagedOnceMore) {
+  std::size_t known_to_determinants = 0;
+  for (const Pair& pair : pairs_of_every_sort(20005)) {
+    if (!is_finite(pair)) continue;
+    const Verdict compared = compare_coordinates(pair.a, pair.b);
+    const Decision included = decide_unsure(pair.a, pair.b, Touch::Include);
+    ASSERT_EQ(included.stage == Stage::Exact, compared == Verdict::Unsure);
+    const Decision excluded = decide_unsure(pair.a, pair.b, Touch::Exclude);
+    ASSERT_EQ(excluded.stage == Stage::Exact, compared != Verdict::Apart);
+    known_to_determinants +=
+        compared == Verdict::Unsure && decide(pair.a, pair.b).stage == Stage::Triage;
+  }
+  EXPECT_GT(known_to_determinants, 2000u);
 }
 
 TEST(TriangleRows, AnyLengthIsReadToItsEndAndNoFurther) {

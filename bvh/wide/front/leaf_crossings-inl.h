@@ -163,10 +163,11 @@ struct SidesOfPlane {
   }
 };
 
-/// A primitive from the corner on that is alone on its side of the other's plane: where that is
-/// from the first corner on, and the edges to the next and to the last, which may point back.
+/// A primitive seen from its apex, the corner that is alone on its side of the other's plane: where
+/// the apex lies from the first corner, and the edges from there to the next corner and to the
+/// last, which may be stored reversed.
 template <typename AnyTag>
-struct FromLoneCorner {
+struct FromApex {
   using Values = hn::Vec<AnyTag>;
 
   Values corner[3];
@@ -176,7 +177,7 @@ struct FromLoneCorner {
   hn::Mask<AnyTag> is_last_reversed;
   hn::Mask<AnyTag> is_negative;
 
-  HWY_INLINE FromLoneCorner(const Values (&edges)[2][3], const SidesOfPlane<AnyTag>& sides) {
+  HWY_INLINE FromApex(const Values (&edges)[2][3], const SidesOfPlane<AnyTag>& sides) {
     const auto is_first = hn::Not(hn::Xor(sides.is_negative[1], sides.is_negative[2]));
     const auto is_second = hn::Not(hn::Xor(sides.is_negative[0], sides.is_negative[2]));
     is_negative =
@@ -208,7 +209,7 @@ struct CutSegments {
   Values gap[2];        // the same where that is where a gap would be, less what it may be off by
   Masks do_overlap;
 
-  HWY_INLINE CutSegments(const FromLoneCorner<AnyTag>& s, const FromLoneCorner<AnyTag>& t,
+  HWY_INLINE CutSegments(const FromApex<AnyTag>& s, const FromApex<AnyTag>& t,
                          const Values (&first_way)[3], const CrossingErrors<AnyTag>& errors) {
     const AnyTag tag;
     const Masks is_crossed = hn::Xor(s.is_negative, t.is_negative);
@@ -297,8 +298,8 @@ struct LeafCrossings {
                     errors.of_tested_plane()),
         tested_sides(normals.query, hn::Neg(dot(AnyTag(), normals.query, pairs.way)), pairs.tested,
                      errors.of_query_plane()),
-        cuts(FromLoneCorner<AnyTag>(pairs.tested, tested_sides),
-             FromLoneCorner<AnyTag>(pairs.query, query_sides), pairs.way, errors) {
+        cuts(FromApex<AnyTag>(pairs.tested, tested_sides),
+             FromApex<AnyTag>(pairs.query, query_sides), pairs.way, errors) {
     const AnyTag tag;
     is_query_beyond = hn::And(query_sides.is_sure, query_sides.are_equal());
     is_tested_beyond = hn::And(tested_sides.is_sure, tested_sides.are_equal());

@@ -77,12 +77,12 @@ HWY_INLINE Way corner_in(const float (&corner)[3][NearPairs::kMost], std::size_t
 }
 
 /// The edges of a triangle, each from the corner with its number.
-struct Sides {
+struct TriangleEdges {
   Way edge[3];
   Many square[3];
   Many inverse_square[3];
 
-  HWY_INLINE Sides(const Way& p0, const Way& p1, const Way& p2) {
+  HWY_INLINE TriangleEdges(const Way& p0, const Way& p1, const Way& p2) {
     edge[0] = minus(p1, p0);
     edge[1] = minus(p2, p1);
     edge[2] = minus(p0, p2);
@@ -116,8 +116,8 @@ struct Shortest {
 
 /// Two edges, the query box's begins `between` from the tested node's: the nearest points of their
 /// lines, then of what is left of them (Ericson, Real-Time Collision Detection, 5.1.9).
-HWY_INLINE void consider_edges(Shortest& shortest, const Sides& tested, int i, const Sides& query,
-                               int j, const Way& between) {
+HWY_INLINE void consider_edges(Shortest& shortest, const TriangleEdges& tested, int i,
+                               const TriangleEdges& query, int j, const Way& between) {
   const ManyTag tag;
   const Many b = dot(tested.edge[i], query.edge[j]);
   const Many c = dot(tested.edge[i], between);
@@ -134,13 +134,14 @@ HWY_INLINE void consider_edges(Shortest& shortest, const Sides& tested, int i, c
 
 /// A corner above or below a triangle; `to_corner` leads there from each corner of the triangle.
 /// The sign is that of a way from the triangle to the corner.
-HWY_INLINE void consider_face(Shortest& shortest, const Sides& sides, const Way& normal,
+HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle, const Way& normal,
                               const Way (&to_corner)[3], float sign) {
   const ManyTag tag;
   const Many zero = hn::Zero(tag);
-  auto is_within = hn::Ge(dot(cross(normal, sides.edge[0]), to_corner[0]), zero);
+  auto is_within = hn::Ge(dot(cross(normal, triangle.edge[0]), to_corner[0]), zero);
   for (int k = 1; k < 3; ++k) {
-    is_within = hn::And(is_within, hn::Ge(dot(cross(normal, sides.edge[k]), to_corner[k]), zero));
+    is_within =
+        hn::And(is_within, hn::Ge(dot(cross(normal, triangle.edge[k]), to_corner[k]), zero));
   }
   const Many share_of_normal =
       hn::Mul(hn::Mul(dot(normal, to_corner[0]), hn::Set(tag, sign)), inverse(dot(normal, normal)));
@@ -160,8 +161,8 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
                       corner_in(pairs.tested[2], part)};
     const Way q[3] = {corner_in(pairs.query[0], part), corner_in(pairs.query[1], part),
                       corner_in(pairs.query[2], part)};
-    const Sides tested(p[0], p[1], p[2]);
-    const Sides query(q[0], q[1], q[2]);
+    const TriangleEdges tested(p[0], p[1], p[2]);
+    const TriangleEdges query(q[0], q[1], q[2]);
     const Way tested_normal = cross(tested.edge[0], tested.edge[1]);
     const Way query_normal = cross(query.edge[0], query.edge[1]);
     Way between[3][3];  // [tested node's][query box's]

@@ -30,8 +30,9 @@ double gap_along(const Eigen::Vector3d& axis, const PlacedBox& a, const PlacedBo
          b.projected_radius(axis);
 }
 
-/// Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996: the fifteen directions in which two boxes
-/// can be apart. Computed in double, for people to read; no answer comes from here.
+/// The fifteen directions in which two boxes can be apart (bvh/value/separating_axes.h). They are
+/// computed in the world's frame and as unit vectors, because people read the direction and the
+/// metres; no answer comes from here.
 BoxAxis widest_axis(const PlacedBox& a, const PlacedBox& b) {
   BoxAxis best{"", Eigen::Vector3d::UnitX(), -std::numeric_limits<double>::infinity()};
   const auto offer = [&](const std::string& name, const Eigen::Vector3d& direction) {
@@ -71,7 +72,7 @@ class DescentPath {
   PlacedBox box() const { return {box_, pose_}; }
   double diagonal() const { return (box_.max - box_.min).norm(); }
 
-  void go_down() {
+  void descend() {
     const std::uint32_t second = node().first + 1;
     const std::size_t middle = first_place(second);
     if (place_ < middle) {
@@ -104,8 +105,8 @@ class DescentPath {
 
   const Pose& pose_;
   const bvh::Tree& tree_;
-  std::size_t place_ = 0;  // of the triangle, in the order of the leaves
-  std::size_t begin_ = 0;  // of the node's triangles, there
+  std::size_t place_ = 0;  ///< of the triangle, in the order of the leaves
+  std::size_t begin_ = 0;  ///< the node's triangles are from here to `end_` in that order
   std::size_t end_ = 0;
   std::uint32_t node_ = 0;
   Aabb box_;
@@ -128,7 +129,7 @@ std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, cons
     if (a.is_at_leaf() && b.is_at_leaf()) return std::nullopt;
     DescentPath& larger =
         b.is_at_leaf() || (!a.is_at_leaf() && a.diagonal() >= b.diagonal()) ? a : b;
-    larger.go_down();
+    larger.descend();
   }
 }
 

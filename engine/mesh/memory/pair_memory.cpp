@@ -9,6 +9,7 @@
 #include <graze/engine/mesh/query/sort_pairs.h>
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/query/wide_query.h>
+#include <graze/narrowphase/crossing.h>
 #include <hwy/base.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/work.h>
-#include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle_pair/triangle_pair_batch.h>
 
 #include <bit>
@@ -40,15 +40,16 @@ class Candidates {
       const int i = std::countr_zero(open);
       open &= open - 1;
       const bool is_sure = (verdicts.touching >> i & 1) != 0;
-      if (!is_sure && !meet(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
+      if (!is_sure && !meet_though_unsure(batch_.triangle_a(i), batch_.triangle_b(i))) continue;
       if (on_pair(pairs_[i]) == bvh::Walk::Stop) return bvh::Walk::Stop;
     }
     return bvh::Walk::Continue;
   }
 
  private:
-  bool meet(const Triangle& triangle_a, const Triangle& triangle_b) {
-    const narrowphase::Decision decision = narrowphase::decide(triangle_a, triangle_b, touch_);
+  bool meet_though_unsure(const Triangle& triangle_a, const Triangle& triangle_b) {
+    const narrowphase::Decision decision =
+        narrowphase::decide_unsure(triangle_a, triangle_b, touch_);
     work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
     return decision.is_hit;
   }

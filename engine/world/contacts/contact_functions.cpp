@@ -50,7 +50,7 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Con
   const Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
-  add_touches(core_a, core_b, parting, candidates.list);
+  add_contact_points(core_a, core_b, parting, candidates.list);
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
@@ -64,7 +64,7 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Con
   const Verdict verdict = axes.verdict();
   if (verdict == Verdict::Apart) return;
   if (verdict == Verdict::Unsure && !intersect_in_boxes(a, b, work)) return;
-  add_touches(core_a, core_b, part_boxes(axes), candidates.list);
+  add_contact_points(core_a, core_b, part_boxes(axes), candidates.list);
 }
 
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
@@ -82,7 +82,8 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
   const Vec3 lowest = rounded_support(core, down);
   const double deepest = plane.offset - dot(plane.normal, lowest);
   const ContactFace face = face_along(core, down);
-  const double tolerance = kTouchTolerance * (core.reach + core.radius + std::abs(plane.offset));
+  const double tolerance =
+      kTouchTolerance * (core.bounding_radius + core.radius + std::abs(plane.offset));
   double found = -1;
   for (int i = 0; i < face.count; ++i) {
     const double depth = plane.offset - dot(plane.normal, face.corner[i]);
@@ -92,7 +93,7 @@ void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
   }
   // What the corners of a face leave out, above all of a round one, is the deepest point itself.
   constexpr double kSameDepth = 1e-6;
-  if (found < 0 || deepest - found > kSameDepth * (core.reach + core.radius))
+  if (found < 0 || deepest - found > kSameDepth * (core.bounding_radius + core.radius))
     add(lowest, narrowphase::kPointFeature);
 }
 

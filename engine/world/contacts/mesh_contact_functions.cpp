@@ -5,7 +5,7 @@
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/narrowphase/convex/contact/triangle_parting.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -54,15 +54,15 @@ class TriangleCandidates {
     found.clear();
     if (is_front) {
       Parting parting;
-      parting.way = along(core_, triangle, -normal);
-      parting.way.depth = std::max(parting.way.depth, 0.0);
+      parting.penetration = along(core_, triangle, -normal);
+      parting.penetration.depth = std::max(parting.penetration.depth, 0.0);
       add_candidates_within(triangle, parting, found);
     }
     if (found.empty()) {
       const Parting parting = least_parting(triangle, has_area);
       work_.penetration_tests += parting.is_asked;
       work_.penetration_failures += parting.is_failed;
-      add_touches(core_, triangle, parting, found);
+      add_contact_points(core_, triangle, parting, found);
     }
     std::vector<ContactPoint>& list =
         is_front || !has_area ? candidates_.list : candidates_.from_behind;
@@ -84,32 +84,32 @@ class TriangleCandidates {
   /// above the triangle itself.
   void add_candidates_within(const Core& triangle, const Parting& parting,
                              std::vector<ContactPoint>& found) {
-    const Vec3& deepest = parting.way.point_a;
-    const Vec3 normal = -parting.way.normal;
+    const Vec3& deepest = parting.penetration.point_a;
+    const Vec3 normal = -parting.penetration.normal;
     bool is_within = true;
     for (int i = 0; i < 3; ++i) {
       const Vec3 edge = triangle.corner[(i + 1) % 3] - triangle.corner[i];
       is_within &= dot(cross(normal, edge), deepest - triangle.corner[i]) >= 0;
     }
-    const narrowphase::ContactFace face = face_along(core_, parting.way.normal);
+    const narrowphase::ContactFace face = face_along(core_, parting.penetration.normal);
     if (face.count < 2) {
       if (is_within) add_point(deepest, parting, found);
       return;
     }
-    add_face_touches(core_, triangle, parting.way, found);
+    add_face_contact_points(core_, triangle, parting.penetration, found);
     if (is_within) {
       double most = -1;
       for (const ContactPoint& touch : found)
         most = std::max(most, touch.depth);
       constexpr double kSameDepth = 1e-6;
-      const double allowance = kSameDepth * (core_.reach + core_.radius);
-      if (parting.way.depth - most > allowance) add_point(deepest, parting, found);
+      const double allowance = kSameDepth * (core_.bounding_radius + core_.radius);
+      if (parting.penetration.depth - most > allowance) add_point(deepest, parting, found);
     }
   }
 
   void add_point(const Vec3& deepest, const Parting& parting, std::vector<ContactPoint>& found) {
-    const Vec3 on_triangle = deepest - parting.way.normal * parting.way.depth;
-    found.push_back({deepest, on_triangle, parting.way.normal, parting.way.depth,
+    const Vec3 on_triangle = deepest - parting.penetration.normal * parting.penetration.depth;
+    found.push_back({deepest, on_triangle, parting.penetration.normal, parting.penetration.depth,
                      narrowphase::kPointFeature, narrowphase::kPointFeature});
   }
 

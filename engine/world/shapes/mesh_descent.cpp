@@ -53,7 +53,8 @@ MeshDescent::MeshDescent(const PlacedMeshView& mesh, const Core& core, const Eig
   const Vec3 from_mesh = to_vec3(origin) - Vec3{m[12], m[13], m[14]};
   const Aabb& own = mesh.mesh.bounds();
   const double size = largest(to_vec3(own.min)) + largest(to_vec3(own.max)) +
-                      2 * (largest(from_mesh) + largest(core.at)) + core.reach + core.radius;
+                      2 * (largest(from_mesh) + largest(core.at)) + core.bounding_radius +
+                      core.radius;
   const double law_1 = std::max(std::abs(m[12]), std::max(std::abs(m[13]), std::abs(m[14])));
   const double slack = (8 * deviation + 0x1p-45) * size + 0x8p-53 * law_1;
   unit_ = tree_.frame.unit();

@@ -1,6 +1,6 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/narrowphase/convex/gap/box_gap.h>
+#include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/triangle_box.h>
 

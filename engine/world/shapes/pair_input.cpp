@@ -146,7 +146,7 @@ SetGap set_gap(const Core& a, const Core& b, const CoreGap& gap) {
   result.status = is_open ? PairStatus::NotConverged : PairStatus::Converged;
   result.normal = gap.normal;
   if (result.is_apart) {
-    result.normal = narrowphase::settled_normal(a, b, gap);
+    result.normal = narrowphase::gap_normal(a, b, gap);
     result.distance = gap.upper - radii;
     result.point_a = between(gap, a.radius);
     result.point_b = between(gap, gap.upper - b.radius);

@@ -61,7 +61,7 @@ class CoreOf {
   }
   Core operator()(const ConvexHull& hull) const {
     const narrowphase::Hull& data = hull.data();
-    Core core = at(CoreKind::Points, data.reach);
+    Core core = at(CoreKind::Points, data.bounding_radius);
     core.hull = &data;
     core.points = data.corners.data();
     core.point_count = data.corners.size();
@@ -71,10 +71,10 @@ class CoreOf {
   Core operator()(const Mesh&) const { throw InputError("mesh: it has no core"); }
 
  private:
-  Core at(CoreKind kind, double reach) const {
+  Core at(CoreKind kind, double bounding_radius) const {
     Core core = turned_by(pose_, kind);
     core.at = at_;
-    core.reach = reach * kStretch;
+    core.bounding_radius = bounding_radius * kStretch;
     return core;
   }
   Core round(CoreKind kind, double radius, double half_height) const {
@@ -118,7 +118,7 @@ Core core_of(const Triangle& placed, const Eigen::Vector3d& origin) {
   core.at = core.corner[0];
   const double b = length(core.corner[1] - core.at);
   const double c = length(core.corner[2] - core.at);
-  core.reach = b > c ? b : c;
+  core.bounding_radius = b > c ? b : c;
   return core;
 }
 

@@ -31,7 +31,8 @@ Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
 // normal by 11 u.
 Height height_of(const Core& core, const PlacedHalfSpace& plane) {
   const Vec3 lowest = rounded_support(core, -plane.normal);
-  const double size = core.reach + core.radius + 2 * largest(core.at) + std::abs(plane.offset);
+  const double size =
+      core.bounding_radius + core.radius + 2 * largest(core.at) + std::abs(plane.offset);
   return {dot(plane.normal, lowest) - plane.offset, 0x40p-53 * size + plane.slack, lowest};
 }
 

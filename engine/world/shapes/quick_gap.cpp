@@ -1,7 +1,7 @@
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/engine/world/shapes/quick_gap.h>
-#include <graze/narrowphase/convex/contact/triangle_parting.h>
+#include <graze/narrowphase/convex/core/segments.h>
 
 #include <algorithm>
 #include <cmath>

@@ -62,9 +62,11 @@ Aabb bounds_of_box(const Box& shape, const Pose& pose, double deviation) {
 Aabb bounds_of_core(const Shape& shape, const Pose& pose, double deviation) {
   const Eigen::Vector3d middle = middle_of(shape, pose);
   const narrowphase::Core core = core_of(shape, pose, middle);
-  const double pad =
-      core.kind == narrowphase::CoreKind::Point ? 0 : 0x20p-53 * (core.reach + core.radius);
-  const double room = (kDistanceShare + kReadings * deviation) * (core.reach + core.radius);
+  const double pad = core.kind == narrowphase::CoreKind::Point
+                         ? 0
+                         : 0x20p-53 * (core.bounding_radius + core.radius);
+  const double room =
+      (kDistanceShare + kReadings * deviation) * (core.bounding_radius + core.radius);
   Aabb box;
   for (int i = 0; i < 3; ++i) {
     narrowphase::Vec3 axis{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};

@@ -9,29 +9,29 @@ namespace {
 
 struct Plane {
   Vec3 on;
-  Vec3 out;  // of any length
+  Vec3 out;  ///< of any length
 };
 
 /// Where a plane cuts a polygon: along the line in which it meets the polygon's own plane.
 struct FaceCut {
-  Vec3 way;                                               // of any length
-  double from = std::numeric_limits<double>::infinity();  // of points in it, times `way`
-  double to = -std::numeric_limits<double>::infinity();
+  Vec3 direction;                                         ///< of that line, of any length
+  double from = std::numeric_limits<double>::infinity();  ///< least of `direction` . point
+  double to = -std::numeric_limits<double>::infinity();   ///< greatest
 
-  FaceCut(const ClippedFace& face, const double* height, const Vec3& along) : way(along) {
+  FaceCut(const ClippedFace& face, const double* height, const Vec3& along) : direction(along) {
     for (int i = 0; i < face.count; ++i) {
       const int next = i + 1 == face.count ? 0 : i + 1;
       if ((height[i] > 0) == (height[next] > 0)) continue;
-      const double at = dot(face.corner[i].point, way);
-      const double run = dot(face.corner[next].point, way) - at;
+      const double at = dot(face.corner[i].point, direction);
+      const double run = dot(face.corner[next].point, direction) - at;
       const double found = at + run * (height[i] / (height[i] - height[next]));
       from = std::min(from, found), to = std::max(to, found);
     }
   }
   Vec3 nearest(const Vec3& point) const {
-    const double at = dot(point, way);
+    const double at = dot(point, direction);
     if (at >= from && at <= to) return point;
-    return point + way * (((at < from ? from : to) - at) / dot(way, way));
+    return point + direction * (((at < from ? from : to) - at) / dot(direction, direction));
   }
 };
 
@@ -90,7 +90,7 @@ bool cut(ClippedFace& face, const Vec3& normal, const Plane& plane, std::uint32_
     const int next = i + 1 == n ? 0 : i + 1;
     const ClippedFace::Corner& to = face.corner[next];
     if (height[i] <= 0) keep(from);
-    if (i + 1 == n && !is_closed) break;  // a segment has no way back
+    if (i + 1 == n && !is_closed) break;  // a segment has no edge back to its start
     if ((height[i] < 0 && height[next] > 0) || (height[i] > 0 && height[next] < 0)) {
       const double share = height[i] / (height[i] - height[next]);
       const std::uint32_t own = ClippedFace::kEdge + (from.own & (ClippedFace::kEdge - 1));

@@ -16,7 +16,8 @@ struct ClippedFace {
   };
   static constexpr std::uint32_t kEdge = 0x10000;
   ClippedFace() {}
-  union {  // so that corners beyond the count are not written: most never are
+  // In a union so that corners beyond the count are not initialised: most are never used.
+  union {
     Corner corner[kMostCorners];
   };
   int count = 0;

@@ -19,7 +19,8 @@ Core shifted(Core core, const Vec3& by) {
 /// line misses the set, or the set is a triangle.
 std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3& out) {
   if (core.kind == CoreKind::Triangle) return std::nullopt;
-  const Vec3 start = point + out * (dot(core.at - point, out) + 2 * (core.reach + core.radius));
+  const Vec3 start =
+      point + out * (dot(core.at - point, out) + 2 * (core.bounding_radius + core.radius));
   const std::optional<CoreRayHit> hit = cast_ray(core, start, -out);
   if (!hit) return std::nullopt;
   return start - out * hit->distance;
@@ -47,10 +48,10 @@ class RoundSide {
   /// is lower by its drop, which on a side that leans is another section's. A cylinder's or a
   /// capsule's is as round; of a cone the third is nearly the same.
   bool end_beside(const Vec3& point, Vec3& end) const {
-    const Vec3 way = point - from_;
-    const double off = dot(across_, way);
+    const Vec3 offset = point - from_;
+    const double off = dot(across_, offset);
     const double run = dot(line_, ahead_);
-    double share = dot(way, ahead_) / run;
+    double share = dot(offset, ahead_) / run;
     double drop = 0;
     for (int i = low_ == high_ ? 1 : 3; i >= 0; --i) {
       share = std::clamp(share, 0.0, 1.0);
@@ -59,7 +60,7 @@ class RoundSide {
         if (!(std::abs(off) < radius)) return false;
         drop = off * off / (radius + std::sqrt(radius * radius - off * off));
       }
-      if (i > 0) share = dot(way + radial_ * drop, ahead_) / run;
+      if (i > 0) share = dot(offset + radial_ * drop, ahead_) / run;
     }
     end = from_ + line_ * share + across_ * off - radial_ * drop;
     return true;
@@ -72,19 +73,19 @@ class RoundSide {
  private:
   Vec3 from_, line_;
   Vec3 radial_;
-  double low_, high_;  // radii at the ends
-  Vec3 across_;        // unit, at right angles to the normal and the line
-  Vec3 ahead_;         // unit, at right angles to the normal, nearly along the line
+  double low_, high_;  ///< radii at the two ends
+  Vec3 across_;        ///< unit, at right angles to the normal and the line
+  Vec3 ahead_;         ///< unit, at right angles to the normal, nearly along the line
 };
 
 }  // namespace
 
 double smaller_size(const Core& a, const Core& b) {
-  return std::min(a.reach + a.radius, b.reach + b.radius);
+  return std::min(a.bounding_radius + a.radius, b.bounding_radius + b.radius);
 }
 
-bool lie_along(const Penetration& way, double tolerance) {
-  return length(cross(way.point_a - way.point_b, way.normal)) <= tolerance;
+bool lie_along(const Penetration& penetration, double tolerance) {
+  return length(cross(penetration.point_a - penetration.point_b, penetration.normal)) <= tolerance;
 }
 
 // Moved out by the depth and a clearance, the two are nowhere nearer than the clearance, and
@@ -94,39 +95,39 @@ bool lie_along(const Penetration& way, double tolerance) {
 //
 // A core's point that is nearest to another core is as far from a plane that supports the first as
 // the gap's bounds are from each other, if that plane is the one of the lower bound. Moved out
-// along its normal it stays so, whatever the radius; the way between the points would turn it.
+// along its normal it stays so, whatever the radius; the line between the points would turn it.
 //
 // That near, a search about round sets may end open, and a wider clearance help. Else the points
 // are moved along the normal, to where the line through one of them leaves each set: unless that
 // is far from where they are, as where the line lies in a face.
-MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& way) {
+MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
   const double size = smaller_size(a, b);
   MeetingPoints met;
   for (const double clearance : {kClearance * size, 16 * kClearance * size}) {
-    const Vec3 out = way.normal * (way.depth + clearance);
+    const Vec3 out = penetration.normal * (penetration.depth + clearance);
     const CoreGap gap = nearest(a, shifted(b, out));
-    const Vec3& normal = gap.lower > 0 ? gap.normal : way.normal;
+    const Vec3& normal = gap.lower > 0 ? gap.normal : penetration.normal;
     met = {gap.point_a + normal * a.radius, gap.point_b - normal * b.radius - out};
     if (gap.verdict == GapVerdict::Apart) return met;
   }
   const Vec3 on_line = met.on_b;
-  const auto settle = [&](const Core& core, const Vec3& normal, Vec3& point) {
+  const auto move_to_surface = [&](const Core& core, const Vec3& normal, Vec3& point) {
     const std::optional<Vec3> end = end_on_line(core, on_line, normal);
     if (end && length(*end - point) < 64 * kClearance * size) point = *end;
   };
-  settle(a, way.normal, met.on_a);
-  settle(b, -way.normal, met.on_b);
+  move_to_surface(a, penetration.normal, met.on_a);
+  move_to_surface(b, -penetration.normal, met.on_b);
   return met;
 }
 
-bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
-                    ContactPoint& touch) {
-  const RoundSide met_side(reference, touch.normal), own_side(incident, touch.normal);
-  const double off = met_side.off(touch.point_a);
+bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
+                     ContactPoint& contact) {
+  const RoundSide met_side(reference, contact.normal), own_side(incident, contact.normal);
+  const double off = met_side.off(contact.point_a);
   if (!(std::abs(off) > touching)) return true;
   const double radius = own_side.middle_radius();
   const double share = radius / (radius + met_side.middle_radius());
-  Vec3 point = touch.point_a - met_side.across() * (off * share);
+  Vec3 point = contact.point_a - met_side.across() * (off * share);
   Vec3 met, own;
   for (int i = 0; i < 3; ++i) {
     if (!met_side.end_beside(point, met) || !own_side.end_beside(point, own)) return false;
@@ -136,9 +137,9 @@ bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign
     if (!(std::abs(most) > touching)) break;
     point = met_side.moved(point, most);
   }
-  touch.point_a = sign > 0 ? met : own;
-  touch.point_b = sign > 0 ? own : met;
-  touch.depth = dot(touch.point_a - touch.point_b, touch.normal);
+  contact.point_a = sign > 0 ? met : own;
+  contact.point_b = sign > 0 ? own : met;
+  contact.depth = dot(contact.point_a - contact.point_b, contact.normal);
   return true;
 }
 

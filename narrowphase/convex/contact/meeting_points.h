@@ -1,11 +1,11 @@
 #pragma once
 
-#include <graze/narrowphase/convex/contact/touches.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 
 namespace graze::narrowphase {
 
-/// What of the smaller of two sets lengths are measured by.
+/// The size of the smaller of two sets, by which lengths are measured.
 double smaller_size(const Core& a, const Core& b);
 
 /// A point of either surface, where the two meet.
@@ -14,15 +14,17 @@ struct MeetingPoints {
   Vec3 on_b;
 };
 
-/// Where two sets meet once B is moved out along a way that parts them: points of the surfaces as
-/// they lie, so that on_a - on_b is the way. That is to 2^-17 of the smaller size, if the depth is
-/// the least to kDepthTolerance, and else to as much more as the depth is more.
-MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& way);
+/// Where two sets meet once B is moved out by a penetration that parts them: points of the surfaces
+/// as they lie, so that on_a - on_b is that displacement. That is to 2^-17 of the smaller size, if
+/// the depth is the least to kDepthTolerance, and else to as much more as the depth is more.
+MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration);
 
-/// Whether the way's points, one of each set, lie along its normal: not so of edges that pass each
-/// other beyond an end.
-bool lie_along(const Penetration& way, double tolerance);
+/// Whether the points of a penetration, one of each set, lie along its normal: not so of edges that
+/// pass each other beyond an end.
+bool lie_along(const Penetration& penetration, double tolerance);
 
+/// By how much more than the penetration B is moved out before the nearest points are taken, as a
+/// share of the smaller size.
 inline constexpr double kClearance = 0x1p-20;
 
 /// A face that takes part in a contact, and whose it is.
@@ -36,7 +38,7 @@ struct FaceOf {
 /// where they are deepest in each other, if they are as round as their radii say. What is no
 /// further from the reference's line than `touching`, metres, stays. False if one of the two is not
 /// there.
-bool settle_between(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
-                    ContactPoint& touch);
+bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,
+                     ContactPoint& contact);
 
 }  // namespace graze::narrowphase

@@ -1,5 +1,5 @@
+#include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
-#include <graze/narrowphase/convex/contact/triangle_parting.h>
 #include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/convex/depth/box_axes.h>
 
@@ -16,7 +16,7 @@ constexpr double kEdgeGain = 0.95;
 // Points are one line along the normal to this share of the scale: kTouchTolerance of engine/world.
 constexpr double kTouching = 0x1p-34;
 
-double reach_of(const Core& box, const Vec3& direction) {
+double projected_radius(const Core& box, const Vec3& direction) {
   return (std::abs(dot(box.axis[0], direction)) * box.half.x +
           std::abs(dot(box.axis[1], direction)) * box.half.y) +
          std::abs(dot(box.axis[2], direction)) * box.half.z;
@@ -47,8 +47,8 @@ class BoxAndTriangle {
     }
     normal_ = unit_or(normal_, {0, 0, 1});
     Parting parting;
-    parting.way = along(box_, triangle_, normal_);
-    parting.way.depth = std::max(parting.way.depth, 0.0);
+    parting.penetration = along(box_, triangle_, normal_);
+    parting.penetration.depth = std::max(parting.penetration.depth, 0.0);
     if (axis_ >= 0) meet_at_edges(parting);
     return parting;
   }
@@ -57,9 +57,9 @@ class BoxAndTriangle {
   /// The triangle leaves by either end of the axis, whose length is `size`.
   void offer(const Vec3& axis, double size, double gain, int box_axis, int edge) {
     const double a = dot(corner_[0], axis), b = dot(corner_[1], axis), c = dot(corner_[2], axis);
-    const double reach = reach_of(box_, axis);
-    const double up = reach - std::min(a, std::min(b, c));
-    const double down = reach + std::max(a, std::max(b, c));
+    const double radius = projected_radius(box_, axis);
+    const double up = radius - std::min(a, std::min(b, c));
+    const double down = radius + std::max(a, std::max(b, c));
     const double found = std::min(up, down);
     if (!(found < gain * depth_ * size)) return;
     depth_ = found / size;
@@ -74,56 +74,37 @@ class BoxAndTriangle {
     const BoxEdge edge = edge_along(box_, axis_, normal_);
     const NearestPoints met = nearest_of_segments(edge.from, edge.to, triangle_.corner[edge_],
                                                   triangle_.corner[(edge_ + 1) % 3]);
-    parting.way.point_a = met.point_a;
-    parting.way.point_b = met.point_b;
-    parting.has_witnesses = lie_along(parting.way, kTouching * pair_scale(box_, triangle_));
+    parting.penetration.point_a = met.point_a;
+    parting.penetration.point_b = met.point_b;
+    parting.has_witnesses = lie_along(parting.penetration, kTouching * pair_scale(box_, triangle_));
   }
 
   const Core& box_;
   const Core& triangle_;
-  Vec3 corner_[3];  // from the middle of the box
+  Vec3 corner_[3];  ///< from the middle of the box
   Vec3 normal_;
   double depth_ = std::numeric_limits<double>::infinity();
-  int axis_ = -1;  // of the box, and the triangle's edge, whose product the normal is
+  // The normal is the cross product of this axis of the box and this edge of the triangle, if any.
+  int axis_ = -1;
   int edge_ = -1;
 };
 
 Parting part_point(const Core& point, const Core& triangle) {
   Parting parting;
-  Penetration& way = parting.way;
-  way.point_b = nearest_on_triangle(triangle, point.at);
-  const Vec3 between = way.point_b - point.at;
+  Penetration& penetration = parting.penetration;
+  penetration.point_b = nearest_on_triangle(triangle, point.at);
+  const Vec3 between = penetration.point_b - point.at;
   const double distance = length(between);
-  way.normal = distance > 0x1p-40 * (point.radius + pair_scale(point, triangle))
-                   ? between * (1 / distance)
-                   : -unit_or(outward(triangle), {0, 0, 1});
-  way.depth = std::max(point.radius - distance, 0.0);
-  way.point_a = point.at + way.normal * point.radius;
+  penetration.normal = distance > 0x1p-40 * (point.radius + pair_scale(point, triangle))
+                           ? between * (1 / distance)
+                           : -unit_or(outward(triangle), {0, 0, 1});
+  penetration.depth = std::max(point.radius - distance, 0.0);
+  penetration.point_a = point.at + penetration.normal * point.radius;
   parting.has_witnesses = true;
   return parting;
 }
 
 }  // namespace
-
-Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
-  const Vec3* c = triangle.corner;
-  const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = point - c[0];
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  const Vec3 bp = point - c[1], cp = point - c[2];
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
-  const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
-  const double sum = (of_a + of_b) + of_c;
-  if (of_a > 0 && of_b > 0 && of_c > 0 && sum > 0)
-    return c[0] + (ab * (of_b / sum) + ac * (of_c / sum));
-  Vec3 best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 found = nearest_on_segment(c[i], c[(i + 1) % 3], point);
-    const double square = dot(found - point, found - point);
-    if (square < least) least = square, best = found;
-  }
-  return best;
-}
 
 Parting part_from_triangle(const Core& core, const Core& triangle) {
   return core.kind == CoreKind::Box ? BoxAndTriangle(core, triangle).run()

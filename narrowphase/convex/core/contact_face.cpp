@@ -41,12 +41,13 @@ ContactFace box_face(const Core& core, const Vec3& own) {
   ContactFace face;
   face.id = static_cast<std::uint32_t>(2 * k + (is_positive ? 1 : 0));
   const Vec3 out = core.axis[k] * (is_positive ? half[k] : -half[k]);
-  const Vec3 middle = core.at + out, way_u = core.axis[u] * half[u], way_v = core.axis[v] * half[v];
+  const Vec3 middle = core.at + out, side_u = core.axis[u] * half[u],
+             side_v = core.axis[v] * half[v];
   constexpr int kTurn[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
   for (int i = 0; i < 4; ++i) {
     const int* turn = kTurn[is_positive ? i : 3 - i];
     face.corner[i] =
-        (turn[0] > 0 ? middle + way_u : middle - way_u) + (turn[1] > 0 ? way_v : -way_v);
+        (turn[0] > 0 ? middle + side_u : middle - side_u) + (turn[1] > 0 ? side_v : -side_v);
     face.corner_id[i] =
         (is_positive ? 1u << k : 0u) | (turn[0] > 0 ? 1u << u : 0u) | (turn[1] > 0 ? 1u << v : 0u);
   }

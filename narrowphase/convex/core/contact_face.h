@@ -6,13 +6,14 @@
 
 namespace graze::narrowphase {
 
-/// What of a set's boundary faces a direction: a polygon, a segment or a point of it.
+/// The part of a set's boundary that faces a direction: a polygon, a segment or a point of it.
 struct ContactFace {
   static constexpr int kMostCorners = 16;
   ContactFace() {}
-  union {                       // so that corners beyond the count are not written: most never are
-    Vec3 corner[kMostCorners];  ///< in the common frame, on the boundary; counter-clockwise from
-                                ///< outside
+  // In a union so that corners beyond the count are not initialised: most are never used.
+  union {
+    /// In the common frame, on the boundary; counter-clockwise as seen from outside.
+    Vec3 corner[kMostCorners];
   };
   std::uint32_t corner_id[kMostCorners];  ///< of the set's own corners, the same in every pose
   int count = 0;

@@ -16,7 +16,7 @@ constexpr double kOneFace = 0.99;
 /// Twice the area, in units in which nothing overflows.
 double area_of(const Hull& hull, const Hull::Face& face) {
   const auto at = [&](Index i) {
-    return hull.corners[hull.loops[face.first + i]] * (1 / hull.reach);
+    return hull.corners[hull.loops[face.first + i]] * (1 / hull.bounding_radius);
   };
   double area = 0;
   for (Index i = 2; i < face.count; ++i)
@@ -94,13 +94,13 @@ class ContactFaces {
  private:
   struct Found {
     Index seed;
-    Index first;  // of the facets that it took
+    Index first;  ///< of the facets that it took
     std::vector<Index> loop;
   };
 
   void add_face(Index seed) {
     const Hull::Face& facet = hull_.faces[seed];
-    const double least = hull_.offsets[seed] - kContactFlatness * hull_.reach;
+    const double least = hull_.offsets[seed] - kContactFlatness * hull_.bounding_radius;
     std::vector<Index> flat;
     for (Index i = 0; i < hull_.corners.size(); ++i) {
       if (dot(facet.normal, hull_.corners[i]) >= least) flat.push_back(i);

@@ -6,10 +6,10 @@
 
 namespace graze::narrowphase {
 
-/// Corners this share of the hull's reach below a face's plane lie in the face, for contacts: less
-/// than half of kDepthTolerance, to which depths are promised, and above what coordinates that were
-/// once rounded to float are off by, 2^-24 of the reach, even where three such points span a plane
-/// that a fourth misses by several times as much.
+/// Corners this share of the hull's bounding radius below a face's plane lie in the face, for
+/// contacts: less than half of kDepthTolerance, to which depths are promised, and above what
+/// coordinates that were once rounded to float are off by, 2^-24 of that radius, even where three
+/// such points span a plane that a fourth misses by several times as much.
 inline constexpr double kContactFlatness = 0x1p-21;
 
 /// Fills in `contact_faces` and their loops. From the largest facet to the smallest, each that no

@@ -33,8 +33,8 @@ Vec3 farthest(const Vec3* points, std::size_t count, const Vec3& direction) {
   std::size_t best = 0;
   double most = dot(points[0], direction);
   for (std::size_t i = 1; i < count; ++i) {
-    const double reach = dot(points[i], direction);
-    if (reach > most) best = i, most = reach;
+    const double along = dot(points[i], direction);
+    if (along > most) best = i, most = along;
   }
   return points[best];
 }
@@ -72,7 +72,8 @@ Vec3 rounded_support(const Core& core, const Vec3& unit_direction) {
 }
 
 double pair_scale(const Core& a, const Core& b) {
-  return (a.reach + b.reach) + (a.radius + b.radius) + 2 * (largest(a.at) + largest(b.at));
+  return (a.bounding_radius + b.bounding_radius) + (a.radius + b.radius) +
+         2 * (largest(a.at) + largest(b.at));
 }
 
 }  // namespace graze::narrowphase

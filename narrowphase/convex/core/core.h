@@ -13,11 +13,11 @@ struct Hull;
 enum class CoreKind { Point, Segment, Box, Cylinder, Cone, Ellipsoid, Points, Triangle };
 
 /// The points of the set are those at most `radius` from the core. A sphere is a point with a
-/// radius, a capsule a segment with one; all others have radius 0. So what touches with its
-/// rounded part is solved by the distance of cores, which is never deep.
+/// radius, a capsule a segment with one; all others have radius 0. So sets that touch with their
+/// rounded parts are solved by the distance of their cores, which do not overlap there.
 ///
 /// A core lives in a frame of its own: columns `axis[0..2]`, not quite orthonormal where a pose is
-/// not, and the origin `at`. All placed cores of one question are in one frame with the world's
+/// not, and the origin `at`. All placed cores of one query are in one frame with the world's
 /// axes, whose origin lies near the two, so that precision follows their distance and their sizes,
 /// not how far from the world's origin they are.
 struct Core {
@@ -27,7 +27,7 @@ struct Core {
   Vec3 half;  ///< Box: half extents. Ellipsoid: semi-axes. Segment: half length as z.
               ///< Cylinder, Cone: radius as x, half height as z; a cone's apex is at +z
   double radius = 0;
-  double reach = 0;              ///< no point of the core is further than this from `at`
+  double bounding_radius = 0;    ///< no point of the core is further than this from `at`
   const Hull* hull = nullptr;    ///< Points: what they are the corners of
   const Vec3* points = nullptr;  ///< Points: the corners in the core's own frame
   std::size_t point_count = 0;
@@ -48,10 +48,10 @@ static inline Vec3 into_own(const Core& core, const Vec3& direction) {
 /// points, and to the positive side.
 Vec3 support(const Core& core, const Vec3& direction);
 
-/// As support(), of the set: with the radius.
+/// The same for the set, that is, with the radius.
 Vec3 rounded_support(const Core& core, const Vec3& unit_direction);
 
-/// What the sums that make up points of both sets are at most: the measure of rounding.
+/// A bound of the sums that make up points of both sets, by which rounding is measured.
 double pair_scale(const Core& a, const Core& b);
 
 }  // namespace graze::narrowphase

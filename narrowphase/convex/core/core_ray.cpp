@@ -29,10 +29,11 @@ struct Line {
   Vec3 direction;
 };
 
+/// The part of a ray that is in some set.
 struct Stretch {
   double enter = -kInfinity;
   double exit = kInfinity;
-  Vec3 normal;  // where it enters, outward, of any length
+  Vec3 normal;  ///< of the set where the ray enters: outward, of any length
 
   static Stretch nothing() { return {kInfinity, -kInfinity, {}}; }
   bool is_empty() const { return !(enter <= exit); }
@@ -325,14 +326,14 @@ std::optional<CoreRayHit> cast_at_hull(const Core& core, const Vec3& from_middle
     return CoreRayHit{distance, unit_or(into_own.normal_back(hit.normal), -direction)};
   };
   const Vec3 along = into_own(direction);
-  if (far <= 4 * core.reach) {
+  if (far <= 4 * core.bounding_radius) {
     const auto hit = cast_ray(*core.hull, into_own(from_middle), along, HullRayStart::Here);
     return hit ? std::optional(placed(*hit, 0)) : std::nullopt;
   }
   const Vec3 start{from_middle.x / far, from_middle.y / far, from_middle.z / far};
   const double to_nearest = -dot(start, direction);
   const Vec3 nearest = (start + direction * to_nearest) * far;
-  if (!(to_nearest > 0) || !(largest(nearest) <= 2 * core.reach)) return std::nullopt;
+  if (!(to_nearest > 0) || !(largest(nearest) <= 2 * core.bounding_radius)) return std::nullopt;
   const auto hit = cast_ray(*core.hull, into_own(nearest), along, HullRayStart::FarBehind);
   return hit ? std::optional(placed(*hit, to_nearest * far)) : std::nullopt;
 }
@@ -340,10 +341,10 @@ std::optional<CoreRayHit> cast_at_hull(const Core& core, const Vec3& from_middle
 }  // namespace
 
 std::optional<CoreRayHit> cast_ray(const Core& core, const Vec3& origin, const Vec3& direction) {
-  const double size = core.reach + core.radius;
+  const double size = core.bounding_radius + core.radius;
   const Vec3 from_middle = origin - core.at;
   if (core.kind == CoreKind::Points) return cast_at_hull(core, from_middle, direction);
-  // In units of whichever is larger, so that nothing overflows on the way.
+  // In units of whichever is larger, so that nothing overflows in between.
   const double far = std::max(largest(from_middle), size);
   const Vec3 start{from_middle.x / far, from_middle.y / far, from_middle.z / far};
   const double to_nearest = -dot(start, direction);

@@ -13,12 +13,12 @@ struct CoreRayHit {
 };
 
 /// By closed forms: spheres and ellipsoids by the point of the line that is nearest to the middle,
-/// capsules, cylinders and cones by their parts, boxes by slabs; hulls by hull/hull_ray.h. The
-/// scale is the core's reach and radius and how far the ray's origin is from its middle. A ray is
-/// found to meet the set, where it does, as it would meet one whose faces are elsewhere by at most
-/// kRayTolerance of the scale: so a ray that comes as near to the surface as that may be told
-/// either way, and the distance is that of such a set. `origin` is in the core's frame, `direction`
-/// unit. Not for triangles.
+/// capsules, cylinders and cones by their parts, boxes by slabs; hulls by hull_ray.h. The
+/// scale is the core's bounding radius and radius and how far the ray's origin is from its middle.
+/// A ray is found to meet the set, where it does, as it would meet one whose faces are elsewhere by
+/// at most kRayTolerance of the scale: so a ray that comes as near to the surface as that may
+/// count as a hit or as a miss, and the distance is that of such a set. `origin` is in the core's
+/// frame, `direction` unit. Not for triangles.
 std::optional<CoreRayHit> cast_ray(const Core& core, const Vec3& origin, const Vec3& direction);
 
 inline constexpr double kRayTolerance = 0x1p-40;

@@ -1,6 +1,5 @@
 #include <graze/narrowphase/convex/core/exact_line.h>
 #include <graze/narrowphase/derived/double_pair.h>
-#include <graze/narrowphase/derived/exact_rounding.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-// What rounding cannot tell of a line beside a hull.
+// Exact answers about a line and a hull, where rounded arithmetic is not sure.
 
 #include <graze/narrowphase/convex/core/hull.h>
 #include <graze/narrowphase/predicates/predicates.h>

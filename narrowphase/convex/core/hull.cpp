@@ -99,7 +99,7 @@ void centre(Hull& hull) {
   hull.middle = low * 0.5 + high * 0.5;
   for (const Vec3& c : hull.exact_corners) {
     hull.corners.push_back(c - hull.middle);
-    hull.reach = std::max(hull.reach, length(hull.corners.back()));
+    hull.bounding_radius = std::max(hull.bounding_radius, length(hull.corners.back()));
   }
 }
 

@@ -18,7 +18,7 @@ struct Hull {
     std::uint32_t count = 0;
   };
   Vec3 middle;                      ///< of the box around it
-  double reach = 0;                 ///< no corner is further than this from the middle
+  double bounding_radius = 0;       ///< no corner is further than this from the middle
   std::vector<Vec3> corners;        ///< relative to the middle, each coordinate rounded once
   std::vector<Vec3> exact_corners;  ///< the same as the points that they were
   std::vector<Face> faces;

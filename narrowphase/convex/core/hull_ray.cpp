@@ -15,10 +15,11 @@
 namespace graze::narrowphase {
 namespace {
 
-// With B the reach and the largest coordinate of the origin: no coordinate of w is more. A normal
-// is off by 8 u each component, which moves a plane by 24 u B; corners were rounded once, 1.8 u B;
-// two dot products of three terms and their difference are off by 12.2 u B. A slope is off by 24 u
-// and 6 u more, and no s within the hull is beyond 2 B: 60 u B. Quotients add 2 u of sqrt(3) B.
+// With B the bounding radius and the largest coordinate of the origin: no coordinate of w is more.
+// A normal is off by 8 u each component, which moves a plane by 24 u B; corners were rounded
+// once, 1.8 u B; two dot products of three terms and their difference are off by 12.2 u B. A slope
+// is off by 24 u and 6 u more, and no s within the hull is beyond 2 B: 60 u B. Quotients add 2 u of
+// sqrt(3) B.
 constexpr double kRoundings = 0x80p-53;
 constexpr double kSlopeRoundings = 0x20p-53;
 
@@ -35,7 +36,7 @@ class RayAtHull {
  public:
   RayAtHull(const Hull& hull, const Vec3& origin, const Vec3& direction, HullRayStart start)
       : hull_(hull), origin_(origin), direction_(direction), start_(start) {
-    const double size = hull.reach + largest(origin);
+    const double size = hull.bounding_radius + largest(origin);
     room_error_ = kRoundings * size;
     edge_error_ = kEdgeRoundings * (size * size) * largest(direction);
     enter_ = start == HullRayStart::Here ? 0 : -2 * size;
@@ -172,9 +173,9 @@ class RayAtHull {
   HullRayStart start_;
   ExactLine exact_{hull_, origin_, direction_};
   double room_error_, edge_error_;
-  double enter_, exit_;               // no s beyond is in the hull, on this part of the line
-  const Hull::Face* last_ = nullptr;  // whose plane cut off most before it
-  bool is_surely_outside_ = false;    // where the origin is
+  double enter_, exit_;               ///< outside of these no s of this part is in the hull
+  const Hull::Face* last_ = nullptr;  ///< the face whose plane set `enter_`
+  bool is_surely_outside_ = false;    ///< whether the origin surely is
 };
 
 }  // namespace

@@ -21,9 +21,9 @@ struct HullRayHit {
 
 /// For a line given in the hull's frame relative to its middle. Which face it enters by, and on
 /// which side of faces it begins, is exact for these doubles and the hull's exact corners. The
-/// distance is off by what moves a face by 400 u of the reach and the origin's distance where the
-/// ray meets it at more than 7 degrees, and else by an ulp or two. The direction is of about unit
-/// length, the origin within ten reaches.
+/// distance is off by what moves a face by 400 u of the bounding radius and the origin's distance
+/// where the ray meets it at more than 7 degrees, and else by an ulp or two. The direction is of
+/// about unit length, the origin within ten bounding radii.
 ///
 /// Half-spaces that hold the hull whatever was rounded say that most rays miss. Of others the face
 /// whose plane is entered last, or one that is few edges away, is mostly met inside all of its

@@ -8,19 +8,19 @@ double to_units_of(const Vec3& a) {
   return std::scalbn(1.0, -std::ilogb(largest(a)));
 }
 
-// Where the line from r along a is nearest to that from 0 along b, in lengths of a. The way between
-// them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the angle: lines part
-// by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is e = 3.5 u / t of
-// itself.
+// Where the line from r along a is nearest to that from 0 along b, in lengths of a. The offset
+// between them is along c = a x b, so that s c.c = -(r x b).c. Let t be the sine of the angle:
+// lines part by t for each unit that s |a| is off. c is off by 3.5 u |a| |b|, which is e = 3.5 u /
+// t of itself.
 //   Of r, what lies in the plane of a and b makes the numerator s c.c, which is off by e of itself
-//   and the square by 2 e: the way is off by 11 u s |a|, and by 4 u of it that sum and quotient
+//   and the square by 2 e: the offset is off by 11 u s |a|, and by 4 u of it that sum and quotient
 //   round. The numerator's own rounding, 7.5 u |r| |b| |c|, costs 7.5 u |r|.
-//   What stands on the plane, d, makes the numerator 0, but for 3.5 u d |a| |b|^2: the way is off
-//   by 3.5 u d / t, at right angles to d, and longer by half the square of that over d, 6.2 u^2 d /
-//   t^2. From ends, which are offered as well, it is longer by t^2 l^2 / 2 d, with the length l of
-//   the shorter segment: one of these is below 1.8 u l.
+//   What stands on the plane, d, makes the numerator 0, but for 3.5 u d |a| |b|^2: the offset is
+//   off by 3.5 u d / t, at right angles to d, and longer by half the square of that over d, 6.2 u^2
+//   d / t^2. From ends, which are offered as well, it is longer by t^2 l^2 / 2 d, with the length l
+//   of the shorter segment: one of these is below 1.8 u l.
 // Where t is below 35 u, ends are within 35 u l of the best. By the determinant of squares, whose
-// error is u / t^2 of itself, the way would be off by u / t.
+// error is u / t^2 of itself, the offset would be off by u / t.
 bool find_crossing(const Vec3& a, const Vec3& b, const Vec3& r, double& share) {
   if (!(largest(a) > 0) || !(largest(b) > 0)) return false;
   const double scale = to_units_of(a);
@@ -62,6 +62,26 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
     const Vec3 on_a = p_a + a * share;
     const Vec3 on_b = nearest_on_segment(p_b, q_b, on_a);
     offer(nearest_on_segment(p_a, q_a, on_b), on_b);
+  }
+  return best;
+}
+
+Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
+  const Vec3* c = triangle.corner;
+  const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = point - c[0];
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  const Vec3 bp = point - c[1], cp = point - c[2];
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
+  const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
+  const double sum = (of_a + of_b) + of_c;
+  if (of_a > 0 && of_b > 0 && of_c > 0 && sum > 0)
+    return c[0] + (ab * (of_b / sum) + ac * (of_c / sum));
+  Vec3 best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 found = nearest_on_segment(c[i], c[(i + 1) % 3], point);
+    const double square = dot(found - point, found - point);
+    if (square < least) least = square, best = found;
   }
   return best;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/narrowphase/convex/core/vector.h>
+#include <graze/narrowphase/convex/core/core.h>
 
 namespace graze::narrowphase {
 
@@ -18,5 +18,9 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& q, const Vec3& point);
 /// Lumelsky, "On fast computation of distance between line segments" (1985).
 NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& p_b,
                                   const Vec3& q_b);
+
+/// The point of a triangle core nearest to a point.
+/// Ericson, "Real-Time Collision Detection" (2005), 5.1.5.
+Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point);
 
 }  // namespace graze::narrowphase

@@ -35,7 +35,7 @@ double coordinate(const Vec3& v, int k) {
 }
 
 struct Frame {
-  Vec3 axis[3];  // orthonormal
+  Vec3 axis[3];  ///< orthonormal
 };
 
 /// About `last`, the first axis as near to `first` as it may be.
@@ -62,7 +62,7 @@ class Alignment {
       choose_frame(a_, b_);
     }
     if (has_cone && !(is_about_last(a_, of_a) && is_about_last(b_, of_b))) return std::nullopt;
-    off_ = deviation(a_, of_a) * a_.reach + deviation(b_, of_b) * b_.reach;
+    off_ = deviation(a_, of_a) * a_.bounding_radius + deviation(b_, of_b) * b_.bounding_radius;
     if (!is_off_by_little()) return std::nullopt;
     if (of_a == Axes::None && of_b == Axes::None) {
       offer(between_);
@@ -110,7 +110,7 @@ class Alignment {
   }
 
   /// No point of the core is further from where it would be if its axes were the frame's, as a
-  /// share of its reach.
+  /// share of its bounding radius.
   double deviation(const Core& core, Axes axes) const {
     const Vec3* axis = core.axis;
     const double last = distance_to_axis(axis[2]);
@@ -138,10 +138,10 @@ class Alignment {
 
   std::optional<Penetration> along_axes() {
     for (int k = 0; k < 3; ++k) {
-      const double way = dot(between_, frame_.axis[k]);
-      const double excess = std::abs(way) - (half_along(a_, k) + half_along(b_, k));
+      const double offset = dot(between_, frame_.axis[k]);
+      const double excess = std::abs(offset) - (half_along(a_, k) + half_along(b_, k));
       if (excess > 0) off_ += excess;
-      offer(way < 0 ? -frame_.axis[k] : frame_.axis[k]);
+      offer(offset < 0 ? -frame_.axis[k] : frame_.axis[k]);
     }
     return found_if_sure();
   }
@@ -181,8 +181,8 @@ class Alignment {
   double tolerance_;
   Vec3 between_;
   Frame frame_;
-  bool is_turned_ = false;  // both are bodies of revolution
-  double off_ = 0;          // metres by which supports differ from those of aligned sets
+  bool is_turned_ = false;  ///< whether both are bodies of revolution
+  double off_ = 0;          ///< metres by which supports differ from those of aligned sets
   std::optional<Penetration> best_;
 };
 

@@ -16,11 +16,11 @@ class BoxAxes {
   /// its slack might decide.
   Verdict verdict() const;
 
-  /// The least way out: for poses that are rotations exact but for rounding, and by as much as they
-  /// deviate for others. A product of edges must save more than a twentieth of the depth over the
-  /// best face, so that boxes that rest on one another do not change their axis from step to step;
-  /// where one does, the points are the nearest ones of the two edges that meet.
-  Penetration least_way() const;
+  /// The least penetration: for poses that are rotations exact but for rounding, and by as much as
+  /// they deviate for others. A product of edges must save more than a twentieth of the depth over
+  /// the best face, so that boxes that rest on one another do not change their axis from step to
+  /// step; where one does, the points are the nearest ones of the two edges that meet.
+  Penetration least_penetration() const;
 
   /// What lengths are measured by: pair_scale() of the two.
   double scale() const { return pair_scale(box_a_, box_b_); }
@@ -28,12 +28,13 @@ class BoxAxes {
  private:
   const Core& box_a_;
   const Core& box_b_;
-  // The ways between the middles along the axes, and how far the boxes reach past each other.
-  double way_a_[3], way_b_[3];
-  double past_a_[3], past_b_[3];
-  // Along the products of an axis of A and one of B, which are as long as the roots of the squares.
-  double way_[3][3], past_[3][3], square_[3][3];
-  double margin_;  // past which an answer is sure
+  // The offset between the middles along the axes, and how far the boxes overlap along them.
+  double offset_a_[3], offset_b_[3];
+  double overlap_a_[3], overlap_b_[3];
+  // The same along the cross products of an axis of A and one of B, whose squared lengths are in
+  // `square_`.
+  double offset_[3][3], overlap_[3][3], square_[3][3];
+  double margin_;  ///< an answer is sure beyond it
 };
 
 /// The ends of a box's edge along one of its axes: of the four the farthest along a direction.
@@ -43,8 +44,8 @@ struct BoxEdge {
 };
 BoxEdge edge_along(const Core& box, int axis, const Vec3& direction);
 
-/// The least way out of a box and a point with a radius whose middle is inside the box: by the
-/// nearest face. The normal leads from the box.
+/// The least penetration of a box and a point with a radius whose middle is inside the box: through
+/// the nearest face. The normal leads from the box.
 Penetration nearest_face(const Core& box, const Core& point);
 
 }  // namespace graze::narrowphase

@@ -1,4 +1,4 @@
-#include <graze/narrowphase/convex/depth/ccd.h>
+#include <graze/narrowphase/convex/depth/penetration.h>
 
 #include <ccd/ccd.h>
 #include <cmath>
@@ -53,8 +53,8 @@ void centre_of(const void* side, ccd_vec3_t* point) {
 }  // namespace
 
 std::optional<Vec3> ask_ccd(const Core& a, const Core& b) {
-  const double size_a = a.reach + a.radius;
-  const double size_b = b.reach + b.radius;
+  const double size_a = a.bounding_radius + a.radius;
+  const double size_b = b.bounding_radius + b.radius;
   int exponent = 0;
   std::frexp(size_a < size_b ? size_a : size_b, &exponent);
   Attempt attempt;

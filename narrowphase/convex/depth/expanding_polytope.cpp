@@ -7,17 +7,17 @@ namespace graze::narrowphase {
 namespace {
 
 struct Face {
-  int corner[3];  // counter-clockwise from outside
+  int corner[3];  ///< counter-clockwise from outside
 };
 
 constexpr int kMostFaces = 2 * kMostPolytopeCorners;
 
 /// The planes of faces, each coordinate in a row of its own: all are asked about each new corner.
 struct Planes {
-  double x[kMostFaces];  // of a unit normal
+  double x[kMostFaces];  ///< of a unit normal
   double y[kMostFaces];
   double z[kMostFaces];
-  double height[kMostFaces];  // above the origin along the normal
+  double height[kMostFaces];  ///< above the origin along the normal
 
   Vec3 normal(int i) const { return {x[i], y[i], z[i]}; }
   void set(int i, const Vec3& normal, double its_height) {
@@ -38,7 +38,7 @@ class Polytope {
   Polytope(const Core& a, const Core& b, double tolerance)
       : a_(a), b_(b), tolerance_(tolerance), noise_(0x1p-46 * pair_scale(a, b)) {}
 
-  Expansion run() {
+  PolytopeDepth run() {
     if (!start()) return result(false);
     for (;;) {
       const int nearest = nearest_face();
@@ -155,7 +155,7 @@ class Polytope {
     return true;
   }
 
-  Expansion result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
+  PolytopeDepth result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
 
   static constexpr double kNarrowest = 4;
 
@@ -175,7 +175,7 @@ class Polytope {
 
 }  // namespace
 
-Expansion expand(const Core& a, const Core& b, double tolerance) {
+PolytopeDepth polytope_depth(const Core& a, const Core& b, double tolerance) {
   return Polytope(a, b, tolerance).run();
 }
 

@@ -5,7 +5,7 @@
 namespace graze::narrowphase {
 
 /// What an expanding polytope found out about the least depth, metres.
-struct Expansion {
+struct PolytopeDepth {
   Vec3 normal;     ///< unit, from A to B: the depth along it is `upper`
   double upper;    ///< of a supporting plane: no less than the least depth
   double lower;    ///< of a face of a polytope inside the difference of the sets: no more than that
@@ -17,7 +17,7 @@ struct Expansion {
 /// all that the new corner sees; so no start from another search is needed. It ends open when
 /// rounding tears the horizon or kMostPolytopeCorners are spent. Allocates nothing.
 /// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
-Expansion expand(const Core& a, const Core& b, double tolerance);
+PolytopeDepth polytope_depth(const Core& a, const Core& b, double tolerance);
 
 inline constexpr int kMostPolytopeCorners = 160;
 

@@ -1,5 +1,4 @@
 #include <graze/narrowphase/convex/depth/aligned_parting.h>
-#include <graze/narrowphase/convex/depth/ccd.h>
 #include <graze/narrowphase/convex/depth/expanding_polytope.h>
 #include <graze/narrowphase/convex/depth/penetration.h>
 
@@ -9,7 +8,7 @@
 namespace graze::narrowphase {
 namespace {
 
-/// Of fixed directions, that of the least width: the way between the middles and the axes of both.
+/// Of fixed directions, that of the least width: the line between the middles and the axes of both.
 Penetration best_of_fixed(const Core& a, const Core& b) {
   const Vec3 between = unit_or(b.at - a.at, {0, 0, 1});
   Penetration best = along(a, b, between);
@@ -56,8 +55,8 @@ Penetration along(const Core& a, const Core& b, const Vec3& unit_direction) {
 }
 
 double depth_tolerance(const Core& a, const Core& b) {
-  const double size_a = a.reach + a.radius;
-  const double size_b = b.reach + b.radius;
+  const double size_a = a.bounding_radius + a.radius;
+  const double size_b = b.bounding_radius + b.radius;
   return kDepthTolerance * (size_a < size_b ? size_a : size_b) + kDepthRounding * pair_scale(a, b);
 }
 
@@ -70,12 +69,12 @@ Penetration penetration(const Core& a, const Core& b) {
     return result;
   }
   if (const std::optional<Penetration> known = part_aligned(a, b, tolerance)) return *known;
-  const Expansion found = expand(a, b, tolerance);
+  const PolytopeDepth found = polytope_depth(a, b, tolerance);
   // A polytope of sets of which one is lost in the rounding of the other may close without a
   // normal.
   if (found.is_closed && largest(found.normal) > 0) {
     Penetration result = along(a, b, found.normal);
-    result.source = PenetrationSource::Expansion;
+    result.source = PenetrationSource::Polytope;
     result.lower = found.lower;
     return result;
   }
@@ -86,7 +85,7 @@ Penetration penetration(const Core& a, const Core& b) {
     if (!(offered.depth < result.depth)) return;
     result = offered;
   };
-  if (largest(found.normal) > 0) offer(found.normal, PenetrationSource::Expansion);
+  if (largest(found.normal) > 0) offer(found.normal, PenetrationSource::Polytope);
   if (const std::optional<Vec3> direction = ask_ccd(a, b)) {
     offer(*direction, PenetrationSource::Ccd);
   }

@@ -2,18 +2,20 @@
 
 #include <graze/narrowphase/convex/core/core.h>
 
+#include <optional>
+
 namespace graze::narrowphase {
 
-/// Who found the direction of a penetration.
+/// Which method found the direction of a penetration.
 enum class PenetrationSource {
-  Fixed,      ///< the best of a few fixed directions
-  Formula,    ///< the two lie along the same axes: see aligned_parting.h
-  Expansion,  ///< the expanding polytope
-  Ccd,        ///< libccd's MPR, asked because the polytope ended open
+  Fixed,     ///< the best of a few fixed directions
+  Formula,   ///< the two lie along the same axes: see aligned_parting.h
+  Polytope,  ///< the expanding polytope
+  Ccd,       ///< libccd's MPR, asked because the polytope ended open
 };
 
 /// How to part two sets that overlap: moving B by `depth` along `normal` leaves them touching at
-/// most. The depth is computed for the normal from the sets' own supports, whoever found the
+/// most. The depth is computed for the normal from the sets' own supports, whatever found the
 /// normal: it always parts them, and a bad normal costs depth alone.
 struct Penetration {
   Vec3 normal;   ///< unit, from A to B
@@ -21,28 +23,39 @@ struct Penetration {
   Vec3 point_a;  ///< the point of A farthest along the normal
   Vec3 point_b;  ///< and that of B farthest against it
   PenetrationSource source;
-  bool is_open = false;  ///< whether nobody proved the depth to be the least, to the tolerance
+  bool is_open = false;  ///< whether the depth is not proved to be the least, to the tolerance
   bool has_witnesses = false;  ///< whether the points are where the two meet when they part
   double lower = 0;            ///< metres: the least depth is no less, unless that is open
 };
 
-/// The least way out of two cores whose radii are added, by formula where they are aligned, else
-/// proved from below by an expanding polytope: off by at most depth_tolerance(). Where the polytope
-/// ends open, libccd's MPR is asked, too, and a few fixed directions, and the least of all is
-/// taken: then only that it parts the two is known.
-/// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
+/// The least penetration of two cores whose radii are added, by formula where they are aligned,
+/// else proved from below by an expanding polytope: off by at most depth_tolerance(). Where the
+/// polytope ends open, libccd's MPR is asked, too, and a few fixed directions, and the least of all
+/// is taken: then only that it parts the two is known. van den Bergen, "Proximity queries and
+/// penetration depth computation on 3D game objects" (2001).
 Penetration penetration(const Core& a, const Core& b);
 
-/// By how much a depth may exceed the least, metres: kDepthTolerance of the smaller size, reach and
-/// radius, and kDepthRounding of the pair's scale, beside which nothing finer is known of two of
-/// very different sizes.
+/// By how much a depth may exceed the least, metres: kDepthTolerance of the smaller size,
+/// bounding radius and radius, and kDepthRounding of the pair's scale, beside which nothing finer
+/// is known of two of very different sizes.
 double depth_tolerance(const Core& a, const Core& b);
 
 inline constexpr double kDepthTolerance = 1e-6;
 inline constexpr double kDepthRounding = 0x1p-36;
 
-/// The width by which A reaches past B along a unit direction from A to B, from the supports:
+/// The width by which A extends past B along a unit direction from A to B, from the supports:
 /// negative if that direction separates them.
 Penetration along(const Core& a, const Core& b, const Vec3& unit_direction);
+
+/// How many support points libccd may ask for. Its loops have no end of their own where rounding
+/// keeps them from their tolerance.
+inline constexpr int kCcdBudget = 1000;
+
+/// The one function behind which libccd lives: a unit direction from A to B along which two
+/// overlapping sets part soon, by MPR; nothing if libccd fails, that is, finds no overlap, spends
+/// kCcdBudget, or answers with what is not a number. libccd compares with absolute epsilons, so it
+/// is given the sets in units of the smaller one's size.
+/// Snethen, "XenoCollide", Game Programming Gems 7 (2008).
+std::optional<Vec3> ask_ccd(const Core& a, const Core& b);
 
 }  // namespace graze::narrowphase

@@ -1,5 +1,4 @@
 #include <graze/narrowphase/convex/core/segments.h>
-#include <graze/narrowphase/convex/gap/box_gap.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
@@ -33,9 +32,9 @@ class BoxGap {
   CoreGap run() {
     find_points();
     const Vec3 between = unit_or(b_.at - a_.at, {0, 0, 1});
-    const Vec3 way = unit_or(points_.point_b - points_.point_a, between);
-    normal_ = way;
-    offer_plane(way);
+    const Vec3 offset = unit_or(points_.point_b - points_.point_a, between);
+    normal_ = offset;
+    offer_plane(offset);
     for (int i = 0; i < 3; ++i) {
       offer_axis(a_.axis[i]);
       offer_axis(b_.axis[i]);
@@ -49,7 +48,7 @@ class BoxGap {
     gap.upper = length(points_.point_b - points_.point_a);
     gap.lower = std::clamp(apart_ - gap.slack, 0.0, gap.upper);
     gap.verdict = gap.lower > 0 ? GapVerdict::Apart : GapVerdict::Touching;
-    const double extent = (a_.reach + b_.reach) + length(b_.at - a_.at);
+    const double extent = (a_.bounding_radius + b_.bounding_radius) + length(b_.at - a_.at);
     if (!(gap.upper - gap.lower <= kKnown * extent)) gap.verdict = GapVerdict::NotReached;
     gap.point_a = points_.point_a;
     gap.point_b = points_.point_b;

@@ -8,8 +8,8 @@ namespace {
 
 // Of the pair's scale, u = 2^-53: ends of segments are off by 2 u each. Where the lines cross is
 // off by 8 u, 2 u, and 17 u of the one segment's length, at most 2 (segments.cpp); its point by 5
-// u; two feet of points on segments by 12 u each, the way between them by 4 u. A point's foot on a
-// box is off by less. Below 76 u in all.
+// u; two feet of points on segments by 12 u each, the offset between them by 4 u. A point's foot on
+// a box is off by less. Below 76 u in all.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
 struct Ends {
@@ -18,31 +18,33 @@ struct Ends {
 };
 
 Ends ends_of(const Core& core) {
-  const Vec3 reach = core.kind == CoreKind::Segment ? core.axis[2] * core.half.z : Vec3{};
-  return {core.at - reach, core.at + reach};
+  const Vec3 half_segment = core.kind == CoreKind::Segment ? core.axis[2] * core.half.z : Vec3{};
+  return {core.at - half_segment, core.at + half_segment};
 }
 
-/// What a point or a segment reaches along a direction from its middle.
-double reach_along(const Core& core, const Vec3& direction) {
+/// Half the width of a point or a segment along a direction.
+double projected_radius(const Core& core, const Vec3& direction) {
   return core.kind == CoreKind::Segment ? std::abs(dot(core.axis[2], direction)) * core.half.z : 0;
 }
 
 /// How far apart the planes across a unit direction are that support two points or segments.
 double planes_apart(const Core& a, const Core& b, const Vec3& normal) {
-  return dot(b.at - a.at, normal) - (reach_along(a, normal) + reach_along(b, normal));
+  return dot(b.at - a.at, normal) - (projected_radius(a, normal) + projected_radius(b, normal));
 }
 
 /// Of a point beside a box: out of the faces that the point is beyond, and of no others.
 Vec3 out_of_box(const Core& box, const Core& point, const Vec3& otherwise) {
   const Vec3 own = into_own(box, point.at - box.at);
-  const auto past = [](double way, double half) { return way - std::clamp(way, -half, half); };
-  const Vec3 way{past(own.x, box.half.x), past(own.y, box.half.y), past(own.z, box.half.z)};
-  return unit_or(turned(box, way), otherwise);
+  const auto past = [](double offset, double half) {
+    return offset - std::clamp(offset, -half, half);
+  };
+  const Vec3 offset{past(own.x, box.half.x), past(own.y, box.half.y), past(own.z, box.half.z)};
+  return unit_or(turned(box, offset), otherwise);
 }
 
-/// At right angles to the segments the way is as well known as these are: of lines that cross by
-/// their product, off by 3.5 u / t where t is the sine of the angle, and by u once it is brought to
-/// right angles with one of the two, and so with the other but for t times the rest.
+/// At right angles to the segments the direction is as well known as these are: of lines that cross
+/// by their product, off by 3.5 u / t where t is the sine of the angle, and by u once it is brought
+/// to right angles with one of the two, and so with the other but for t times the rest.
 Vec3 across_segments(const Core& a, const Core& b, const Vec3& found) {
   Vec3 best = found;
   double most = planes_apart(a, b, found);
@@ -93,7 +95,7 @@ Vec3 nearest_in_box(const Core& box, const Vec3& point) {
   return box.at + turned(box, inside);
 }
 
-Vec3 settled_normal(const Core& a, const Core& b, const CoreGap& gap) {
+Vec3 gap_normal(const Core& a, const Core& b, const CoreGap& gap) {
   if (!has_closed_gap(a.kind, b.kind) || !(gap.lower > 0)) return gap.normal;
   if (a.kind == CoreKind::Box) return out_of_box(a, b, gap.normal);
   if (b.kind == CoreKind::Box) return -out_of_box(b, a, -gap.normal);

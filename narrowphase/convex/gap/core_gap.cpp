@@ -9,10 +9,10 @@ namespace graze::narrowphase {
 namespace {
 
 // u = 2^-53. The direction is off by 3 u in each coordinate of the core's frame, where a wrong
-// choice of the farthest point costs as much times twice the reach: 10.4 u of it. The core's own
-// formula takes 12.5 u at most, the way back 5.2 u, sums 2 u: below 31 u of the reach and 2 u of
-// the largest coordinate. For both, of which the scale is the sum, with their difference, the dot
-// product and the direction's length, that is below 40 u. 128 u covers it.
+// choice of the farthest point costs as much times twice the bounding radius: 10.4 u of it. The
+// core's own formula takes 12.5 u at most, turning back 5.2 u, sums 2 u: below 31 u of the radius
+// and 2 u of the largest coordinate. For both, of which the scale is the sum, with their
+// difference, the dot product and the direction's length, that is below 40 u. 128 u covers it.
 constexpr double kRelativeSlack = 128 * 0x1p-53;
 
 // Bounds that are closer than this to each other, relative to the gap, are one.
@@ -43,7 +43,7 @@ class Search {
     int exponent = 0;
     std::frexp(scale_, &exponent);
     to_units_ = std::ldexp(1.0, -exponent);
-    const double sizes = (a.reach + b.reach) + (a.radius + b.radius);
+    const double sizes = (a.bounding_radius + b.bounding_radius) + (a.radius + b.radius);
     extent_units_ = (sizes + length(b.at - a.at)) * to_units_;
     slack_units_ = slack_ * to_units_;
   }
@@ -230,8 +230,8 @@ class Search {
       gap.point_a = gap.point_a + simplex_.from_a[i] * simplex_.weight[i];
       gap.point_b = gap.point_b + simplex_.from_b[i] * simplex_.weight[i];
     }
-    const Vec3 way = unit_or(-nearest_.direction, unit_or(b_.at - a_.at, {0, 0, 1}));
-    gap.normal = lower_ > 0 ? normal_ : way;
+    const Vec3 direction = unit_or(-nearest_.direction, unit_or(b_.at - a_.at, {0, 0, 1}));
+    gap.normal = lower_ > 0 ? normal_ : direction;
     return gap;
   }
 
@@ -253,7 +253,7 @@ class Search {
   double scale_;
   double slack_;
   double to_units_;
-  double extent_units_;  // the sizes of both and the distance of their middles
+  double extent_units_;  ///< the sizes of both and the distance of their middles
   double slack_units_;
   DifferenceSimplex simplex_;
   Vec3 candidate_;
@@ -262,7 +262,7 @@ class Search {
   NearestPoint nearest_;
   Vec3 normal_;
   bool is_flat_ = false;
-  double lower_ = -1;  // below every bound that could matter
+  double lower_ = -1;  ///< at first below every bound that could matter
   double upper_ = 0;
 };
 

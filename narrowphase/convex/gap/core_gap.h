@@ -19,7 +19,7 @@ struct CoreGap {
   double slack;
   Vec3 point_a;  ///< of core A, and of core B, `upper` apart
   Vec3 point_b;
-  Vec3 normal;  ///< unit, from A to B; where cores touch, along the way last taken
+  Vec3 normal;  ///< unit, from A to B; where cores touch, the last direction of the search
 };
 
 /// When to stop before the gap is known as well as doubles can.

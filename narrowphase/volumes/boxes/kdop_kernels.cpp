@@ -42,7 +42,7 @@ HWY_INLINE std::uint64_t overlapping(const A& a, const B& b, std::size_t first) 
 }
 
 /// Bit i of eight becomes the lowest bit of byte i: seven by a product in which no two meet.
-HWY_INLINE std::uint64_t spread(std::uint64_t bits) {
+HWY_INLINE std::uint64_t byte_for_each(std::uint64_t bits) {
   const std::uint64_t low = ((bits & 0x7f) * 0x0002040810204081u) & 0x0001010101010101u;
   return low | (bits >> 7) << 56;
 }
@@ -53,7 +53,7 @@ HWY_INLINE void find(const A& a, const B& b, std::size_t count, std::uint8_t* hi
     std::uint64_t bits = 0;
     for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(Tag()))
       bits |= overlapping(a, b, first + lane) << lane;
-    const std::uint64_t bytes = spread(bits);
+    const std::uint64_t bytes = byte_for_each(bits);
     if (first + kBlock <= count) {
       for (std::size_t i = 0; i < kBlock; ++i)
         hits[first + i] = static_cast<std::uint8_t>(bytes >> (8 * i));

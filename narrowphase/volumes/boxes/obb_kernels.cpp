@@ -49,7 +49,7 @@ HWY_INLINE Boxes load(const RowPointers<kObbRows>& many, std::size_t first) {
   return boxes;
 }
 
-/// is_second_first(). Nearly always the sums of the half extents decide.
+/// is_second_first() in every lane. Nearly always the sums of the half extents decide.
 HWY_INLINE Mask second_first(const Boxes& a, const Boxes& b) {
   Mask is_second = hn::Lt(a.row[0], b.row[0]);
   Mask is_open = hn::Eq(a.row[0], b.row[0]);
@@ -102,28 +102,29 @@ HWY_INLINE InFrame in_frame(const Boxes& a, const Boxes& b) {
   return frame;
 }
 
-/// half + p0 q0 + p1 q1 + p2 q2.
-HWY_INLINE Lanes reach_of(Lanes half, const Lanes* p, Lanes q0, Lanes q1, Lanes q2) {
+/// half + p0 q0 + p1 q1 + p2 q2: the radii of two boxes along an axis of one of them, in the order
+/// of bvh/value/separating_axes.h.
+HWY_INLINE Lanes projected_radius(Lanes half, const Lanes* p, Lanes q0, Lanes q1, Lanes q2) {
   const Lanes first = hn::Add(half, hn::Mul(p[0], q0));
   return hn::Add(hn::Add(first, hn::Mul(p[1], q1)), hn::Mul(p[2], q2));
 }
 
-HWY_INLINE Mask is_beyond(Lanes distance, Lanes reach, Lanes margin) {
-  return hn::Gt(hn::Abs(distance), hn::Add(reach, margin));
+HWY_INLINE Mask is_beyond(Lanes distance, Lanes radius, Lanes margin) {
+  return hn::Gt(hn::Abs(distance), hn::Add(radius, margin));
 }
 
 HWY_INLINE Mask apart_by_faces(const InFrame& f, const Boxes& a, const Boxes& b, Lanes margin) {
   const auto& s = f.size;
-  Mask apart =
-      is_beyond(f.offset[0], reach_of(a.half()[0], b.half(), s[0][0], s[0][1], s[0][2]), margin);
+  Mask apart = is_beyond(
+      f.offset[0], projected_radius(a.half()[0], b.half(), s[0][0], s[0][1], s[0][2]), margin);
   for (std::size_t i = 1; i < 3; ++i) {
-    const Lanes reach = reach_of(a.half()[i], b.half(), s[i][0], s[i][1], s[i][2]);
-    apart = hn::Or(apart, is_beyond(f.offset[i], reach, margin));
+    const Lanes radius = projected_radius(a.half()[i], b.half(), s[i][0], s[i][1], s[i][2]);
+    apart = hn::Or(apart, is_beyond(f.offset[i], radius, margin));
   }
   for (std::size_t j = 0; j < 3; ++j) {
     const Lanes column[3] = {f.rotation[0][j], f.rotation[1][j], f.rotation[2][j]};
-    const Lanes reach = reach_of(b.half()[j], a.half(), s[0][j], s[1][j], s[2][j]);
-    apart = hn::Or(apart, is_beyond(dot(f.offset, column), reach, margin));
+    const Lanes radius = projected_radius(b.half()[j], a.half(), s[0][j], s[1][j], s[2][j]);
+    apart = hn::Or(apart, is_beyond(dot(f.offset, column), radius, margin));
   }
   return apart;
 }
@@ -136,11 +137,11 @@ HWY_INLINE Mask apart_by_edges(const InFrame& f, const Boxes& a, const Boxes& b,
       const std::size_t j1 = (j + 1) % 3, j2 = (j + 2) % 3;
       const Lanes distance = hn::Sub(hn::Mul(f.offset[i2], f.rotation[i1][j]),
                                      hn::Mul(f.offset[i1], f.rotation[i2][j]));
-      const Lanes reach_a =
+      const Lanes radius_a =
           hn::Add(hn::Mul(a.half()[i1], f.size[i2][j]), hn::Mul(a.half()[i2], f.size[i1][j]));
-      const Lanes reach = hn::Add(hn::Add(reach_a, hn::Mul(b.half()[j1], f.size[i][j2])),
-                                  hn::Mul(b.half()[j2], f.size[i][j1]));
-      apart = hn::Or(apart, is_beyond(distance, reach, margin));
+      const Lanes radius = hn::Add(hn::Add(radius_a, hn::Mul(b.half()[j1], f.size[i][j2])),
+                                   hn::Mul(b.half()[j2], f.size[i][j1]));
+      apart = hn::Or(apart, is_beyond(distance, radius, margin));
     }
   }
   return apart;

@@ -11,8 +11,9 @@
 //   transpose |R^T (p - t)|_i <= h_i;
 //   law 3     p is a double and its rounded coordinates R^T (p - t) are within h: these are off by
 //             4.02 u |p - t| <= 4.1 u S each, and underflow.
-// Then for every axis L of the test |L . T| <= reach + slack holds as computed. All dev are below
-// 1.1e-6, so that terms of second order vanish in the last digits given here.
+// Then for every axis L of the test |L . T| <= radius + slack holds as computed, where the radius
+// is the sum of the two projected radii. All dev are below 1.1e-6, so that terms of second order
+// vanish in the last digits given here.
 //
 // Frame. z = R_A^T (p - t_A) = a + e_a with |a_i| <= h_A,i and |e_a| <= 1.74 (dev_A + 5 u) S_A: for
 // the image, R_A^T R_A y is off from y by dev_A S_A a component. And z = T + C b + e_b with T =
@@ -24,15 +25,15 @@
 // from here on, T + C b - a = e with
 //   |e| <= 1.74 (dev_A + 5 u) S_A + 1.74 (dev_B + 5 u) S_B + 7.01 u S + 5.22 u S_B.
 //
-// Axes. |L| <= 1.0001, so L . T is off by 1.0001 |e| from what the boxes reach along L. For axis i
-// of A, L = e_i, the test's reach is that reach. For axis j of B, L = C_j, it takes C_j . C_k for 0
-// or 1: off by g = max |C^T C - I| <= 3.01 dev_A + dev_B + 11 u (R_A R_A^T - I has the spectral
-// norm of R_A^T R_A - I), in all g S_B. For e_i x C_j it takes e_i . (C_j x C_k) for +-C_il; C_j x
-// C_k = det(C) C (C^T C)^-1 e_l is off from C_l by (1.5 + sqrt 3) g < 3.3 g; in all 3.3 g S_B, the
-// most.
+// Axes. |L| <= 1.0001, so L . T is off by 1.0001 |e| from the sum of the exact projected radii
+// along L. For axis i of A, L = e_i, the test's radius is that sum. For axis j of B, L = C_j, it
+// takes C_j . C_k for 0 or 1: off by g = max |C^T C - I| <= 3.01 dev_A + dev_B + 11 u (R_A R_A^T -
+// I has the spectral norm of R_A^T R_A - I), in all g S_B. For e_i x C_j it takes e_i . (C_j x C_k)
+// for +-C_il; C_j x C_k = det(C) C (C^T C)^-1 e_l is off from C_l by (1.5 + sqrt 3) g < 3.3 g; in
+// all 3.3 g S_B, the most.
 //
-// Rounding of the test: 3.1 u S for the distance (again |T| <= 1.0001 S), 5.1 u S for the reach and
-// its sum with the slack.
+// Rounding of the test: 3.1 u S for the distance (again |T| <= 1.0001 S), 5.1 u S for the radius
+// and its sum with the slack.
 //
 // The sum, with dev measured, hence 4 u more:
 //   dev_A (1.75 S_A + 9.94 S_B) + 5.05 dev_B S_B + 31 u S_A + 126 u S_B.

@@ -5,7 +5,7 @@
 #include <graze/bvh/fit/sphere_fit.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/element_error.h>
-#include <graze/narrowphase/predicates/finite.h>
+#include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/triangle_fit.h>
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
 // Space scaled by 1 / a_i along each axis turns the ellipsoid into the unit ball and leaves the box
-// a box, whose point nearest to the centre is still found axis by axis, with the way e_i from the
-// centre: they touch if sum (e_i / a_i)^2 <= 1. Along an axis with a_i = 0 the way must be 0.
+// a box, whose point nearest to the centre is still found axis by axis, with the offset e_i from
+// the centre: they touch if sum (e_i / a_i)^2 <= 1. Along an axis with a_i = 0 the offset must be
+// 0.
 
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
@@ -26,9 +27,9 @@ constexpr double kRatioUnderflow = 0x1p-1000;
 Verdict triage(const double* centre, const double* nearest, const double* semi_axes) {
   double ratio[3];
   for (int i = 0; i < 3; ++i) {
-    const double way = nearest[i] - centre[i];  // rounded, but zero only if the exact one is
-    if (way != 0 && semi_axes[i] == 0) return Verdict::Apart;
-    ratio[i] = way == 0 ? 0 : way / semi_axes[i];
+    const double offset = nearest[i] - centre[i];  // rounded, but zero only if the exact one is
+    if (offset != 0 && semi_axes[i] == 0) return Verdict::Apart;
+    ratio[i] = offset == 0 ? 0 : offset / semi_axes[i];
   }
   const double s = (ratio[0] * ratio[0] + ratio[1] * ratio[1]) + ratio[2] * ratio[2];
   const double bound = kRatioBound * (s + 1) + kRatioUnderflow;

@@ -75,14 +75,14 @@ Sign surface_sign_exact(const Sphere& sphere, const Aabb& box) {
   return least;
 }
 
-/// The larger of two rounded ways is the rounded larger one.
+/// About the farthest corner. The larger of two rounded offsets is the larger one, rounded.
 std::optional<Sign> far_sign(const Sphere& sphere, const Aabb& box) {
-  double way[3];
+  double offset[3];
   for (int i = 0; i < 3; ++i) {
     const double c = sphere.centre.data()[i];
-    way[i] = std::max(std::abs(c - box.min.data()[i]), std::abs(box.max.data()[i] - c));
+    offset[i] = std::max(std::abs(c - box.min.data()[i]), std::abs(box.max.data()[i] - c));
   }
-  return sign_of_reach(way, sphere.radius);
+  return sign_of_offset(offset, sphere.radius);
 }
 
 Sign far_sign_exact(const Sphere& sphere, const Aabb& box) {

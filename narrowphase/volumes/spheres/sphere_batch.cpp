@@ -5,6 +5,7 @@
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
+#include <graze/narrowphase/volumes/spheres/sphere_distance.h>
 #include <graze/narrowphase/volumes/spheres/sphere_kernels.h>
 #include <algorithm>
 #include <string>
@@ -57,14 +58,15 @@ Aabb checked(const AabbArray& boxes, std::size_t index, const char* name) {
   return box;
 }
 
-/// Asks `decide_one` about each pair that the kernel left open, in order: so that the first bad
-/// element is named, for every bad one is open.
-template <typename DecideOne>
-void settle(std::span<std::uint8_t> hits, const DecideOne& decide_one) {
-  auto open = hits.begin();
-  while ((open = std::find(open, hits.end(), narrowphase::kUnsure)) != hits.end()) {
-    *open = decide_one(static_cast<std::size_t>(open - hits.begin())).is_hit;
-    ++open;
+/// Asks `overlap` about each pair that the kernel left unsure, in order: so that the first bad
+/// element is named, for every bad one is unsure. The kernel's rounded stage is that of decide():
+/// for what it leaves unsure only the exact stage is left.
+template <typename Overlap>
+void decide_unsure(std::span<std::uint8_t> hits, const Overlap& overlap) {
+  auto unsure = hits.begin();
+  while ((unsure = std::find(unsure, hits.end(), narrowphase::kUnsure)) != hits.end()) {
+    *unsure = overlap(static_cast<std::size_t>(unsure - hits.begin()));
+    ++unsure;
   }
 }
 
@@ -76,8 +78,8 @@ void intersects(const Sphere& sphere, const SphereArray& spheres, std::span<std:
     narrowphase::check_lengths(spheres, "spheres");
     check_hits(hits, spheres.size());
     narrowphase::judge_one_sphere(rows(sphere), rows(spheres), hits.size(), hits.data());
-    settle(hits, [&](std::size_t i) {
-      return narrowphase::decide(sphere, checked(spheres, i, "spheres"));
+    decide_unsure(hits, [&](std::size_t i) {
+      return narrowphase::overlap_exactly(sphere, checked(spheres, i, "spheres"));
     });
   });
 }
@@ -93,9 +95,9 @@ void intersects(const SphereArray& spheres_a, const SphereArray& spheres_b,
     }
     check_hits(hits, spheres_a.size());
     narrowphase::judge_sphere_pairs(rows(spheres_a), rows(spheres_b), hits.size(), hits.data());
-    settle(hits, [&](std::size_t i) {
+    decide_unsure(hits, [&](std::size_t i) {
       const Sphere a = checked(spheres_a, i, "spheres a");
-      return narrowphase::decide(a, checked(spheres_b, i, "spheres b"));
+      return narrowphase::overlap_exactly(a, checked(spheres_b, i, "spheres b"));
     });
   });
 }
@@ -106,8 +108,9 @@ void intersects(const Sphere& sphere, const AabbArray& boxes, std::span<std::uin
     narrowphase::check_lengths(boxes, "boxes");
     check_hits(hits, boxes.size());
     narrowphase::judge_sphere_and_boxes(rows(sphere), rows(boxes), hits.size(), hits.data());
-    settle(hits,
-           [&](std::size_t i) { return narrowphase::decide(sphere, checked(boxes, i, "boxes")); });
+    decide_unsure(hits, [&](std::size_t i) {
+      return narrowphase::overlap_exactly(sphere, checked(boxes, i, "boxes"));
+    });
   });
 }
 
@@ -117,8 +120,9 @@ void intersects(const Aabb& box, const SphereArray& spheres, std::span<std::uint
     narrowphase::check_lengths(spheres, "spheres");
     check_hits(hits, spheres.size());
     narrowphase::judge_box_and_spheres(rows(box), rows(spheres), hits.size(), hits.data());
-    settle(hits,
-           [&](std::size_t i) { return narrowphase::decide(checked(spheres, i, "spheres"), box); });
+    decide_unsure(hits, [&](std::size_t i) {
+      return narrowphase::overlap_exactly(checked(spheres, i, "spheres"), box);
+    });
   });
 }
 
@@ -132,9 +136,9 @@ void intersects(const SphereArray& spheres, const AabbArray& boxes, std::span<st
     }
     check_hits(hits, spheres.size());
     narrowphase::judge_sphere_box_pairs(rows(spheres), rows(boxes), hits.size(), hits.data());
-    settle(hits, [&](std::size_t i) {
+    decide_unsure(hits, [&](std::size_t i) {
       const Sphere sphere = checked(spheres, i, "spheres");
-      return narrowphase::decide(sphere, checked(boxes, i, "boxes"));
+      return narrowphase::overlap_exactly(sphere, checked(boxes, i, "boxes"));
     });
   });
 }

@@ -1,4 +1,4 @@
-// Three ways to the squared distance of a centre from a box. They compute the same rounded
+// Three methods for the squared distance of a centre from a box. They compute the same rounded
 // differences, one for each axis: centre and nearest point of the box are both inputs. So one bound
 // covers all, and one exact stage.
 
@@ -7,63 +7,63 @@
 #include <cmath>
 
 namespace graze::narrowphase {
-namespace {
 
-Decision decide_exactly(const Sphere& sphere, const Aabb& box) {
+bool overlap_exactly(const Sphere& sphere, const Aabb& box) {
   const double* centre = sphere.centre.data();
   const auto nearest = nearest_point(box, centre);
-  const Sign sign = sign_of_distance_exact(centre, nearest.data(), sphere.radius);
-  return {sign != Sign::Positive, Stage::Exact};
+  return sign_of_distance_exact(centre, nearest.data(), sphere.radius) != Sign::Positive;
 }
 
-Decision decide_by_way(const double* way, const Sphere& sphere, const Aabb& box) {
-  const std::optional<Sign> sure = sign_of_reach(way, sphere.radius);
+namespace {
+
+Decision decide_by_offset(const double* offset, const Sphere& sphere, const Aabb& box) {
+  const std::optional<Sign> sure = sign_of_offset(offset, sphere.radius);
   if (sure) return {*sure == Sign::Negative, Stage::Triage};
-  return decide_exactly(sphere, box);
+  return {overlap_exactly(sphere, box), Stage::Exact};
 }
 
 }  // namespace
 
 Decision decide_arvo(const Sphere& sphere, const Aabb& box) {
-  double way[3];
+  double offset[3];
   for (int i = 0; i < 3; ++i) {
     const double c = sphere.centre.data()[i];
     const double low = box.min.data()[i];
     const double high = box.max.data()[i];
-    way[i] = 0;
+    offset[i] = 0;
     if (c < low) {
-      way[i] = c - low;
+      offset[i] = c - low;
     } else if (c > high) {
-      way[i] = c - high;
+      offset[i] = c - high;
     }
   }
-  return decide_by_way(way, sphere, box);
+  return decide_by_offset(offset, sphere, box);
 }
 
 // A rejection needs no bound: rounding is monotone and the radius a double, so that a rounded
 // difference exceeds it only if the exact one does.
 Decision decide_quick_rejections(const Sphere& sphere, const Aabb& box) {
   const double r = sphere.radius;
-  double way[3] = {0, 0, 0};
+  double offset[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     const double below = sphere.centre.data()[i] - box.min.data()[i];
     if (below < 0) {
       if (below < -r) return {false, Stage::Triage};
-      way[i] = below;
+      offset[i] = below;
       continue;
     }
     const double above = sphere.centre.data()[i] - box.max.data()[i];
     if (above > 0) {
       if (above > r) return {false, Stage::Triage};
-      way[i] = above;
+      offset[i] = above;
     }
   }
-  return decide_by_way(way, sphere, box);
+  return decide_by_offset(offset, sphere, box);
 }
 
 namespace {
 
-/// max(x, 0), exactly (or infinite, which is unsure), in a form that no compiler turns into a
+/// max(x, 0), exact or infinite, which is then unsure, in a form that no compiler turns into a
 /// branch.
 double positive_part(double x) {
   return 0.5 * (x + std::abs(x));
@@ -72,12 +72,12 @@ double positive_part(double x) {
 }  // namespace
 
 Decision decide_branch_free(const Sphere& sphere, const Aabb& box) {
-  double way[3];
+  double offset[3];
   for (int i = 0; i < 3; ++i) {
     const double c = sphere.centre.data()[i];
-    way[i] = positive_part(box.min.data()[i] - c) + positive_part(c - box.max.data()[i]);
+    offset[i] = positive_part(box.min.data()[i] - c) + positive_part(c - box.max.data()[i]);
   }
-  return decide_by_way(way, sphere, box);
+  return decide_by_offset(offset, sphere, box);
 }
 
 }  // namespace graze::narrowphase

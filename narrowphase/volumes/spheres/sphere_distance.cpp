@@ -18,8 +18,8 @@ Sign sign_of_distance_exact(const double* from, const double* to, double radius)
 Sign sign_of_distance_exact(const double* from, const double* to, double radius_a,
                             double radius_b) {
   const CommonUnit unit({from[0], from[1], from[2], to[0], to[1], to[2], radius_a, radius_b});
-  const BigVector way = BigVector::difference(to, from, unit);
-  return (squared(way) - squared(unit.sum(radius_a, radius_b))).sign();
+  const BigVector offset = BigVector::difference(to, from, unit);
+  return (squared(offset) - squared(unit.sum(radius_a, radius_b))).sign();
 }
 
 }  // namespace graze::narrowphase

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "graze/narrowphase/volumes/spheres/sphere_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/narrowphase/volumes/spheres/sphere_bound.h>
+#include <graze/narrowphase/volumes/spheres/sphere_distance.h>
 #include <graze/narrowphase/volumes/spheres/sphere_kernels.h>
 #include <hwy/highway.h>
 #include <limits>
@@ -66,8 +66,8 @@ struct Sure {
   Mask touching;
 };
 
-/// sign_of_reach() in every lane; nothing is sure where `is_valid` is not set. Comparisons with NaN
-/// are false.
+/// sign_of_offset() in every lane; nothing is sure where `is_valid` is not set. Comparisons with
+/// NaN are false.
 HWY_INLINE Sure compare(Lanes x, Lanes y, Lanes z, Lanes radius, Mask is_valid) {
   const Tag tag;
   const Lanes distance2 = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
@@ -78,7 +78,8 @@ HWY_INLINE Sure compare(Lanes x, Lanes y, Lanes z, Lanes radius, Mask is_valid) 
   return {hn::And(is_valid, hn::Gt(gap, bound)), hn::And(is_valid, hn::Lt(gap, hn::Neg(bound)))};
 }
 
-/// What is not finite makes the gap or the bound so; a negative radius must be looked for.
+/// Values that are not finite make the gap or the bound infinite or NaN, so that nothing is sure; a
+/// negative radius does not, and is tested.
 struct JudgeSpheres {
   template <typename A, typename B>
   HWY_INLINE Sure operator()(const A& a, const B& b, std::size_t first) const {
@@ -92,9 +93,9 @@ struct JudgeSpheres {
   }
 };
 
-/// The way from the centre to the box along one axis, without branches; clears lanes of `is_valid`
-/// where the maximum could hide what is not a box, or not a number.
-HWY_INLINE Lanes way_to_box(Lanes centre, Lanes low, Lanes high, Mask& is_valid) {
+/// The offset from the centre to the box along one axis, without branches; clears lanes of
+/// `is_valid` where the maximum could hide that the numbers are no box, or no numbers.
+HWY_INLINE Lanes offset_to_box(Lanes centre, Lanes low, Lanes high, Mask& is_valid) {
   const Tag tag;
   const Lanes largest = hn::Set(tag, std::numeric_limits<double>::max());
   is_valid = hn::And(is_valid, hn::And(hn::Le(low, high), hn::Le(hn::Abs(centre), largest)));
@@ -109,11 +110,11 @@ struct JudgeSphereAndBox {
     const Lanes radius = sphere.load(3, first);
     Mask is_valid = hn::Ge(radius, hn::Zero(Tag()));
     const Lanes x =
-        way_to_box(sphere.load(0, first), box.load(0, first), box.load(3, first), is_valid);
+        offset_to_box(sphere.load(0, first), box.load(0, first), box.load(3, first), is_valid);
     const Lanes y =
-        way_to_box(sphere.load(1, first), box.load(1, first), box.load(4, first), is_valid);
+        offset_to_box(sphere.load(1, first), box.load(1, first), box.load(4, first), is_valid);
     const Lanes z =
-        way_to_box(sphere.load(2, first), box.load(2, first), box.load(5, first), is_valid);
+        offset_to_box(sphere.load(2, first), box.load(2, first), box.load(5, first), is_valid);
     return compare(x, y, z, radius, is_valid);
   }
 };
@@ -125,7 +126,7 @@ HWY_INLINE std::uint64_t bits_of(Mask mask) {
 }
 
 /// Bit i of the low byte becomes the lowest bit of byte i.
-HWY_INLINE std::uint64_t spread(std::uint64_t bits) {
+HWY_INLINE std::uint64_t byte_for_each(std::uint64_t bits) {
   const std::uint64_t apart = (bits * 0x0101010101010101u) & 0x8040201008040201u;
   return ((apart + 0x7f7f7f7f7f7f7f7fu) >> 7) & 0x0101010101010101u;
 }
@@ -141,7 +142,8 @@ HWY_INLINE void judge_block(const A& a, const B& b, std::size_t first, std::size
     touching |= bits_of(sure.touching) << lane;
   }
   const std::uint64_t unsure = ~(apart | touching) & 0xff;
-  const std::uint64_t bytes = spread(touching) * kSureTouching + spread(unsure) * kUnsure;
+  const std::uint64_t bytes =
+      byte_for_each(touching) * kSureTouching + byte_for_each(unsure) * kUnsure;
   for (std::size_t i = 0; i < count; ++i)
     verdicts[i] = static_cast<std::uint8_t>(bytes >> (8 * i));
 }

@@ -14,8 +14,12 @@ Decision decide(const Sphere& sphere_a, const Sphere& sphere_b) {
   const double* b = sphere_b.centre.data();
   const std::optional<Sign> sure = sign_of_distance(a, b, sphere_a.radius, sphere_b.radius);
   if (sure) return {*sure == Sign::Negative, Stage::Triage};
-  const Sign sign = sign_of_distance_exact(a, b, sphere_a.radius, sphere_b.radius);
-  return {sign != Sign::Positive, Stage::Exact};
+  return {overlap_exactly(sphere_a, sphere_b), Stage::Exact};
+}
+
+bool overlap_exactly(const Sphere& sphere_a, const Sphere& sphere_b) {
+  return sign_of_distance_exact(sphere_a.centre.data(), sphere_b.centre.data(), sphere_a.radius,
+                                sphere_b.radius) != Sign::Positive;
 }
 
 Decision decide_contains(const Sphere& sphere, const Eigen::Vector3d& point) {

@@ -18,17 +18,17 @@ constexpr double kUnitRoundoff = 0x1p-53;
 //
 // Apart along a direction q, doubles taken as they are, with S = |q_x| + |q_y| + |q_z|: a product
 // V_i . q carries four roundings: it is off by at most 4.001 u M S and 1.5 n. For q^2 >= 2^-900 the
-// root of q^2 is off by 2.6 u of itself, and r times it, the reach, by 3.61 u of itself and n / 2.
-// The triangle is apart if all V_i . q exceed the reach by more than 4.001 u M S + 3.61 u reach +
-// 2 n. Computing and adding up this slack rounds by 6.01 u of itself, and adding it to the reach by
-// 1.01 u (reach + slack): 4.63 u reach and 4.01 u M S in all.
+// root of q^2 is off by 2.6 u of itself, and R = r |q|, the scaled radius, by 3.61 u of itself and
+// n / 2. The triangle is apart if all V_i . q exceed R by more than 4.001 u M S + 3.61 u R + 2 n.
+// Computing and adding up this slack rounds by 6.01 u of itself, and adding it to R by
+// 1.01 u (R + slack): 4.63 u R and 4.01 u M S in all.
 //
 // Touching at the point sum w_i V_i / W, with W = sum w_i and any w_i >= 0 taken as they are: each
 // component of the sum is off by at most 4.001 u M W and 1.5 n, the vector by sqrt(3) times that:
 // 6.94 u M W + 2.6 n. Its computed length is off by 2.6 u of itself, and by 2^-536 where squares
-// underflow; r W, the reach, by 3.01 u of itself and n / 2. There is a hit if length and slack are
-// below the reach, where the length is below the reach, too: 6.94 u M W + 5.61 u reach + 2^-536,
-// and 1.01 u reach for adding: 6.95 u M W + 6.63 u reach in all.
+// underflow; R = r W, the scaled radius, by 3.01 u of itself and n / 2. There is a hit if length
+// and slack add up to less than R, where the length is below R, too: 6.94 u M W + 5.61 u R +
+// 2^-536, and 1.01 u R for adding: 6.95 u M W + 6.63 u R in all.
 constexpr double kBound = 8 * kUnitRoundoff;
 constexpr double kApartUnderflow = 0x1p-1000;
 constexpr double kTouchingUnderflow = 0x1p-500;
@@ -52,8 +52,8 @@ void cross(const Vector& a, const Vector& b, Vector& product) {
 }
 
 struct Centred {
-  Vector corner[3];  // V_i
-  double largest;    // M
+  Vector corner[3];  ///< V_i of the derivation above
+  double largest;    ///< M of the derivation above
   double radius;
   bool is_in_range;
 };
@@ -75,7 +75,7 @@ Centred centred(const Triangle& triangle, const Sphere& sphere) {
   return t;
 }
 
-/// Rounding is monotone and the radius a double: no bound is needed.
+/// Needs no bound, because rounding is monotone and the radius is a double.
 bool is_apart_along_axes(const Centred& t) {
   bool is_apart = false;
   for (int k = 0; k < 3; ++k) {
@@ -99,8 +99,8 @@ void find_edges(const Triangle& triangle, Edges& edge) {
 }
 
 struct Guess {
-  double weight[3] = {0, 0, 0};  // of the corners, for the nearest point
-  Vector direction;              // from the centre towards the triangle
+  double weight[3] = {0, 0, 0};  ///< of the corners, for the nearest point
+  Vector direction;              ///< from the centre towards the triangle
 };
 
 void guess_vertex(const Centred& t, Guess& guess) {
@@ -160,8 +160,9 @@ bool is_touching_at(const double* weight, const Centred& t) {
     sum[k] = (weight[0] * t.corner[0][k] + weight[1] * t.corner[1][k]) + weight[2] * t.corner[2][k];
   }
   const double length = std::sqrt(dot(sum, sum));
-  const double reach = t.radius * total;
-  return length + (kBound * (t.largest * total + reach) + kTouchingUnderflow) < reach;
+  const double scaled_radius = t.radius * total;
+  return length + (kBound * (t.largest * total + scaled_radius) + kTouchingUnderflow) <
+         scaled_radius;
 }
 
 bool is_apart_along(const Vector& q, const Centred& t) {
@@ -171,8 +172,9 @@ bool is_apart_along(const Vector& q, const Centred& t) {
   const double a = dot(t.corner[0], q);
   const double b = dot(t.corner[1], q);
   const double c = dot(t.corner[2], q);
-  const double reach = t.radius * std::sqrt(square);
-  const double least = reach + (kBound * (t.largest * size + reach) + kApartUnderflow);
+  const double scaled_radius = t.radius * std::sqrt(square);
+  const double least =
+      scaled_radius + (kBound * (t.largest * size + scaled_radius) + kApartUnderflow);
   return a > least && b > least && c > least;
 }
 

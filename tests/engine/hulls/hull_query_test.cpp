@@ -196,7 +196,7 @@ TEST(HullQuery, FacesForContactsBoundTheHull) {
     for (const auto* faces : {&data.faces, &data.contact_faces}) {
       const bool is_exact = faces == &data.faces;
       const auto& loops = is_exact ? data.loops : data.contact_loops;
-      const double flatness = is_exact ? 1e-15 : 0x1p-21 * data.reach + 1e-15;
+      const double flatness = is_exact ? 1e-15 : 0x1p-21 * data.bounding_radius + 1e-15;
       for (const auto& face : *faces) {
         ASSERT_GE(face.count, 3u);
         EXPECT_NEAR(length(face.normal), 1, 1e-15);

@@ -6,7 +6,8 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/world.h>
-#include <graze/narrowphase/convex/contact/triangle_parting.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
+#include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/convex/gap/core_gap.h>
 #include <gtest/gtest.h>
 
@@ -272,7 +273,7 @@ Core random_triangle(RandomSource& source) {
   for (Vec3& corner : triangle.corner)
     corner = vec3(source.vector(-1, 1));
   triangle.at = triangle.corner[0];
-  triangle.reach =
+  triangle.bounding_radius =
       std::max(length(triangle.corner[1] - triangle.at), length(triangle.corner[2] - triangle.at));
   return triangle;
 }
@@ -289,18 +290,19 @@ TEST(TriangleParting, IsTheLeastOfABox) {
       box.axis[k] = vec3(pose.linear().col(k));
     box.at = vec3(pose.translation());
     box.half = vec3(source.vector(0.1, 0.8));
-    box.reach = length(box.half);
+    box.bounding_radius = length(box.half);
     if (narrowphase::core_gap(box, triangle).upper > 0) continue;
     ++touching;
     const narrowphase::Parting found = part_from_triangle(box, triangle);
     const double least = narrowphase::penetration(box, triangle).depth;
-    EXPECT_GE(found.way.depth, least - 1e-9);
-    EXPECT_LE(found.way.depth, least / 0.95 + 1e-5);
-    EXPECT_NEAR(along(box, triangle, found.way.normal).depth, found.way.depth, 1e-12);
+    EXPECT_GE(found.penetration.depth, least - 1e-9);
+    EXPECT_LE(found.penetration.depth, least / 0.95 + 1e-5);
+    EXPECT_NEAR(along(box, triangle, found.penetration.normal).depth, found.penetration.depth,
+                1e-12);
     if (!found.has_witnesses) continue;
     // The edges that meet are as far apart as the way out is long.
-    const Vec3 between = found.way.point_a - found.way.point_b;
-    EXPECT_NEAR(dot(between, found.way.normal), found.way.depth, 1e-9);
+    const Vec3 between = found.penetration.point_a - found.penetration.point_b;
+    EXPECT_NEAR(dot(between, found.penetration.normal), found.penetration.depth, 1e-9);
   }
   EXPECT_GT(touching, 500);
 }
@@ -316,9 +318,9 @@ TEST(TriangleParting, IsToTheNearestPointOfABall) {
     EXPECT_NEAR(length(nearest - ball.at), gap.upper, 1e-9);
     ball.radius = gap.upper + 0.3;
     const narrowphase::Parting found = part_from_triangle(ball, triangle);
-    EXPECT_NEAR(found.way.depth, 0.3, 1e-9);
-    EXPECT_NEAR(length(found.way.normal), 1, 1e-12);
-    EXPECT_GE(dot(found.way.normal, nearest - ball.at), 0);
+    EXPECT_NEAR(found.penetration.depth, 0.3, 1e-9);
+    EXPECT_NEAR(length(found.penetration.normal), 1, 1e-12);
+    EXPECT_GE(dot(found.penetration.normal, nearest - ball.at), 0);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/depth/aligned_parting.h>
-#include <graze/narrowphase/convex/depth/ccd.h>
 #include <graze/narrowphase/convex/depth/expanding_polytope.h>
 #include <graze/narrowphase/convex/depth/penetration.h>
 #include <gtest/gtest.h>
@@ -41,7 +40,7 @@ Pair random_pair(double reach, RandomSource& source) {
 }
 
 double size_of(const Core& core) {
-  return core.reach + core.radius;
+  return core.bounding_radius + core.radius;
 }
 
 TEST(Penetration, ThePolytopeProvesNearlyAll) {
@@ -55,7 +54,7 @@ TEST(Penetration, ThePolytopeProvesNearlyAll) {
     const Core a = core_of(pair.a, pair.pose_a, origin);
     const Core b = core_of(pair.b, pair.pose_b, origin);
     const double size = std::min(size_of(a), size_of(b));
-    const narrowphase::Expansion found = expand(a, b, 1e-6 * size);
+    const narrowphase::PolytopeDepth found = polytope_depth(a, b, 1e-6 * size);
     open += !found.is_closed;
     ASSERT_LE(found.lower, found.upper + 1e-13) << n;
     ASSERT_LE(found.upper - found.lower, 1e-3 * size) << n;
@@ -149,7 +148,7 @@ TEST(Penetration, OfAlignedSetsIsTheLeastByFormula) {
     with_cone += pair.a.kind() == ShapeKind::Cone || pair.b.kind() == ShapeKind::Cone;
     with_offset += length(b.at - a.at) > 0.01;
     ASSERT_EQ(found->depth, along(a, b, found->normal).depth);
-    const narrowphase::Expansion proof = expand(a, b, tolerance);
+    const narrowphase::PolytopeDepth proof = polytope_depth(a, b, tolerance);
     ASSERT_GE(found->depth, proof.lower - 1e-12) << n;
     ASSERT_LE(found->depth, proof.upper + tolerance) << n;
     const Vec3& normal = found->normal;
@@ -197,7 +196,7 @@ TEST(Penetration, LibccdGivesUpOnWhatIsNotANumber) {
   Core a;
   a.kind = narrowphase::CoreKind::Box;
   a.half = {1, 1, 1};
-  a.reach = 2;
+  a.bounding_radius = 2;
   Core b = a;
   b.at.x = std::nan("");
   EXPECT_FALSE(ask_ccd(a, b).has_value());

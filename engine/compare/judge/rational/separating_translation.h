@@ -10,8 +10,9 @@
 
 namespace graze::compare {
 
-/// How far B must be moved until no pair of triangles hits any more. That each pair alone needs
-/// little says nothing: of two cubes pushed into each other along an axis all pairs merely touch.
+/// A short translation of B after which no pair of triangles hits any more. That each pair alone
+/// needs little says nothing: of two cubes pushed into each other along an axis all pairs merely
+/// touch.
 ///
 /// Directions are tried, not all of them: the axes, normals of triangles that hit, and the shortest
 /// translation that parts each pair. Along one of them the answer is exact, in rational numbers:

@@ -1,8 +1,11 @@
 #pragma once
 
-// One error bound for all determinants of the triangle test, in its rounded stages: one pair at a
-// time and many at once. Notation as in orientation_filter.cpp: u is the unit roundoff, n the
-// smallest double.
+// What the stages of the triangle test share: one error bound for all determinants of its rounded
+// stages, one pair at a time and many at once, and what coordinates alone decide. Notation as in
+// orientation_filter.cpp: u is the unit roundoff, n the smallest double.
+
+#include <graze/narrowphase/triangle.h>
+#include <graze/narrowphase/verdict.h>
 
 namespace graze::narrowphase {
 
@@ -20,5 +23,9 @@ namespace graze::narrowphase {
 inline constexpr double kPairBound = 49 * 0x1p-53;
 inline constexpr double kSmallestPairVolume = 0x1p-850;
 inline constexpr double kLargestExtent = 0x1p+150;
+
+/// What can be known of two triangles without arithmetic, exactly: triangles that share a vertex
+/// touch, those whose boxes do not are apart. Not finite input is Unsure.
+Verdict compare_coordinates(const Triangle& triangle_a, const Triangle& triangle_b);
 
 }  // namespace graze::narrowphase

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <graze/narrowphase/convex/depth/box_axes.h>
+#include <graze/narrowphase/convex/depth/penetration.h>
+#include <graze/narrowphase/convex/gap/core_gap.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace graze::narrowphase {
+
+/// One point of a contact of two sets.
+struct ContactPoint {
+  Vec3 point_a;             ///< on A's boundary
+  Vec3 point_b;             ///< on B's: depth along the normal before point_a, mostly
+  Vec3 normal;              ///< unit, from A to B
+  double depth;             ///< metres, >= 0, along the normal at these points
+  std::uint64_t feature_a;  ///< which corner, edge or face of A: the same from step to step
+  std::uint64_t feature_b;
+};
+
+/// Midway between the two boundaries.
+static inline Vec3 middle_of(const ContactPoint& contact) {
+  return (contact.point_a + contact.point_b) * 0.5;
+}
+
+/// The feature of a point that belongs to no corner, edge or face in particular.
+inline constexpr std::uint64_t kPointFeature = 0x30000;
+
+/// How two sets that touch part soonest, and at what cost.
+struct Parting {
+  Penetration penetration;
+  bool has_witnesses = false;  ///< whether its points are where the two meet
+  bool is_asked = false;       ///< whether penetration() was asked
+  bool is_failed = false;      ///< whether it did not prove its depth to be the least
+};
+
+/// For sets whose cores have this gap. Sets that touch with their rounded parts are moved apart
+/// along the line between the nearest points of the cores; two boxes, and a point in a box, by
+/// their faces; all others by penetration(), and then by a face next to its normal if that is as
+/// good.
+Parting part(const Core& a, const Core& b, const CoreGap& gap);
+Parting part_boxes(const BoxAxes& boxes);
+
+/// The points of contact for that penetration, added to `contacts`; one at least. Where faces face
+/// each other along the normal, the one is clipped by the other's sides, else there is one point.
+void add_contact_points(const Core& a, const Core& b, const Parting& parting,
+                        std::vector<ContactPoint>& contacts);
+
+/// The same, but only where faces face each other: none are added where none do.
+void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
+                             std::vector<ContactPoint>& contacts);
+
+/// Leaves at most `most` of the contacts, the deepest first: the deepest, to 1e-5 of their width,
+/// and those that are far from all that are left. Ties, of depths to that and of distances to 1e-4,
+/// go to the lower features.
+void reduce(std::vector<ContactPoint>& contacts, std::size_t most);
+
+/// How a box, or a point with a radius, parts soonest from a triangle that it touches, by formula:
+/// the box by the axes of both, as BoxAxes does, the point by where the triangle is nearest to
+/// it. The normal leads to the triangle. The triangle has an area.
+Parting part_from_triangle(const Core& core, const Core& triangle);
+
+}  // namespace graze::narrowphase
