@@ -11,7 +11,7 @@ namespace {
 struct PlacedBoxes {
   double half_a[3];
   double half_b[3];
-  double way[3];  // from the centre of A's box to that of B's
+  double offset[3];  // from the centre of A's box to that of B's
 
   PlacedBoxes(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b) {
     const double(&r)[3][3] = frame.rotation;
@@ -25,8 +25,8 @@ struct PlacedBoxes {
     }
     for (int i = 0; i < 3; ++i) {
       const double centre_a = (double{a.max[i]} + a.min[i]) * scale_a;
-      way[i] = frame.translation[i] - centre_a + r[i][0] * centre_b[0] + r[i][1] * centre_b[1] +
-               r[i][2] * centre_b[2];
+      offset[i] = frame.translation[i] - centre_a + r[i][0] * centre_b[0] + r[i][1] * centre_b[1] +
+                  r[i][2] * centre_b[2];
     }
   }
 };
@@ -46,23 +46,23 @@ struct FaceGaps {
     double gap = 0;
     for (int i = 0; i < 3; ++i) {
       const double(&row)[3] = rotation[i];
-      const double reach = boxes.half_a[i] + std::abs(row[0]) * half_b[0] +
+      const double radii = boxes.half_a[i] + std::abs(row[0]) * half_b[0] +
                            std::abs(row[1]) * half_b[1] + std::abs(row[2]) * half_b[2];
-      gap = std::max(gap, std::abs(boxes.way[i]) - reach);
+      gap = std::max(gap, std::abs(boxes.offset[i]) - radii);
     }
     return gap;
   }
 
   double along_b() const {
     const double(&half_a)[3] = boxes.half_a;
-    const double(&way)[3] = boxes.way;
+    const double(&offset)[3] = boxes.offset;
     double gap = 0;
     for (int j = 0; j < 3; ++j) {
       const double column[3] = {rotation[0][j], rotation[1][j], rotation[2][j]};
-      const double distance = way[0] * column[0] + way[1] * column[1] + way[2] * column[2];
-      const double reach = boxes.half_b[j] + std::abs(column[0]) * half_a[0] +
+      const double distance = offset[0] * column[0] + offset[1] * column[1] + offset[2] * column[2];
+      const double radii = boxes.half_b[j] + std::abs(column[0]) * half_a[0] +
                            std::abs(column[1]) * half_a[1] + std::abs(column[2]) * half_a[2];
-      gap = std::max(gap, std::abs(distance) - reach);
+      gap = std::max(gap, std::abs(distance) - radii);
     }
     return gap;
   }
@@ -79,7 +79,7 @@ BoxSeparation::BoxSeparation(const RelativeFrame& frame) : frame_(frame) {
 
 bool BoxSeparation::are_apart(const FloatBox& a, const FloatBox& b) const {
   const PlacedBoxes boxes(frame_, a, b);
-  return are_boxes_apart({frame_.rotation, size_, boxes.way, boxes.half_a, boxes.half_b},
+  return are_boxes_apart({frame_.rotation, size_, boxes.offset, boxes.half_a, boxes.half_b},
                          frame_.slack);
 }
 

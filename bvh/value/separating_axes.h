@@ -27,15 +27,15 @@ static inline bool are_boxes_apart(const BoxesInFrame& boxes, double slack) {
   const double(&half_a)[3] = boxes.half_a;
   const double(&half_b)[3] = boxes.half_b;
   for (int i = 0; i < 3; ++i) {
-    const double reach =
+    const double radii =
         half_a[i] + half_b[0] * s[i][0] + half_b[1] * s[i][1] + half_b[2] * s[i][2];
-    if (std::abs(d[i]) > reach + slack) return true;
+    if (std::abs(d[i]) > radii + slack) return true;
   }
   for (int j = 0; j < 3; ++j) {
     const double distance = d[0] * r[0][j] + d[1] * r[1][j] + d[2] * r[2][j];
-    const double reach =
+    const double radii =
         half_b[j] + half_a[0] * s[0][j] + half_a[1] * s[1][j] + half_a[2] * s[2][j];
-    if (std::abs(distance) > reach + slack) return true;
+    if (std::abs(distance) > radii + slack) return true;
   }
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3;
@@ -44,9 +44,9 @@ static inline bool are_boxes_apart(const BoxesInFrame& boxes, double slack) {
       const int j1 = (j + 1) % 3;
       const int j2 = (j + 2) % 3;
       const double distance = d[i2] * r[i1][j] - d[i1] * r[i2][j];
-      const double reach = half_a[i1] * s[i2][j] + half_a[i2] * s[i1][j] + half_b[j1] * s[i][j2] +
+      const double radii = half_a[i1] * s[i2][j] + half_a[i2] * s[i1][j] + half_b[j1] * s[i][j2] +
                            half_b[j2] * s[i][j1];
-      if (std::abs(distance) > reach + slack) return true;
+      if (std::abs(distance) > radii + slack) return true;
     }
   }
   return false;

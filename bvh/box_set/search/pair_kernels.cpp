@@ -38,21 +38,21 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
   return bits;
 }
 
-/// One box, its halves in all lanes.
-struct Spread {
+/// One box, each of its high halves in all lanes of a register.
+struct BroadcastBox {
   Lanes row[6];
-  HWY_INLINE Spread(const Block& block, std::uint32_t lane) {
+  HWY_INLINE BroadcastBox(const Block& block, std::uint32_t lane) {
     for (int c = 0; c < 6; ++c)
       row[c] = hn::Set(Tag(), block.row[c][lane]);
   }
-  HWY_INLINE explicit Spread(const OrderedBox& box) {
+  HWY_INLINE explicit BroadcastBox(const OrderedBox& box) {
     for (std::size_t c = 0; c < 6; ++c)
       row[c] = hn::Set(Tag(), high_half(box[c]));
   }
 };
 
 /// Bit i is set unless the high halves alone show that lane i and the box share no point.
-HWY_INLINE std::uint32_t near_lanes(const Block& block, const Spread& box) {
+HWY_INLINE std::uint32_t near_lanes(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   std::uint32_t far_bits = 0;
   for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
@@ -67,7 +67,7 @@ HWY_INLINE std::uint32_t near_lanes(const Block& block, const Spread& box) {
 }
 
 /// Bit i is set if the high halves alone show that lane i and the box overlap.
-HWY_INLINE std::uint32_t sure_lanes(const Block& block, const Spread& box) {
+HWY_INLINE std::uint32_t sure_lanes(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   std::uint32_t bits = 0;
   for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
@@ -81,9 +81,9 @@ HWY_INLINE std::uint32_t sure_lanes(const Block& block, const Spread& box) {
   return bits;
 }
 
-/// Clears the bits of `unsure` lanes which the low halves show to be apart from the box.
-HWY_NOINLINE std::uint32_t settle(const Block& high, const LowBlock& low, const OrderedBox& box,
-                                  std::uint32_t unsure) {
+/// The bits of those `unsure` lanes that overlap the box by the low halves, too.
+HWY_NOINLINE std::uint32_t decided_lanes(const Block& high, const LowBlock& low,
+                                         const OrderedBox& box, std::uint32_t unsure) {
   std::uint32_t bits = 0;
   for (; unsure != 0; unsure &= unsure - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(unsure));
@@ -92,8 +92,8 @@ HWY_NOINLINE std::uint32_t settle(const Block& high, const LowBlock& low, const 
   return bits;
 }
 
-HWY_INLINE Spread bounds(const TreeView& tree, int level, std::uint32_t block) {
-  return Spread(tree.level[level + 1][block >> kLaneBits], block & (kLanes - 1));
+HWY_INLINE BroadcastBox bounds(const TreeView& tree, int level, std::uint32_t block) {
+  return BroadcastBox(tree.level[level + 1][block >> kLaneBits], block & (kLanes - 1));
 }
 
 /// Lanes of a block by what the high halves of a box say about them.
@@ -104,7 +104,7 @@ struct Verdict {
 
 /// As near_lanes() and sure_lanes(), by what the two have in common along each axis: along an axis
 /// on which high halves are equal that has no length.
-HWY_INLINE Verdict verdict(const Block& block, const Spread& box) {
+HWY_INLINE Verdict verdict(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   const hn::RebindToUnsigned<Tag> lengths;
   Verdict sum = {0, 0};
@@ -271,7 +271,7 @@ class LeafBatch {
     for (const std::uint32_t* row = rows_; row != end_of_rows; ++row) {
       const Meeting& meeting = meetings_[*row / kLanes];
       const std::uint32_t lane = *row & (kLanes - 1);
-      const Verdict found = verdict(*meeting.columns, Spread(*meeting.rows, lane));
+      const Verdict found = verdict(*meeting.columns, BroadcastBox(*meeting.rows, lane));
       // Of a triangle only the columns above the row's own: bits lane + 1 and up.
       const std::uint32_t wanted =
           meeting.near & static_cast<std::uint32_t>(meeting.triangle >> (30 - lane));
@@ -279,8 +279,8 @@ class LeafBatch {
       const std::uint32_t unsure = found.unsure & wanted;
       if (HWY_UNLIKELY(unsure != 0)) {
         hits &= ~unsure;
-        hits |= settle(*meeting.columns, *meeting.low[1],
-                       lane_box(*meeting.rows, *meeting.low[0], lane), unsure);
+        hits |= decided_lanes(*meeting.columns, *meeting.low[1],
+                              lane_box(*meeting.rows, *meeting.low[0], lane), unsure);
       }
       end = list_pairs(meeting.row_proxies[lane], meeting.column_proxies, hits, end);
     }
@@ -309,7 +309,7 @@ HWY_INLINE void open(const TreeView& a, const TreeView& b, BlockPair pair, const
     std::uint32_t rows = near_lanes(block_a, bounds(b, pair.level_b, pair.b));
     for (; rows != 0; rows &= rows - 1) {
       const auto i = static_cast<std::uint32_t>(std::countr_zero(rows));
-      std::uint32_t hits = near_lanes(block_b, Spread(block_a, i));
+      std::uint32_t hits = near_lanes(block_b, BroadcastBox(block_a, i));
       if (is_same) hits &= 0xffffu << i;
       next.a = pair.a * kLanes + i;
       for (; hits != 0; hits &= hits - 1) {
@@ -366,7 +366,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
     std::uint32_t block;
     std::uint32_t level;
   };
-  const Spread high(box);
+  const BroadcastBox high(box);
   Entry stack[kMaxLevels * kLanes];
   Entry* end = stack;
   *end++ = {0, static_cast<std::uint32_t>(tree.top)};
@@ -386,18 +386,19 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box,
     }
     if (hits == 0) continue;
     const std::uint32_t sure = hits & sure_lanes(block, high);
-    if (sure != hits) hits = sure | settle(block, tree.low[entry.block], box, hits & ~sure);
+    if (sure != hits) hits = sure | decided_lanes(block, tree.low[entry.block], box, hits & ~sure);
     for (; hits != 0; hits &= hits - 1)
       out.push_back(
           tree.proxy[entry.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits))]);
   }
 }
 
-HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low, const Spread& high,
-                                     const OrderedBox& box) {
+HWY_INLINE std::uint32_t exact_lanes(const Block& block, const LowBlock& low,
+                                     const BroadcastBox& high, const OrderedBox& box) {
   const std::uint32_t near = near_lanes(block, high);
   const std::uint32_t unsure = near & ~sure_lanes(block, high);
-  return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | settle(block, low, box, unsure) : near;
+  return HWY_UNLIKELY(unsure != 0) ? (near & ~unsure) | decided_lanes(block, low, box, unsure)
+                                   : near;
 }
 
 /// The movers' high halves: mover i in lane i.
@@ -416,8 +417,8 @@ HWY_INLINE void step_down(const TreeView& tree, int level, const Block& before, 
   lookup.below.clear();
   for (const Reached& at : lookup.here) {
     const Block& block = tree.level[level][at.block];
-    std::uint32_t hits =
-        near_lanes(block, Spread(before, at.mover)) | near_lanes(block, Spread(after, at.mover));
+    std::uint32_t hits = near_lanes(block, BroadcastBox(before, at.mover)) |
+                         near_lanes(block, BroadcastBox(after, at.mover));
     for (; hits != 0; hits &= hits - 1) {
       const std::uint32_t next =
           at.block * kLanes + static_cast<std::uint32_t>(std::countr_zero(hits));
@@ -442,9 +443,9 @@ void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> b
   for (const auto& [mover, at] : lookup.here) {
     const Block& block = tree.level[0][at];
     const std::uint32_t was =
-        exact_lanes(block, tree.low[at], Spread(high_before, mover), before[mover]);
+        exact_lanes(block, tree.low[at], BroadcastBox(high_before, mover), before[mover]);
     const std::uint32_t is =
-        exact_lanes(block, tree.low[at], Spread(high_after, mover), after[mover]);
+        exact_lanes(block, tree.low[at], BroadcastBox(high_after, mover), after[mover]);
     for (std::uint32_t hits = was | is; hits != 0; hits &= hits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(hits));
       out.push_back({tree.proxy[at * kLanes + lane], static_cast<std::uint8_t>(mover),

@@ -13,7 +13,7 @@ constexpr std::size_t kTouchedShare = 4;
 constexpr std::size_t kFewNewcomers = 256;
 constexpr std::size_t kNewcomerShare = 8;
 constexpr std::size_t kHoleShare = 8;
-constexpr std::size_t kUnsettledShare = 4;
+constexpr std::size_t kQueryNewcomerShare = 4;
 constexpr double kMuchInflated = 4;
 
 // What sorting newcomers costs, each, in blocks that a lookup could have met instead.
@@ -329,9 +329,9 @@ void BoxSet::walk_along(const RaySlabs& ray, double& limit, const RayVisitor& vi
   }
 }
 
-void BoxSet::settle() {
+void BoxSet::prepare_for_queries() {
   refit();
-  if (newcomers_ > kFewNewcomers + size_ / kUnsettledShare ||
+  if (newcomers_ > kFewNewcomers + size_ / kQueryNewcomerShare ||
       inflation_ > kMuchInflated * static_cast<double>(high_.size())) {
     sort();
   } else if (newcomers_ > 2 * sorted_newcomers_ + kLanes) {

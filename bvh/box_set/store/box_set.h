@@ -14,9 +14,9 @@
 
 namespace graze::bvh {
 
-/// Many boxes that move, each known by a number of its proxy's, in blocks of 16 under implicit
-/// trees: one tree for each group of sizes, by factors of 4 or more, and one for
-/// boxes that came since the last sort. Finds what overlaps, exactly on the doubles given.
+/// Many boxes that move, each known by its proxy, in blocks of 16 under implicit trees: one tree
+/// for each group of sizes, by factors of 4 or more, and one for boxes that came since the last
+/// sort. Finds what overlaps, exactly on the doubles given.
 ///
 /// After insert(), move(), erase() or set_all() call refit() before finding anything.
 ///
@@ -35,7 +35,7 @@ class BoxSet {
     return proxy < place_.size() && place_[proxy] != kNobody;
   }
   OrderedBox box(std::uint32_t proxy) const;
-  /// Near boxes have near places. kNobody for an proxy without a box.
+  /// Near boxes have near places. kNobody for a proxy without a box.
   std::uint32_t place(std::uint32_t proxy) const {
     return proxy < place_.size() ? place_[proxy] : kNobody;
   }
@@ -76,8 +76,8 @@ class BoxSet {
   /// Makes the bounds fit the boxes again. Costs what was touched.
   void refit();
 
-  /// refit(), and an order for boxes that came in a crowd: before queries.
-  void settle();
+  /// refit(), and an order for boxes if many came: what queries want.
+  void prepare_for_queries();
 
   /// Puts all boxes into a new order, if the old one has cost more by now than that does.
   /// `is_about_to_find_all` pairs: then what the next search would cost counts as well.

@@ -22,10 +22,10 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
-  /// As of the last settle(), update() or end_waiting(): a few changes may wait.
+  /// As of the last prepare_for_queries(), update() or end_waiting(): a few changes may wait.
   const BoxSet& set() const { return set_; }
 
-  /// As of a box set: of these insert() alone may throw, and has then not happened. An proxy that
+  /// As of a box set: of these insert() alone may throw, and has then not happened. A proxy that
   /// is erased must not come again before the next update.
   void insert(std::uint32_t proxy, const Aabb& box);
   void move(std::uint32_t proxy, const Aabb& box);
@@ -57,9 +57,9 @@ class OverlapTracker {
   }
 
   /// Makes the set ready for queries. No list changes.
-  void settle() {
+  void prepare_for_queries() {
     end_waiting();
-    set_.settle();
+    set_.prepare_for_queries();
   }
 
   /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of

@@ -1,5 +1,5 @@
 // How far apart boxes, and primitives of leaves, of two wide trees are at least, and along which
-// way. Included once for each SIMD target.
+// direction. Included once for each SIMD target.
 
 #if defined(GRAZE_BVH_FRONT_GAPS) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_FRONT_GAPS
@@ -237,25 +237,26 @@ class BoxGaps {
     squared_distance_ = square;
     for (int i = 0; i < 3; ++i) {
       half_[i] = hn::Load(tag, tested.half[i] + lane);
-      way_[i] = hn::Sub(hn::Set(tag, query.way[i]), hn::Load(tag, tested.centre[i] + lane));
-      const Lanes size = hn::Abs(way_[i]);
-      const Lanes gap = known(tag, hn::Sub(size, hn::Add(half_[i], hn::Set(tag, query.reach[i]))));
-      step[i] = hn::CopySign(gap, way_[i]);
+      offset_[i] = hn::Sub(hn::Set(tag, query.offset[i]), hn::Load(tag, tested.centre[i] + lane));
+      const Lanes size = hn::Abs(offset_[i]);
+      const Lanes gap = known(tag, hn::Sub(size, hn::Add(half_[i], hn::Set(tag, query.radius[i]))));
+      step[i] = hn::CopySign(gap, offset_[i]);
       square = hn::MulAdd(gap, gap, square);
-      const Lanes farthest = hn::Add(size, hn::Add(half_[i], hn::Set(tag, query.reach[i])));
+      const Lanes farthest = hn::Add(size, hn::Add(half_[i], hn::Set(tag, query.radius[i])));
       squared_distance_ = hn::MulAdd(farthest, farthest, squared_distance_);
       turned[i] = hn::Zero(tag);
     }
     best_.offer_sum(square, step);
     square = hn::Zero(tag);
     for (int k = 0; k < 3; ++k) {
-      const Lanes distance = hn::MulAdd(
-          way_[0], axis(k, 0), hn::MulAdd(way_[1], axis(k, 1), hn::Mul(way_[2], axis(k, 2))));
-      const Lanes reach =
+      const Lanes distance =
+          hn::MulAdd(offset_[0], axis(k, 0),
+                     hn::MulAdd(offset_[1], axis(k, 1), hn::Mul(offset_[2], axis(k, 2))));
+      const Lanes radii =
           hn::MulAdd(half_[0], size(k, 0),
                      hn::MulAdd(half_[1], size(k, 1),
                                 hn::MulAdd(half_[2], size(k, 2), hn::Set(tag, query.half[k]))));
-      const Lanes gap = known(tag, hn::Sub(hn::Abs(distance), reach));
+      const Lanes gap = known(tag, hn::Sub(hn::Abs(distance), radii));
       const Lanes along = hn::CopySign(gap, distance);
       square = hn::MulAdd(gap, gap, square);
       for (int i = 0; i < 3; ++i)
@@ -271,11 +272,12 @@ class BoxGaps {
       for (int i = 0; i < 3; ++i) {
         const int i1 = (i + 1) % 3;
         const int i2 = (i + 2) % 3;
-        const Lanes distance = hn::MulSub(way_[i2], axis(k, i1), hn::Mul(way_[i1], axis(k, i2)));
-        const Lanes reach =
+        const Lanes distance =
+            hn::MulSub(offset_[i2], axis(k, i1), hn::Mul(offset_[i1], axis(k, i2)));
+        const Lanes radii =
             hn::MulAdd(half_[i1], size(k, i2),
-                       hn::MulAdd(half_[i2], size(k, i1), hn::Set(tag, query_.crossed[k][i])));
-        const Lanes gap = hn::Sub(hn::Abs(distance), reach);
+                       hn::MulAdd(half_[i2], size(k, i1), hn::Set(tag, query_.cross_radius[k][i])));
+        const Lanes gap = hn::Sub(hn::Abs(distance), radii);
         const auto is_back = hn::Lt(distance, hn::Zero(tag));
         Lanes normal[3];
         normal[i] = hn::Zero(tag);
@@ -287,14 +289,14 @@ class BoxGaps {
   }
 
   /// Along the normals of the slabs of the tested node's children, of which nothing else is known:
-  /// where boxes overlap along all their axes no way is longer than they are.
+  /// where boxes overlap along all their axes no offset of middles is longer than both boxes.
   HWY_INLINE void look_along_slabs(std::size_t lane, const QuerySlab& slab) {
     const Tag tag;
     const SlabLanes slabs(tested_, lane, half_);
-    const SlabGap found(slabs, way_, OneQuery{query_}, slab);
-    const Lanes sign = hn::CopySign(hn::Set(tag, 1.0f), found.offset);
+    const SlabGap found(slabs, offset_, OneQuery{query_}, slab);
+    const Lanes sign = hn::CopySign(hn::Set(tag, 1.0f), found.distance);
     const Lanes normal[3] = {hn::Mul(sign, slabs.slope[0]), hn::Mul(sign, slabs.slope[1]), sign};
-    const Lanes gap = known(tag, hn::Sub(hn::Abs(found.offset), found.reach));
+    const Lanes gap = known(tag, hn::Sub(hn::Abs(found.distance), found.radii));
     best_.offer_along(hn::IfThenZeroElse(are_apart(), gap), normal);
   }
 
@@ -303,12 +305,12 @@ class BoxGaps {
   HWY_INLINE void look_along(const Aim& aim) {
     const Tag tag;
     Lanes along = hn::Zero(tag);
-    Lanes reach = hn::Set(tag, aim.reach);
+    Lanes radii = hn::Set(tag, aim.radius);
     for (int i = 0; i < 3; ++i) {
-      along = hn::MulAdd(way_[i], hn::Set(tag, aim.axes[i]), along);
-      reach = hn::MulAdd(half_[i], hn::Set(tag, aim.size[i]), reach);
+      along = hn::MulAdd(offset_[i], hn::Set(tag, aim.axes[i]), along);
+      radii = hn::MulAdd(half_[i], hn::Set(tag, aim.size[i]), radii);
     }
-    const Lanes gap = known(tag, hn::Sub(along, reach));
+    const Lanes gap = known(tag, hn::Sub(along, radii));
     const Lanes axes[3] = {hn::Set(tag, aim.axes[0]), hn::Set(tag, aim.axes[1]),
                            hn::Set(tag, aim.axes[2])};
     best_.offer(gap, hn::Set(tag, 1.0f), axes);
@@ -339,7 +341,7 @@ class BoxGaps {
   const WideNode& tested_;
   const QueryInNode& query_;
   Lanes half_[3];
-  Lanes way_[3];
+  Lanes offset_[3];
   Lanes squared_distance_;  // than which no points of both are further apart
   BestGap<Tag> best_;
 };
@@ -362,8 +364,8 @@ class PrimitiveGaps {
       const auto& q = pairs.query;
       const Values tested_low = hn::Min(hn::Min(p[0][i], p[1][i]), zero);
       const Values tested_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
-      const Values low = hn::Add(hn::Min(hn::Min(q[0][i], q[1][i]), zero), pairs.way[i]);
-      const Values high = hn::Add(hn::Max(hn::Max(q[0][i], q[1][i]), zero), pairs.way[i]);
+      const Values low = hn::Add(hn::Min(hn::Min(q[0][i], q[1][i]), zero), pairs.offset[i]);
+      const Values high = hn::Add(hn::Max(hn::Max(q[0][i], q[1][i]), zero), pairs.offset[i]);
       const Values above = hn::Sub(low, tested_high);
       const Values below = hn::Sub(tested_low, high);
       const Values gap = known(tag, hn::Sub(hn::Max(above, below), hn::Set(tag, 4 * error)));
@@ -402,10 +404,10 @@ class PrimitiveGaps {
     Values tested[3][3], query[3][3];
     for (int i = 0; i < 3; ++i) {
       tested[0][i] = hn::Zero(tag);
-      query[0][i] = pairs_.way[i];
+      query[0][i] = pairs_.offset[i];
       for (int c = 1; c < 3; ++c) {
         tested[c][i] = pairs_.tested[c - 1][i];
-        query[c][i] = hn::Add(pairs_.way[i], pairs_.query[c - 1][i]);
+        query[c][i] = hn::Add(pairs_.offset[i], pairs_.query[c - 1][i]);
       }
     }
     for (int h = 0; h < 3; ++h) {
@@ -433,8 +435,9 @@ class PrimitiveGaps {
     };
     const auto zero = hn::Zero(tag);
     const Values end = hn::Max(hn::Max(along(pairs_.tested[0]), along(pairs_.tested[1])), zero);
-    const Values start = hn::Add(
-        hn::Min(hn::Min(along(pairs_.query[0]), along(pairs_.query[1])), zero), along(pairs_.way));
+    const Values start =
+        hn::Add(hn::Min(hn::Min(along(pairs_.query[0]), along(pairs_.query[1])), zero),
+                along(pairs_.offset));
     // Along a unit vector an error in each of three coordinates counts 1.74 times, that of the
     // products once more.
     const Values gap = hn::Sub(hn::Sub(start, end), hn::Set(tag, 8 * error_));

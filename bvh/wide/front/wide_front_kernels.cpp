@@ -1,9 +1,10 @@
-// A pass over the front of two wide trees, for each SIMD target that the compiler knows.
+// A pass that updates the front of two wide trees (front tracking: wide_front.h), for each SIMD
+// target that the compiler knows.
 //
-// Bounds are taken with three times the query's slack off, which they had when they were proved.
-// Where a later query has a slack of its own, two placed primitives are up to twice that nearer
-// than the trees' frames say (engine/mesh/memory/pair_memory.cpp), and what was taken off before is
-// not counted on.
+// When a gap was proved, three times the slack of that query was taken off it. A later query has a
+// slack of its own: two placed primitives may be nearer by twice that than the trees' frames say
+// (engine/mesh/memory/pair_memory.cpp). It is taken off as well, and what was taken off before is
+// not counted on to pay for it.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/front/wide_front_kernels.cpp"
@@ -30,7 +31,7 @@ namespace {
 constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
 constexpr float kNever = std::numeric_limits<float>::infinity();
 
-/// Leaves are fetched so many before they are looked at.
+/// How many leaves, and planes, are fetched ahead of the one that is looked at.
 constexpr std::size_t kAhead = 6;
 constexpr std::size_t kPlanesAhead = 16;
 
@@ -50,16 +51,16 @@ WideFront::Planes<FrontBounds::Distance>& planes_of(
   return state.distance;
 }
 
-/// One pass.
+/// One pass over a front.
 template <FrontBounds bounds>
-class Passer {
+class FrontUpdater {
  public:
-  Passer(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
+  FrontUpdater(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
       : state_(state),
         planes_(planes_of(state, std::integral_constant<FrontBounds, bounds>())),
         pass_(pass),
         must_(task.must),
-        reach_(task.reach),
+        look_ahead_(task.look_ahead),
         useful_(task.useful),
         most_held_(held() + task.most_added),
         moved_(static_cast<float>(pass.moved) * kRoundDown),
@@ -72,7 +73,7 @@ class Passer {
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
-    if (reach_.limit > must_.limit && is_reach_in_vain()) reach_ = must_;
+    if (look_ahead_.limit > must_.limit && is_look_ahead_in_vain()) look_ahead_ = must_;
     const std::size_t open = find_due(planes_.of_visits, state_.visit_budgets);
     for (std::size_t i = 0; i < open; ++i) {
       if (i + 2 * kAhead < open) {
@@ -109,7 +110,7 @@ class Passer {
 
   /// Whether so much is within reach that most of it could not be opened, or primitives are so near
   /// that no gap is worth it.
-  HWY_INLINE bool is_reach_in_vain() const {
+  HWY_INLINE bool is_look_ahead_in_vain() const {
     const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
     for (std::size_t i = 0; i < leaves; ++i) {
       const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
@@ -132,7 +133,7 @@ class Passer {
     return found;
   }
 
-  /// Leaves that are due: which of their primitives may be within the limit.
+  /// Compares leaves that are due: which of their primitives may be within the limit.
   HWY_INLINE void compare_due_leaves() {
     const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
@@ -140,19 +141,19 @@ class Passer {
       compare_leaves(state_.due[i]);
   }
 
-  /// Leaves that are busy or due: which of their primitives meet. In which some do cannot be
-  /// foretold, so that no branch depends on it.
+  /// Decides which primitives of leaves that are busy or due meet. In which leaves some do cannot
+  /// be predicted, so that no branch depends on it.
   HWY_INLINE void decide_leaves() {
     state_.crossing.size = 0;
     state_.unsure.size = 0;
-    settle(decide_busy());
+    separate_leaves(decide_busy());
     const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
     state_.looked_at += near;
-    settle(near);
+    separate_leaves(near);
   }
 
-  /// All pairs of leaves that have been busy. Those in which none meets any more are listed first
-  /// in state_.due: how many these are.
+  /// Decides all pairs of leaves that have been busy. Those in which no primitives meet any more
+  /// are listed at the front of state_.due; returns how many these are.
   HWY_INLINE std::size_t decide_busy() {
     const std::size_t size = state_.busy.size();
     state_.crossing.make_room(size);
@@ -182,9 +183,9 @@ class Passer {
     return quiet;
   }
 
-  /// So many leaves in state_.due get planes between their primitives, until they are due again, or
-  /// are busy.
-  HWY_INLINE void settle(std::size_t count) {
+  /// Finds planes between the primitives of the first `count` leaves of state_.due. Those with
+  /// pairs that no plane tells apart become busy.
+  HWY_INLINE void separate_leaves(std::size_t count) {
     state_.crossing.make_room(count);
     state_.unsure.make_room(count);
     std::size_t busy = state_.busy.size();
@@ -207,7 +208,7 @@ class Passer {
         const LocalPairs<PairTag> pairs(leaves_, first);
         const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
         met.add(crossings, first);
-        PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
+        PrimitiveGaps<PairTag> found(pairs, leaves_.errors().offset);
         found.look_at(crossings);
         const auto is_open = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
         if ((bits_of(tag, is_open) & asked >> first) != 0) found.look_across();
@@ -225,9 +226,9 @@ class Passer {
     state_.busy.resize(busy);
   }
 
-  /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
-  /// its budget, but for what its planes still keep out: that is due later. No branches but the
-  /// loops: nothing of it can be foretold.
+  /// Lists at the front of state_.due what has to be looked at again, and returns how many these
+  /// are: what is due by its budget, but not what its planes still keep out, which gets a later
+  /// budget. There are no branches but the loops, because nothing of it can be predicted.
   template <typename Planes>
   HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
                                   std::vector<float>& budgets) const {
@@ -240,7 +241,7 @@ class Passer {
       const float later =
           budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
       // False where it is no number. What lasts so long is further apart than the limit.
-      const std::uint32_t kept = later > reach_.due;
+      const std::uint32_t kept = later > look_ahead_.due;
       budgets[index] = chosen(kept, later, budgets[index]);
       due[open] = index;
       open += 1 - kept;
@@ -255,7 +256,7 @@ class Passer {
       hwy::Prefetch(reinterpret_cast<const char*>(&object) + i);
   }
 
-  /// The indices of all budgets that are up.
+  /// Lists the indices of all budgets that are spent.
   HWY_INLINE std::size_t list_due(const std::vector<float>& budgets) const {
     const hn::ScalableTag<float> tag;
     const hn::RebindToUnsigned<decltype(tag)> indices;
@@ -266,13 +267,13 @@ class Passer {
     std::size_t count = 0;
     std::size_t i = 0;
     for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, reach_.due));
+      const auto is_due = hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, look_ahead_.due));
       count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
                                  hn::RebindMask(indices, is_due), indices, list + count);
     }
     for (; i < size; ++i) {
       list[count] = static_cast<std::uint32_t>(i);
-      count += budgets[i] <= reach_.due;
+      count += budgets[i] <= look_ahead_.due;
     }
     return count;
   }
@@ -294,14 +295,15 @@ class Passer {
     const WideChildRef query = found.query;
     const std::uint32_t query_link = query.node->child[query.lane];
     const WideChildRef below = found.tested;
-    const WideWay& way = pass_.into[tested_side];
-    if (query_side_ != 1 - tested_side || query_slot_ != query) {
-      set_query(query_, *query.node, query.lane, way);
-      query_slot_ = query;
+    const TreeTransform& transform = pass_.into[tested_side];
+    if (query_side_ != 1 - tested_side || query_child_ != query) {
+      set_query(query_, *query.node, query.lane, transform);
+      query_child_ = query;
       query_side_ = 1 - tested_side;
     }
     const WideNode& node = *below.node;
-    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * found.tested_size);
+    set_query_in_node(in_node_, query_, node,
+                      transform.slack + kComparisonError * found.tested_size);
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = planes_.of_visits[index];
     if (state_.visit_budgets[index] == kAtOnce) {
@@ -312,7 +314,7 @@ class Passer {
     FoundPlanes<WideNode::kWidth> gaps;
     set_gaps(planes, gaps, node, tested_side, closed, query);
     const typename Outlook::Nearness kept =
-        outlook_[tested_side].keep(planes, gaps, closed, reach_.limit);
+        outlook_[tested_side].keep(planes, gaps, closed, look_ahead_.limit);
     std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
@@ -320,7 +322,7 @@ class Passer {
     visit.open |= near;
     state_.visit_budgets[index] = budget_after(kept.lasts);
     const FrontQuery placed = planes.query;
-    if (held() > most_held_) reach_ = must_;
+    if (held() > most_held_) look_ahead_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideChildRef child = {&node, lane, below.treelet};
@@ -334,7 +336,7 @@ class Passer {
     }
   }
 
-  /// The larger is opened: it is the tested node.
+  /// Of a pair the larger child is opened: it becomes the tested node.
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -349,11 +351,11 @@ class Passer {
     state_.visit_budgets.push_back(kAtOnce);
   }
 
-  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& slot) const {
-    const std::uint32_t link = slot.node->child[slot.lane];
-    return {slot.treelet, link,
-            state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link),
-            2 * size_of(slot)};
+  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& child) const {
+    const std::uint32_t link = child.node->child[child.lane];
+    return {child.treelet, link,
+            state_.tree[side]->treelet(child.treelet).first + ChildLink::first(link),
+            2 * size_of(child)};
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int tested_side,
@@ -366,7 +368,7 @@ class Passer {
     state_.leaves_budgets.push_back(kAtOnce);
   }
 
-  /// Of the children of a tested node beside query_; of these lanes it matters.
+  /// Finds planes between the children of a tested node and query_; only the lanes `asked` matter.
   HWY_INLINE void set_gaps(VisitPlanes& planes, FoundPlanes<WideNode::kWidth>& found,
                            const WideNode& node, int tested_side, std::uint32_t asked,
                            const WideChildRef& query) const {
@@ -405,7 +407,7 @@ class Passer {
       hwy::Prefetch(rows + i);
   }
 
-  /// Two leaves become leaves_. Returns which pairs they have.
+  /// Sets leaves_. Returns the bits of the pairs that it has.
   HWY_INLINE std::uint32_t set_leaves(const WideFront::Leaves& leaves) {
     leaves_.set(leaves, pass_.into[leaves.tested_side]);
     return leaves_.pairs();
@@ -435,7 +437,7 @@ class Passer {
     }
   };
 
-  /// Of these pairs of leaves_ lists those that cross or may: which these are.
+  /// Lists those pairs of leaves_ that cross or may cross, and returns their bits.
   HWY_INLINE std::uint32_t list(std::uint32_t index, std::uint32_t asked, const Meetings& found) {
     const std::uint32_t open = asked & ~found.apart;
     add_lanes(state_.crossing, index, open & found.crossing);
@@ -453,7 +455,7 @@ class Passer {
     for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
       const LocalPairs<PairTag> pairs(leaves_, first);
       const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
-      PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
+      PrimitiveGaps<PairTag> found(pairs, leaves_.errors().offset);
       found.look_at(crossings);
       found.look_along(pass_.direction[leaves.tested_side]);
       found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
@@ -474,24 +476,24 @@ class Passer {
   WideFront::Planes<bounds>& planes_;
   const WideFront::Pass& pass_;
   FrontHorizon must_;
-  FrontHorizon reach_;
+  FrontHorizon look_ahead_;
   float useful_;
-  std::size_t most_held_;  // what it opens until then may be within reach_
-  float moved_;            // rounded down
+  std::size_t most_held_;  ///< by the front, until it looks no further ahead
+  float moved_;            ///< the motion spent, rounded down
   float scale_b_;
   Query query_{};
-  WideChildRef query_slot_{};  // of query_, in the tree of
-  int query_side_ = -1;        // this side, if of any
+  WideChildRef query_child_{};  ///< whose box query_ is
+  int query_side_ = -1;         ///< of its tree; -1 as long as there is none
   QueryInNode in_node_;
   LocalLeaves leaves_;
-  Outlook outlook_[2];  // by the side of the tested node
+  Outlook outlook_[2];  ///< by the side of the tested node
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
   if (pass.bounds == FrontBounds::Distance) {
-    Passer<FrontBounds::Distance>(state, pass, task).run();
+    FrontUpdater<FrontBounds::Distance>(state, pass, task).run();
   } else {
-    Passer<FrontBounds::Meeting>(state, pass, task).run();
+    FrontUpdater<FrontBounds::Meeting>(state, pass, task).run();
   }
 }
 

@@ -24,7 +24,7 @@ class MotionFront {
   bool rests();
 
   /// B has come so much further (common units), in so many queries.
-  void move(const bvh::WideFront::Motion& step, int queries);
+  void move(const bvh::WideFront::MotionBound& step, int queries);
 
   /// The pass of this query, if the front is worth it or, begun anew in these poses, promises to
   /// be. Where most of it is due, or queries with it have cost more than a walk, or have looked at
@@ -59,10 +59,10 @@ class MotionFront {
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
-  bvh::WideFront::Motion motion_;  // since it was begun
-  int passes_ = 0;                 // since it was begun
-  std::size_t first_size_ = 0;     // after the first of these
-  int pause_ = 0;                  // queries until it may begin
+  bvh::WideFront::MotionBound motion_;  // since it was begun
+  int passes_ = 0;                      // since it was begun
+  std::size_t first_size_ = 0;          // after the first of these
+  int pause_ = 0;                       // queries until it may begin
   int next_pause_ = 1;
   FrontWorth worth_;
   FrontReach reach_;
@@ -71,10 +71,10 @@ class MotionFront {
   bool is_jump_ = true;
 
   bvh::RelativeFrame last_[2] = {};  // when a pass was last asked for
-  bvh::WideFront::Motion since_last_;
+  bvh::WideFront::MotionBound since_last_;
   bool is_last_known_ = false;
   int passes_predicted_ = 0;
-  double way_predicted_ = 0;
+  double distance_predicted_ = 0;
   double spent_at_prediction_ = 0;
   int passes_unpredicted_ = 0;  // until another is tried
   int next_unpredicted_ = 1;

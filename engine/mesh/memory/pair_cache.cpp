@@ -27,9 +27,10 @@ namespace {
 constexpr double kFrameGrowth = 1e-5;
 
 /// How far points of the box move between two placings, common units.
-bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
-                                 const double (&rotation)[3][3], const double (&translation)[3],
-                                 const bvh::RelativeFrame& now) {
+bvh::WideFront::MotionBound motion_of(const bvh::FloatBox& box, double unit,
+                                      const double (&rotation)[3][3],
+                                      const double (&translation)[3],
+                                      const bvh::RelativeFrame& now) {
   double turns = 0;
   double moved[3] = {0, 0, 0};
   double sizes = 0;
@@ -49,13 +50,13 @@ bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
   }
   double square = 0;
   for (int i = 0; i < 3; ++i) {
-    const double way = now.translation[i] - translation[i];
-    sizes += std::abs(way);
-    square += (moved[i] + way) * (moved[i] + way);
+    const double came = now.translation[i] - translation[i];
+    sizes += std::abs(came);
+    square += (moved[i] + came) * (moved[i] + came);
   }
   // Rounding of sums of five terms, and squares that underflow.
-  const double way = (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
-  return {way, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
+  const double distance = (std::sqrt(square) + total) * (1 + 0x1p-40) + 0x1p-48 * sizes + 0x1p-500;
+  return {distance, std::sqrt(turns) * (1 + 0x1p-40) + 0x1p-45};
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ void CachedMesh::place(const Pose& pose, const char* what) {
   is_placed_ = true;
 }
 
-CachedMesh::Motion CachedMesh::motion_from(const Pose& before) const {
+CachedMesh::PointMotion CachedMesh::motion_from(const Pose& before) const {
   const double* m = pose_.data();  // column-major 4x4
   const double* n = before.data();
   double moved[3];
@@ -123,8 +124,8 @@ void PairCache::place(const Pose& pose_a, const Pose& pose_b) {
 
 bool PairCache::are_beyond(double metres) const {
   if (!(gap_ > metres)) return false;
-  const CachedMesh::Motion of_a = motion_from(gap_place_a_, a_);
-  const CachedMesh::Motion of_b = motion_from(gap_place_b_, b_);
+  const CachedMesh::PointMotion of_a = motion_from(gap_place_a_, a_);
+  const CachedMesh::PointMotion of_b = motion_from(gap_place_b_, b_);
   const double left =
       gap_ - metres * (1 + 0x1p-40) - 0x1p-46 * gap_ - of_a.rounding - of_b.rounding;
   // Of two motions of which one is none the other is the sum.
@@ -151,7 +152,7 @@ bool PairCache::follow(const WideQuery& query) {
   const bvh::RelativeFrame& now = query.b_in_a;
   const bool was_followed = is_followed_;
   if (was_followed) {
-    const bvh::WideFront::Motion step =
+    const bvh::WideFront::MotionBound step =
         motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
     meeting.move(step, queries_);
     near.move(step, queries_);

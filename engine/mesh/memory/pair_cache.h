@@ -35,11 +35,11 @@ class CachedMesh {
 
   /// No placed point of the mesh is further from where `before` placed it than the root of `square`
   /// and `rounding` (metres).
-  struct Motion {
+  struct PointMotion {
     double square = 0;
     double rounding = 0;
   };
-  Motion motion_from(const Pose& before) const;
+  PointMotion motion_from(const Pose& before) const;
 
  private:
   alignas(64) Pose pose_ = Pose::Identity();  // two cache lines: each query compares it
@@ -105,8 +105,8 @@ class PairCache {
     std::uint64_t number = 0;
   };
   static Place place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
-  static CachedMesh::Motion motion_from(const Place& before, const CachedMesh& mesh) {
-    return before.number == mesh.pose_number() ? CachedMesh::Motion()
+  static CachedMesh::PointMotion motion_from(const Place& before, const CachedMesh& mesh) {
+    return before.number == mesh.pose_number() ? CachedMesh::PointMotion()
                                                : mesh.motion_from(before.pose);
   }
 

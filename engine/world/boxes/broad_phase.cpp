@@ -61,7 +61,7 @@ struct BroadPhase::State {
     if (!is_settled.load(std::memory_order_acquire)) {
       const std::lock_guard lock(settling);
       if (!is_settled.load(std::memory_order_relaxed)) {
-        tracker.settle();
+        tracker.prepare_for_queries();
         is_settled.store(true, std::memory_order_release);
       }
     }
