@@ -25,7 +25,7 @@ static inline CentroidBounds empty_centroid_bounds() {
 struct Part {
   std::size_t begin = 0;
   std::size_t end = 0;
-  int depth = 0;  // nodes above
+  int depth = 0;  ///< how many nodes are above
   Bounds box = empty_bounds();
   CentroidBounds centroids = empty_centroid_bounds();
 

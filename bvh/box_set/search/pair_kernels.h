@@ -18,7 +18,7 @@ struct BlockPair {
   std::uint32_t b;
   std::uint8_t level_a;
   std::uint8_t level_b;
-  std::uint16_t trees;  // which trees, for whoever keeps a list of such pairs
+  std::uint16_t trees;  ///< which trees, for whoever keeps a list of such pairs
 };
 
 /// Appends the pairs of boxes below each of `starts` that overlap, exactly, and returns how many
@@ -37,7 +37,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
 /// A box that overlaps a mover where it was, where it is, or both.
 struct MoverHit {
   std::uint32_t proxy;
-  std::uint8_t mover;  // its number among those that were looked up together
+  std::uint8_t mover;  ///< its number among those that were looked up together
   std::uint8_t was;
   std::uint8_t is;
 };

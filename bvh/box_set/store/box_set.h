@@ -112,7 +112,7 @@ class BoxSet {
 
  private:
   struct Scratch {
-    std::vector<bool> is_named;  // by place
+    std::vector<bool> is_named;  ///< by place
     RankedProxies ranked;
     std::vector<BlockPair> tasks, next_tasks;
     std::vector<PairBuffer> found;
@@ -123,7 +123,7 @@ class BoxSet {
   /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
   struct SortSpace {
     std::vector<KdItem> items;
-    std::vector<std::uint32_t> starts;  // of the layers' items, and the end
+    std::vector<std::uint32_t> starts;  ///< of the layers' items, and the end
     std::vector<std::uint8_t> layer_of_class;
     std::vector<Layer> layers;
     std::vector<Block> high;
@@ -178,29 +178,29 @@ class BoxSet {
 
   std::vector<Block> high_;
   std::vector<LowBlock> low_;
-  std::vector<std::uint32_t> proxy_;  // by position: 16 times the block plus the lane
-  std::vector<std::uint32_t> place_;  // by proxy: the position
-  std::vector<Layer> layers_;         // by size class; the last holds what came since the sort
-  std::vector<std::uint8_t> layer_of_class_;  // of sizes, as of the last sort; kNoLayer if new
+  std::vector<std::uint32_t> proxy_;  ///< by position: 16 times the block plus the lane
+  std::vector<std::uint32_t> place_;  ///< by proxy: the position
+  std::vector<Layer> layers_;         ///< by size class; the last holds what came since the sort
+  std::vector<std::uint8_t> layer_of_class_;  ///< of sizes, as of the last sort; kNoLayer if new
   std::vector<FilledGroup> filled_;
   std::vector<std::uint32_t> touched_;
   std::vector<std::uint32_t> touched_here_;
   std::size_t size_ = 0;
-  std::size_t newcomers_ = 0;         // positions of the last layer that are or were taken
-  std::size_t sorted_newcomers_ = 0;  // how many they were when they were last put in order
+  std::size_t newcomers_ = 0;         ///< positions of the last layer that are or were taken
+  std::size_t sorted_newcomers_ = 0;  ///< how many they were when they were last put in order
   std::size_t holes_ = 0;
-  std::size_t moves_ = 0;            // one by one, since the last refit
-  std::size_t arrivals_ = 0;         // since the last refit: new, or left their neighbours
-  std::size_t arrivals_before_ = 0;  // between that and the one before
+  std::size_t moves_ = 0;            ///< one by one, since the last refit
+  std::size_t arrivals_ = 0;         ///< since the last refit: new, or left their neighbours
+  std::size_t arrivals_before_ = 0;  ///< between that and the one before
   bool all_touched_ = false;
   Workers workers_;
 
   std::uint64_t sorts_ = 0;
   std::uint64_t groups_sorted_ = 0;
-  std::uint64_t met_ = 0;         // pairs of blocks met in the last search for all pairs
-  std::uint64_t met_sorted_ = 0;  // the same, in the first search after the last sort
-  double excess_ = 0;             // pairs of blocks met since then beyond that number
-  double inflation_ = 0;          // summed over blocks, kept up by refit() of paths
+  std::uint64_t met_ = 0;         ///< pairs of blocks met in the last search for all pairs
+  std::uint64_t met_sorted_ = 0;  ///< the same, in the first search after the last sort
+  double excess_ = 0;             ///< pairs of blocks met since then beyond that number
+  double inflation_ = 0;          ///< summed over blocks, kept up by refit() of paths
   Scratch scratch_;
 };
 

@@ -79,8 +79,8 @@ class OverlapTracker {
  private:
   /// A box that has changed since the last update, as it was then.
   struct Changed {
-    OrderedBox before;    // no_box() for one that is new
-    std::uint32_t place;  // in the set; kNobody for one that is new
+    OrderedBox before;    ///< no_box() for one that is new
+    std::uint32_t place;  ///< in the set; kNobody for one that is new
     std::uint32_t proxy;
   };
   enum class Verb { Insert, Move, Erase };
@@ -90,8 +90,8 @@ class OverlapTracker {
     Aabb box;
   };
   struct Mover {
-    std::uint32_t place;   // now, or where it was if it is gone
-    std::uint32_t change;  // which entry of changed_
+    std::uint32_t place;   ///< now, or where it was if it is gone
+    std::uint32_t change;  ///< which entry of changed_
   };
 
   const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
@@ -114,26 +114,26 @@ class OverlapTracker {
 
   BoxSet set_;
   PairBuffer pairs_;
-  PairBuffer before_;  // the list before the last search for all
-  PairIndex index_;    // of pairs_, while it is built
+  PairBuffer before_;  ///< the list before the last search for all
+  PairIndex index_;    ///< of pairs_, while it is built
   PairBuffer sorted_;
-  bool is_sorted_ = false;  // sorted_ holds pairs_
+  bool is_sorted_ = false;  ///< sorted_ holds pairs_
   PairRows rows_, rows_before_;
-  bool is_grouped_ = false;         // rows_ holds pairs_
-  bool is_before_grouped_ = false;  // rows_before_ holds before_
+  bool is_grouped_ = false;         ///< rows_ holds pairs_
+  bool is_before_grouped_ = false;  ///< rows_before_ holds before_
   RowsToSort rows_to_sort_;
-  bool has_difference_ = true;  // begun_ and ended_ are up to date
+  bool has_difference_ = true;  ///< begun_ and ended_ are up to date
   bool is_difference_sorted_ = true;
   PairBuffer begun_, ended_;
   static constexpr std::size_t kMostWaiting = 8;
   std::array<Waiting, kMostWaiting> waiting_;
   std::size_t waiting_count_ = 0;
-  std::vector<Changed> changed_;  // while they are few
-  std::vector<bool> is_changed_;  // by proxy
+  std::vector<Changed> changed_;  ///< while they are few
+  std::vector<bool> is_changed_;  ///< by proxy
   bool have_many_changed_ = false;
   std::vector<std::uint32_t> starts_;
   std::vector<Mover> movers_;
-  FormerBoxes former_;  // where they were
+  FormerBoxes former_;  ///< where they were
   PairBuffer former_pairs_;
   std::vector<MoverHit> hits_;
   Lookup lookup_;

@@ -43,7 +43,7 @@ class RankedProxies {
 
   struct Word {
     std::uint64_t named = 0;
-    std::uint32_t before = 0;  // named by the words before
+    std::uint32_t before = 0;  ///< named by the words before
   };
 
   std::vector<Word> words_;

@@ -8,8 +8,9 @@
 #define GRAZE_BVH_FRONT_OUTLOOK
 #endif
 
-#include <graze/bvh/wide/front/front_gaps-inl.h>
+#include <graze/bvh/wide/front/plane_store-inl.h>
 #include <graze/bvh/wide/front/wide_front.h>
+#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {

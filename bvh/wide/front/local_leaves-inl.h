@@ -113,9 +113,9 @@ template <typename AnyTag>
 struct LocalPairs {
   using Values = hn::Vec<AnyTag>;
 
-  Values tested[2][3];  // edges from the first corner to the others
+  Values tested[2][3];  ///< edges from the first corner to the others
   Values query[2][3];
-  Values offset[3];  // from the tested node's first corner to the query box's
+  Values offset[3];  ///< from the tested primitive's first corner to the other's
 
   /// From pair `first` on.
   HWY_INLINE LocalPairs(const LocalLeaves& leaves, std::size_t first) {

@@ -40,10 +40,10 @@ HWY_INLINE Aim aim_of(const WideNode& tested, const QueryInNode& query, const Qu
   return aim;
 }
 
-/// What the children of a tested node promise of a query box: lanes of squares.
+/// What is known of the distances between a query box and the children of a tested node.
 struct Promises {
-  alignas(32) float bound[WideNode::kWidth];  // of their distance, from below
-  alignas(32) float key[WideNode::kWidth];    // what to look at first: less is nearer
+  alignas(32) float bound[WideNode::kWidth];  ///< lower bounds of their squared distances
+  alignas(32) float key[WideNode::kWidth];  ///< the order in which to look at them: the least first
 };
 
 // Middles tell where bounds do not.

@@ -36,7 +36,7 @@ struct AlignedLanes {
 /// A node's axes and origin along the first so many shared axes.
 template <int kAxes>
 struct NodeAlong {
-  alignas(16) float axes[kAxes][4];  // [shared axis][axis of the node]
+  alignas(16) float axes[kAxes][4];  ///< [shared axis][axis of the node]
   double origin[kAxes];
 
   HWY_INLINE NodeAlong(const WideNode& node, const AlignedTransform& transform) {

@@ -18,7 +18,7 @@ namespace {
 struct NearPairs {
   static constexpr std::size_t kMost = 16;
 
-  alignas(64) float tested[3][3][kMost] = {};  // [corner][component]
+  alignas(64) float tested[3][3][kMost] = {};  ///< [corner][component]
   alignas(64) float query[3][3][kMost] = {};
   std::uint32_t count = 0;
 

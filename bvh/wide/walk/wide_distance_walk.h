@@ -17,7 +17,7 @@ namespace graze::bvh {
 /// Two primitives, by their places, and a lower bound of the square of their distance.
 struct BoundedPlaces {
   PlacePair places;
-  float squared_bound;  // common units
+  float squared_bound;  ///< common units
 };
 
 /// How lengths in the trees' frames and distances in space differ, in common units: each is at most

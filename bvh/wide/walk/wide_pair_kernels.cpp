@@ -33,6 +33,12 @@ struct QueryAmongOthers {
 
 /// The bits of the children that the query box is not proved apart from, and how far their middles
 /// are from its own, squared.
+///
+/// This is the separating axis test of two boxes along 15 axes that bvh/value/separating_axes.h
+/// derives. The kernel has code of its own because it compares eight boxes at once, in float, with
+/// one padding in place of the slack (wide_bounds.h): all that is known of the query box is
+/// computed once for the eight, and the nine cross products are left out where six axes tell all of
+/// them apart.
 template <typename AnyQuery>
 HWY_INLINE std::uint32_t near_lanes(const WideNode& tested, const AnyQuery& query,
                                     float* squared_distances) {
