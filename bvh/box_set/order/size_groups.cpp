@@ -1,5 +1,5 @@
-#include <graze/bvh/box_set/order/block.h>
 #include <graze/bvh/box_set/order/size_groups.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #define GRAZE_BVH_BLOCK_LANES
 #endif
 
-#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/box_set/store/block.h>
 #include <hwy/highway.h>
 
 #include <bit>

@@ -177,33 +177,6 @@ void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> b
   }
 }
 
-template <typename Join, typename Reduce>
-HWY_INLINE std::int32_t reduce_row(const std::int32_t* row, const Join& join,
-                                   const Reduce& reduce) {
-  const Tag tag;
-  Lanes all = hn::Load(tag, row);
-  for (std::uint32_t lane = static_cast<std::uint32_t>(hn::Lanes(tag)); lane < kLanes;
-       lane += static_cast<std::uint32_t>(hn::Lanes(tag)))
-    all = join(all, hn::Load(tag, row + lane));
-  return hn::GetLane(reduce(all));
-}
-
-void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above) {
-  const Tag tag;
-  for (std::uint32_t i = first; i < last; ++i) {
-    Block& parent = above[i >> kLaneBits];
-    const std::uint32_t lane = i & (kLanes - 1);
-    for (int c = 0; c < 3; ++c) {
-      parent.row[c][lane] = reduce_row(
-          below[i].row[c], [](Lanes x, Lanes y) { return hn::Min(x, y); },
-          [&](Lanes x) { return hn::MinOfLanes(tag, x); });
-      parent.row[c + 3][lane] = reduce_row(
-          below[i].row[c + 3], [](Lanes x, Lanes y) { return hn::Max(x, y); },
-          [&](Lanes x) { return hn::MaxOfLanes(tag, x); });
-    }
-  }
-}
-
 }  // namespace
 }  // namespace graze::bvh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -215,7 +188,6 @@ HWY_EXPORT(find_pairs);
 HWY_EXPORT(split_pair);
 HWY_EXPORT(find_overlapping);
 HWY_EXPORT(find_overlapping_either);
-HWY_EXPORT(refit_blocks);
 
 std::uint64_t find_pairs(const TreeView& a, const TreeView& b, std::span<const BlockPair> starts,
                          PairBuffer& out) {
@@ -236,10 +208,6 @@ void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> b
                              std::span<const OrderedBox> after, Lookup& lookup,
                              std::vector<MoverHit>& out) {
   HWY_DYNAMIC_DISPATCH(find_overlapping_either)(tree, before, after, lookup, out);
-}
-
-void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above) {
-  HWY_DYNAMIC_DISPATCH(refit_blocks)(below, first, last, above);
 }
 
 }  // namespace graze::bvh

@@ -3,8 +3,8 @@
 // The loops over blocks of boxes, once for each SIMD target. What they find, and in which order,
 // is the same on all of them.
 
-#include <graze/bvh/box_set/order/block.h>
 #include <graze/bvh/box_set/search/pair_buffer.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <cstdint>
 #include <span>
@@ -56,8 +56,5 @@ struct Lookup {
 void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
                              std::span<const OrderedBox> after, Lookup& lookup,
                              std::vector<MoverHit>& out);
-
-/// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
-void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);
 
 }  // namespace graze::bvh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/order/fork.h>
+#include <graze/bvh/box_set/store/fork.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>

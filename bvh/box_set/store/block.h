@@ -2,7 +2,7 @@
 
 // What the kernels of the box set share: plain data.
 
-#include <graze/bvh/box_set/order/ordered_box.h>
+#include <graze/bvh/box_set/store/ordered_box.h>
 
 #include <cstdint>
 #include <limits>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/search/pair_index.h>
 #include <graze/bvh/box_set/search/pair_rows.h>
-#include <graze/bvh/box_set/store/box_set.h>
-#include <graze/bvh/box_set/store/former_boxes.h>
 
 #include <array>
 #include <cstdint>
@@ -41,25 +41,25 @@ class OverlapTracker {
   void move_first(std::span<const Aabb> boxes) {
     end_waiting();
     note_many();
-    set_.move_first(boxes);
+    set_.many_moves().move_first(boxes);
   }
   template <typename ProxyOf>
   void move_ascending(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_ascending(boxes, proxy_of);
+    set_.many_moves().move_ascending(boxes, proxy_of);
   }
   template <typename ProxyOf>
   void move_many(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_many(boxes, proxy_of);
+    set_.many_moves().move(boxes, proxy_of);
   }
 
   /// Makes the set ready for queries. No list changes.
   void prepare_for_queries() {
     end_waiting();
-    set_.prepare_for_queries();
+    set_.order().prepare_for_queries();
   }
 
   /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of
