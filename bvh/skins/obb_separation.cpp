@@ -12,8 +12,8 @@ namespace {
 // M_a^T D by 1.74 kAxisError |D|. Boxes that do meet have |D| of at most the sum S of all half
 // extents and the slack. So the distance along any of the fifteen axes, a sum of at most three
 // products of such an entry and a component of D, is off by less than 3 (4 + 1.74) kAxisError S,
-// and the reach, at most four products of an entry and a half extent, by 4 kAxisError S. In all
-// below 22 kAxisError S.
+// and the sum of radii, at most four products of an entry and a half extent, by 4 kAxisError S. In
+// all below 22 kAxisError S.
 constexpr double kAxesError = 32 * FloatObb::kAxisError;
 
 // The slack is derived for boxes along the trees' axes. C is not quite a rotation: its Gram matrix
