@@ -17,7 +17,7 @@ std::size_t stride_of(std::size_t references) {
 }
 
 /// Centroids closer together than this, in local units, are one: dividing by less could overflow.
-constexpr float kSmallestSpread = 1e-30f;
+constexpr float kSmallestExtent = 1e-30f;
 
 void fill(SweepRow* bins, std::span<const Reference> references, std::size_t stride,
           const BinSplit& split, int count) {
@@ -48,14 +48,14 @@ void extend(Bounds& bounds, const Bounds& box, IntLanes mask) {
 /// it belongs in front: a branch would be mispredicted every other time. In a mask all bits set are
 /// NaN, which adds nothing.
 template <int kAxis, bool kWithBoxes>
-std::size_t partition_along(std::span<Reference> range, const BinSplit& split, Spread (&spreads)[2],
-                            Bounds (&boxes)[2]) {
+std::size_t partition_along(std::span<Reference> range, const BinSplit& split,
+                            CentroidBounds (&centroids)[2], Bounds (&boxes)[2]) {
   const Lanes low = all_lanes(split.low[kAxis]);
   const Lanes bins_per_unit = all_lanes(split.bins_per_unit[kAxis]);
   const Lanes row = all_lanes(static_cast<float>(split.cut.row));
   Reference* behind = range.data();
-  Spread of_front = empty_spread();
-  Spread of_behind = empty_spread();
+  CentroidBounds of_front = empty_centroid_bounds();
+  CentroidBounds of_behind = empty_centroid_bounds();
   for (Reference& place : range) {
     const Reference reference = place;
     const Lanes centroid = centroid_of(reference.box);
@@ -75,21 +75,21 @@ std::size_t partition_along(std::span<Reference> range, const BinSplit& split, S
     *behind = reference;
     behind -= is_front[0];
   }
-  spreads[0] = of_front;
-  spreads[1] = of_behind;
+  centroids[0] = of_front;
+  centroids[1] = of_behind;
   return static_cast<std::size_t>(behind - range.data());
 }
 
 template <bool kWithBoxes>
-std::size_t partition(std::span<Reference> range, const BinSplit& split, Spread (&spreads)[2],
-                      Bounds (&boxes)[2]) {
+std::size_t partition(std::span<Reference> range, const BinSplit& split,
+                      CentroidBounds (&centroids)[2], Bounds (&boxes)[2]) {
   switch (split.cut.axis) {
     case 0:
-      return partition_along<0, kWithBoxes>(range, split, spreads, boxes);
+      return partition_along<0, kWithBoxes>(range, split, centroids, boxes);
     case 1:
-      return partition_along<1, kWithBoxes>(range, split, spreads, boxes);
+      return partition_along<1, kWithBoxes>(range, split, centroids, boxes);
     default:
-      return partition_along<2, kWithBoxes>(range, split, spreads, boxes);
+      return partition_along<2, kWithBoxes>(range, split, centroids, boxes);
   }
 }
 
@@ -99,12 +99,12 @@ BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
                         const SweepCosts& costs) {
   const std::span<const Reference> range = references.subspan(part.begin, part.size());
   const int count = bin_count(range.size());
-  const Lanes width = part.spread.high + part.spread.minus_low;
-  const IntLanes is_wide = (width > all_lanes(kSmallestSpread)) & IntLanes{-1, -1, -1, 0};
+  const Lanes width = part.centroids.high + part.centroids.minus_low;
+  const IntLanes is_wide = (width > all_lanes(kSmallestExtent)) & IntLanes{-1, -1, -1, 0};
   const Lanes per_unit =
       all_lanes(static_cast<float>(count)) / chosen(is_wide, width, all_lanes(1));
   BinSplit split;
-  split.low = -part.spread.minus_low;
+  split.low = -part.centroids.minus_low;
   split.bins_per_unit = chosen(is_wide, per_unit, all_lanes(0));
   SweepRow bins[kMostRows];
   const std::size_t stride = stride_of(range.size());
@@ -125,13 +125,13 @@ BinSplit find_bin_split(std::span<const Reference> references, const Part& part,
 void partition(std::span<Reference> references, const Part& part, const BinSplit& split,
                Part (&sides)[2]) {
   const std::span<Reference> range = references.subspan(part.begin, part.size());
-  Spread spreads[2];
+  CentroidBounds centroids[2];
   Bounds boxes[2] = {split.boxes[0], split.boxes[1]};
-  const std::size_t in_front = split.is_sampled ? partition<true>(range, split, spreads, boxes)
-                                                : partition<false>(range, split, spreads, boxes);
+  const std::size_t in_front = split.is_sampled ? partition<true>(range, split, centroids, boxes)
+                                                : partition<false>(range, split, centroids, boxes);
   const std::size_t middle = part.begin + in_front;
-  sides[0] = {part.begin, middle, part.depth + 1, boxes[0], spreads[0]};
-  sides[1] = {middle, part.end, part.depth + 1, boxes[1], spreads[1]};
+  sides[0] = {part.begin, middle, part.depth + 1, boxes[0], centroids[0]};
+  sides[1] = {middle, part.end, part.depth + 1, boxes[1], centroids[1]};
 }
 
 }  // namespace graze::bvh

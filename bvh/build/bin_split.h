@@ -7,11 +7,11 @@ namespace graze::bvh {
 
 /// The cheapest plane between bins of centroids.
 struct BinSplit {
-  Cut cut;  // axis is negative when all centroids fall together
+  Cut cut;  ///< axis is negative when all centroids fall together
   Lanes low;
   Lanes bins_per_unit;
-  bool is_sampled;  // the plane is known, but not what is on its sides:
-  Bounds boxes[2];  // around those in front, and behind
+  bool is_sampled;  ///< the plane is known, but not what is on its sides:
+  Bounds boxes[2];  ///< around those in front, and behind
 };
 
 /// Of several references, along all three axes. Of very many only some are looked at.

@@ -6,7 +6,7 @@ Part part_of(std::span<const Reference> references, std::size_t begin, std::size
   Part part{begin, end, depth};
   for (const Reference& reference : references.subspan(begin, end - begin)) {
     part.box = merged(part.box, reference.box);
-    extend(part.spread, centroid_of(reference.box));
+    extend(part.centroids, centroid_of(reference.box));
   }
   return part;
 }

@@ -5,18 +5,18 @@
 namespace graze::bvh {
 
 /// The smallest box around centroids, as Bounds are.
-struct Spread {
+struct CentroidBounds {
   Lanes minus_low;
   Lanes high;
 };
 
 /// Adds a centroid. NaN adds nothing.
-static inline void extend(Spread& spread, Lanes centroid) {
-  spread.minus_low = larger(-centroid, spread.minus_low);
-  spread.high = larger(centroid, spread.high);
+static inline void extend(CentroidBounds& bounds, Lanes centroid) {
+  bounds.minus_low = larger(-centroid, bounds.minus_low);
+  bounds.high = larger(centroid, bounds.high);
 }
 
-static inline Spread empty_spread() {
+static inline CentroidBounds empty_centroid_bounds() {
   const Bounds none = empty_bounds();
   return {none.minus_min, none.max};
 }
@@ -25,9 +25,9 @@ static inline Spread empty_spread() {
 struct Part {
   std::size_t begin = 0;
   std::size_t end = 0;
-  int depth = 0;  // nodes above
+  int depth = 0;  ///< how many nodes are above
   Bounds box = empty_bounds();
-  Spread spread = empty_spread();
+  CentroidBounds centroids = empty_centroid_bounds();
 
   std::size_t size() const { return end - begin; }
 };

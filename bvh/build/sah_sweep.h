@@ -31,7 +31,7 @@ constexpr int kMostRows = 16;
 /// in size, so that finding one by its number is a shift.
 struct alignas(128) SweepRow {
   Bounds box[3];
-  IntLanes count;  // of primitives, an axis each; without any, the box is empty_bounds()
+  IntLanes count;  ///< of primitives, an axis each; without any, the box is empty_bounds()
 };
 
 static inline SweepRow empty_row() {
@@ -42,8 +42,8 @@ static inline SweepRow empty_row() {
 /// place that they leave empty in leaves of so many, a share of one more.
 struct SweepCosts {
   Measure measure = Measure::Surface;
-  float leaf_size = 1;    // at least 1
-  float empty_place = 0;  // of a primitive
+  float leaf_size = 1;    ///< at least 1
+  float empty_place = 0;  ///< of a primitive
 };
 
 /// So many primitives, with the places that they leave empty; 0 for none, whatever rounds. Where

@@ -11,7 +11,7 @@ constexpr std::size_t kMostSorted = 8;
 
 /// References in the order of their centroids along each axis.
 struct SortSplit {
-  Cut cut;  // of the order along its axis; always found
+  Cut cut;  ///< of the order along its axis; always found
   std::uint8_t order[kMostSorted][4];
 };
 

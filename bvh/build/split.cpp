@@ -19,8 +19,8 @@ bool is_cheaper_than_leaf(const Cut& cut, const Part& part, const SweepCosts& co
   return cut.axis >= 0 && of_part + primitive_cost * cut.cost < primitive_cost * weight * of_part;
 }
 
-int widest_axis(const Spread& spread) {
-  const Lanes width = spread.high + spread.minus_low;
+int widest_axis(const CentroidBounds& centroids) {
+  const Lanes width = centroids.high + centroids.minus_low;
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
     if (width[k] > width[axis]) axis = k;
@@ -31,7 +31,7 @@ int widest_axis(const Spread& spread) {
 /// To two halves of equal count along the axis on which the centroids spread widest.
 void halve(std::span<Reference> references, const Part& part, Part (&sides)[2]) {
   const std::span<Reference> range = references.subspan(part.begin, part.size());
-  const int axis = widest_axis(part_of(references, part.begin, part.end, 0).spread);
+  const int axis = widest_axis(part_of(references, part.begin, part.end, 0).centroids);
   // Sorted, because what order nth_element leaves is for the library to choose.
   std::sort(range.begin(), range.end(), [axis](const Reference& a, const Reference& b) {
     const float of_a = centroid_of(a.box)[axis];

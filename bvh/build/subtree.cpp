@@ -13,7 +13,7 @@ class Builder {
     // As many as wide trees need; smaller leaves have more, and grow once.
     nodes_.reserve(part.size() / 4 * 3 + 1);
     nodes_.push_back(node_over(part.box, 0, 0));
-    build(0, {0, part.size(), part.depth, part.box, part.spread});
+    build(0, {0, part.size(), part.depth, part.box, part.centroids});
   }
 
   std::vector<Node> take() { return std::move(nodes_); }

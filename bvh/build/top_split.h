@@ -9,7 +9,7 @@ namespace graze::bvh {
 /// The nodes of a tree above parts whose subtrees are built later, or never. A leaf among the nodes
 /// is a part: its `first` counts parts, its `count` primitives.
 struct TopTree {
-  std::vector<Node> nodes;  // nodes[0] is the root; children side by side behind their parent
+  std::vector<Node> nodes;  ///< nodes[0] is the root; children side by side behind their parent
   std::vector<Part> parts;
 };
 

@@ -39,24 +39,24 @@ FloatObb centred_along(std::span<const Eigen::Vector3d> points, const Pose& fram
 /// Sets the half extents about the centre and axes as they are in float.
 void set_half_extents(FloatObb& box, std::span<const Eigen::Vector3d> points) {
   double half[3] = {0, 0, 0};
-  double reach = 0;
+  double largest = 0;
   for (const Eigen::Vector3d& point : points) {
-    double way[3];
+    double offset[3];
     double norm = 0;
     for (int k = 0; k < 3; ++k) {
-      way[k] = point.data()[k] - box.centre[k];
-      norm += std::abs(way[k]);
+      offset[k] = point.data()[k] - box.centre[k];
+      norm += std::abs(offset[k]);
     }
-    reach = std::max(reach, norm);
+    largest = std::max(largest, norm);
     for (int i = 0; i < 3; ++i) {
       const double along =
-          box.axes[i][0] * way[0] + box.axes[i][1] * way[1] + box.axes[i][2] * way[2];
+          box.axes[i][0] * offset[0] + box.axes[i][1] * offset[1] + box.axes[i][2] * offset[2];
       half[i] = std::max(half[i], std::abs(along));
     }
   }
   // Seen from the rotation that the axes stand for, each component of which is within kAxisError,
-  // a coordinate is off by kAxisError times the 1-norm of the way, and by the points' rounding.
-  const double margin = 1.01 * FloatObb::kAxisError * reach + 4 * Hulls::kRounding;
+  // a coordinate is off by kAxisError times the 1-norm of the offset, and by the points' rounding.
+  const double margin = 1.01 * FloatObb::kAxisError * largest + 4 * Hulls::kRounding;
   for (int i = 0; i < 3; ++i)
     box.half[i] = rounded_up(half[i] + margin);
 }

@@ -30,7 +30,7 @@ class Hulls {
   };
 
   std::vector<Eigen::Vector3d> points_;
-  std::vector<Range> primitives_below_;  // of each node
+  std::vector<Range> primitives_below_;  ///< of each node
   std::size_t per_primitive_;
 };
 

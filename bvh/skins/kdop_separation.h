@@ -13,8 +13,8 @@ namespace graze::bvh {
 struct KDopCombination {
   int slab[3];
   /// Of the normal of the slab, times its sign; one of the two is zero.
-  double along[3];    // at least 0
-  double against[3];  // at most 0
+  double along[3];    ///< at least 0
+  double against[3];  ///< at most 0
 };
 
 /// The combination for the direction (x, y, z), off by at most a few roundings.
@@ -38,14 +38,14 @@ class KDopSeparation {
   /// How the extents of `other` along the directions of one mesh follow from its own slabs.
   struct View {
     KDopCombination combinations[kSlabs];
-    double shift[kSlabs];  // of the other's origin along the direction
+    double shift[kSlabs];  ///< of the other's origin along the direction
     double units_own;
     double units_other;
   };
 
   bool is_apart_in(const View& view, const FloatKDop& own, const FloatKDop& other) const;
 
-  View view_a_;  // along the directions of A
+  View view_a_;  ///< along the directions of A
   View view_b_;
   double slack_;
   std::span<const FloatKDop> skin_a_;

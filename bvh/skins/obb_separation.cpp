@@ -12,8 +12,8 @@ namespace {
 // M_a^T D by 1.74 kAxisError |D|. Boxes that do meet have |D| of at most the sum S of all half
 // extents and the slack. So the distance along any of the fifteen axes, a sum of at most three
 // products of such an entry and a component of D, is off by less than 3 (4 + 1.74) kAxisError S,
-// and the reach, at most four products of an entry and a half extent, by 4 kAxisError S. In all
-// below 22 kAxisError S.
+// and the sum of radii, at most four products of an entry and a half extent, by 4 kAxisError S. In
+// all below 22 kAxisError S.
 constexpr double kAxesError = 32 * FloatObb::kAxisError;
 
 // The slack is derived for boxes along the trees' axes. C is not quite a rotation: its Gram matrix
@@ -26,7 +26,7 @@ bool ObbSeparation::are_apart(std::uint32_t a, std::uint32_t b) const {
   const FloatObb& box_a = skin_a_[a];
   const FloatObb& box_b = skin_b_[b];
   const double(&c)[3][3] = frame_.rotation;
-  double way[3];          // from centre to centre in the frame of A's tree
+  double between[3];      // from centre to centre in the frame of A's tree
   double turned[3][3];    // [axis of B's box][component in the frame of A's tree]
   double rotation[3][3];  // row-major: B's box in the frame of A's
   double size[3][3], offset[3], half_a[3], half_b[3];
@@ -34,7 +34,8 @@ bool ObbSeparation::are_apart(std::uint32_t a, std::uint32_t b) const {
   for (int i = 0; i < 3; ++i) {
     const double centre_b =
         c[i][0] * box_b.centre[0] + c[i][1] * box_b.centre[1] + c[i][2] * box_b.centre[2];
-    way[i] = (frame_.translation[i] - box_a.centre[i] * frame_.units_a) + centre_b * frame_.units_b;
+    between[i] =
+        (frame_.translation[i] - box_a.centre[i] * frame_.units_a) + centre_b * frame_.units_b;
     half_a[i] = box_a.half[i] * frame_.units_a;
     half_b[i] = box_b.half[i] * frame_.units_b;
     sum += half_a[i] + half_b[i];
@@ -45,7 +46,7 @@ bool ObbSeparation::are_apart(std::uint32_t a, std::uint32_t b) const {
   }
   for (int i = 0; i < 3; ++i) {
     const float(&axis)[3] = box_a.axes[i];
-    offset[i] = axis[0] * way[0] + axis[1] * way[1] + axis[2] * way[2];
+    offset[i] = axis[0] * between[0] + axis[1] * between[1] + axis[2] * between[2];
     for (int j = 0; j < 3; ++j) {
       rotation[i][j] = axis[0] * turned[j][0] + axis[1] * turned[j][1] + axis[2] * turned[j][2];
       size[i][j] = std::abs(rotation[i][j]);

@@ -67,11 +67,11 @@ FloatKDop kdop_around(const FloatSphere& sphere) {
     const int ones = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     const double along = double{sphere.centre[0]} * d[0] + double{sphere.centre[1]} * d[1] +
                          double{sphere.centre[2]} * d[2];
-    const double reach = sphere.radius * std::sqrt(static_cast<double>(ones));
+    const double radius = sphere.radius * std::sqrt(static_cast<double>(ones));
     // Three roundings to double; a float's step is relative to a sum that may cancel.
-    const double margin = 0x1p-50 * (std::abs(along) + reach) + 0x1p-100;
-    kdop.min[slab] = rounded_down(along - reach - margin);
-    kdop.max[slab] = rounded_up(along + reach + margin);
+    const double margin = 0x1p-50 * (std::abs(along) + radius) + 0x1p-100;
+    kdop.min[slab] = rounded_down(along - radius - margin);
+    kdop.max[slab] = rounded_up(along + radius + margin);
   }
   return kdop;
 }

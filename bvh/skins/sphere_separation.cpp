@@ -14,13 +14,13 @@ bool SphereSeparation::are_apart(std::uint32_t a, std::uint32_t b) const {
   for (int i = 0; i < 3; ++i) {
     const double turned =
         r[i][0] * sphere_b.centre[0] + r[i][1] * sphere_b.centre[1] + r[i][2] * sphere_b.centre[2];
-    const double way =
+    const double offset =
         (frame_.translation[i] - sphere_a.centre[i] * frame_.units_a) + turned * frame_.units_b;
-    square += way * way;
+    square += offset * offset;
   }
-  const double reach =
+  const double radii =
       sphere_a.radius * frame_.units_a + sphere_b.radius * frame_.units_b + frame_.slack;
-  return square > reach * reach;
+  return square > radii * radii;
 }
 
 bool SphereSeparation::is_first_larger(std::uint32_t a, std::uint32_t b) const {

@@ -9,7 +9,7 @@ namespace graze::bvh {
 /// units, covers all by which the query's truth may differ from that, and the rounding of all
 /// that compares boxes here: whoever fills this in derives it (law 5).
 struct RelativeFrame {
-  double rotation[3][3];  // row-major
+  double rotation[3][3];  ///< row-major
   double translation[3];
   double units_a;
   double units_b;
@@ -30,7 +30,7 @@ class BoxSeparation {
 
  private:
   RelativeFrame frame_;
-  double size_[3][3];  // |rotation|
+  double size_[3][3];  ///< |rotation|
 };
 
 /// Whether an axis of one box or the other has them further apart than the slack. What cross

@@ -11,7 +11,7 @@ namespace graze::bvh {
 /// A subtree that takes the place of a node of another tree. Its nodes count nodes and primitives
 /// from its own first ones.
 struct Graft {
-  std::size_t at;  // the node
+  std::size_t at;  ///< the node
   std::uint32_t first_primitive;
   std::vector<Node> nodes;
 };

@@ -22,8 +22,8 @@ static_assert(sizeof(Node) == 32, "two nodes, the children of one, fill a cache 
 /// made by build(), changed by refit(), walked by the traverse_* loops.
 struct Tree {
   LocalFrame frame;
-  std::vector<Node> nodes;                // nodes[0] is the root; never empty
-  std::vector<std::uint32_t> primitives;  // the primitives' indices in the order of the leaves
+  std::vector<Node> nodes;                ///< nodes[0] is the root; never empty
+  std::vector<std::uint32_t> primitives;  ///< the primitives' indices in the order of the leaves
 
   const Node& root() const { return nodes[0]; }
 };

@@ -10,7 +10,7 @@ namespace graze::bvh {
 /// of a float serves meshes at any offset and of any size.
 struct LocalFrame {
   double centre[3];
-  int exponent;  // at least kMinExponent
+  int exponent;  ///< at least kMinExponent
 
   /// Below it local coordinates simply become small.
   static constexpr int kMinExponent = -1000;

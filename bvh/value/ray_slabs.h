@@ -14,8 +14,8 @@ namespace graze::bvh {
 /// underflow are off by less than 2^-1074.
 struct ScaledDirection {
   double component[3];
-  int exponent;   // direction = component * 2^exponent
-  double length;  // of `component`: between 1 and 3.5, off by at most 2 u of itself
+  int exponent;   ///< direction = component * 2^exponent
+  double length;  ///< of `component`: between 1 and 3.5, off by at most 2 u of itself
 };
 
 static inline ScaledDirection scaled_direction(const double* direction) {

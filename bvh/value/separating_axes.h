@@ -2,6 +2,17 @@
 
 // The separating axis test for two boxes: three axes of each and nine cross products (Gottschalk,
 // Lin and Manocha, "OBBTree", 1996). Private to bvh and narrowphase.
+//
+// Two convex polyhedra are apart if and only if a face normal of either, or the cross product of an
+// edge of each, separates them. Let d be the offset of the centres, r_ij the component along axis i
+// of A of axis j of B, and a_i, b_j the half extents. Along an axis n the boxes are apart if the
+// size of n . d exceeds the sum of their projected radii, a_i |n . e_i| and b_j |n . f_j|:
+//   n = e_i        |d_i| > a_i + sum_j b_j |r_ij|
+//   n = f_j        |sum_i d_i r_ij| > b_j + sum_i a_i |r_ij|
+//   n = e_i x f_j  |d_i2 r_i1j - d_i1 r_i2j|
+//                    > a_i1 |r_i2j| + a_i2 |r_i1j| + b_j1 |r_ij2| + b_j2 |r_ij1|
+// with i1, i2 the axes after i, and j1, j2 those after j. The kernels of wide trees use the same
+// inequalities in lanes (bvh/wide/walk/wide_pair_kernels.cpp, bvh/wide/front/box_gaps-inl.h).
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include <graze/bvh/box_set/order/block.h>
-#include <graze/bvh/box_set/order/fork.h>
 #include <graze/bvh/box_set/order/kd_order.h>
+#include <graze/bvh/box_set/store/block.h>
+#include <graze/bvh/box_set/store/fork.h>
 
 #include <algorithm>
 #include <bit>

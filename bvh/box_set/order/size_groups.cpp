@@ -1,5 +1,5 @@
-#include <graze/bvh/box_set/order/block.h>
 #include <graze/bvh/box_set/order/size_groups.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,8 @@ double meetings(std::span<const Group> groups, double cell, double cells) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const double side_i = cube_root(cell / groups[i].blocks) + groups[i].side;
     for (std::size_t j = i; j < groups.size(); ++j) {
-      const double reach = side_i + cube_root(cell / groups[j].blocks) + groups[j].side;
-      const double met = std::min(reach * reach * reach / cell, cells);
+      const double side = side_i + cube_root(cell / groups[j].blocks) + groups[j].side;
+      const double met = std::min(side * side * side / cell, cells);
       sum += groups[i].blocks * groups[j].blocks * (i == j ? met / 2 : met);
     }
   }

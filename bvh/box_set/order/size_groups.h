@@ -11,7 +11,7 @@ namespace graze::bvh {
 
 /// Boxes of about one size.
 struct SizeClass {
-  double side;  // metres, of a typical box
+  double side;  ///< metres, of a typical box
   std::size_t count;
 };
 

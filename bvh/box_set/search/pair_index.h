@@ -53,7 +53,7 @@ class PairIndex {
   std::size_t home(BoxPair pair) const;
   std::size_t find(const PairBuffer& list, BoxPair pair) const;
 
-  std::vector<std::uint32_t> entries_;  // positions in the list
+  std::vector<std::uint32_t> entries_;  ///< positions in the list
   int shift_ = 0;
 };
 

@@ -3,8 +3,8 @@
 // The loops over blocks of boxes, once for each SIMD target. What they find, and in which order,
 // is the same on all of them.
 
-#include <graze/bvh/box_set/order/block.h>
 #include <graze/bvh/box_set/search/pair_buffer.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ struct BlockPair {
   std::uint32_t b;
   std::uint8_t level_a;
   std::uint8_t level_b;
-  std::uint16_t trees;  // which trees, for whoever keeps a list of such pairs
+  std::uint16_t trees;  ///< which trees, for whoever keeps a list of such pairs
 };
 
 /// Appends the pairs of boxes below each of `starts` that overlap, exactly, and returns how many
@@ -37,7 +37,7 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
 /// A box that overlaps a mover where it was, where it is, or both.
 struct MoverHit {
   std::uint32_t proxy;
-  std::uint8_t mover;  // its number among those that were looked up together
+  std::uint8_t mover;  ///< its number among those that were looked up together
   std::uint8_t was;
   std::uint8_t is;
 };
@@ -56,8 +56,5 @@ struct Lookup {
 void find_overlapping_either(const TreeView& tree, std::span<const OrderedBox> before,
                              std::span<const OrderedBox> after, Lookup& lookup,
                              std::vector<MoverHit>& out);
-
-/// Writes the bounds of blocks [first, last) of one level into their lanes of the level above.
-void refit_blocks(const Block* below, std::uint32_t first, std::uint32_t last, Block* above);
 
 }  // namespace graze::bvh

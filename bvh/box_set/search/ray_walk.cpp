@@ -63,13 +63,14 @@ void visit_boxes(const TreeView& tree, const RaySlabs& ray, std::uint32_t block,
 // would be lost in theirs.
 double padded_entry(const RaySlabs& ray, const double* low, const double* high, double limit) {
   double from_origin_low[3], from_origin_high[3];
-  double reach = 0;
+  double farthest = 0;
   for (int k = 0; k < 3; ++k) {
     from_origin_low[k] = low[k] - ray.origin[k];
     from_origin_high[k] = high[k] - ray.origin[k];
-    reach = std::max(reach, std::max(std::abs(from_origin_low[k]), std::abs(from_origin_high[k])));
+    farthest =
+        std::max(farthest, std::max(std::abs(from_origin_low[k]), std::abs(from_origin_high[k])));
   }
-  const double padding = kRayPadding * reach;
+  const double padding = kRayPadding * farthest;
   if (!std::isfinite(padding)) return 0;
   double padded_low[3], padded_high[3];
   RaySlabs from_zero = ray;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/box_set/store/block.h>
 #include <graze/bvh/value/ray_slabs.h>
 
 #include <functional>

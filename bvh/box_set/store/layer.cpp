@@ -1,5 +1,5 @@
-#include <graze/bvh/box_set/search/pair_kernels.h>
 #include <graze/bvh/box_set/store/layer.h>
+#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 #include <cstring>

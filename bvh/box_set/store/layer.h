@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/order/block.h>
+#include <graze/bvh/box_set/store/block.h>
 
 #include <cstdint>
 #include <vector>
@@ -13,10 +13,10 @@ struct Layer {
   std::uint32_t first_block = 0;
   std::uint32_t block_count = 0;
   int top = 0;
-  std::vector<Block> upper[kMaxLevels];  // [0] stays empty
-  std::vector<float> sorted_extent;      // of each block when it was sorted, see extent()
-  std::vector<std::uint16_t> holed;      // by blocks of upper[1]: which blocks below have holes
-  std::vector<bool> is_filled;           // likewise: a box came to a hole since the last refit
+  std::vector<Block> upper[kMaxLevels];  ///< [0] stays empty
+  std::vector<float> sorted_extent;      ///< of each block when it was sorted, see extent()
+  std::vector<std::uint16_t> holed;      ///< by blocks of upper[1]: which blocks below have holes
+  std::vector<bool> is_filled;           ///< likewise: a box came to a hole since the last refit
 
   bool needs_refit_of_all = false;
 

@@ -7,8 +7,8 @@
 
 namespace graze::bvh {
 
-/// Which proxies an ascending list names, and where in it: a bit and a half an proxy, where a table
-/// would take 32.
+/// Which proxies an ascending list names, and where in the list: it takes a bit and a half for each
+/// proxy, where a table would take 32.
 class RankedProxies {
  public:
   /// `proxy_of(i)`, for i below `count`, ascends and stays below `proxies`.
@@ -26,7 +26,7 @@ class RankedProxies {
     }
   }
 
-  /// Where the list names an proxy; beyond its end if it does not.
+  /// Where in the list a proxy is; a place beyond its end if it is not there.
   std::size_t rank(std::uint32_t proxy) const {
     constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
     if (proxy / kBits >= words_.size()) return kNowhere;
@@ -43,7 +43,7 @@ class RankedProxies {
 
   struct Word {
     std::uint64_t named = 0;
-    std::uint32_t before = 0;  // named by the words before
+    std::uint32_t before = 0;  ///< named by the words before
   };
 
   std::vector<Word> words_;

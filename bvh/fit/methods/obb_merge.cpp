@@ -40,9 +40,9 @@ double margin(const Obb& box_a, const Obb& box_b, const Obb& fitted) {
                            rotation_deviation(fitted.pose);
   const double sum =
       box_a.half_extents.sum() + box_b.half_extents.sum() + fitted.half_extents.sum();
-  const double reach = std::max(box_a.pose.translation().cwiseAbs().maxCoeff(),
-                                box_b.pose.translation().cwiseAbs().maxCoeff());
-  return 2 * (deviation + 0x1p-48) * sum + 0x1p-49 * reach + 32 * kLeast;
+  const double farthest = std::max(box_a.pose.translation().cwiseAbs().maxCoeff(),
+                                   box_b.pose.translation().cwiseAbs().maxCoeff());
+  return 2 * (deviation + 0x1p-48) * sum + 0x1p-49 * farthest + 32 * kLeast;
 }
 
 }  // namespace

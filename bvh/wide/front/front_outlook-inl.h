@@ -8,34 +8,36 @@
 #define GRAZE_BVH_FRONT_OUTLOOK
 #endif
 
-#include <graze/bvh/wide/front/front_gaps-inl.h>
+#include <graze/bvh/wide/front/plane_store-inl.h>
 #include <graze/bvh/wide/front/wide_front.h>
+#include <graze/bvh/wide/lanes/pair_lanes-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// What is rounded to float four times, times it, is no less than before.
+/// A number that was rounded to float up to four times and is multiplied by this is no less than it
+/// was.
 inline constexpr float kRoundUp = 1 + 0x1p-20f;
 
-/// Of a quotient, for what reciprocals are off on any target.
+/// Quotients are multiplied by this, which pays for estimates of reciprocals on any target.
 inline constexpr float kReciprocalError = 1 - kEstimateError;
 
-/// A linear motion of points, column by column.
+/// A displacement that is linear in the point, column by column.
 struct alignas(16) StepColumns {
-  float column[4][4];  // of the turn, and the way; the rest is 0
+  float column[4][4];  ///< three of the rotation's change and the translation; the rest is 0
 
-  HWY_INLINE void set(const FrontWay& way, float scale) {
+  HWY_INLINE void set(const QueryDisplacement& displacement, float scale) {
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        column[j][i] = way.turned[i][j] * scale;
-      column[3][i] = way.moved[i] * scale;
+        column[j][i] = displacement.turned[i][j] * scale;
+      column[3][i] = displacement.moved[i] * scale;
     }
     for (auto& c : column)
       c[3] = 0;
   }
 
-  /// How far that takes a point.
+  /// The displacement of a point.
   HWY_INLINE void move(const float (&point)[3], float (&step)[4]) const {
     const FourTag tag;
     for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
@@ -47,7 +49,7 @@ struct alignas(16) StepColumns {
   }
 };
 
-/// Of the query boxes of one tested node.
+/// What planes prove of the query boxes that are tested against the nodes of one side.
 template <FrontBounds bounds>
 class FrontOutlook {
  public:
@@ -55,16 +57,16 @@ class FrontOutlook {
   using Planes = FrontPlanes<lanes, bounds>;
 
   HWY_INLINE void set(const WideFront::Pass& pass, int tested_side) {
-    const FrontWay& since = pass.since[tested_side];
+    const QueryDisplacement& since = pass.since[tested_side];
     since_.set(since, Planes<1>::kPart);
     turn_ = since.turn;
     error_ = since.error;
     is_predicted_ = pass.deviation < 1;
-    const FrontWay& prediction = pass.step[tested_side];
-    prediction_.set(prediction, -pass.per_way * Planes<1>::kPart);
+    const QueryDisplacement& prediction = pass.step[tested_side];
+    prediction_.set(prediction, -pass.per_distance * Planes<1>::kPart);
     deviation_ = pass.deviation;
-    turning_ = prediction.turn * pass.per_way * kRoundUp;
-    least_spent_ = 2 * prediction.error * pass.per_way * kRoundUp + pass.deviation;
+    turning_ = prediction.turn * pass.per_distance * kRoundUp;
+    least_spent_ = 2 * prediction.error * pass.per_distance * kRoundUp + pass.deviation;
   }
 
   /// The least of the gaps that planes prove now.
@@ -95,11 +97,11 @@ class FrontOutlook {
   }
 
   struct Nearness {
-    std::uint32_t near;  // the lanes within the limit
-    float lasts;         // how long the gaps of the others do
+    std::uint32_t near;  ///< the lanes that are within the limit
+    float lasts;         ///< how long the gaps of the other lanes last
   };
 
-  /// Of these lanes alone what was found is stored, as gaps of the pose of reference.
+  /// Stores the planes that were found for these lanes, with their gaps in the pose of reference.
   template <std::size_t lanes>
   HWY_INLINE Nearness keep(Planes<lanes>& planes, const FoundPlanes<lanes>& found,
                            std::uint32_t asked, float limit) const {

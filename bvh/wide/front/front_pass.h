@@ -4,18 +4,18 @@
 
 namespace graze::bvh {
 
-/// What is further apart than `limit`, and has a budget after `due`, need not be looked at.
+/// Pairs that are further apart than `limit` and whose budget outlasts `due` are skipped.
 struct FrontHorizon {
-  float limit;
-  float due;
+  float limit;  ///< common units
+  float due;    ///< the motion spent, as budgets are
 };
 
-/// What a pass looks at: what it `must`, and what is within `reach`, as in WideFront::Foresight.
+/// What an update of a front looks at.
 struct FrontTask {
-  FrontHorizon must;
-  FrontHorizon reach;
-  float useful;
-  std::size_t most_added;
+  FrontHorizon must;        ///< what it has to compare
+  FrontHorizon look_ahead;  ///< what it may compare for later passes, as in WideFront::Foresight
+  float useful;             ///< likewise
+  std::size_t most_added;   ///< likewise
 };
 
 /// Looks at what is due in a front, and at what is busy. Private to bvh/wide.

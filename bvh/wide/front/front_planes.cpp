@@ -8,25 +8,25 @@ namespace graze::bvh {
 
 namespace {
 
-/// Beyond it motions are not told in floats.
+/// Motions that are larger are not kept in floats.
 constexpr double kLargest = 0x1p60;
 
 }  // namespace
 
-FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
-                   double all_turns)
+QueryDisplacement::QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now,
+                                     const WideTree& query, double all_turns)
     : turn(static_cast<float>(all_turns)) {
   const FloatBox& box = query.box();
   double sizes = 0;
   for (int i = 0; i < 3; ++i) {
-    const double way = now.translation[i] - first.translation[i];
-    moved[i] = static_cast<float>(way);
-    sizes += std::abs(way);
+    const double came = now.translation[i] - first.translation[i];
+    moved[i] = static_cast<float>(came);
+    sizes += std::abs(came);
     for (int j = 0; j < 3; ++j) {
       const double change = now.rotation[i][j] - first.rotation[i][j];
       turned[i][j] = static_cast<float>(change);
-      const float reach = std::max(std::abs(box.min[j]), std::abs(box.max[j]));
-      sizes += std::abs(change) * static_cast<double>(reach) * now.units_b;
+      const float largest = std::max(std::abs(box.min[j]), std::abs(box.max[j]));
+      sizes += std::abs(change) * static_cast<double>(largest) * now.units_b;
     }
   }
   if (!(sizes < kLargest)) {
@@ -41,10 +41,10 @@ FrontWay::FrontWay(const RelativeFrame& first, const RelativeFrame& now, const W
   error = rounded_up(sizes * 0x1p-20 + 0x1p-100);
 }
 
-FrontQuery::FrontQuery(const WideChildRef& slot, float units, int side_of_tested)
+FrontQuery::FrontQuery(const WideChildRef& child, float units, int side_of_tested)
     : tested_side(static_cast<std::uint16_t>(side_of_tested)) {
-  const WideNode& node = *slot.node;
-  const std::uint32_t lane = slot.lane;
+  const WideNode& node = *child.node;
+  const std::uint32_t lane = child.lane;
   float square = 0;
   float sizes = 0;
   for (int i = 0; i < 3; ++i) {
@@ -68,23 +68,25 @@ FrontQuery::FrontQuery(const WideChildRef& slot, float units, int side_of_tested
 }
 
 FrontPlane::FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
-                       const FrontWay& way) {
+                       const QueryDisplacement& displacement) {
   float step[3];
-  set_step(step, query, way);
+  set_step(step, query, displacement);
   double kept = gap_now;
   for (int i = 0; i < 3; ++i) {
     normal[i] = static_cast<float>(direction[i]);
     kept -= static_cast<double>(normal[i]) * static_cast<double>(step[i]);
   }
-  kept += static_cast<double>(query.radius()) * static_cast<double>(way.turn * kRoundPlanes);
-  gap = rounded_down(kept - static_cast<double>(way.error));
+  kept +=
+      static_cast<double>(query.radius()) * static_cast<double>(displacement.turn * kRoundPlanes);
+  gap = rounded_down(kept - static_cast<double>(displacement.error));
 }
 
-float FrontPlane::gap_after(const FrontQuery& query, const FrontWay& way) const {
+float FrontPlane::gap_after(const FrontQuery& query, const QueryDisplacement& displacement) const {
   float step[3];
-  set_step(step, query, way);
+  set_step(step, query, displacement);
   const float along = gap + normal[0] * step[0] + normal[1] * step[1] + normal[2] * step[2];
-  return (along - (query.radius() * way.turn * (1 / kRoundPlanes) + way.error)) * kRoundPlanes;
+  return (along - (query.radius() * displacement.turn * (1 / kRoundPlanes) + displacement.error)) *
+         kRoundPlanes;
 }
 
 }  // namespace graze::bvh

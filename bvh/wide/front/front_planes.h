@@ -9,7 +9,11 @@
 #include <cstdint>
 #include <limits>
 
-// How a gap along a direction n changes with the pose. In the tested node's frame, in common units,
+// How a gap along a direction n changes with the pose: the bound of motion that decides when a pair
+// of a front has to be compared again. It stands in for the failure time of a certificate in a
+// kinetic data structure (Basch, Guibas and Hershberger, "Data structures for mobile data", 1999).
+//
+// In the frame of the tested node's tree, in common units,
 // a point b of the query box lies at R b + t in one pose and at S b + v in another. If all b of a
 // query box around c, |b - c| <= r, were g or more beyond some points of the tested node along n,
 // |n| <= 1, they are now beyond these by at least
@@ -20,60 +24,63 @@
 
 namespace graze::bvh {
 
-/// How a query box has come from where it was at first, common units.
-struct FrontWay {
-  float turned[3][3] = {};  // what its rotation has changed by
-  float moved[3] = {};
-  float turn = 0;   // the sum of all changes of its rotation
-  float error = 0;  // of n . u for any point of the query box's tree, whatever rounds
+/// How the points of query boxes are displaced between two poses, in the frame of the tested nodes'
+/// tree: b by turned * b + moved, in common units.
+struct QueryDisplacement {
+  float turned[3][3] = {};  ///< the change of the rotation
+  float moved[3] = {};      ///< the change of the translation
+  float turn = 0;           ///< the sum of all changes of the rotation on the way, as lengths
+  float error = 0;          ///< of n . u for any point of the query boxes' tree, whatever rounds
 
-  FrontWay() = default;
+  QueryDisplacement() = default;
 
-  /// From `first` to `now`, as frames of the query box, which is `query`, in the tested node.
-  FrontWay(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
-           double all_turns);
+  /// From `first` to `now`, which are frames of the tree `query` in that of the tested nodes.
+  QueryDisplacement(const RelativeFrame& first, const RelativeFrame& now, const WideTree& query,
+                    double all_turns);
 };
 
-/// A query box, as a ball around what its box holds in its own tree's frame, common units.
+/// A ball around what a query box holds, in the frame of its own tree and in common units.
 struct FrontQuery {
   float centre[3];
-  std::uint16_t upper_radius;  // the upper half of a float, rounded up
-  std::uint16_t tested_side;   // whose query box it is
+  std::uint16_t upper_radius;  ///< the upper half of a float, rounded up
+  std::uint16_t tested_side;   ///< the side of the node that it is tested against
 
   FrontQuery() = default;
-  FrontQuery(const WideChildRef& slot, float units, int side_of_tested);
+  FrontQuery(const WideChildRef& child, float units, int side_of_tested);
 
   float radius() const { return std::bit_cast<float>(std::uint32_t{upper_radius} << 16); }
 };
 
-/// What gaps of planes are multiplied by where they are stored, and where they are read: four
-/// roundings each, and those of turns.
+/// Gaps of planes are multiplied by this where they are stored, and once more where they are read.
+/// It pays for four roundings each, and for those of turns.
 inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 
-/// What is rounded to float, times it, is no more than before.
+/// A number rounded to float and multiplied by this is no larger than it was before.
 inline constexpr float kRoundDown = 1 - 0x1p-22f;
 
 /// How far the middle of a query box has come since the pose of reference.
-inline void set_step(float (&step)[3], const FrontQuery& query, const FrontWay& way) {
+inline void set_step(float (&step)[3], const FrontQuery& query,
+                     const QueryDisplacement& displacement) {
   for (int i = 0; i < 3; ++i) {
-    step[i] = way.turned[i][0] * query.centre[0] + way.turned[i][1] * query.centre[1] +
-              way.turned[i][2] * query.centre[2] + way.moved[i];
+    step[i] = displacement.turned[i][0] * query.centre[0] +
+              displacement.turned[i][1] * query.centre[1] +
+              displacement.turned[i][2] * query.centre[2] + displacement.moved[i];
   }
 }
 
-/// What keeps one pair out, as in FrontPlanes: nothing as it is made.
+/// The plane that keeps one pair out, as in FrontPlanes. At first there is none.
 struct FrontPlane {
   float normal[3] = {};
   float gap = -std::numeric_limits<float>::infinity();
 
   FrontPlane() = default;
 
-  /// The query box is `gap_now` beyond the tested node, after this way.
+  /// The query box is `gap_now` beyond the tested node, after this displacement.
   FrontPlane(const double (&direction)[3], double gap_now, const FrontQuery& query,
-             const FrontWay& way);
+             const QueryDisplacement& displacement);
 
-  /// How far it is at least after another way.
-  float gap_after(const FrontQuery& query, const FrontWay& way) const;
+  /// The least gap along the normal after another displacement.
+  float gap_after(const FrontQuery& query, const QueryDisplacement& displacement) const;
 };
 
 /// What the bounds of a front are good at: telling that things are apart at all, or how far.

@@ -3,15 +3,15 @@
 //
 // What is asked are signs of determinants of three vectors: sums of six products, one component of
 // each, which are no more than the product of the vectors' 1-norms in all. In each component an
-// edge of the tested node from its first corner is off by a, of the query box by b, and the way
+// edge of the tested node from its first corner is off by a, of the query box by b, and the offset
 // between first corners by d, which exceeds both (local_leaves-inl.h), so that one factor after the
 // other may be replaced. With S the sum of the 1-norms of both edges of the tested node, T of the
-// query box, and V what the way to any corner of the query box adds up to, all of them increased by
-// what they may be off by, heights over the tested node's plane change by no more than
+// query box, and V what the offset to any corner of the query box adds up to, all of them increased
+// by what they may be off by, heights over the tested node's plane change by no more than
 //   a S V + d S^2 / 2,
-// for edges make a normal of S^2 / 4 at most, and a way to a corner is off by b + d. Of an edge of
-// each, off by 2.44 a and 2.44 b with what rounds where it is a difference of two, and a way of
-// length L between any corners, off by 3.44 d + u L, u = 2^-24, the determinant changes by
+// for edges make a normal of S^2 / 4 at most, and an offset to a corner is off by b + d. Of an edge
+// of each, off by 2.44 a and 2.44 b with what rounds where it is a difference of two, and an offset
+// of length L between any corners, off by 3.44 d + u L, u = 2^-24, the determinant changes by
 //   2.44 (a T + b S) (L + 10.4 d) + (3.44 d + u L) S T,
 // in which a T + b S is S T / 6 at most, for what they may be off by. Determinants round by 6 u of
 // the product of the norms. kSignRounding is 16 u. Small primitives beside large ones are told as
@@ -45,11 +45,11 @@ namespace {
 
 inline constexpr float kSignRounding = 0x1p-20f;
 
-// What errors are multiplied by: as above, and more than that.
-inline constexpr float kWayError = 1.125f;
+// The factors of errors in the bounds above, rounded up.
+inline constexpr float kOffsetError = 1.125f;
 inline constexpr float kEdgeError = 2.5f;
 inline constexpr float kEdgesError = 8;
-inline constexpr float kReachError = 3.5f;
+inline constexpr float kExtentError = 3.5f;
 
 template <typename AnyTag>
 HWY_INLINE hn::Vec<AnyTag> dot(AnyTag, const hn::Vec<AnyTag> (&a)[3],
@@ -82,24 +82,24 @@ class CrossingErrors {
       : errors_(errors),
         tested_(size(pairs.tested, errors.tested)),
         query_(size(pairs.query, errors.query)),
-        way_(hn::Add(one_norm(AnyTag(), pairs.way), hn::Set(AnyTag(), 6 * errors.way))),
+        offset_(hn::Add(one_norm(AnyTag(), pairs.offset), hn::Set(AnyTag(), 6 * errors.offset))),
         off_(hn::MulAdd(tested_, hn::Set(AnyTag(), errors.query),
                         hn::Mul(query_, hn::Set(AnyTag(), errors.tested)))) {}
 
-  /// Of two edges of one and a way to the other.
+  /// Of two edges of the tested primitive and an offset to the other one.
   HWY_INLINE Values of_tested_plane() const {
-    return of_plane(tested_, hn::Add(way_, query_), errors_.tested);
+    return of_plane(tested_, hn::Add(offset_, query_), errors_.tested);
   }
   HWY_INLINE Values of_query_plane() const {
-    return of_plane(query_, hn::Add(way_, tested_), errors_.query);
+    return of_plane(query_, hn::Add(offset_, tested_), errors_.query);
   }
 
-  /// Of an edge of each and this way.
-  HWY_INLINE Values of_cuts(const Values (&way)[3]) const {
+  /// Of an edge of each primitive and this offset.
+  HWY_INLINE Values of_cuts(const Values (&offset)[3]) const {
     const AnyTag tag;
-    const auto length = one_norm(tag, way);
+    const auto length = one_norm(tag, offset);
     const auto each =
-        hn::MulAdd(length, hn::Set(tag, kSignRounding), hn::Set(tag, kEdgesError * errors_.way));
+        hn::MulAdd(length, hn::Set(tag, kSignRounding), hn::Set(tag, kEdgesError * errors_.offset));
     return hn::MulAdd(
         hn::Mul(tested_, query_), each,
         hn::MulAdd(hn::Mul(off_, length), hn::Set(tag, kEdgeError), hn::Set(tag, kWideUnderflow)));
@@ -107,7 +107,7 @@ class CrossingErrors {
 
   /// How much closer than the heights of cuts both primitives may be along that cross product.
   HWY_INLINE Values of_sides() const {
-    return hn::Mul(hn::Mul(off_, hn::Add(tested_, query_)), hn::Set(AnyTag(), kReachError));
+    return hn::Mul(hn::Mul(off_, hn::Add(tested_, query_)), hn::Set(AnyTag(), kExtentError));
   }
 
  private:
@@ -117,20 +117,20 @@ class CrossingErrors {
                    hn::Set(tag, 12 * error));
   }
 
-  HWY_INLINE Values of_plane(Values size, Values way, float error) const {
+  HWY_INLINE Values of_plane(Values size, Values offset, float error) const {
     const AnyTag tag;
     const auto each =
-        hn::MulAdd(way, hn::Set(tag, 0.25f * kSignRounding), hn::Set(tag, errors_.way));
+        hn::MulAdd(offset, hn::Set(tag, 0.25f * kSignRounding), hn::Set(tag, errors_.offset));
     return hn::MulAdd(hn::Mul(size, size), each,
-                      hn::MulAdd(hn::Mul(size, way), hn::Set(tag, kWayError * error),
+                      hn::MulAdd(hn::Mul(size, offset), hn::Set(tag, kOffsetError * error),
                                  hn::Set(tag, kWideUnderflow)));
   }
 
   const LocalErrors& errors_;
   Values tested_;
   Values query_;
-  Values way_;
-  Values off_;  // of what two edges, one of each, span
+  Values offset_;
+  Values off_;  ///< the error of a cross product of two edges, one of each primitive
 };
 
 /// The signs of three corners beside a plane.
@@ -139,8 +139,8 @@ struct SidesOfPlane {
   using Values = hn::Vec<AnyTag>;
 
   hn::Mask<AnyTag> is_negative[3];
-  hn::Mask<AnyTag> is_sure;  // all three
-  Values beyond;             // how far the nearest is from the plane at least, times the normal
+  hn::Mask<AnyTag> is_sure;  ///< whether all three signs are sure
+  Values beyond;             ///< how far the nearest corner is from the plane, times the normal
 
   /// From the height of the first corner, and the edges from there to the others.
   HWY_INLINE SidesOfPlane(const Values (&normal)[3], Values height, const Values (&edges)[2][3],
@@ -204,18 +204,18 @@ struct CutSegments {
   using Values = hn::Vec<AnyTag>;
   using Masks = hn::Mask<AnyTag>;
 
-  Values across[2][3];  // cross products of edges
-  Values height[2];     // of the query box beyond the tested node along them
-  Values gap[2];        // the same where that is where a gap would be, less what it may be off by
+  Values across[2][3];  ///< cross products of edges
+  Values height[2];     ///< of the query's primitive beyond the tested one along these
+  Values gap[2];        ///< the height on the side on which a gap would be, less its error
   Masks do_overlap;
 
   HWY_INLINE CutSegments(const FromApex<AnyTag>& s, const FromApex<AnyTag>& t,
-                         const Values (&first_way)[3], const CrossingErrors<AnyTag>& errors) {
+                         const Values (&first_offset)[3], const CrossingErrors<AnyTag>& errors) {
     const AnyTag tag;
     const Masks is_crossed = hn::Xor(s.is_negative, t.is_negative);
-    Values way[3], with_next[3], with_last[3];
+    Values offset[3], with_next[3], with_last[3];
     for (int i = 0; i < 3; ++i) {
-      way[i] = hn::Add(first_way[i], hn::Sub(t.corner[i], s.corner[i]));
+      offset[i] = hn::Add(first_offset[i], hn::Sub(t.corner[i], s.corner[i]));
       with_next[i] = hn::IfThenElse(is_crossed, t.last[i], t.next[i]);
       with_last[i] = hn::IfThenElse(is_crossed, t.next[i], t.last[i]);
     }
@@ -228,10 +228,10 @@ struct CutSegments {
                                       select(t.is_last_reversed, t.is_next_reversed)),
                               hn::Not(hn::Xor(hn::Xor(s.is_last_reversed, t.is_negative),
                                               select(t.is_next_reversed, t.is_last_reversed)))};
-    const Values bound = errors.of_cuts(way);
+    const Values bound = errors.of_cuts(offset);
     auto most = hn::Set(tag, -std::numeric_limits<float>::infinity());
     for (int k = 0; k < 2; ++k) {
-      height[k] = dot(tag, across[k], way);
+      height[k] = dot(tag, across[k], offset);
       const auto place = hn::IfThenElse(is_back[k], height[k], hn::Neg(height[k]));
       most = hn::Max(most, place);
       gap[k] = hn::Sub(place, bound);
@@ -255,8 +255,8 @@ HWY_INLINE hn::Mask<AnyTag> are_boxes_apart(const LocalPairs<AnyTag>& pairs, flo
     const auto tested_high = hn::Max(hn::Max(p[0][i], p[1][i]), zero);
     const auto low = hn::Min(hn::Min(q[0][i], q[1][i]), zero);
     const auto high = hn::Max(hn::Max(q[0][i], q[1][i]), zero);
-    const auto above = hn::Add(hn::Sub(low, tested_high), pairs.way[i]);
-    const auto below = hn::Sub(hn::Sub(tested_low, high), pairs.way[i]);
+    const auto above = hn::Add(hn::Sub(low, tested_high), pairs.offset[i]);
+    const auto below = hn::Sub(hn::Sub(tested_low, high), pairs.offset[i]);
     most = hn::Max(most, hn::Max(above, below));
   }
   return hn::Gt(most, hn::Set(tag, 4 * error));
@@ -285,21 +285,21 @@ struct LeafCrossings {
   SidesOfPlane<AnyTag> query_sides;
   SidesOfPlane<AnyTag> tested_sides;
   CutSegments<AnyTag> cuts;
-  Masks is_query_beyond;  // a plane,
-  Masks is_tested_beyond;
-  Masks is_cut;  // each by the other's plane
+  Masks is_query_beyond;   ///< the query's primitive is on one side of the other's plane
+  Masks is_tested_beyond;  ///< the tested primitive is
+  Masks is_cut;            ///< each is cut by the other's plane
   Masks are_apart;
   Masks do_cross;
 
   HWY_INLINE LeafCrossings(const LocalPairs<AnyTag>& pairs, const LocalErrors& off)
       : errors(pairs, off),
         normals(pairs),
-        query_sides(normals.tested, dot(AnyTag(), normals.tested, pairs.way), pairs.query,
+        query_sides(normals.tested, dot(AnyTag(), normals.tested, pairs.offset), pairs.query,
                     errors.of_tested_plane()),
-        tested_sides(normals.query, hn::Neg(dot(AnyTag(), normals.query, pairs.way)), pairs.tested,
-                     errors.of_query_plane()),
+        tested_sides(normals.query, hn::Neg(dot(AnyTag(), normals.query, pairs.offset)),
+                     pairs.tested, errors.of_query_plane()),
         cuts(FromApex<AnyTag>(pairs.tested, tested_sides),
-             FromApex<AnyTag>(pairs.query, query_sides), pairs.way, errors) {
+             FromApex<AnyTag>(pairs.query, query_sides), pairs.offset, errors) {
     const AnyTag tag;
     is_query_beyond = hn::And(query_sides.is_sure, query_sides.are_equal());
     is_tested_beyond = hn::And(tested_sides.is_sure, tested_sides.are_equal());
@@ -309,7 +309,7 @@ struct LeafCrossings {
     do_cross = hn::And(is_cut, cuts.do_overlap);
     const auto is_decided = hn::Or(are_apart, do_cross);
     if (!hn::AllTrue(tag, is_decided))
-      are_apart = hn::Or(are_apart, hn::AndNot(is_decided, are_boxes_apart(pairs, off.way)));
+      are_apart = hn::Or(are_apart, hn::AndNot(is_decided, are_boxes_apart(pairs, off.offset)));
   }
 };
 

@@ -1,16 +1,16 @@
 // The primitives of two leaves, one of each tree, in coordinates as small as they are themselves.
 // Included once for each SIMD target.
 //
-// A primitive is two edges from its first corner on, and a pair of them these four and the way from
-// the tested node's first corner to the query box's, all in the tested node's frame. A corner of
-// the query box, off by u |p| as it is stored, u = 2^-24, is off by 1.74 u g once it is turned, for
-// the query box's reach g; a corner of the tested node by u h. The ways of both first corners from
-// those of their leaves are differences of floats, no longer than the leaves' sizes t and s, and
-// the way between these, of component o at most, is computed in double and rounded once. With the
-// roundings of the columns, of products and of sums the way between two primitives is off by u
-// (1.74 g + h) + 6 u (o + s + t), an edge of the query box by u (3.47 g + 5 t), one of the tested
-// node by u (2 h + s). What doubles round is less than a millionth of that. kStoredError is 4 u,
-// kLocalError 8 u.
+// A primitive is stored as two edges from its first corner, and a pair of primitives as these four
+// and the offset from the tested primitive's first corner to the other's, all in the tested node's
+// frame. A corner of the query box, off by u |p| as it is stored, u = 2^-24, is off by 1.74 u g
+// once it is turned, where g is the largest coordinate of the query's treelet; a corner of the
+// tested node by u h. The offsets of both first corners from those of their leaves are differences
+// of floats, no longer than the leaves' sizes t and s, and the offset between these, of component o
+// at most, is computed in double and rounded once. With the roundings of the columns, of products
+// and of sums the offset between two primitives is off by u (1.74 g + h) + 6 u (o + s + t), an edge
+// of the query box by u (3.47 g + 5 t), one of the tested node by u (2 h + s). What doubles round
+// is less than a millionth of that. kStoredError is 4 u, kLocalError 8 u.
 
 #if defined(GRAZE_BVH_LOCAL_LEAVES) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_LOCAL_LEAVES
@@ -26,12 +26,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// How far each component is off: of edges of the tested node, of the query box, and of the way
+/// How far each component is off: of edges of the tested node, of the query box, and of the offset
 /// between first corners, which is off by more than both; infinite where products could overflow.
 struct LocalErrors {
   float tested;
   float query;
-  float way;
+  float offset;
 };
 
 /// Two leaves beside each other.
@@ -40,10 +40,10 @@ class LocalLeaves {
   HWY_INLINE LocalLeaves(const WideTree& tree_a, const WideTree& tree_b)
       : trees_{&tree_a, &tree_b} {}
 
-  HWY_INLINE void set(const WideFront::Leaves& leaves, const WideWay& way) {
+  HWY_INLINE void set(const WideFront::Leaves& leaves, const TreeTransform& transform) {
     const WideTree::Treelet& tested = trees_[leaves.tested_side]->treelet(leaves.tested.treelet);
     const WideTree::Treelet& query = trees_[1 - leaves.tested_side]->treelet(leaves.query.treelet);
-    way_ = &way;
+    transform_ = &transform;
     tested_ = rows_of(tested, leaves.tested.link);
     query_ = rows_of(query, leaves.query.link);
     tested_count_ = ChildLink::count(leaves.tested.link);
@@ -56,21 +56,23 @@ class LocalLeaves {
     }
     float largest = 0;
     for (int i = 0; i < 3; ++i) {
-      const double turned = way.rotation[i][0] * first[0] + way.rotation[i][1] * first[1] +
-                            way.rotation[i][2] * first[2];
+      const double turned = transform.rotation[i][0] * first[0] +
+                            transform.rotation[i][1] * first[1] +
+                            transform.rotation[i][2] * first[2];
       const double place = tested.origin[i] + static_cast<double>(tested_first_[i]);
-      offset_[i] = static_cast<float>((turned * way.scale + way.translation[i]) - place);
+      offset_[i] =
+          static_cast<float>((turned * transform.scale + transform.translation[i]) - place);
       largest = std::max(largest, std::abs(offset_[i]));
     }
-    const auto scale = static_cast<float>(way.scale);
+    const auto scale = static_cast<float>(transform.scale);
     const float size = (leaves.query.size * scale + leaves.tested.size) + largest;
-    const float tested_error = kStoredError * tested.reach;
-    const float query_error = kStoredError * (query.reach * scale);
-    errors_.tested = way.slack + (tested_error + kLocalError * leaves.tested.size);
-    errors_.query = way.slack + (query_error + kLocalError * (leaves.query.size * scale));
-    errors_.way = size < kLargestPlaneExtent
-                      ? way.slack + ((tested_error + query_error) + kLocalError * size)
-                      : std::numeric_limits<float>::infinity();
+    const float tested_error = kStoredError * tested.largest_coordinate;
+    const float query_error = kStoredError * (query.largest_coordinate * scale);
+    errors_.tested = transform.slack + (tested_error + kLocalError * leaves.tested.size);
+    errors_.query = transform.slack + (query_error + kLocalError * (leaves.query.size * scale));
+    errors_.offset = size < kLargestPlaneExtent
+                         ? transform.slack + ((tested_error + query_error) + kLocalError * size)
+                         : std::numeric_limits<float>::infinity();
   }
 
   /// Which pairs they have.
@@ -91,11 +93,11 @@ class LocalLeaves {
   /// From the tested node's first corner to the query box's.
   HWY_INLINE float offset(int i) const { return offset_[i]; }
 
-  HWY_INLINE const WideWay& way() const { return *way_; }
+  HWY_INLINE const TreeTransform& transform() const { return *transform_; }
 
  private:
   const WideTree* trees_[2];
-  const WideWay* way_ = nullptr;
+  const TreeTransform* transform_ = nullptr;
   const float* tested_ = nullptr;
   const float* query_ = nullptr;
   std::uint32_t tested_count_ = 0;
@@ -111,9 +113,9 @@ template <typename AnyTag>
 struct LocalPairs {
   using Values = hn::Vec<AnyTag>;
 
-  Values tested[2][3];  // edges from the first corner to the others
+  Values tested[2][3];  ///< edges from the first corner to the others
   Values query[2][3];
-  Values way[3];  // from the tested node's first corner to the query box's
+  Values offset[3];  ///< from the tested primitive's first corner to the other's
 
   /// From pair `first` on.
   HWY_INLINE LocalPairs(const LocalLeaves& leaves, std::size_t first) {
@@ -128,17 +130,17 @@ struct LocalPairs {
         turned[c][i] = hn::Sub(lanes.query(leaves.query_row(c, i)), q);
       }
       turned[0][i] = hn::Sub(q, hn::Set(tag, leaves.query_first(i)));
-      way[i] =
+      offset[i] =
           hn::Sub(hn::Set(tag, leaves.offset(i)), hn::Sub(p, hn::Set(tag, leaves.tested_first(i))));
     }
-    const WideWay& frame = leaves.way();
+    const TreeTransform& transform = leaves.transform();
     for (int i = 0; i < 3; ++i) {
-      const auto x = hn::Set(tag, frame.scaled[0][i]);
-      const auto y = hn::Set(tag, frame.scaled[1][i]);
-      const auto z = hn::Set(tag, frame.scaled[2][i]);
-      way[i] = hn::MulAdd(turned[0][2], z, way[i]);
-      way[i] = hn::MulAdd(turned[0][1], y, way[i]);
-      way[i] = hn::MulAdd(turned[0][0], x, way[i]);
+      const auto x = hn::Set(tag, transform.scaled[0][i]);
+      const auto y = hn::Set(tag, transform.scaled[1][i]);
+      const auto z = hn::Set(tag, transform.scaled[2][i]);
+      offset[i] = hn::MulAdd(turned[0][2], z, offset[i]);
+      offset[i] = hn::MulAdd(turned[0][1], y, offset[i]);
+      offset[i] = hn::MulAdd(turned[0][0], x, offset[i]);
       for (int c = 1; c < 3; ++c) {
         const auto& edge = turned[c];
         query[c - 1][i] = hn::MulAdd(edge[0], x, hn::MulAdd(edge[1], y, hn::Mul(edge[2], z)));

@@ -6,10 +6,11 @@
 namespace graze::bvh {
 
 MotionPrediction::MotionPrediction(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
-                                   const WideTree& tree_a, const WideTree& tree_b, double way,
+                                   const WideTree& tree_a, const WideTree& tree_b, double distance,
                                    double turn)
-    : step_{FrontWay(before[0], now[0], tree_b, turn), FrontWay(before[1], now[1], tree_a, turn)},
-      way_(way) {
+    : step_{QueryDisplacement(before[0], now[0], tree_b, turn),
+            QueryDisplacement(before[1], now[1], tree_a, turn)},
+      distance_(distance) {
   const WideTree* const trees[2] = {&tree_b, &tree_a};
   for (int side = 0; side < 2; ++side) {
     const FloatBox& box = trees[side]->box();
@@ -52,8 +53,8 @@ double MotionPrediction::Query::deviation(const RelativeFrame& before, const Rel
 }
 
 double MotionPrediction::deviation(const RelativeFrame (&before)[2], const RelativeFrame (&now)[2],
-                                   double way) const {
-  const double share = way / way_;
+                                   double distance) const {
+  const double share = distance / distance_;
   return std::max(query_[0].deviation(before[0], now[0], share),
                   query_[1].deviation(before[1], now[1], share));
 }

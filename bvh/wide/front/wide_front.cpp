@@ -7,13 +7,13 @@
 namespace graze::bvh {
 namespace {
 
-/// A step of a predicted motion, which is divided by.
-constexpr double kLeastWay = 0x1p-50;
+/// A predicted motion goes further than that in one step, because its length is divided by.
+constexpr double kLeastDistance = 0x1p-50;
 
-/// Of vectors that grow.
+/// The elements that vectors have room for at first.
 constexpr std::size_t kFirstSize = 64;
 
-/// What has a budget up to it is due.
+/// Pairs whose budget is no larger are due.
 float due_at(const WideFront::Pass& pass, double limit) {
   return rounded_up(pass.moved + (limit + 2 * pass.slack) / static_cast<double>(pass.deviation));
 }
@@ -32,11 +32,11 @@ std::size_t count_due(const std::vector<float>& budgets, float due) {
 WideFront::Pass::Pass(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, Bounds what)
     : bounds(what),
       slack(std::max(b_in_a.slack, a_in_b.slack)),
-      into{WideWay(b_in_a), WideWay(a_in_b)},
+      into{TreeTransform(b_in_a), TreeTransform(a_in_b)},
       units{static_cast<float>(b_in_a.units_a), static_cast<float>(a_in_b.units_a)} {}
 
 void WideFront::Pass::aim_along(const double (&along)[3]) {
-  const WideWay& of_a_in_b = into[1];
+  const TreeTransform& of_a_in_b = into[1];
   for (int i = 0; i < 3; ++i) {
     direction[0][i] = static_cast<float>(along[i]);
     direction[1][i] = static_cast<float>(-(of_a_in_b.rotation[i][0] * along[0] +
@@ -46,12 +46,13 @@ void WideFront::Pass::aim_along(const double (&along)[3]) {
 }
 
 void WideFront::follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b,
-                       const Motion& motion) {
+                       const MotionBound& motion) {
   const RelativeFrame now[2] = {b_in_a, a_in_b};
-  const double way = motion.way - motion_.way;
-  const double deviation = has_prediction_ ? prediction_.deviation(last_, now, way) : 0;
-  // Should it be no number, the motion spent is none.
-  spent_ = (spent_ + std::max(deviation / static_cast<double>(kDeviation), way)) * (1 + 0x1p-50);
+  const double distance = motion.distance - motion_.distance;
+  const double deviation = has_prediction_ ? prediction_.deviation(last_, now, distance) : 0;
+  // If the deviation is NaN, so is the motion spent.
+  spent_ =
+      (spent_ + std::max(deviation / static_cast<double>(kDeviation), distance)) * (1 + 0x1p-50);
   motion_ = motion;
   std::copy_n(now, 2, last_);
 }
@@ -61,12 +62,12 @@ WideFront::Pass WideFront::pass(Bounds bounds) const {
   pass.moved = spent_;
   if (has_prediction_) {
     pass.deviation = kDeviation;
-    pass.per_way = prediction_.per_way();
+    pass.per_distance = prediction_.per_distance();
     for (int side = 0; side < 2; ++side)
       pass.step[side] = prediction_.step(side);
   }
-  pass.since[0] = FrontWay(first_[0], last_[0], *state_.tree[1], motion_.turn);
-  pass.since[1] = FrontWay(first_[1], last_[1], *state_.tree[0], motion_.turn);
+  pass.since[0] = QueryDisplacement(first_[0], last_[0], *state_.tree[1], motion_.turn);
+  pass.since[1] = QueryDisplacement(first_[1], last_[1], *state_.tree[0], motion_.turn);
   return pass;
 }
 
@@ -94,18 +95,18 @@ void WideFront::begin(const WideTree& tree_a, const WideTree& tree_b, const Rela
   state_.lanes = 0;
 }
 
-void WideFront::set_prediction(const RelativeFrame (&before)[2], const Motion& step) {
+void WideFront::set_prediction(const RelativeFrame (&before)[2], const MotionBound& step) {
   drop_prediction();
-  if (!(step.way > kLeastWay)) return;
+  if (!(step.distance > kLeastDistance)) return;
   prediction_ =
-      MotionPrediction(before, last_, *state_.tree[0], *state_.tree[1], step.way, step.turn);
+      MotionPrediction(before, last_, *state_.tree[0], *state_.tree[1], step.distance, step.turn);
   has_prediction_ = true;
 }
 
 void WideFront::drop_prediction() {
   if (!has_prediction_) return;
   has_prediction_ = false;
-  // What was due later for the predicted motion's sake is no nearer than this.
+  // Budgets that counted on the prediction are cut to what is left whatever the motion does.
   const float now = rounded_up(spent_);
   for (std::vector<float>* budgets : {&state_.visit_budgets, &state_.leaves_budgets}) {
     for (float& budget : *budgets) {
@@ -133,10 +134,10 @@ double WideFront::share_due(const Pass& pass, double limit) const {
 void WideFront::advance(const Pass& pass, double limit, const Foresight& foresight) {
   const std::uint64_t before = state_.counts.box_tests;
   const std::uint64_t known = state_.lanes;
-  const double reach = std::max(limit, foresight.reach);
+  const double look_ahead = std::max(limit, foresight.look_ahead);
   update_front(state_, pass,
                {.must = horizon_at(pass, limit),
-                .reach = horizon_at(pass, reach),
+                .look_ahead = horizon_at(pass, look_ahead),
                 .useful = static_cast<float>(foresight.useful),
                 .most_added = foresight.most_added});
   const std::uint64_t tested = state_.counts.box_tests - before;

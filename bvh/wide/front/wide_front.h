@@ -3,7 +3,7 @@
 #include <graze/bvh/tree/box_separation.h>
 #include <graze/bvh/wide/front/front_planes.h>
 #include <graze/bvh/wide/front/motion_prediction.h>
-#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
 
@@ -15,12 +15,20 @@
 
 namespace graze::bvh {
 
-/// Where a walk over two trees ended, kept for the next pose of a motion: the pairs of a box and
-/// the children of a node, the pairs of leaves, and the pairs of primitives that it looked at. Each
-/// has a budget: how far B may have moved, as measured from begin() on, until what keeps it out
-/// could be gone, and planes that kept it out. A pass looks only at what is due and no longer kept
-/// out, and opens what has come near. What was opened stays so until begin(), so that the front
-/// grows. Leaves in which primitives meet are busy: each pass decides all their pairs anew.
+/// The front of the bounding volume test tree of two trees, which is where a walk over them ended,
+/// kept for the next pose of a motion: front tracking (Li and Chen, "Incremental 3D collision
+/// detection with hierarchical data structures", 1998; Ehmann and Lin, "Accurate and fast proximity
+/// queries between polyhedra using convex surface decomposition", 2001; Tang, Manocha, Lin and
+/// Tong, "Collision-streams: fast GPU-based collision detection for deformable models", 2011).
+///
+/// It holds the pairs of a query box and the children of a tested node, the pairs of leaves, and
+/// the pairs of primitives that were compared. Each has planes that kept it out, and a budget: so
+/// much motion, measured from begin() on, cannot make these planes fail. Planes and budgets
+/// are the certificates and failure times of a kinetic data structure (Basch, Guibas and
+/// Hershberger, "Data structures for mobile data", 1999), with bounds of motion in place of known
+/// motions. A pass looks only at pairs whose budget is spent and that no plane keeps out any more,
+/// and opens what has come near. What was opened stays so until begin(), so that the front grows.
+/// Leaves in which primitives meet are busy: each pass decides all their pairs anew.
 ///
 /// All lengths are in the common units of both trees. Motions add up: no point of B's box has come
 /// further in A's frame than their sum.
@@ -28,13 +36,14 @@ class WideFront {
  public:
   using Bounds = FrontBounds;
 
-  /// What `moved`, limits and reaches must stay below.
+  /// The motion spent, limits and look-aheads must stay below this.
   static constexpr double kFarthest = 0x1p60;
 
-  /// How B has moved in A since begin(): no point of B's box came further than `way`, and the
-  /// changes of its rotation, as lengths of nine numbers, add up to no more than `turn`.
-  struct Motion {
-    double way = 0;
+  /// Bounds of how B has moved in A since begin(): no point of B's box came further than
+  /// `distance`, and the changes of its rotation, as lengths of nine numbers, add up to no more
+  /// than `turn`.
+  struct MotionBound {
+    double distance = 0;
     double turn = 0;
   };
 
@@ -44,15 +53,15 @@ class WideFront {
     void aim_along(const double (&direction)[3]);
 
     Bounds bounds;
-    double moved = 0;
-    double slack;  // of both
-    WideWay into[2];
-    float units[2];              // of each tree, in common units
-    float direction[2][3] = {};  // in each tree's frame, from it to the other
-    FrontWay since[2];           // of query boxes of the other tree, since begin()
-    float deviation = 1;         // kDrift on a predicted motion, whose are
-    FrontWay step[2];            // how query boxes of the other tree go on,
-    float per_way = 0;           // each time that B comes so far
+    double moved = 0;       ///< the motion spent
+    double slack;           ///< of both frames
+    TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
+    float units[2];         ///< of each tree, in common units
+    float direction[2][3] = {};  ///< in each tree's frame, from it to the other
+    QueryDisplacement since[2];  ///< of query boxes of the other tree, since begin()
+    float deviation = 1;         ///< kDeviation if a motion is predicted, else 1
+    QueryDisplacement step[2];   ///< that query boxes of the other tree are predicted to repeat,
+    float per_distance = 0;      ///< 1 over how far B comes in that step
 
    private:
     friend class WideFront;
@@ -65,28 +74,29 @@ class WideFront {
              const RelativeFrame& a_in_b);
 
   /// The same trees are in other poses, in the same units, since begin() after this motion.
-  void follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, const Motion& motion);
+  void follow(const RelativeFrame& b_in_a, const RelativeFrame& a_in_b, const MotionBound& motion);
 
   /// In the poses that it followed to.
   Pass pass(Bounds bounds) const;
 
-  /// From here on B is expected to go on as it came from these poses, a `step` ago. What it does
-  /// not come nearer to is then due later. Other motions are no less certain, but cost time.
-  void set_prediction(const RelativeFrame (&before)[2], const Motion& step);
+  /// From here on B is predicted to go on as it came from the poses `before`, a `step` ago. What
+  /// the predicted motion does not bring nearer is then due later. If B moves otherwise, answers
+  /// are as certain as before, but take more time.
+  void set_prediction(const RelativeFrame (&before)[2], const MotionBound& step);
   void drop_prediction();
   bool has_prediction() const { return has_prediction_; }
-  /// What budgets are compared with: how far B has come, or more.
+  /// The motion spent, with which budgets are compared: how far B has come, or more.
   double spent() const { return spent_; }
 
   /// The share of all that is due in this pass.
   double share_due(const Pass& pass, double limit) const;
 
-  /// What a pass does for later ones, so that the gap that it proves is larger: it opens boxes that
-  /// are no further apart than `reach` as if they met, until the front holds so much more, and
-  /// looks again at primitives as near. But not where primitives are no further apart than
-  /// `useful`, which a gap has to exceed to be worth anything. Common units.
+  /// What a pass does for later ones, so that the gap that it proves is larger. It opens boxes that
+  /// are no further apart than `look_ahead` as if they met, until the front holds `most_added`
+  /// pairs more, and compares primitives that are as near. It does not where primitives are no
+  /// further apart than `useful`, which a gap has to exceed to be worth anything. Common units.
   struct Foresight {
-    double reach = 0;
+    double look_ahead = 0;
     double useful = 0;
     std::size_t most_added = 0;
   };
@@ -133,7 +143,8 @@ class WideFront {
     return state_.visits.size() + state_.leaves.size() + state_.candidates.size();
   }
 
-  /// Of all passes since begin(); pairs of boxes that were not due are `skipped`.
+  /// What all passes did since these were last taken. Pairs of boxes that were not due are
+  /// `skipped`.
   struct Counts {
     WideWalkCounts walk;
     std::uint64_t skipped = 0;
@@ -142,21 +153,21 @@ class WideFront {
 
   // What the kernels see.
 
-  /// A box beside the children of a node: of which of these something further down is in the front.
+  /// A query box beside the children of a tested node.
   struct Visit {
-    WideChildRef tested;  // the first child
+    WideChildRef tested;  ///< the first child
     WideChildRef query;
     int tested_side;
-    float tested_size;  // of the box around the children
-    std::uint32_t open;
+    float tested_size;   ///< of the box around the children
+    std::uint32_t open;  ///< the children below which the front goes on
   };
 
   /// A leaf, by its treelet.
   struct Leaf {
     std::uint32_t treelet;
     std::uint32_t link;
-    std::uint32_t first;  // place of a primitive
-    float size;           // which no two of its corners are further apart than
+    std::uint32_t first;  ///< the place of its first primitive
+    float size;           ///< no two of its corners are further apart
     bool operator==(const Leaf&) const = default;
   };
 
@@ -165,14 +176,14 @@ class WideFront {
     Leaf tested;
     Leaf query;
     int tested_side;
-    std::uint32_t listed;  // which pairs are candidates: rows are of the tested node's primitives
+    std::uint32_t listed;  ///< the pairs that are candidates, by their lanes
   };
 
   static constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 
   /// Pairs of primitives, as 16 times a pair of leaves and a lane of these.
   struct LeafPairs {
-    std::vector<std::uint32_t> lanes;  // with room for one vector more
+    std::vector<std::uint32_t> lanes;  ///< with room for one vector more
     std::size_t size = 0;
 
     void make_room(std::size_t leaves) {
@@ -182,7 +193,7 @@ class WideFront {
     bool empty() const { return size == 0; }
   };
 
-  /// One for each visit, and each two leaves.
+  /// The planes of each visit, and of each pair of leaves.
   template <FrontBounds bounds>
   struct Planes {
     std::vector<FrontPlanes<WideNode::kWidth, bounds>> of_visits;
@@ -197,21 +208,21 @@ class WideFront {
   struct State {
     const WideTree* tree[2] = {nullptr, nullptr};
     std::vector<Visit> visits;
-    Planes<FrontBounds::Meeting> meeting;    // of passes with these bounds,
-    Planes<FrontBounds::Distance> distance;  // or these
+    Planes<FrontBounds::Meeting> meeting;    ///< while passes have these bounds
+    Planes<FrontBounds::Distance> distance;  ///< while they have these
     std::vector<float> visit_budgets;
     std::vector<Leaves> leaves;
     std::vector<float> leaves_budgets;
-    std::vector<std::uint32_t> busy;  // of these leaves
+    std::vector<std::uint32_t> busy;  ///< indices of `leaves` in which primitives meet
     LeafPairs crossing;
     LeafPairs unsure;
-    std::vector<std::uint32_t> candidates;  // as those of LeafPairs
+    std::vector<std::uint32_t> candidates;  ///< as the lanes of LeafPairs
     std::vector<float> candidate_budgets;
     std::vector<FrontPlane> candidate_planes;
-    std::vector<std::uint32_t> due;  // what a pass looks at
-    std::size_t looked_at = 0;       // in the last pass, of what there was
-    float least_budget = 0;          // of visits and leaves, where none is busy
-    std::uint64_t lanes = 0;         // of all visits
+    std::vector<std::uint32_t> due;  ///< working memory: indices of what a pass looks at
+    std::size_t looked_at = 0;       ///< by the last pass, of what there was before it
+    float least_budget = 0;          ///< of visits and leaves, if none is busy
+    std::uint64_t lanes = 0;         ///< of all visits
     WideWalkCounts counts;
   };
 
@@ -219,10 +230,10 @@ class WideFront {
   PlacePair places_of(std::uint32_t lane_of_leaves) const;
 
   State state_;
-  RelativeFrame first_[2] = {};  // at begin()
-  RelativeFrame last_[2] = {};   // when a pass was last asked for
-  Motion motion_;                // until then, since begin()
-  double spent_ = 0;  // what budgets are compared with: the way, or more (motion_prediction.h)
+  RelativeFrame first_[2] = {};  ///< at begin()
+  RelativeFrame last_[2] = {};   ///< at the last follow()
+  MotionBound motion_;           ///< from begin() to then
+  double spent_ = 0;             ///< the motion spent (motion_prediction.h)
   bool has_prediction_ = false;
   MotionPrediction prediction_;
   std::uint64_t skipped_ = 0;

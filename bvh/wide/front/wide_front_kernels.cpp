@@ -1,78 +1,43 @@
-// A pass over the front of two wide trees, for each SIMD target that the compiler knows.
+// A pass that updates the front of two wide trees (front tracking: wide_front.h), for each SIMD
+// target that the compiler knows.
 //
-// Bounds are taken with three times the query's slack off, which they had when they were proved.
-// Where a later query has a slack of its own, two placed primitives are up to twice that nearer
-// than the trees' frames say (engine/mesh/memory/pair_memory.cpp), and what was taken off before is
-// not counted on.
+// When a gap was proved, three times the slack of that query was taken off it. A later query has a
+// slack of its own: two placed primitives may be nearer by twice that than the trees' frames say
+// (engine/mesh/memory/pair_memory.cpp). It is taken off as well, and what was taken off before is
+// not counted on to pay for it.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/front/wide_front_kernels.cpp"
 #include <hwy/foreach_target.h>  // compiles this file once more for each target
 
-#include <graze/bvh/wide/front/front_outlook-inl.h>
+#include <graze/bvh/wide/front/box_gaps-inl.h>
+#include <graze/bvh/wide/front/front_due-inl.h>
+#include <graze/bvh/wide/front/front_leaves-inl.h>
 #include <graze/bvh/wide/front/front_pass.h>
-#include <graze/bvh/wide/front/leaf_crossings-inl.h>
-#include <graze/bvh/wide/front/local_leaves-inl.h>
 #include <graze/bvh/wide/lanes/child_refs-inl.h>
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
-constexpr float kNever = std::numeric_limits<float>::infinity();
-
-/// Leaves are fetched so many before they are looked at.
-constexpr std::size_t kAhead = 6;
-constexpr std::size_t kPlanesAhead = 16;
-
-/// The first if `is_first` is 1, the second if it is 0, without a branch.
-HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
-  const auto other = std::bit_cast<std::uint32_t>(second);
-  const std::uint32_t change = std::bit_cast<std::uint32_t>(first) ^ other;
-  return std::bit_cast<float>(other ^ (change & (0 - is_first)));
-}
-
-WideFront::Planes<FrontBounds::Meeting>& planes_of(
-    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Meeting> /*of*/) {
-  return state.meeting;
-}
-WideFront::Planes<FrontBounds::Distance>& planes_of(
-    WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Distance> /*of*/) {
-  return state.distance;
-}
-
-/// One pass.
+/// One pass over a front.
 template <FrontBounds bounds>
-class Passer {
+class FrontUpdater : private FrontLeaves<bounds> {
  public:
-  Passer(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
-      : state_(state),
-        planes_(planes_of(state, std::integral_constant<FrontBounds, bounds>())),
-        pass_(pass),
-        must_(task.must),
-        reach_(task.reach),
+  FrontUpdater(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task)
+      : Base(state, pass, task),
         useful_(task.useful),
         most_held_(held() + task.most_added),
-        moved_(static_cast<float>(pass.moved) * kRoundDown),
-        scale_b_(static_cast<float>(pass.into[0].scale)),
-        leaves_(*state.tree[0], *state.tree[1]) {
-    for (int side = 0; side < 2; ++side)
-      outlook_[side].set(pass, side);
-  }
+        scale_b_(static_cast<float>(pass.into[0].scale)) {}
 
   void run() {
     if (state_.visits.empty()) add_visit({state_.tree[0]->root(), state_.tree[1]->root()});
     const std::size_t visits = state_.visits.size();
-    if (reach_.limit > must_.limit && is_reach_in_vain()) reach_ = must_;
+    if (look_ahead_.limit > must_.limit && is_look_ahead_in_vain()) look_ahead_ = must_;
     const std::size_t open = find_due(planes_.of_visits, state_.visit_budgets);
     for (std::size_t i = 0; i < open; ++i) {
       if (i + 2 * kAhead < open) {
@@ -99,17 +64,30 @@ class Passer {
   }
 
  private:
-  using VisitPlanes = FrontPlanes<WideNode::kWidth, bounds>;
-  using LeafPlanes = FrontPlanes<kLeafPairs, bounds>;
-  using Outlook = FrontOutlook<bounds>;
+  using Base = FrontLeaves<bounds>;
+  using Base::budget_after;
+  using Base::compare_due_leaves;
+  using Base::decide_leaves;
+  using Base::fetch;
+  using Base::find_due;
+  using Base::least_of;
+  using Base::look_ahead_;
+  using Base::must_;
+  using Base::outlook_;
+  using Base::pass_;
+  using Base::planes_;
+  using Base::state_;
+  using typename Base::LeafPlanes;
+  using typename Base::Outlook;
+  using typename Base::VisitPlanes;
 
   static constexpr bool kIsDistance = bounds == FrontBounds::Distance;
 
   std::size_t held() const { return state_.visits.size() + state_.leaves.size(); }
 
-  /// Whether so much is within reach that most of it could not be opened, or primitives are so near
-  /// that no gap is worth it.
-  HWY_INLINE bool is_reach_in_vain() const {
+  /// Whether to look ahead is in vain: so many pairs are near enough that most of them could not be
+  /// opened, or primitives are so near that no gap is worth it.
+  HWY_INLINE bool is_look_ahead_in_vain() const {
     const std::size_t leaves = find_due(planes_.of_leaves, state_.leaves_budgets);
     for (std::size_t i = 0; i < leaves; ++i) {
       const LeafPlanes& planes = planes_.of_leaves[state_.due[i]];
@@ -117,169 +95,6 @@ class Passer {
     }
     const std::size_t near = leaves + find_due(planes_.of_visits, state_.visit_budgets);
     return 2 * near > most_held_ - held();
-  }
-
-  HWY_INLINE static float least_of(const std::vector<float>& budgets) {
-    const hn::ScalableTag<float> tag;
-    const std::size_t lanes = hn::Lanes(tag);
-    auto least = hn::Set(tag, kNever);
-    std::size_t i = 0;
-    for (; i + lanes <= budgets.size(); i += lanes)
-      least = hn::Min(least, hn::LoadU(tag, budgets.data() + i));
-    float found = hn::GetLane(hn::MinOfLanes(tag, least));
-    for (; i < budgets.size(); ++i)
-      found = std::min(found, budgets[i]);
-    return found;
-  }
-
-  /// Leaves that are due: which of their primitives may be within the limit.
-  HWY_INLINE void compare_due_leaves() {
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
-    state_.looked_at += near;
-    for (std::size_t i = 0; i < near; ++i)
-      compare_leaves(state_.due[i]);
-  }
-
-  /// Leaves that are busy or due: which of their primitives meet. In which some do cannot be
-  /// foretold, so that no branch depends on it.
-  HWY_INLINE void decide_leaves() {
-    state_.crossing.size = 0;
-    state_.unsure.size = 0;
-    settle(decide_busy());
-    const std::size_t near = find_due(planes_.of_leaves, state_.leaves_budgets);
-    state_.looked_at += near;
-    settle(near);
-  }
-
-  /// All pairs of leaves that have been busy. Those in which none meets any more are listed first
-  /// in state_.due: how many these are.
-  HWY_INLINE std::size_t decide_busy() {
-    const std::size_t size = state_.busy.size();
-    state_.crossing.make_room(size);
-    state_.unsure.make_room(size);
-    if (state_.due.size() < size) state_.due.resize(2 * size);
-    std::size_t busy = 0;
-    std::size_t quiet = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      if (i + 2 * kAhead < size) fetch(state_.leaves[state_.busy[i + 2 * kAhead]]);
-      if (i + kAhead < size) fetch_leaves(state_.busy[i + kAhead]);
-      const std::uint32_t index = state_.busy[i];
-      const std::uint32_t asked = set_leaves(state_.leaves[index]);
-      state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-      const PairTag tag;
-      Meetings found;
-      for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
-        const LocalPairs<PairTag> pairs(leaves_, first);
-        found.add(LeafCrossings<PairTag>(pairs, leaves_.errors()), first);
-      }
-      const std::uint32_t open = list(index, asked, found);
-      state_.busy[busy] = index;
-      state_.due[quiet] = index;
-      busy += open != 0;
-      quiet += open == 0;
-    }
-    state_.busy.resize(busy);
-    return quiet;
-  }
-
-  /// So many leaves in state_.due get planes between their primitives, until they are due again, or
-  /// are busy.
-  HWY_INLINE void settle(std::size_t count) {
-    state_.crossing.make_room(count);
-    state_.unsure.make_room(count);
-    std::size_t busy = state_.busy.size();
-    state_.busy.resize(busy + count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (i + 2 * kAhead < count) {
-        fetch(state_.leaves[state_.due[i + 2 * kAhead]]);
-        fetch(planes_.of_leaves[state_.due[i + 2 * kAhead]]);
-      }
-      if (i + kAhead < count) fetch_leaves(state_.due[i + kAhead]);
-      const std::uint32_t index = state_.due[i];
-      const WideFront::Leaves& leaves = state_.leaves[index];
-      LeafPlanes& planes = planes_.of_leaves[index];
-      const std::uint32_t asked = set_leaves(leaves);
-      state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-      const PairTag tag;
-      Meetings met;
-      FoundPlanes<kLeafPairs> gaps;
-      for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
-        const LocalPairs<PairTag> pairs(leaves_, first);
-        const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
-        met.add(crossings, first);
-        PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
-        found.look_at(crossings);
-        const auto is_open = hn::Not(hn::Or(found.are_apart(), crossings.do_cross));
-        if ((bits_of(tag, is_open) & asked >> first) != 0) found.look_across();
-        found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
-      }
-      const typename Outlook::Nearness found =
-          outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
-      // What planes keep apart does not meet, be it unsure or not.
-      list(index, found.near, met);
-      const std::uint32_t is_busy = found.near != 0;
-      state_.leaves_budgets[index] = chosen(is_busy, kNever, budget_after(found.lasts));
-      state_.busy[busy] = index;
-      busy += is_busy;
-    }
-    state_.busy.resize(busy);
-  }
-
-  /// Puts first in state_.due what has to be looked at again; how many these are. What is due by
-  /// its budget, but for what its planes still keep out: that is due later. No branches but the
-  /// loops: nothing of it can be foretold.
-  template <typename Planes>
-  HWY_INLINE std::size_t find_due(const std::vector<Planes>& planes,
-                                  std::vector<float>& budgets) const {
-    const std::size_t size = list_due(budgets);
-    std::uint32_t* const due = state_.due.data();
-    std::size_t open = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      fetch(planes[due[std::min(i + kPlanesAhead, size - 1)]]);
-      const std::uint32_t index = due[i];
-      const float later =
-          budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
-      // False where it is no number. What lasts so long is further apart than the limit.
-      const std::uint32_t kept = later > reach_.due;
-      budgets[index] = chosen(kept, later, budgets[index]);
-      due[open] = index;
-      open += 1 - kept;
-    }
-    return open;
-  }
-
-  template <typename Object>
-  HWY_INLINE static void fetch(const Object& object) {
-    constexpr std::size_t kLine = 64;
-    for (std::size_t i = 0; i < sizeof(Object); i += kLine)
-      hwy::Prefetch(reinterpret_cast<const char*>(&object) + i);
-  }
-
-  /// The indices of all budgets that are up.
-  HWY_INLINE std::size_t list_due(const std::vector<float>& budgets) const {
-    const hn::ScalableTag<float> tag;
-    const hn::RebindToUnsigned<decltype(tag)> indices;
-    const std::size_t lanes = hn::Lanes(tag);
-    const std::size_t size = budgets.size();
-    if (state_.due.size() < size + lanes) state_.due.resize(2 * size + lanes);
-    std::uint32_t* const list = state_.due.data();
-    std::size_t count = 0;
-    std::size_t i = 0;
-    for (; i + lanes <= size; i += lanes) {
-      const auto is_due = hn::Le(hn::LoadU(tag, budgets.data() + i), hn::Set(tag, reach_.due));
-      count += hn::CompressStore(hn::Iota(indices, static_cast<std::uint32_t>(i)),
-                                 hn::RebindMask(indices, is_due), indices, list + count);
-    }
-    for (; i < size; ++i) {
-      list[count] = static_cast<std::uint32_t>(i);
-      count += budgets[i] <= reach_.due;
-    }
-    return count;
-  }
-
-  float budget_after(float lasts) const {
-    // Rounded down: the sum is not negative where it matters.
-    return (moved_ + lasts) * kRoundDown;
   }
 
   HWY_INLINE void fetch_visit(std::size_t index) const {
@@ -294,14 +109,15 @@ class Passer {
     const WideChildRef query = found.query;
     const std::uint32_t query_link = query.node->child[query.lane];
     const WideChildRef below = found.tested;
-    const WideWay& way = pass_.into[tested_side];
-    if (query_side_ != 1 - tested_side || query_slot_ != query) {
-      set_query(query_, *query.node, query.lane, way);
-      query_slot_ = query;
+    const TreeTransform& transform = pass_.into[tested_side];
+    if (query_side_ != 1 - tested_side || query_child_ != query) {
+      set_query(query_, *query.node, query.lane, transform);
+      query_child_ = query;
       query_side_ = 1 - tested_side;
     }
     const WideNode& node = *below.node;
-    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * found.tested_size);
+    set_query_in_node(in_node_, query_, node,
+                      transform.slack + kComparisonError * found.tested_size);
     WideFront::Visit& visit = state_.visits[index];
     VisitPlanes& planes = planes_.of_visits[index];
     if (state_.visit_budgets[index] == kAtOnce) {
@@ -312,7 +128,7 @@ class Passer {
     FoundPlanes<WideNode::kWidth> gaps;
     set_gaps(planes, gaps, node, tested_side, closed, query);
     const typename Outlook::Nearness kept =
-        outlook_[tested_side].keep(planes, gaps, closed, reach_.limit);
+        outlook_[tested_side].keep(planes, gaps, closed, look_ahead_.limit);
     std::uint32_t near = kept.near;
     const auto tested = static_cast<std::uint32_t>(std::popcount(closed));
     state_.counts.box_tests += tested;
@@ -320,7 +136,7 @@ class Passer {
     visit.open |= near;
     state_.visit_budgets[index] = budget_after(kept.lasts);
     const FrontQuery placed = planes.query;
-    if (held() > most_held_) reach_ = must_;
+    if (held() > most_held_) look_ahead_ = must_;
     for (; near != 0; near &= near - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
       const WideChildRef child = {&node, lane, below.treelet};
@@ -334,7 +150,7 @@ class Passer {
     }
   }
 
-  /// The larger is opened: it is the tested node.
+  /// Of a pair the larger child is opened: it becomes the tested node.
   HWY_INLINE void add_visit(const WidePairWalk::Waiting& pair) {
     const std::uint32_t link_a = pair.a.node->child[pair.a.lane];
     const std::uint32_t link_b = pair.b.node->child[pair.b.lane];
@@ -349,11 +165,11 @@ class Passer {
     state_.visit_budgets.push_back(kAtOnce);
   }
 
-  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& slot) const {
-    const std::uint32_t link = slot.node->child[slot.lane];
-    return {slot.treelet, link,
-            state_.tree[side]->treelet(slot.treelet).first + ChildLink::first(link),
-            2 * size_of(slot)};
+  HWY_INLINE WideFront::Leaf leaf_at(int side, const WideChildRef& child) const {
+    const std::uint32_t link = child.node->child[child.lane];
+    return {child.treelet, link,
+            state_.tree[side]->treelet(child.treelet).first + ChildLink::first(link),
+            2 * size_of(child)};
   }
 
   HWY_INLINE void add_leaves(const WidePairWalk::Waiting& pair, int tested_side,
@@ -366,7 +182,7 @@ class Passer {
     state_.leaves_budgets.push_back(kAtOnce);
   }
 
-  /// Of the children of a tested node beside query_; of these lanes it matters.
+  /// Finds planes between the children of a tested node and query_; only the lanes `asked` matter.
   HWY_INLINE void set_gaps(VisitPlanes& planes, FoundPlanes<WideNode::kWidth>& found,
                            const WideNode& node, int tested_side, std::uint32_t asked,
                            const WideChildRef& query) const {
@@ -391,107 +207,20 @@ class Passer {
     }
   }
 
-  /// Leaves of large meshes are not in the cache.
-  HWY_INLINE void fetch_leaves(std::size_t index) const {
-    const WideFront::Leaves& leaves = state_.leaves[index];
-    fetch_leaf(leaves.tested_side, leaves.tested);
-    fetch_leaf(1 - leaves.tested_side, leaves.query);
-  }
-
-  HWY_INLINE void fetch_leaf(int side, const WideFront::Leaf& leaf) const {
-    constexpr std::size_t kLine = 64 / sizeof(float);
-    const float* rows = rows_of(state_.tree[side]->treelet(leaf.treelet), leaf.link);
-    for (std::size_t i = 0; i < CornerRows::kRows * ChildLink::kMaxLeafSize; i += kLine)
-      hwy::Prefetch(rows + i);
-  }
-
-  /// Two leaves become leaves_. Returns which pairs they have.
-  HWY_INLINE std::uint32_t set_leaves(const WideFront::Leaves& leaves) {
-    leaves_.set(leaves, pass_.into[leaves.tested_side]);
-    return leaves_.pairs();
-  }
-
-  HWY_INLINE static void add_lanes(WideFront::LeafPairs& pairs, std::uint32_t leaves,
-                                   std::uint32_t lanes) {
-    const hn::CappedTag<std::uint32_t, kLeafPairs> tag;
-    std::uint32_t* const end = pairs.lanes.data();
-    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
-      const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes >> first),
-                                    static_cast<std::uint8_t>(lanes >> first >> 8)};
-      const auto code = static_cast<std::uint32_t>(kLeafPairs * leaves + first);
-      pairs.size += hn::CompressStore(hn::Iota(tag, code), hn::LoadMaskBits(tag, bits), tag,
-                                      end + pairs.size);
-    }
-  }
-
-  /// Which pairs of two leaves surely cross, and which are surely apart.
-  struct Meetings {
-    std::uint32_t crossing = 0;
-    std::uint32_t apart = 0;
-
-    HWY_INLINE void add(const LeafCrossings<PairTag>& some, std::size_t first) {
-      crossing |= bits_of(PairTag(), some.do_cross) << first;
-      apart |= bits_of(PairTag(), some.are_apart) << first;
-    }
-  };
-
-  /// Of these pairs of leaves_ lists those that cross or may: which these are.
-  HWY_INLINE std::uint32_t list(std::uint32_t index, std::uint32_t asked, const Meetings& found) {
-    const std::uint32_t open = asked & ~found.apart;
-    add_lanes(state_.crossing, index, open & found.crossing);
-    if ((open & ~found.crossing) != 0) add_lanes(state_.unsure, index, open & ~found.crossing);
-    return open;
-  }
-
-  HWY_INLINE void compare_leaves(std::size_t index) {
-    WideFront::Leaves& leaves = state_.leaves[index];
-    LeafPlanes& planes = planes_.of_leaves[index];
-    const std::uint32_t asked = set_leaves(leaves) & ~leaves.listed;
-    state_.counts.primitive_tests += static_cast<std::uint32_t>(std::popcount(asked));
-    const PairTag tag;
-    FoundPlanes<kLeafPairs> gaps;
-    for (std::size_t first = 0; first < kLeafPairs; first += hn::Lanes(tag)) {
-      const LocalPairs<PairTag> pairs(leaves_, first);
-      const LeafCrossings<PairTag> crossings(pairs, leaves_.errors());
-      PrimitiveGaps<PairTag> found(pairs, leaves_.errors().way);
-      found.look_at(crossings);
-      found.look_along(pass_.direction[leaves.tested_side]);
-      found.store(planes, gaps, first, pass_.units[leaves.tested_side]);
-    }
-    const typename Outlook::Nearness found =
-        outlook_[leaves.tested_side].keep(planes, gaps, asked, must_.limit);
-    state_.leaves_budgets[index] = budget_after(found.lasts);
-    leaves.listed |= found.near;
-    for (std::uint32_t near = found.near; near != 0; near &= near - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(near));
-      state_.candidates.push_back(static_cast<std::uint32_t>(kLeafPairs * index) + lane);
-    }
-    state_.candidate_budgets.resize(state_.candidates.size(), kAtOnce);
-    state_.candidate_planes.resize(state_.candidates.size());
-  }
-
-  WideFront::State& state_;
-  WideFront::Planes<bounds>& planes_;
-  const WideFront::Pass& pass_;
-  FrontHorizon must_;
-  FrontHorizon reach_;
   float useful_;
-  std::size_t most_held_;  // what it opens until then may be within reach_
-  float moved_;            // rounded down
+  std::size_t most_held_;  ///< by the front, until it looks no further ahead
   float scale_b_;
   Query query_{};
-  WideChildRef query_slot_{};  // of query_, in the tree of
-  int query_side_ = -1;        // this side, if of any
+  WideChildRef query_child_{};  ///< whose box query_ is
+  int query_side_ = -1;         ///< of its tree; -1 as long as there is none
   QueryInNode in_node_;
-  LocalLeaves leaves_;
-  Outlook outlook_[2];  // by the side of the tested node
 };
 
 void advance(WideFront::State& state, const WideFront::Pass& pass, const FrontTask& task) {
   if (pass.bounds == FrontBounds::Distance) {
-    Passer<FrontBounds::Distance>(state, pass, task).run();
+    FrontUpdater<FrontBounds::Distance>(state, pass, task).run();
   } else {
-    Passer<FrontBounds::Meeting>(state, pass, task).run();
+    FrontUpdater<FrontBounds::Meeting>(state, pass, task).run();
   }
 }
 

@@ -1,10 +1,10 @@
-// Which slots a walk looks at next. Included once for each SIMD target.
+// Which children a walk looks at next. Included once for each SIMD target.
 
-#if defined(GRAZE_BVH_SLOTS) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BVH_SLOTS
-#undef GRAZE_BVH_SLOTS
+#if defined(GRAZE_BVH_CHILD_REFS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_CHILD_REFS
+#undef GRAZE_BVH_CHILD_REFS
 #else
-#define GRAZE_BVH_SLOTS
+#define GRAZE_BVH_CHILD_REFS
 #endif
 
 #include <graze/bvh/wide/lanes/query_box-inl.h>
@@ -15,8 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Which of two slots is opened, whose links these are: the larger, unless it is a leaf. `scale` is
-/// the unit of the second in that of the first.
+/// Whether the first of two children, which have these links, is the one to open: the larger one
+/// is, unless it is a leaf. `scale` is the unit of the second one's tree in that of the first
+/// one's.
 HWY_INLINE bool is_first_opened(const WideChildRef& first, std::uint32_t first_link,
                                 const WideChildRef& second, std::uint32_t second_link,
                                 float scale) {
@@ -25,14 +26,14 @@ HWY_INLINE bool is_first_opened(const WideChildRef& first, std::uint32_t first_l
 }
 
 /// The first lane of the node that a link leads to.
-HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& slot,
+HWY_INLINE WideChildRef first_below(const WideTree& tree, const WideChildRef& child,
                                     std::uint32_t link, TreeletCounts& counts) {
   const std::uint32_t index = ChildLink::index(link);
-  if (!ChildLink::is_treelet(link)) return {slot.node + index, 0, slot.treelet};
+  if (!ChildLink::is_treelet(link)) return {child.node + index, 0, child.treelet};
   return {tree.entered(index, counts).nodes.data(), 0, index};
 }
 
-/// Of these lanes. What is pushed last is looked at first: the nearest.
+/// The one of these lanes that has the largest key: what is pushed first is looked at last.
 HWY_INLINE std::uint32_t farthest(std::uint32_t lanes, const float* keys) {
   auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
   for (std::uint32_t rest = lanes & (lanes - 1); rest != 0; rest &= rest - 1) {

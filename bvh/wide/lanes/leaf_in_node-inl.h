@@ -14,8 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// A leaf along the axes of a tested node, a lane for each primitive: the box around it there, and
-/// where it lies along its normal. Errors are paid for (wide_bounds.h).
+/// The primitives of a leaf along the axes of a tested node, a lane for each: the box around each
+/// there, and the interval that it takes up along its normal. All of it is widened by what rounding
+/// may have changed (wide_bounds.h).
 struct LeafInNode {
   alignas(16) float low[3][4];
   alignas(16) float high[3][4];
@@ -27,20 +28,20 @@ struct LeafInNode {
 HWY_INLINE void set_leaf_in_node(LeafInNode& in_node, const QueryLeaf& leaf, const WideNode& tested,
                                  const double (&treelet_origin)[3]) {
   const FourTag tag;
-  float start[3];  // from the tested node's origin to that of its treelet
+  float start[3];  // from the origin of the tested node to that of its treelet
   for (int i = 0; i < 3; ++i)
     start[i] = static_cast<float>(treelet_origin[i] - tested.origin[i]);
   const Four error = hn::Set(tag, kLeafInNodeError * leaf.error);
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
     for (int c = 0; c < 3; ++c) {
-      Four way[3];
+      Four offset[3];
       for (int i = 0; i < 3; ++i)
-        way[i] = hn::Add(hn::Load(tag, leaf.corner[c][i] + part), hn::Set(tag, start[i]));
+        offset[i] = hn::Add(hn::Load(tag, leaf.corner[c][i] + part), hn::Set(tag, start[i]));
       for (int k = 0; k < 3; ++k) {
-        p[c][k] = hn::MulAdd(way[0], hn::Set(tag, tested.axes[0][k]),
-                             hn::MulAdd(way[1], hn::Set(tag, tested.axes[1][k]),
-                                        hn::Mul(way[2], hn::Set(tag, tested.axes[2][k]))));
+        p[c][k] = hn::MulAdd(offset[0], hn::Set(tag, tested.axes[0][k]),
+                             hn::MulAdd(offset[1], hn::Set(tag, tested.axes[1][k]),
+                                        hn::Mul(offset[2], hn::Set(tag, tested.axes[2][k]))));
       }
     }
     Four e[3], f[3], normal[3];
@@ -92,11 +93,11 @@ HWY_INLINE std::uint32_t near_primitives_of(const LeafInNode& leaf, std::uint32_
                           hn::Set(tag, leaf.normal[2][i])};
       const Lanes height =
           hn::MulAdd(n[0], centre[0], hn::MulAdd(n[1], centre[1], hn::Mul(n[2], centre[2])));
-      const Lanes reach =
+      const Lanes radius =
           hn::MulAdd(hn::Abs(n[0]), half[0],
                      hn::MulAdd(hn::Abs(n[1]), half[1], hn::Mul(hn::Abs(n[2]), half[2])));
-      auto apart = hn::Or(hn::Gt(hn::Sub(height, reach), hn::Set(tag, leaf.above[i])),
-                          hn::Lt(hn::Add(height, reach), hn::Set(tag, leaf.below[i])));
+      auto apart = hn::Or(hn::Gt(hn::Sub(height, radius), hn::Set(tag, leaf.above[i])),
+                          hn::Lt(hn::Add(height, radius), hn::Set(tag, leaf.below[i])));
       for (int k = 0; k < 3; ++k) {
         apart = hn::Or(apart, hn::Or(hn::Gt(low[k], hn::Set(tag, leaf.high[k][i])),
                                      hn::Lt(high[k], hn::Set(tag, leaf.low[k][i]))));

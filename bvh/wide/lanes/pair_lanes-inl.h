@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-// Pair 4 i + j is of the tested node's primitive i and the query box's j.
+// Pair 4 i + j is that of primitive i of the tested leaf and primitive j of the query's leaf.
 inline constexpr std::size_t kLeafPairs = ChildLink::kMaxLeafSize * ChildLink::kMaxLeafSize;
 using PairTag = hn::CappedTag<float, kLeafPairs>;
 
@@ -69,12 +69,9 @@ class PairLanes {
 /// The boxes of pairs, along the axes of the tested node's tree.
 template <typename AnyTag>
 struct PairBoxes {
-  hn::Vec<AnyTag> gap[3];          // negative where they overlap
-  hn::Mask<AnyTag> is_below[3];    // the query box, rather than above
-  hn::Vec<AnyTag> size[3];         // what the components of no difference exceed
-  hn::Vec<AnyTag> tested_size[3];  // and none of corners of the tested node alone,
-  hn::Vec<AnyTag> query_size[3];   // or the query box
-  hn::Vec<AnyTag> extent;          // the largest of all
+  hn::Vec<AnyTag> gap[3];   ///< negative where the boxes overlap
+  hn::Vec<AnyTag> size[3];  ///< of the box around both: no difference of corners is larger
+  hn::Vec<AnyTag> extent;   ///< the largest component of `size`
 
   HWY_INLINE PairBoxes(const PairLanes<AnyTag>& lanes, const LeafLanes& tested,
                        const LeafLanes& query) {
@@ -85,10 +82,7 @@ struct PairBoxes {
       const auto tested_low = lanes.tested(tested.low[i]);
       const auto tested_high = lanes.tested(tested.high[i]);
       gap[i] = hn::Max(hn::Sub(low, tested_high), hn::Sub(tested_low, high));
-      is_below[i] = hn::Gt(hn::Sub(tested_low, high), hn::Sub(low, tested_high));
       size[i] = hn::Sub(hn::Max(high, tested_high), hn::Min(low, tested_low));
-      tested_size[i] = hn::Sub(tested_high, tested_low);
-      query_size[i] = hn::Sub(high, low);
       extent = hn::Max(extent, size[i]);
     }
   }

@@ -1,13 +1,13 @@
 // A box of one wide tree along the axes of a node of the other. Included once for each SIMD target.
 
-#if defined(GRAZE_BVH_GUEST_BOX) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BVH_GUEST_BOX
-#undef GRAZE_BVH_GUEST_BOX
+#if defined(GRAZE_BVH_QUERY_BOX) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_QUERY_BOX
+#undef GRAZE_BVH_QUERY_BOX
 #else
-#define GRAZE_BVH_GUEST_BOX
+#define GRAZE_BVH_QUERY_BOX
 #endif
 
-#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_bounds.h>
 #include <hwy/highway.h>
 #include <algorithm>
@@ -58,27 +58,28 @@ struct Rows {
   }
 };
 
-HWY_INLINE float size_of(const WideChildRef& slot) {
-  const WideNode& node = *slot.node;
-  return node.half[0][slot.lane] + node.half[1][slot.lane] + node.half[2][slot.lane];
+HWY_INLINE float size_of(const WideChildRef& child) {
+  const WideNode& node = *child.node;
+  return node.half[0][child.lane] + node.half[1][child.lane] + node.half[2][child.lane];
 }
 
-/// A box of one tree, in the frame of the other.
+/// A query box: a box of one tree in the frame of the other.
 struct alignas(16) Query {
-  float axes[3][4];  // [axis][component]
+  float axes[3][4];  ///< [axis][component]
   float half[3];
   double middle[3];
 };
 
-/// The same along the axes of a tested node, where not said otherwise one value for each of these.
+/// A query box along the axes of a tested node. The last index counts the node's axes, but for
+/// `half`.
 struct alignas(16) QueryInNode {
-  float axes[3][4];     // of each query box's axis
-  float size[3][4];     // their absolute values
-  float crossed[3][4];  // how far it reaches along the cross products with each query box's axis
-  float way[4];         // from the node's origin to the middle
-  float reach[4];       // along the node's axes
-  float half[3];        // along its own, with the slack
-  float padding;        // which pays for the slack and the rounding of all this
+  float axes[3][4];          ///< [axis of the query box][component]
+  float size[3][4];          ///< the absolute values of these
+  float cross_radius[3][4];  ///< of the query box, along the cross products of both boxes' axes
+  float offset[4];           ///< from the node's origin to the middle of the query box
+  float radius[4];           ///< of the query box, projected on the node's axes
+  float half[3];             ///< half extents along its own axes, with the padding
+  float padding;             ///< pays for the slack and for the rounding of all this
 };
 
 /// What the tests of a tested node's children read of it.
@@ -87,14 +88,14 @@ struct OneQuery {
 
   HWY_INLINE float axis(int k, int i) const { return in_node.axes[k][i]; }
   HWY_INLINE float size(int k, int i) const { return in_node.size[k][i]; }
-  HWY_INLINE float crossed(int k, int i) const { return in_node.crossed[k][i]; }
-  HWY_INLINE float way(int i) const { return in_node.way[i]; }
-  HWY_INLINE float reach(int i) const { return in_node.reach[i]; }
+  HWY_INLINE float cross_radius(int k, int i) const { return in_node.cross_radius[k][i]; }
+  HWY_INLINE float offset(int i) const { return in_node.offset[i]; }
+  HWY_INLINE float radius(int i) const { return in_node.radius[i]; }
   HWY_INLINE float half(int k) const { return in_node.half[k]; }
 };
 
 HWY_INLINE void set_query(Query& query, const WideNode& node, std::uint32_t lane,
-                          const WideWay& way) {
+                          const TreeTransform& transform) {
   const double c[3] = {node.centre[0][lane], node.centre[1][lane], node.centre[2][lane]};
   double middle[3];
   for (int i = 0; i < 3; ++i) {
@@ -102,14 +103,14 @@ HWY_INLINE void set_query(Query& query, const WideNode& node, std::uint32_t lane
         node.origin[i] + (node.axes[i][0] * c[0] + node.axes[i][1] * c[1] + node.axes[i][2] * c[2]);
   }
   for (int i = 0; i < 3; ++i) {
-    query.middle[i] = (way.rotation[i][0] * middle[0] + way.rotation[i][1] * middle[1] +
-                       way.rotation[i][2] * middle[2]) *
-                          way.scale +
-                      way.translation[i];
-    query.half[i] = node.half[i][lane] * static_cast<float>(way.scale);
+    query.middle[i] = (transform.rotation[i][0] * middle[0] + transform.rotation[i][1] * middle[1] +
+                       transform.rotation[i][2] * middle[2]) *
+                          transform.scale +
+                      transform.translation[i];
+    query.half[i] = node.half[i][lane] * static_cast<float>(transform.scale);
   }
   for (std::size_t part = 0; part < 4; part += hn::Lanes(FourTag())) {
-    const Rows rows(way.columns, part);
+    const Rows rows(transform.columns, part);
     for (int k = 0; k < 3; ++k) {
       hn::Store(rows.combined(node.axes[0][k], node.axes[1][k], node.axes[2][k]), FourTag(),
                 query.axes[k] + part);
@@ -131,25 +132,25 @@ HWY_INLINE void set_query_in_node(QueryInNode& in_node, const Query& query, cons
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     const Rows rows(tested, part);
     Four size[3];
-    Four reach = hn::Set(tag, padding);
+    Four radius = hn::Set(tag, padding);
     for (int k = 0; k < 3; ++k) {
       const Four axis = rows.combined(query.axes[k][0], query.axes[k][1], query.axes[k][2]);
       size[k] = hn::Abs(axis);
       hn::Store(axis, tag, in_node.axes[k] + part);
       hn::Store(size[k], tag, in_node.size[k] + part);
-      reach = hn::MulAdd(hn::Set(tag, query.half[k]), size[k], reach);
+      radius = hn::MulAdd(hn::Set(tag, query.half[k]), size[k], radius);
     }
-    hn::Store(reach, tag, in_node.reach + part);
+    hn::Store(radius, tag, in_node.radius + part);
     for (int k = 0; k < 3; ++k) {
       const int k1 = (k + 1) % 3;
       const int k2 = (k + 2) % 3;
-      const Four crossed =
+      const Four cross_radius =
           hn::MulAdd(hn::Set(tag, query.half[k2]), size[k1], hn::Set(tag, padding));
-      hn::Store(hn::MulAdd(hn::Set(tag, query.half[k1]), size[k2], crossed), tag,
-                in_node.crossed[k] + part);
+      hn::Store(hn::MulAdd(hn::Set(tag, query.half[k1]), size[k2], cross_radius), tag,
+                in_node.cross_radius[k] + part);
     }
     hn::Store(rows.combined(from_origin[0], from_origin[1], from_origin[2]), tag,
-              in_node.way + part);
+              in_node.offset + part);
   }
 }
 

@@ -1,10 +1,10 @@
 // How far apart boxes of two wide trees are at least. Included once for each SIMD target.
 
-#if defined(GRAZE_BVH_GUEST_GAPS) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BVH_GUEST_GAPS
-#undef GRAZE_BVH_GUEST_GAPS
+#if defined(GRAZE_BVH_QUERY_GAPS) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_QUERY_GAPS
+#undef GRAZE_BVH_QUERY_GAPS
 #else
-#define GRAZE_BVH_GUEST_GAPS
+#define GRAZE_BVH_QUERY_GAPS
 #endif
 
 #include <graze/bvh/wide/lanes/query_box-inl.h>
@@ -16,11 +16,11 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// A direction along the axes of a tested node, and how far a query box reaches along it.
+/// A direction along the axes of a tested node, and the radius of a query box projected on it.
 struct Aim {
   float axes[3];
   float size[3];
-  float reach;
+  float radius;
 };
 
 HWY_INLINE Aim aim_of(const WideNode& tested, const QueryInNode& query, const Query& box,
@@ -31,19 +31,19 @@ HWY_INLINE Aim aim_of(const WideNode& tested, const QueryInNode& query, const Qu
                   tested.axes[2][i] * direction[2];
     aim.size[i] = std::abs(aim.axes[i]);
   }
-  aim.reach = query.half[0] - box.half[0];  // the margins alone
+  aim.radius = query.half[0] - box.half[0];  // the margins alone
   for (int k = 0; k < 3; ++k) {
-    aim.reach +=
+    aim.radius +=
         box.half[k] * std::abs(query.axes[k][0] * aim.axes[0] + query.axes[k][1] * aim.axes[1] +
                                query.axes[k][2] * aim.axes[2]);
   }
   return aim;
 }
 
-/// What the children of a tested node promise of a query box: lanes of squares.
+/// What is known of the distances between a query box and the children of a tested node.
 struct Promises {
-  alignas(32) float bound[WideNode::kWidth];  // of their distance, from below
-  alignas(32) float key[WideNode::kWidth];    // what to look at first: less is nearer
+  alignas(32) float bound[WideNode::kWidth];  ///< lower bounds of their squared distances
+  alignas(32) float key[WideNode::kWidth];  ///< the order in which to look at them: the least first
 };
 
 // Middles tell where bounds do not.
@@ -58,48 +58,48 @@ HWY_INLINE hn::Vec<AnyTag> known(AnyTag tag, hn::Vec<AnyTag> gap) {
 }
 
 // Squares are taken in common units, the larger of both trees': what overflows then is far.
-HWY_INLINE Lanes squared_gap(Lanes offset, Lanes reach, Lanes unit) {
-  const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(offset), reach)), unit);
+HWY_INLINE Lanes squared_gap(Lanes distance, Lanes radii, Lanes unit) {
+  const Lanes gap = hn::Mul(known(Tag(), hn::Sub(hn::Abs(distance), radii)), unit);
   return hn::Mul(gap, gap);
 }
 
-// In the axes of the tested node the way between two points has components of at least the gaps
-// between a tested node's box and the box around the query box along these axes; so has it in the
-// axes of the query box, with the roles exchanged. Each triple of gaps, squared and summed, is a
-// lower bound.
+// Along the axes of the tested node, the offset between a point of a child's box and one of the
+// query box has components that are no less than the gaps between the child's box and the box
+// around the query box. The same holds along the axes of the query box, with the roles exchanged.
+// Each triple of gaps, squared and summed, is a lower bound of the squared distance.
 HWY_INLINE void set_promises(Promises& promises, const WideNode& tested, const QueryInNode& query,
                              const Aim& aim, float unit_of_tested) {
   const Tag tag;
   const Lanes unit = hn::Set(tag, unit_of_tested);
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
+    Lanes half[3], offset[3];
     Lanes in_tested = hn::Zero(tag);
     Lanes in_query = in_tested;
     Lanes middles = in_tested;
     Lanes along = in_tested;
-    Lanes reach_along = hn::Set(tag, aim.reach);
+    Lanes radii_along = hn::Set(tag, aim.radius);
     for (int i = 0; i < 3; ++i) {
       half[i] = hn::Load(tag, tested.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, query.way[i]), hn::Load(tag, tested.centre[i] + lane));
+      offset[i] = hn::Sub(hn::Set(tag, query.offset[i]), hn::Load(tag, tested.centre[i] + lane));
       in_tested = hn::Add(
-          in_tested, squared_gap(way[i], hn::Add(half[i], hn::Set(tag, query.reach[i])), unit));
-      const Lanes step = hn::Mul(way[i], unit);
+          in_tested, squared_gap(offset[i], hn::Add(half[i], hn::Set(tag, query.radius[i])), unit));
+      const Lanes step = hn::Mul(offset[i], unit);
       middles = hn::MulAdd(step, step, middles);
-      along = hn::MulAdd(way[i], hn::Set(tag, aim.axes[i]), along);
-      reach_along = hn::MulAdd(half[i], hn::Set(tag, aim.size[i]), reach_along);
+      along = hn::MulAdd(offset[i], hn::Set(tag, aim.axes[i]), along);
+      radii_along = hn::MulAdd(half[i], hn::Set(tag, aim.size[i]), radii_along);
     }
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, query.axes[k][0]),
-                     hn::MulAdd(way[1], hn::Set(tag, query.axes[k][1]),
-                                hn::Mul(way[2], hn::Set(tag, query.axes[k][2]))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, query.size[k][0]),
+          hn::MulAdd(offset[0], hn::Set(tag, query.axes[k][0]),
+                     hn::MulAdd(offset[1], hn::Set(tag, query.axes[k][1]),
+                                hn::Mul(offset[2], hn::Set(tag, query.axes[k][2]))));
+      const Lanes radii = hn::MulAdd(half[0], hn::Set(tag, query.size[k][0]),
                                      hn::MulAdd(half[1], hn::Set(tag, query.size[k][1]),
                                                 hn::MulAdd(half[2], hn::Set(tag, query.size[k][2]),
                                                            hn::Set(tag, query.half[k]))));
-      in_query = hn::Add(in_query, squared_gap(distance, reach, unit));
+      in_query = hn::Add(in_query, squared_gap(distance, radii, unit));
     }
-    const Lanes gap = hn::Mul(known(tag, hn::Sub(along, reach_along)), unit);
+    const Lanes gap = hn::Mul(known(tag, hn::Sub(along, radii_along)), unit);
     const Lanes bound = hn::Max(hn::Max(in_tested, in_query), hn::Mul(gap, gap));
     hn::Store(bound, tag, promises.bound + lane);
     hn::Store(hn::MulAdd(middles, hn::Set(tag, kMiddleWeight), bound), tag, promises.key + lane);

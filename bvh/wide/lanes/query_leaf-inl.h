@@ -1,11 +1,11 @@
 // The corners of a leaf of one wide tree beside those of the other. Included once for each SIMD
 // target.
 
-#if defined(GRAZE_BVH_GUEST_LEAF) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BVH_GUEST_LEAF
-#undef GRAZE_BVH_GUEST_LEAF
+#if defined(GRAZE_BVH_QUERY_LEAF) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_QUERY_LEAF
+#undef GRAZE_BVH_QUERY_LEAF
 #else
-#define GRAZE_BVH_GUEST_LEAF
+#define GRAZE_BVH_QUERY_LEAF
 #endif
 
 #include <graze/bvh/wide/lanes/query_box-inl.h>
@@ -20,7 +20,7 @@ namespace {
 
 /// A leaf, one lane for each primitive.
 struct LeafLanes {
-  alignas(16) float corner[3][3][4];  // [corner][component]
+  alignas(16) float corner[3][3][4];  ///< [corner][component]
   alignas(16) float normal[3][4];
   alignas(16) float low[3][4];
   alignas(16) float high[3][4];
@@ -65,27 +65,29 @@ HWY_INLINE void set_tested_leaf(LeafLanes& leaf, const WideTree::Treelet& tested
   }
 }
 
-/// A leaf of the query box in the coordinates of the tested node's treelet.
+/// The leaf that a query box bounds, in the coordinates of the tested node's treelet.
 struct QueryLeaf : LeafLanes {
-  float error;  // of each coordinate of a difference of corners, the tested node's included
+  float error;  ///< of each coordinate of a difference of corners, one of either leaf
 };
 
 HWY_INLINE void set_query_leaf(QueryLeaf& leaf, const WideTree::Treelet& query, std::uint32_t link,
-                               const WideTree::Treelet& tested, const WideWay& way) {
+                               const WideTree::Treelet& tested, const TreeTransform& transform) {
   const FourTag tag;
   const std::uint32_t count = ChildLink::count(link);
   const float* rows = rows_of(query, link);
-  const auto scale = static_cast<float>(way.scale);
+  const auto scale = static_cast<float>(transform.scale);
   float offset[3];
   float largest = 0;
   for (int i = 0; i < 3; ++i) {
-    const double turned = way.rotation[i][0] * query.origin[0] +
-                          way.rotation[i][1] * query.origin[1] +
-                          way.rotation[i][2] * query.origin[2];
-    offset[i] = static_cast<float>((turned * way.scale + way.translation[i]) - tested.origin[i]);
+    const double turned = transform.rotation[i][0] * query.origin[0] +
+                          transform.rotation[i][1] * query.origin[1] +
+                          transform.rotation[i][2] * query.origin[2];
+    offset[i] = static_cast<float>((turned * transform.scale + transform.translation[i]) -
+                                   tested.origin[i]);
     largest = std::max(largest, std::abs(offset[i]));
   }
-  leaf.error = way.slack + kCornerError * (query.reach * scale + tested.reach + largest);
+  leaf.error = transform.slack + kCornerError * (query.largest_coordinate * scale +
+                                                 tested.largest_coordinate + largest);
   for (std::size_t part = 0; part < 4; part += hn::Lanes(tag)) {
     Four p[3][3];
     for (std::uint32_t c = 0; c < 3; ++c) {
@@ -93,9 +95,10 @@ HWY_INLINE void set_query_leaf(QueryLeaf& leaf, const WideTree::Treelet& query, 
       const Four y = hn::LoadU(tag, rows + (3 * c + 1) * count + part);
       const Four z = hn::LoadU(tag, rows + (3 * c + 2) * count + part);
       for (int i = 0; i < 3; ++i) {
-        const Four turned = hn::MulAdd(x, hn::Set(tag, way.columns[0][i]),
-                                       hn::MulAdd(y, hn::Set(tag, way.columns[1][i]),
-                                                  hn::Mul(z, hn::Set(tag, way.columns[2][i]))));
+        const Four turned =
+            hn::MulAdd(x, hn::Set(tag, transform.columns[0][i]),
+                       hn::MulAdd(y, hn::Set(tag, transform.columns[1][i]),
+                                  hn::Mul(z, hn::Set(tag, transform.columns[2][i]))));
         p[c][i] = hn::MulAdd(turned, hn::Set(tag, scale), hn::Set(tag, offset[i]));
       }
     }

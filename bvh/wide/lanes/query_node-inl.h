@@ -1,11 +1,11 @@
 // All boxes of a node of one wide tree along the axes of a node of the other. Included once for
 // each SIMD target.
 
-#if defined(GRAZE_BVH_GUEST_NODE) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BVH_GUEST_NODE
-#undef GRAZE_BVH_GUEST_NODE
+#if defined(GRAZE_BVH_QUERY_NODE) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_QUERY_NODE
+#undef GRAZE_BVH_QUERY_NODE
 #else
-#define GRAZE_BVH_GUEST_NODE
+#define GRAZE_BVH_QUERY_NODE
 #endif
 
 #include <graze/bvh/wide/lanes/query_box-inl.h>
@@ -14,29 +14,33 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// What GuestInNode says of one query box, of eight that share their axes: a lane each.
+/// What QueryInNode says of one query box, said of the eight boxes of a node, which share their
+/// axes: a lane for each.
 struct QueriesInNode {
   alignas(16) float axes[3][4];
   alignas(16) float size[3][4];
-  alignas(32) float crossed[3][3][WideNode::kWidth];
-  alignas(32) float way[3][WideNode::kWidth];
-  alignas(32) float reach[3][WideNode::kWidth];
-  alignas(32) float half[3][WideNode::kWidth];  // with the slack
+  alignas(32) float cross_radius[3][3][WideNode::kWidth];
+  alignas(32) float offset[3][WideNode::kWidth];
+  alignas(32) float radius[3][WideNode::kWidth];
+  alignas(32) float half[3][WideNode::kWidth];  ///< with the padding
 };
 
 /// `padding` is the slack of the query and the rounding of all that is done here (wide_bounds.h).
 HWY_INLINE void set_queries_in_node(QueriesInNode& queries, const WideNode& node,
-                                    const WideNode& tested, const WideWay& way, float padding) {
+                                    const WideNode& tested, const TreeTransform& transform,
+                                    float padding) {
   const FourTag four;
-  float start[3];  // from the tested node's origin to the query boxes'
+  float start[3];  // from the origin of the tested node to that of the query boxes' node
   for (int i = 0; i < 3; ++i) {
-    const double turned = way.rotation[i][0] * node.origin[0] +
-                          way.rotation[i][1] * node.origin[1] + way.rotation[i][2] * node.origin[2];
-    start[i] = static_cast<float>((turned * way.scale + way.translation[i]) - tested.origin[i]);
+    const double turned = transform.rotation[i][0] * node.origin[0] +
+                          transform.rotation[i][1] * node.origin[1] +
+                          transform.rotation[i][2] * node.origin[2];
+    start[i] = static_cast<float>((turned * transform.scale + transform.translation[i]) -
+                                  tested.origin[i]);
   }
   alignas(16) float axes[3][4];
   for (std::size_t part = 0; part < 4; part += hn::Lanes(four)) {
-    const Rows rows(way.columns, part);
+    const Rows rows(transform.columns, part);
     for (int k = 0; k < 3; ++k) {
       hn::Store(rows.combined(node.axes[0][k], node.axes[1][k], node.axes[2][k]), four,
                 axes[k] + part);
@@ -53,7 +57,7 @@ HWY_INLINE void set_queries_in_node(QueriesInNode& queries, const WideNode& node
     }
   }
   const Tag tag;
-  const auto scale = hn::Set(tag, static_cast<float>(way.scale));
+  const auto scale = hn::Set(tag, static_cast<float>(transform.scale));
   const Lanes margin = hn::Set(tag, padding);
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
     Lanes half[3], centre[3];
@@ -67,16 +71,17 @@ HWY_INLINE void set_queries_in_node(QueriesInNode& queries, const WideNode& node
         return hn::Mul(hn::Set(tag, queries.axes[k][i]), centre[k]);
       };
       // Not fused: the order of the walk depends on it.
-      const Lanes way_there = hn::Add(hn::Add(along(0), along(1)), along(2));
-      hn::Store(hn::Add(way_there, hn::Set(tag, from_origin[i])), tag, queries.way[i] + lane);
+      const Lanes turned_centre = hn::Add(hn::Add(along(0), along(1)), along(2));
+      hn::Store(hn::Add(turned_centre, hn::Set(tag, from_origin[i])), tag,
+                queries.offset[i] + lane);
       const auto size = [&](int k) HWY_ATTR { return hn::Set(tag, queries.size[k][i]); };
-      const Lanes reach = hn::MulAdd(half[1], size(1), hn::MulAdd(half[0], size(0), margin));
-      hn::Store(hn::MulAdd(half[2], size(2), reach), tag, queries.reach[i] + lane);
+      const Lanes radius = hn::MulAdd(half[1], size(1), hn::MulAdd(half[0], size(0), margin));
+      hn::Store(hn::MulAdd(half[2], size(2), radius), tag, queries.radius[i] + lane);
       for (int k = 0; k < 3; ++k) {
         const int k1 = (k + 1) % 3;
         const int k2 = (k + 2) % 3;
         hn::Store(hn::MulAdd(half[k1], size(k2), hn::MulAdd(half[k2], size(k1), margin)), tag,
-                  queries.crossed[k][i] + lane);
+                  queries.cross_radius[k][i] + lane);
       }
     }
   }

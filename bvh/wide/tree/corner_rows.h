@@ -21,11 +21,11 @@ class CornerRows {
     return values_.data() + (3 * c + k) * size_;
   }
 
-  /// The largest coordinate in size.
-  float reach() const;
+  /// The largest size of a coordinate.
+  float largest_coordinate() const;
 
  private:
-  static constexpr std::size_t kRoom = 3;  // for whole vectors that begin in the last row
+  static constexpr std::size_t kRoom = 3;  ///< for whole vectors that begin in the last row
 
   std::size_t size_;
   std::vector<float> values_;

@@ -41,11 +41,11 @@ void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
                            WideNode::slope_of(node.slope[1][lane]), 1};
   float direction[1][3] = {};
   double centre = 0;
-  double reach = 0;
+  double radius = 0;
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     centre += slope[k] * node.centre[k][lane];
-    reach += std::abs(slope[k]) * node.half[k][lane];
+    radius += std::abs(slope[k]) * node.half[k][lane];
     size +=
         std::abs(double{origin[k]}) + std::abs(double{node.centre[k][lane]}) + node.half[k][lane];
     direction[0][k] = static_cast<float>(slope[0] * axes.rows[0][k] + slope[1] * axes.rows[1][k] +
@@ -55,10 +55,10 @@ void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
   const double margin = kFitError * size + kWideUnderflow;
   const double low = (interval.low - margin) - centre;
   const double high = (interval.high + margin) - centre;
-  const double middle = 0.5 * (low + high) / (WideNode::kSlabMiddleUnit * reach);
+  const double middle = 0.5 * (low + high) / (WideNode::kSlabMiddleUnit * radius);
   const double rounded = std::clamp(std::floor(middle + 0.5), -127.0, 127.0);
-  const double at = rounded * WideNode::kSlabMiddleUnit * reach;
-  const double half = std::max(high - at, at - low) / (WideNode::kSlabHalfUnit * reach);
+  const double at = rounded * WideNode::kSlabMiddleUnit * radius;
+  const double half = std::max(high - at, at - low) / (WideNode::kSlabHalfUnit * radius);
   // One step more pays for the division. What reaches beyond the box is held by the box.
   const double steps = std::floor(half) + 1;
   if (!(steps <= 256)) return clear_slab(node, lane);
@@ -95,11 +95,11 @@ void choose_slabs(std::span<WideNode> nodes) {
     for (std::uint32_t j = 0; j < node.count; ++j) {
       const double a = WideNode::slope_of(node.slope[0][j]);
       const double b = WideNode::slope_of(node.slope[1][j]);
-      const double reach =
+      const double radius =
           std::abs(a) * node.half[0][j] + std::abs(b) * node.half[1][j] + node.half[2][j];
       boxes += node.half[2][j];
       slabs +=
-          (node.slab_half[j] + 1) * WideNode::kSlabHalfUnit * reach / std::sqrt(a * a + b * b + 1);
+          (node.slab_half[j] + 1) * WideNode::kSlabHalfUnit * radius / std::sqrt(a * a + b * b + 1);
     }
   }
   const bool are_worth_asking = slabs < kWorthAsking * boxes;

@@ -32,7 +32,7 @@ class MomentSums {
   RangeMoments of_first(std::size_t count) const;
 
   const CornerRows& rows_;
-  std::vector<RangeMoments> sums_;  // of the first kStep * i primitives
+  std::vector<RangeMoments> sums_;  ///< of the first kStep * i primitives
 };
 
 }  // namespace graze::bvh

@@ -13,7 +13,7 @@ namespace graze::bvh {
 struct TreeletPart {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  int depth = 0;  // binary nodes above
+  int depth = 0;  ///< binary nodes above
   FloatBox box;
 };
 
@@ -22,9 +22,9 @@ struct TreeletPart {
 /// the treelet, however large the tree.
 struct Treelet {
   std::vector<WideNode> nodes;
-  std::vector<float> corners;  // of a leaf: 9 rows, one behind the other, from 9 * its first on
+  std::vector<float> corners;  ///< of a leaf: 9 rows, one behind the other, from 9 * its first on
   double origin[3] = {0, 0, 0};
-  float reach = 0;  // no coordinate of a corner is larger in size
+  float largest_coordinate = 0;  ///< of all corners, in size
   std::uint32_t first = 0;
 
   // cost_of() the nodes when they were built, and when their axes were last chosen.

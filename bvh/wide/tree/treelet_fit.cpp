@@ -65,7 +65,7 @@ void set_corners(Treelet& treelet, const TreeletPart& part, const TreeletCorners
                  std::span<const WideTopologyNode> topology) {
   std::copy_n(corners.origin, 3, treelet.origin);
   treelet.first = part.first;
-  treelet.reach = corners.rows.reach();
+  treelet.largest_coordinate = corners.rows.largest_coordinate();
   treelet.corners = leaf_blocks(topology, corners.rows);
 }
 

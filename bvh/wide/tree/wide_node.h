@@ -21,15 +21,15 @@ struct alignas(32) WideNode {
 
   float centre[3][kWidth];
   float half[3][kWidth];
-  float axes[3][3];     // [component][axis]: unit vectors at right angles, but for rounding
-  std::uint16_t count;  // of children, at least 1
+  float axes[3][3];     ///< [component][axis]: unit vectors at right angles, but for rounding
+  std::uint16_t count;  ///< of children, at least 1
   std::uint16_t
-      has_slabs;  // whether these are so much thinner than the boxes that it pays to ask them
+      has_slabs;  ///< whether slabs are so much thinner than boxes that it pays to ask them
   double origin[3];
-  std::uint32_t child[kWidth];      // as ChildLink packs them
-  std::int8_t slope[2][kWidth];     // q stands for q |q| 2^-14: finer where it is small
-  std::int8_t slab_middle[kWidth];  // in 2^-7 h
-  std::uint8_t slab_half[kWidth];   // in 2^-8 h, less one
+  std::uint32_t child[kWidth];      ///< as ChildLink packs them
+  std::int8_t slope[2][kWidth];     ///< q stands for q |q| 2^-14: finer where it is small
+  std::int8_t slab_middle[kWidth];  ///< in 2^-7 h
+  std::uint8_t slab_half[kWidth];   ///< in 2^-8 h, less one
 
   /// What slopes are in the end: less than 1 in size, and exact.
   static float slope_of(std::int8_t q) {

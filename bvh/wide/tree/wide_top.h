@@ -22,7 +22,7 @@ inline constexpr BuildSettings kWideSettings = {
 /// its `count` primitives.
 struct WideTop {
   std::vector<Node> nodes;
-  std::vector<float> costs;  // subtree_costs() when each node was built
+  std::vector<float> costs;  ///< subtree_costs() when each node was built
   std::vector<TreeletPart> parts;
   // Of each part what an earlier tree made of the same primitives in the same order, if anything.
   std::vector<std::shared_ptr<const Treelet>> inherited;

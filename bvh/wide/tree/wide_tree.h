@@ -88,9 +88,10 @@ class WideTree {
   LocalFrame frame_;
   FloatBox box_;
   const CornerSource& source_;
-  WideTop top_;               // without what parts inherit, which is with the treelets
-  mutable std::mutex mutex_;  // guards what stock() reads: the order, and what treelets own
-  mutable std::vector<std::uint32_t> primitives_;  // of a treelet in order when it has been built
+  WideTop top_;               ///< without what parts inherit, which is with the treelets
+  mutable std::mutex mutex_;  ///< guards what stock() reads: the order, and what treelets own
+  mutable std::vector<std::uint32_t>
+      primitives_;  ///< those of a treelet are in order once it is built
   std::unique_ptr<LazyTreelet[]> treelets_;
   std::size_t treelet_count_ = 0;
 };

@@ -32,23 +32,23 @@ bool set_axes(double (&axes)[3][3], const double (&direction)[3]) {
   return true;
 }
 
-void round(AlignedWay& way, double unit, double slack) {
+void round(AlignedTransform& transform, double unit, double slack) {
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i)
-      way.rows[k][i] = static_cast<float>(way.axes[k][i]);
+      transform.rows[k][i] = static_cast<float>(transform.axes[k][i]);
   }
-  way.unit = static_cast<float>(unit);
-  way.slack = rounded_up(slack + kWideUnderflow);
+  transform.unit = static_cast<float>(unit);
+  transform.slack = rounded_up(slack + kWideUnderflow);
 }
 
 }  // namespace
 
-bool align_along(AlignedWay (&ways)[2], const RelativeFrame& b_in_a, const double (&direction)[3],
-                 const double (&point)[3]) {
+bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
+                 const double (&direction)[3], const double (&point)[3]) {
   double axes[3][3];
   if (!set_axes(axes, direction)) return false;
-  AlignedWay& a = ways[0];
-  AlignedWay& b = ways[1];
+  AlignedTransform& a = transforms[0];
+  AlignedTransform& b = transforms[1];
   for (int k = 0; k < 3; ++k) {
     const double* axis = axes[k];
     double between[3];

@@ -11,19 +11,19 @@ namespace graze::bvh {
 
 /// How a wide tree lies along three axes at right angles that it shares with another tree, in
 /// common units: a point p of its frame is at axes * p + offset. Private to bvh/wide.
-struct AlignedWay {
-  double axes[3][3];  // [axis][component]: as long as the tree's unit
+struct AlignedTransform {
+  double axes[3][3];  ///< [axis][component]: as long as the tree's unit
   double offset[3];
-  float rows[3][3];  // the axes, rounded
+  float rows[3][3];  ///< the axes, rounded
   float unit;
-  float slack;  // of the query, on one side; underflow
+  float slack;  ///< of the query, in the transform of one tree only, and room for underflow
 };
 
 /// Both trees along axes of which the first is this direction, seen from a point near what is
 /// looked for: floats tell most apart there. Both are in the frame of A, the point in common units.
 /// False for a direction that is none.
-bool align_along(AlignedWay (&ways)[2], const RelativeFrame& b_in_a, const double (&direction)[3],
-                 const double (&point)[3]);
+bool align_along(AlignedTransform (&transforms)[2], const RelativeFrame& b_in_a,
+                 const double (&direction)[3], const double (&point)[3]);
 
 /// The children of a node as boxes along such axes: lanes beyond the node's count say nothing.
 struct alignas(32) AlignedNode {

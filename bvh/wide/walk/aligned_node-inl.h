@@ -21,9 +21,10 @@ namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
 /// Where a point of a tree's frame lies along a shared axis.
-HWY_INLINE double aligned_at(const AlignedWay& way, int axis, const double (&point)[3]) {
-  const double(&z)[3] = way.axes[axis];
-  return (z[0] * point[0] + z[1] * point[1] + z[2] * point[2]) + way.offset[axis];
+HWY_INLINE double aligned_at(const AlignedTransform& transform, int axis,
+                             const double (&point)[3]) {
+  const double(&z)[3] = transform.axes[axis];
+  return (z[0] * point[0] + z[1] * point[1] + z[2] * point[2]) + transform.offset[axis];
 }
 
 /// Children of a node along one axis.
@@ -35,17 +36,17 @@ struct AlignedLanes {
 /// A node's axes and origin along the first so many shared axes.
 template <int kAxes>
 struct NodeAlong {
-  alignas(16) float axes[kAxes][4];  // [shared axis][axis of the node]
+  alignas(16) float axes[kAxes][4];  ///< [shared axis][axis of the node]
   double origin[kAxes];
 
-  HWY_INLINE NodeAlong(const WideNode& node, const AlignedWay& way) {
+  HWY_INLINE NodeAlong(const WideNode& node, const AlignedTransform& transform) {
     for (int k = 0; k < kAxes; ++k)
-      origin[k] = aligned_at(way, k, node.origin);
+      origin[k] = aligned_at(transform, k, node.origin);
     for (std::size_t part = 0; part < 4; part += hn::Lanes(FourTag())) {
       const Rows rows(node, part);
       for (int k = 0; k < kAxes; ++k) {
-        hn::Store(rows.combined(way.rows[k][0], way.rows[k][1], way.rows[k][2]), FourTag(),
-                  axes[k] + part);
+        hn::Store(rows.combined(transform.rows[k][0], transform.rows[k][1], transform.rows[k][2]),
+                  FourTag(), axes[k] + part);
       }
     }
   }
@@ -55,7 +56,7 @@ struct NodeAlong {
 template <int kAxes>
 HWY_INLINE void set_lanes_along(AlignedLanes (&lanes)[kAxes], const WideNode& node,
                                 std::size_t part, const NodeAlong<kAxes>& along,
-                                const AlignedWay& way) {
+                                const AlignedTransform& transform) {
   const Tag tag;
   Lanes half[3], centre[3];
   Lanes size = hn::Zero(tag);
@@ -67,31 +68,32 @@ HWY_INLINE void set_lanes_along(AlignedLanes (&lanes)[kAxes], const WideNode& no
   for (int k = 0; k < kAxes; ++k) {
     const auto origin = static_cast<float>(along.origin[k]);
     Lanes middle = hn::Set(tag, origin);
-    Lanes reach = hn::MulAdd(hn::Set(tag, kAlignedError * way.unit), size,
-                             hn::Set(tag, kAlignedError * std::abs(origin) + way.slack));
+    Lanes radius = hn::MulAdd(hn::Set(tag, kAlignedError * transform.unit), size,
+                              hn::Set(tag, kAlignedError * std::abs(origin) + transform.slack));
     for (int j = 0; j < 3; ++j) {
       middle = hn::MulAdd(hn::Set(tag, along.axes[k][j]), centre[j], middle);
-      reach = hn::MulAdd(hn::Set(tag, std::abs(along.axes[k][j])), half[j], reach);
+      radius = hn::MulAdd(hn::Set(tag, std::abs(along.axes[k][j])), half[j], radius);
     }
-    lanes[k] = {hn::Sub(middle, reach), hn::Add(middle, reach)};
+    lanes[k] = {hn::Sub(middle, radius), hn::Add(middle, radius)};
   }
 }
 
-/// From where to where along the first axis.
-struct Reach {
+/// The interval that something takes up along the first axis.
+struct AlignedInterval {
   float low;
   float high;
 };
 
-/// Of all that a node's children hold.
-HWY_INLINE Reach reach_of_children(const WideNode& node, const AlignedWay& way) {
+/// The interval of all that the children of a node hold.
+HWY_INLINE AlignedInterval interval_of_children(const WideNode& node,
+                                                const AlignedTransform& transform) {
   const Tag tag;
-  const NodeAlong<1> along(node, way);
+  const NodeAlong<1> along(node, transform);
   Lanes least = hn::Set(tag, std::numeric_limits<float>::infinity());
   Lanes most = hn::Neg(least);
   for (std::size_t part = 0; part < node.count; part += hn::Lanes(tag)) {
     AlignedLanes lanes[1];
-    set_lanes_along(lanes, node, part, along, way);
+    set_lanes_along(lanes, node, part, along, transform);
     const auto is_there = hn::FirstN(tag, node.count - part);
     least = hn::IfThenElse(is_there, hn::Min(least, lanes[0].low), least);
     most = hn::IfThenElse(is_there, hn::Max(most, lanes[0].high), most);
@@ -99,9 +101,9 @@ HWY_INLINE Reach reach_of_children(const WideNode& node, const AlignedWay& way) 
   return {hn::GetLane(hn::MinOfLanes(tag, least)), hn::GetLane(hn::MaxOfLanes(tag, most))};
 }
 
-/// Of the corners of a leaf; `origin` is where its treelet's is.
-HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t link, float origin,
-                               const AlignedWay& way) {
+/// The interval of the corners of a leaf; `origin` is the coordinate of its treelet's origin.
+HWY_INLINE AlignedInterval interval_of_leaf(const WideTree::Treelet& treelet, std::uint32_t link,
+                                            float origin, const AlignedTransform& transform) {
   const FourTag tag;
   const std::uint32_t count = ChildLink::count(link);
   const float* rows = rows_of(treelet, link);
@@ -112,14 +114,16 @@ HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t l
     for (std::uint32_t c = 0; c < 3; ++c) {
       const auto row = [&](std::uint32_t i)
                            HWY_ATTR { return hn::LoadU(tag, rows + (3 * c + i) * count + part); };
-      const Four at = hn::MulAdd(row(0), hn::Set(tag, way.rows[0][0]),
-                                 hn::MulAdd(row(1), hn::Set(tag, way.rows[0][1]),
-                                            hn::Mul(row(2), hn::Set(tag, way.rows[0][2]))));
+      const Four at = hn::MulAdd(row(0), hn::Set(tag, transform.rows[0][0]),
+                                 hn::MulAdd(row(1), hn::Set(tag, transform.rows[0][1]),
+                                            hn::Mul(row(2), hn::Set(tag, transform.rows[0][2]))));
       least = hn::IfThenElse(is_there, hn::Min(least, at), least);
       most = hn::IfThenElse(is_there, hn::Max(most, at), most);
     }
   }
-  const float margin = kAlignedError * (std::abs(origin) + treelet.reach * way.unit) + way.slack;
+  const float margin =
+      kAlignedError * (std::abs(origin) + treelet.largest_coordinate * transform.unit) +
+      transform.slack;
   return {(hn::GetLane(hn::MinOfLanes(tag, least)) + origin) - margin,
           (hn::GetLane(hn::MaxOfLanes(tag, most)) + origin) + margin};
 }
@@ -127,28 +131,30 @@ HWY_INLINE Reach reach_of_leaf(const WideTree::Treelet& treelet, std::uint32_t l
 /// Boxes of the children. Along the first axis, where it matters, as what they hold reaches: much
 /// of a box along a node's axes is empty.
 inline HWY_NOINLINE void set_aligned_node(AlignedNode& aligned, const WideTree& tree,
-                                          const WideChildRef& slot, const AlignedWay& way) {
+                                          const WideChildRef& child,
+                                          const AlignedTransform& transform) {
   const Tag tag;
-  const WideNode& node = *slot.node;
-  const NodeAlong<3> along(node, way);
+  const WideNode& node = *child.node;
+  const NodeAlong<3> along(node, transform);
   for (std::size_t part = 0; part < WideNode::kWidth; part += hn::Lanes(tag)) {
     AlignedLanes lanes[3];
-    set_lanes_along(lanes, node, part, along, way);
+    set_lanes_along(lanes, node, part, along, transform);
     for (int k = 0; k < 3; ++k) {
       hn::Store(lanes[k].low, tag, aligned.low[k] + part);
       hn::Store(lanes[k].high, tag, aligned.high[k] + part);
     }
   }
-  const WideTree::Treelet& treelet = tree.treelet(slot.treelet);
-  const auto origin = static_cast<float>(aligned_at(way, 0, treelet.origin));
+  const WideTree::Treelet& treelet = tree.treelet(child.treelet);
+  const auto origin = static_cast<float>(aligned_at(transform, 0, treelet.origin));
   for (std::uint32_t lane = 0; lane < node.count; ++lane) {
     const std::uint32_t link = node.child[lane];
     if (ChildLink::is_treelet(link)) continue;  // it may not be built
-    const Reach reach = ChildLink::is_leaf(link)
-                            ? reach_of_leaf(treelet, link, origin, way)
-                            : reach_of_children(*(&node + ChildLink::index(link)), way);
-    aligned.low[0][lane] = std::max(aligned.low[0][lane], reach.low);
-    aligned.high[0][lane] = std::min(aligned.high[0][lane], reach.high);
+    const AlignedInterval interval =
+        ChildLink::is_leaf(link)
+            ? interval_of_leaf(treelet, link, origin, transform)
+            : interval_of_children(*(&node + ChildLink::index(link)), transform);
+    aligned.low[0][lane] = std::max(aligned.low[0][lane], interval.low);
+    aligned.high[0][lane] = std::min(aligned.high[0][lane], interval.high);
   }
 }
 

@@ -1,5 +1,5 @@
-// How far apart pairs of primitives are along the way between their nearest points. Included once
-// for each SIMD target.
+// How far apart pairs of primitives are along the direction between their nearest points. Included
+// once for each SIMD target.
 
 #if defined(GRAZE_BVH_NEAREST_DIRECTION) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BVH_NEAREST_DIRECTION
@@ -18,7 +18,7 @@ namespace {
 struct NearPairs {
   static constexpr std::size_t kMost = 16;
 
-  alignas(64) float tested[3][3][kMost] = {};  // [corner][component]
+  alignas(64) float tested[3][3][kMost] = {};  ///< [corner][component]
   alignas(64) float query[3][3][kMost] = {};
   std::uint32_t count = 0;
 
@@ -37,25 +37,26 @@ struct NearPairs {
 using ManyTag = hn::CappedTag<float, NearPairs::kMost>;
 using Many = hn::Vec<ManyTag>;
 
-struct Way {
+/// A vector in each lane.
+struct Vectors {
   Many x, y, z;
 };
 
-HWY_INLINE Way minus(const Way& v, const Way& w) {
+HWY_INLINE Vectors minus(const Vectors& v, const Vectors& w) {
   return {hn::Sub(v.x, w.x), hn::Sub(v.y, w.y), hn::Sub(v.z, w.z)};
 }
 
-HWY_INLINE Many dot(const Way& v, const Way& w) {
+HWY_INLINE Many dot(const Vectors& v, const Vectors& w) {
   return hn::MulAdd(v.x, w.x, hn::MulAdd(v.y, w.y, hn::Mul(v.z, w.z)));
 }
 
-HWY_INLINE Way cross(const Way& v, const Way& w) {
+HWY_INLINE Vectors cross(const Vectors& v, const Vectors& w) {
   return {hn::MulSub(v.y, w.z, hn::Mul(v.z, w.y)), hn::MulSub(v.z, w.x, hn::Mul(v.x, w.z)),
           hn::MulSub(v.x, w.y, hn::Mul(v.y, w.x))};
 }
 
 /// s v + w
-HWY_INLINE Way along(Many s, const Way& v, const Way& w) {
+HWY_INLINE Vectors along(Many s, const Vectors& v, const Vectors& w) {
   return {hn::MulAdd(s, v.x, w.x), hn::MulAdd(s, v.y, w.y), hn::MulAdd(s, v.z, w.z)};
 }
 
@@ -70,7 +71,7 @@ HWY_INLINE Many inverse(Many x) {
   return hn::IfThenElseZero(hn::Gt(x, hn::Zero(tag)), hn::Div(hn::Set(tag, 1.0f), x));
 }
 
-HWY_INLINE Way corner_in(const float (&corner)[3][NearPairs::kMost], std::size_t part) {
+HWY_INLINE Vectors corner_in(const float (&corner)[3][NearPairs::kMost], std::size_t part) {
   const ManyTag tag;
   return {hn::Load(tag, corner[0] + part), hn::Load(tag, corner[1] + part),
           hn::Load(tag, corner[2] + part)};
@@ -78,11 +79,11 @@ HWY_INLINE Way corner_in(const float (&corner)[3][NearPairs::kMost], std::size_t
 
 /// The edges of a triangle, each from the corner with its number.
 struct TriangleEdges {
-  Way edge[3];
+  Vectors edge[3];
   Many square[3];
   Many inverse_square[3];
 
-  HWY_INLINE TriangleEdges(const Way& p0, const Way& p1, const Way& p2) {
+  HWY_INLINE TriangleEdges(const Vectors& p0, const Vectors& p1, const Vectors& p2) {
     edge[0] = minus(p1, p0);
     edge[1] = minus(p2, p1);
     edge[2] = minus(p0, p2);
@@ -93,31 +94,31 @@ struct TriangleEdges {
   }
 };
 
-/// The shortest way found so far from a tested node's primitive to its query box.
+/// The shortest offset found so far from a tested primitive to the query's primitive.
 struct Shortest {
   Many square;
-  Way way;
+  Vectors offset;
 
   HWY_INLINE Shortest() {
     const ManyTag tag;
     square = hn::Set(tag, std::numeric_limits<float>::infinity());
-    way = {hn::Zero(tag), hn::Zero(tag), hn::Zero(tag)};
+    offset = {hn::Zero(tag), hn::Zero(tag), hn::Zero(tag)};
   }
 
   template <typename Mask>
-  HWY_INLINE void consider_where(Mask mask, const Way& other, Many other_square) {
+  HWY_INLINE void consider_where(Mask mask, const Vectors& other, Many other_square) {
     const auto is_less = hn::And(mask, hn::Lt(other_square, square));
     square = hn::IfThenElse(is_less, other_square, square);
-    way.x = hn::IfThenElse(is_less, other.x, way.x);
-    way.y = hn::IfThenElse(is_less, other.y, way.y);
-    way.z = hn::IfThenElse(is_less, other.z, way.z);
+    offset.x = hn::IfThenElse(is_less, other.x, offset.x);
+    offset.y = hn::IfThenElse(is_less, other.y, offset.y);
+    offset.z = hn::IfThenElse(is_less, other.z, offset.z);
   }
 };
 
 /// Two edges, the query box's begins `between` from the tested node's: the nearest points of their
 /// lines, then of what is left of them (Ericson, Real-Time Collision Detection, 5.1.9).
 HWY_INLINE void consider_edges(Shortest& shortest, const TriangleEdges& tested, int i,
-                               const TriangleEdges& query, int j, const Way& between) {
+                               const TriangleEdges& query, int j, const Vectors& between) {
   const ManyTag tag;
   const Many b = dot(tested.edge[i], query.edge[j]);
   const Many c = dot(tested.edge[i], between);
@@ -127,15 +128,15 @@ HWY_INLINE void consider_edges(Shortest& shortest, const TriangleEdges& tested, 
       share(hn::Mul(hn::MulSub(c, query.square[j], hn::Mul(b, f)), inverse(determinant)));
   const Many t = share(hn::Mul(hn::MulSub(b, s, f), query.inverse_square[j]));
   const Many s_of_t = share(hn::Mul(hn::MulAdd(b, t, c), tested.inverse_square[i]));
-  const Way way = along(hn::Neg(s_of_t), tested.edge[i], along(t, query.edge[j], between));
-  const Many square = dot(way, way);
-  shortest.consider_where(hn::Ge(square, hn::Zero(tag)), way, square);
+  const Vectors offset = along(hn::Neg(s_of_t), tested.edge[i], along(t, query.edge[j], between));
+  const Many square = dot(offset, offset);
+  shortest.consider_where(hn::Ge(square, hn::Zero(tag)), offset, square);
 }
 
 /// A corner above or below a triangle; `to_corner` leads there from each corner of the triangle.
-/// The sign is that of a way from the triangle to the corner.
-HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle, const Way& normal,
-                              const Way (&to_corner)[3], float sign) {
+/// `sign` is 1 if the triangle is the tested primitive, and -1 if it is the query's.
+HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle, const Vectors& normal,
+                              const Vectors (&to_corner)[3], float sign) {
   const ManyTag tag;
   const Many zero = hn::Zero(tag);
   auto is_within = hn::Ge(dot(cross(normal, triangle.edge[0]), to_corner[0]), zero);
@@ -145,27 +146,27 @@ HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle,
   }
   const Many share_of_normal =
       hn::Mul(hn::Mul(dot(normal, to_corner[0]), hn::Set(tag, sign)), inverse(dot(normal, normal)));
-  const Way way = {hn::Mul(normal.x, share_of_normal), hn::Mul(normal.y, share_of_normal),
-                   hn::Mul(normal.z, share_of_normal)};
-  shortest.consider_where(is_within, way, dot(way, way));
+  const Vectors offset = {hn::Mul(normal.x, share_of_normal), hn::Mul(normal.y, share_of_normal),
+                          hn::Mul(normal.z, share_of_normal)};
+  shortest.consider_where(is_within, offset, dot(offset, offset));
 }
 
-/// Lower bounds of the squared distances of the pairs. The way between the nearest points may be
-/// wrong by anything: whatever direction it gives, a gap along it is one. `error` is that of each
+/// Lower bounds of the squared distances of the pairs. The nearest points may be wrong by anything:
+/// whatever direction they give, a gap along it is a gap. `error` is that of each
 /// coordinate of a difference of corners.
 HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& pairs, float error,
                            float unit_of_tested) {
   const ManyTag tag;
   for (std::size_t part = 0; part < pairs.count; part += hn::Lanes(tag)) {
-    const Way p[3] = {corner_in(pairs.tested[0], part), corner_in(pairs.tested[1], part),
+    const Vectors p[3] = {corner_in(pairs.tested[0], part), corner_in(pairs.tested[1], part),
                       corner_in(pairs.tested[2], part)};
-    const Way q[3] = {corner_in(pairs.query[0], part), corner_in(pairs.query[1], part),
+    const Vectors q[3] = {corner_in(pairs.query[0], part), corner_in(pairs.query[1], part),
                       corner_in(pairs.query[2], part)};
     const TriangleEdges tested(p[0], p[1], p[2]);
     const TriangleEdges query(q[0], q[1], q[2]);
-    const Way tested_normal = cross(tested.edge[0], tested.edge[1]);
-    const Way query_normal = cross(query.edge[0], query.edge[1]);
-    Way between[3][3];  // [tested node's][query box's]
+    const Vectors tested_normal = cross(tested.edge[0], tested.edge[1]);
+    const Vectors query_normal = cross(query.edge[0], query.edge[1]);
+    Vectors between[3][3];  // [tested corner][query corner]
     Shortest shortest;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -176,14 +177,14 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
     for (int k = 0; k < 3; ++k) {
       consider_face(shortest, tested, tested_normal, {between[0][k], between[1][k], between[2][k]},
                     1);
-      const Way from_query[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
+      const Vectors from_query[3] = {minus(p[k], q[0]), minus(p[k], q[1]), minus(p[k], q[2])};
       consider_face(shortest, query, query_normal, from_query, -1);
     }
     // The direction is as long as its square says, which is not so where that underflowed.
     const Many scale = hn::IfThenElseZero(hn::Ge(shortest.square, hn::Set(tag, kWideUnderflow)),
                                           inverse(hn::Sqrt(shortest.square)));
-    const Way direction = {hn::Mul(shortest.way.x, scale), hn::Mul(shortest.way.y, scale),
-                           hn::Mul(shortest.way.z, scale)};
+    const Vectors direction = {hn::Mul(shortest.offset.x, scale), hn::Mul(shortest.offset.y, scale),
+                               hn::Mul(shortest.offset.z, scale)};
     Many gap = hn::Set(tag, std::numeric_limits<float>::infinity());
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)

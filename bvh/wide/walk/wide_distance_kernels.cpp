@@ -27,7 +27,7 @@ class Walker {
          WideWalkCounts& counts)
       : state_(state),
         found_(found),
-        limit_(std::min(limit, state.squared_reach)),
+        limit_(std::min(limit, state.squared_upper_bound)),
         counts_(counts),
         scale_b_(static_cast<float>(state.into[0].scale)) {}
 
@@ -53,7 +53,7 @@ class Walker {
   HWY_INLINE void open_tested(int tested_side, const WideChildRef& tested,
                               std::uint32_t tested_link, const WideChildRef& query,
                               std::uint32_t query_link) {
-    const WideWay& way = state_.into[tested_side];
+    const TreeTransform& transform = state_.into[tested_side];
     const WideChildRef below =
         first_below(*state_.tree[tested_side], tested, tested_link, counts_.treelets);
     const WideNode& node = *below.node;
@@ -69,12 +69,12 @@ class Walker {
         return;
       }
     }
-    if (query_side_ != 1 - tested_side || query_slot_ != query) {
-      set_query(query_, *query.node, query.lane, way);
-      query_slot_ = query;
+    if (query_side_ != 1 - tested_side || query_child_ != query) {
+      set_query(query_, *query.node, query.lane, transform);
+      query_child_ = query;
       query_side_ = 1 - tested_side;
     }
-    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * size_of(tested));
+    set_query_in_node(in_node_, query_, node, transform.slack + kComparisonError * size_of(tested));
     set_promises(promises_, node, in_node_,
                  aim_of(node, in_node_, query_, state_.direction[tested_side]),
                  state_.units[tested_side]);
@@ -94,7 +94,7 @@ class Walker {
         const WideTree::Treelet& query_treelet =
             state_.tree[1 - tested_side]->treelet(query.treelet);
         if (!is_query_leaf_set)
-          set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet, way);
+          set_query_leaf(query_leaf_, query_treelet, query_link, tested_treelet, transform);
         is_query_leaf_set = true;
         compare_leaves(tested_side, tested_treelet, link, query_treelet, query_link);
         continue;
@@ -124,11 +124,11 @@ class Walker {
     return state_.is_aligned;
   }
 
-  HWY_INLINE const AlignedNode& aligned(int side, const WideChildRef& slot) {
-    AlignedNodes::Entry& entry = state_.aligned[side].entry_of(slot.node);
-    if (entry.node != slot.node) {
-      set_aligned_node(entry.boxes, *state_.tree[side], slot, state_.aligned_way[side]);
-      entry.node = slot.node;
+  HWY_INLINE const AlignedNode& aligned(int side, const WideChildRef& child) {
+    AlignedNodes::Entry& entry = state_.aligned[side].entry_of(child.node);
+    if (entry.node != child.node) {
+      set_aligned_node(entry.boxes, *state_.tree[side], child, state_.aligned_transform[side]);
+      entry.node = child.node;
     }
     return entry.boxes;
   }
@@ -150,7 +150,7 @@ class Walker {
       const auto pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
       const float bound = bounds_[pair] > 0 ? bounds_[pair] : 0;  // infinities may have made it NaN
       if (bound > limit_) continue;
-      reach_to(corners_[pair], unit);
+      lower_limit_to(corners_[pair], unit);
       const std::uint32_t of_tested = pair / 4;
       const std::uint32_t of_query = pair % 4;
       const PlacePair places = tested_side == 0
@@ -177,7 +177,8 @@ class Walker {
     }
   }
 
-  /// Keeps those that are not beyond the limit along the way between their nearest points either.
+  /// Keeps the pairs that are not beyond the limit along the direction of their nearest points
+  /// either.
   HWY_INLINE void look_closer(std::size_t begin, float unit) {
     alignas(64) float bounds[NearPairs::kMost];
     set_bounds(bounds, near_, query_leaf_.error, unit);
@@ -189,14 +190,14 @@ class Walker {
     near_.count = 0;
   }
 
-  /// Two corners are as near: nothing that is further apart is wanted. Twice the error of a
-  /// corner's coordinates in each direction, and a thousandth of a thousandth for rounding.
-  HWY_INLINE void reach_to(float squared_corners, float unit) {
+  /// Two corners are so near, and nothing that is further apart is wanted. The bound has twice the
+  /// error of a corner's coordinates at either end, and a millionth more for rounding.
+  HWY_INLINE void lower_limit_to(float squared_corners, float unit) {
     if (!(unit > 0)) return;  // it is too small for a float to say how far that is
     const float distance = (std::sqrt(squared_corners) + 4 * query_leaf_.error) * unit;
-    const float reach = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
-    const float square = reach * reach * static_cast<float>(kBoundGrowth) + kWideUnderflow;
-    if (square < state_.squared_reach) state_.squared_reach = square;
+    const float bound = (distance * state_.growth + state_.margin) * (1 + 0x1p-20f);
+    const float square = bound * bound * static_cast<float>(kBoundGrowth) + kWideUnderflow;
+    if (square < state_.squared_upper_bound) state_.squared_upper_bound = square;
     if (square < limit_) limit_ = square;
   }
 
@@ -207,8 +208,8 @@ class Walker {
   std::size_t size_ = 0;
   float scale_b_;
   Query query_{};
-  WideChildRef query_slot_{};  // of query_, in the tree of
-  int query_side_ = -1;        // this side, if of any
+  WideChildRef query_child_{};  ///< whose box query_ is
+  int query_side_ = -1;         ///< of its tree; -1 as long as there is none
   QueryInNode in_node_;
   LeafLanes tested_leaf_;
   QueryLeaf query_leaf_;
@@ -250,7 +251,7 @@ WideDistanceWalk::State::State(const WideTree& tree_a, const WideTree& tree_b,
                                const LengthMargins& margins)
     : tree{&tree_a, &tree_b},
       b_in_a(of_b),
-      into{WideWay(of_b), WideWay(of_a)},
+      into{TreeTransform(of_b), TreeTransform(of_a)},
       units{static_cast<float>(of_b.units_a), static_cast<float>(of_a.units_a)},
       growth(rounded_up(margins.growth * margins.growth)),
       margin(rounded_up(2 * margins.margin * margins.growth)) {
@@ -259,7 +260,7 @@ WideDistanceWalk::State::State(const WideTree& tree_a, const WideTree& tree_b,
 
 void WideDistanceWalk::State::align() {
   is_turned = false;
-  is_aligned = align_along(aligned_way, b_in_a, aim, point);
+  is_aligned = align_along(aligned_transform, b_in_a, aim, point);
   std::copy(aim, aim + 3, aligned_aim);
   for (AlignedNodes& nodes : aligned)
     nodes.clear();
@@ -271,7 +272,7 @@ WideDistanceWalk::WideDistanceWalk(const WideTree& tree_a, const WideTree& tree_
     : state_(tree_a, tree_b, b_in_a, a_in_b, margins) {}
 
 void WideDistanceWalk::aim_along(const double (&direction)[3], const double (&point)[3]) {
-  const WideWay& of_a_in_b = state_.into[1];
+  const TreeTransform& of_a_in_b = state_.into[1];
   double turn = 0;
   for (int i = 0; i < 3; ++i) {
     state_.direction[0][i] = static_cast<float>(direction[i]);
@@ -290,7 +291,7 @@ std::size_t WideDistanceWalk::next(std::span<BoundedPlaces> found, double square
 }
 
 bool WideDistanceWalk::is_beyond(const BoundedPlaces& pair, double squared_limit) const {
-  return pair.squared_bound > std::min(state_.squared_reach, float_limit(squared_limit));
+  return pair.squared_bound > std::min(state_.squared_upper_bound, float_limit(squared_limit));
 }
 
 }  // namespace graze::bvh

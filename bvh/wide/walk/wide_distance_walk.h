@@ -2,7 +2,7 @@
 
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/bvh/tree/box_separation.h>
-#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/bvh/wide/walk/aligned_boxes.h>
 #include <graze/bvh/wide/walk/wide_pair_walk.h>
@@ -17,7 +17,7 @@ namespace graze::bvh {
 /// Two primitives, by their places, and a lower bound of the square of their distance.
 struct BoundedPlaces {
   PlacePair places;
-  float squared_bound;  // common units
+  float squared_bound;  ///< common units
 };
 
 /// How lengths in the trees' frames and distances in space differ, in common units: each is at most
@@ -71,26 +71,27 @@ class WideDistanceWalk {
     State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
           const RelativeFrame& a_in_b, const LengthMargins& margins);
 
-    /// Along the direction of now.
+    /// Along the present direction.
     void align();
 
     const WideTree* tree[2];
     RelativeFrame b_in_a;
-    WideWay into[2];  // of query boxes from the other tree
-    float units[2];   // of each tree, in common units
-    float growth;     // LengthMargins, twice over
+    TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
+    float units[2];         ///< of each tree, in common units
+    float growth;           ///< LengthMargins, twice over
     float margin;
-    float direction[2][3] = {};  // in each tree's frame, from it to the other
-    float squared_reach = std::numeric_limits<float>::infinity();  // what corners seen leave open
+    float direction[2][3] = {};  ///< in each tree's frame, from it to the other
+    /// Of the distance, by the corners seen.
+    float squared_upper_bound = std::numeric_limits<float>::infinity();
     TraversalStack<Waiting, 192> open;
 
     int opened = 0;
-    bool is_turned = false;  // since nodes were aligned
+    bool is_turned = false;  ///< whether the direction is, since nodes were aligned
     bool is_aligned = false;
-    double aim[3] = {};  // direction[0], and a point
+    double aim[3] = {};  ///< direction[0] in double, through `point`
     double point[3] = {};
     double aligned_aim[3] = {};
-    AlignedWay aligned_way[2];
+    AlignedTransform aligned_transform[2];
     AlignedNodes aligned[2];
   };
 

@@ -25,58 +25,64 @@ struct QueryAmongOthers {
 
   HWY_INLINE float axis(int k, int i) const { return in_node.axes[k][i]; }
   HWY_INLINE float size(int k, int i) const { return in_node.size[k][i]; }
-  HWY_INLINE float crossed(int k, int i) const { return in_node.crossed[k][i][lane]; }
-  HWY_INLINE float way(int i) const { return in_node.way[i][lane]; }
-  HWY_INLINE float reach(int i) const { return in_node.reach[i][lane]; }
+  HWY_INLINE float cross_radius(int k, int i) const { return in_node.cross_radius[k][i][lane]; }
+  HWY_INLINE float offset(int i) const { return in_node.offset[i][lane]; }
+  HWY_INLINE float radius(int i) const { return in_node.radius[i][lane]; }
   HWY_INLINE float half(int k) const { return in_node.half[k][lane]; }
 };
 
 /// The bits of the children that the query box is not proved apart from, and how far their middles
 /// are from its own, squared.
+///
+/// This is the separating axis test of two boxes along 15 axes that bvh/value/separating_axes.h
+/// derives. The kernel has code of its own because it compares eight boxes at once, in float, with
+/// one padding in place of the slack (wide_bounds.h): all that is known of the query box is
+/// computed once for the eight, and the nine cross products are left out where six axes tell all of
+/// them apart.
 template <typename AnyQuery>
 HWY_INLINE std::uint32_t near_lanes(const WideNode& tested, const AnyQuery& query,
-                                    float* squared_ways) {
+                                    float* squared_distances) {
   const Tag tag;
   std::uint32_t near = 0;
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
+    Lanes half[3], offset[3];
     auto apart = hn::Gt(hn::Zero(tag), hn::Zero(tag));
     for (int i = 0; i < 3; ++i) {
       half[i] = hn::Load(tag, tested.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, query.way(i)), hn::Load(tag, tested.centre[i] + lane));
-      apart =
-          hn::Or(apart, hn::Gt(hn::Abs(way[i]), hn::Add(half[i], hn::Set(tag, query.reach(i)))));
+      offset[i] = hn::Sub(hn::Set(tag, query.offset(i)), hn::Load(tag, tested.centre[i] + lane));
+      apart = hn::Or(apart,
+                     hn::Gt(hn::Abs(offset[i]), hn::Add(half[i], hn::Set(tag, query.radius(i)))));
     }
     for (int k = 0; k < 3; ++k) {
       const Lanes distance =
-          hn::MulAdd(way[0], hn::Set(tag, query.axis(k, 0)),
-                     hn::MulAdd(way[1], hn::Set(tag, query.axis(k, 1)),
-                                hn::Mul(way[2], hn::Set(tag, query.axis(k, 2)))));
-      const Lanes reach = hn::MulAdd(half[0], hn::Set(tag, query.size(k, 0)),
+          hn::MulAdd(offset[0], hn::Set(tag, query.axis(k, 0)),
+                     hn::MulAdd(offset[1], hn::Set(tag, query.axis(k, 1)),
+                                hn::Mul(offset[2], hn::Set(tag, query.axis(k, 2)))));
+      const Lanes radii = hn::MulAdd(half[0], hn::Set(tag, query.size(k, 0)),
                                      hn::MulAdd(half[1], hn::Set(tag, query.size(k, 1)),
                                                 hn::MulAdd(half[2], hn::Set(tag, query.size(k, 2)),
                                                            hn::Set(tag, query.half(k)))));
-      apart = hn::Or(apart, hn::Gt(hn::Abs(distance), reach));
+      apart = hn::Or(apart, hn::Gt(hn::Abs(distance), radii));
     }
     if (hn::AllTrue(tag, apart)) continue;
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 3; ++i) {
         const int i1 = (i + 1) % 3;
         const int i2 = (i + 2) % 3;
-        const Lanes distance = hn::MulSub(way[i2], hn::Set(tag, query.axis(k, i1)),
-                                          hn::Mul(way[i1], hn::Set(tag, query.axis(k, i2))));
-        const Lanes reach = hn::MulAdd(half[i1], hn::Set(tag, query.size(k, i2)),
+        const Lanes distance = hn::MulSub(offset[i2], hn::Set(tag, query.axis(k, i1)),
+                                          hn::Mul(offset[i1], hn::Set(tag, query.axis(k, i2))));
+        const Lanes radii = hn::MulAdd(half[i1], hn::Set(tag, query.size(k, i2)),
                                        hn::MulAdd(half[i2], hn::Set(tag, query.size(k, i1)),
-                                                  hn::Set(tag, query.crossed(k, i))));
-        apart = hn::Or(apart, hn::Gt(hn::Abs(distance), reach));
+                                                  hn::Set(tag, query.cross_radius(k, i))));
+        apart = hn::Or(apart, hn::Gt(hn::Abs(distance), radii));
       }
     }
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(tag, hn::Not(apart), bits);
     near |= std::uint32_t{bits[0]} << lane;
-    hn::Store(
-        hn::Add(hn::Add(hn::Mul(way[0], way[0]), hn::Mul(way[1], way[1])), hn::Mul(way[2], way[2])),
-        tag, squared_ways + lane);
+    hn::Store(hn::Add(hn::Add(hn::Mul(offset[0], offset[0]), hn::Mul(offset[1], offset[1])),
+                      hn::Mul(offset[2], offset[2])),
+              tag, squared_distances + lane);
   }
   return near & tested.lanes();
 }
@@ -89,13 +95,13 @@ HWY_NOINLINE std::uint32_t near_slabs(const WideNode& tested, const AnyQuery& qu
   const Tag tag;
   std::uint32_t near = 0;
   for (std::size_t lane = 0; lane < WideNode::kWidth; lane += hn::Lanes(tag)) {
-    Lanes half[3], way[3];
+    Lanes half[3], offset[3];
     for (int i = 0; i < 3; ++i) {
       half[i] = hn::Load(tag, tested.half[i] + lane);
-      way[i] = hn::Sub(hn::Set(tag, query.way(i)), hn::Load(tag, tested.centre[i] + lane));
+      offset[i] = hn::Sub(hn::Set(tag, query.offset(i)), hn::Load(tag, tested.centre[i] + lane));
     }
-    const SlabGap gap(SlabLanes(tested, lane, half), way, query, slab);
-    const auto apart = hn::Gt(hn::Abs(gap.offset), gap.reach);
+    const SlabGap gap(SlabLanes(tested, lane, half), offset, query, slab);
+    const auto apart = hn::Gt(hn::Abs(gap.distance), gap.radii);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(tag, hn::Not(apart), bits);
     near |= std::uint32_t{bits[0]} << lane;
@@ -165,32 +171,32 @@ class Walker {
     }
   }
 
-  /// The children of one slot's node are tried against the other slot's box. Those near that are
-  /// smaller than that box are what the children of its node are then tried against.
+  /// Tests the children of one node against a query box. Those that are near and smaller than that
+  /// box become query boxes in turn, against the children of the node that it bounds.
   HWY_INLINE void open_tested(int tested_side, const WideChildRef& tested,
                               std::uint32_t tested_link, const WideChildRef& query,
                               std::uint32_t query_link) {
-    const WideWay& way = state_.into[tested_side];
-    set_query(query_, *query.node, query.lane, way);
+    const TreeTransform& transform = state_.into[tested_side];
+    set_query(query_, *query.node, query.lane, transform);
     const WideChildRef below =
         first_below(*state_.tree[tested_side], tested, tested_link, counts_.treelets);
     const WideNode& node = *below.node;
-    set_query_in_node(in_node_, query_, node, way.slack + kComparisonError * size_of(tested));
-    std::uint32_t near = near_lanes(node, OneQuery{in_node_}, squared_ways_);
+    set_query_in_node(in_node_, query_, node, transform.slack + kComparisonError * size_of(tested));
+    std::uint32_t near = near_lanes(node, OneQuery{in_node_}, squared_distances_);
     if (near != 0 && node.has_slabs && query.node->has_slabs) {
       near &= near_slabs(
           node, OneQuery{in_node_},
-          slab_of(*query.node, query.lane, static_cast<float>(way.scale), in_node_.padding));
+          slab_of(*query.node, query.lane, static_cast<float>(transform.scale), in_node_.padding));
     }
     count(node, near);
     if (near == 0) return;
     if (ChildLink::is_leaf(query_link)) {
-      push_or_compare(tested_side, below, near, squared_ways_, query, query_link);
+      push_or_compare(tested_side, below, near, squared_distances_, query, query_link);
       return;
     }
     const std::uint32_t next =
-        near &
-        (leaf_lanes(node) | smaller_lanes(node, size_of(query) * static_cast<float>(way.scale)));
+        near & (leaf_lanes(node) |
+                smaller_lanes(node, size_of(query) * static_cast<float>(transform.scale)));
     for (std::uint32_t rest = near & ~next; rest != 0; rest &= rest - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(rest));
       push(tested_side, {&node, lane, below.treelet}, query);
@@ -198,37 +204,39 @@ class Walker {
     if (next != 0) open_query(1 - tested_side, query, query_link, tested, below, next);
   }
 
-  /// The same the other way round, for some children at once, which lie in the slot `above`.
+  /// The same with the roles exchanged, for several query boxes of one node at once; `above` is the
+  /// box around all of these.
   HWY_INLINE void open_query(int tested_side, const WideChildRef& tested, std::uint32_t tested_link,
                              const WideChildRef& above, const WideChildRef& queries,
                              std::uint32_t lanes) {
-    const WideWay& way = state_.into[tested_side];
+    const TreeTransform& transform = state_.into[tested_side];
     const WideChildRef below =
         first_below(*state_.tree[tested_side], tested, tested_link, counts_.treelets);
     const WideNode& node = *below.node;
-    const float sizes = size_of(tested) + 2 * size_of(above) * static_cast<float>(way.scale);
-    const float padding = way.slack + kComparisonError * sizes;
-    set_queries_in_node(queries_in_node_, *queries.node, node, way, padding);
+    const float sizes = size_of(tested) + 2 * size_of(above) * static_cast<float>(transform.scale);
+    const float padding = transform.slack + kComparisonError * sizes;
+    set_queries_in_node(queries_in_node_, *queries.node, node, transform, padding);
     const bool are_slabs_asked = node.has_slabs && queries.node->has_slabs;
     const bool are_many = std::popcount(lanes) > kMostAtATime;
-    alignas(32) float squared_ways[WideNode::kWidth];
+    alignas(32) float squared_distances[WideNode::kWidth];
     while (lanes != 0 && size_ + WidePairWalk::kMostAtOnce <= found_.size()) {
       const std::uint32_t lane =
-          are_many ? nearest(lanes, squared_ways_) : farthest(lanes, squared_ways_);
+          are_many ? nearest(lanes, squared_distances_) : farthest(lanes, squared_distances_);
       lanes &= ~(1u << lane);
       const QueryAmongOthers other{queries_in_node_, lane};
-      std::uint32_t near = near_lanes(node, other, squared_ways);
+      std::uint32_t near = near_lanes(node, other, squared_distances);
       if (near != 0 && are_slabs_asked) {
-        near &= near_slabs(node, other,
-                           slab_of(*queries.node, lane, static_cast<float>(way.scale), padding));
+        near &=
+            near_slabs(node, other,
+                       slab_of(*queries.node, lane, static_cast<float>(transform.scale), padding));
       }
       count(node, near);
       if (are_many && near != 0) {
         push_all(1 - tested_side, queries, lanes, tested);
         lanes = 0;
       }
-      push_or_compare(tested_side, below, near, squared_ways, {queries.node, lane, queries.treelet},
-                      queries.node->child[lane]);
+      push_or_compare(tested_side, below, near, squared_distances,
+                      {queries.node, lane, queries.treelet}, queries.node->child[lane]);
     }
     push_all(1 - tested_side, queries, lanes, tested);
   }
@@ -237,7 +245,7 @@ class Walker {
   /// Several children near one leaf are first tried against its primitives one by one: where these
   /// are large beside the children, much of the leaf's box is empty.
   HWY_INLINE void push_or_compare(int tested_side, const WideChildRef& below, std::uint32_t near,
-                                  const float* squared_ways, const WideChildRef& query,
+                                  const float* squared_distances, const WideChildRef& query,
                                   std::uint32_t query_link) {
     const bool is_query_leaf = ChildLink::is_leaf(query_link);
     bool is_query_leaf_set = false;
@@ -250,7 +258,7 @@ class Walker {
       near &= near_primitives_of(leaf_in_node_, ChildLink::count(query_link), *below.node);
     }
     while (near != 0) {
-      const std::uint32_t lane = farthest(near, squared_ways);
+      const std::uint32_t lane = farthest(near, squared_distances);
       near &= ~(1u << lane);
       const std::uint32_t link = below.node->child[lane];
       if (is_query_leaf && ChildLink::is_leaf(link)) {
@@ -268,16 +276,16 @@ class Walker {
     }
   }
 
-  HWY_INLINE void push(int side, const WideChildRef& slot, const WideChildRef& other) {
-    state_.open.push(side == 0 ? WidePairWalk::Waiting{slot, other}
-                               : WidePairWalk::Waiting{other, slot});
+  HWY_INLINE void push(int side, const WideChildRef& child, const WideChildRef& other) {
+    state_.open.push(side == 0 ? WidePairWalk::Waiting{child, other}
+                               : WidePairWalk::Waiting{other, child});
   }
 
   /// Children of one node, the nearest last.
   HWY_INLINE void push_all(int side, const WideChildRef& first, std::uint32_t lanes,
                            const WideChildRef& other) {
     while (lanes != 0) {
-      const std::uint32_t lane = farthest(lanes, squared_ways_);
+      const std::uint32_t lane = farthest(lanes, squared_distances_);
       lanes &= ~(1u << lane);
       push(side, {first.node, lane, first.treelet}, other);
     }
@@ -317,7 +325,7 @@ class Walker {
   LeafLanes tested_leaf_;
   QueryLeaf query_leaf_;
   LeafInNode leaf_in_node_;
-  alignas(32) float squared_ways_[WideNode::kWidth];
+  alignas(32) float squared_distances_[WideNode::kWidth];
 };
 
 std::size_t walk(WidePairWalk::State& state, std::span<PlacePair> found, WideWalkCounts& counts) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <graze/bvh/traverse/traversal.h>
-#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 
 #include <cstddef>
@@ -75,21 +75,22 @@ class WidePairWalk {
   struct State {
     State(const WideTree& tree_a, const WideTree& tree_b, const RelativeFrame& b_in_a,
           const RelativeFrame& a_in_b)
-        : tree{&tree_a, &tree_b}, into{WideWay(b_in_a), WideWay(a_in_b)} {}
-    State(const WideTree* const (&trees)[2], const WideWay (&ways)[2])
-        : tree{trees[0], trees[1]}, into{ways[0], ways[1]} {}
+        : tree{&tree_a, &tree_b}, into{TreeTransform(b_in_a), TreeTransform(a_in_b)} {}
+    State(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2])
+        : tree{trees[0], trees[1]}, into{transforms[0], transforms[1]} {}
 
     const WideTree* tree[2];
-    WideWay into[2];  // of query boxes from the other tree
+    TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
     TraversalStack<Waiting, 192> open;
-    std::uint32_t patience = 0;    // steps until the walk looks elsewhere
-    std::uint32_t steps_left = 0;  // of these; 0 if it never does
+    std::uint32_t patience = 0;    ///< steps until the walk looks elsewhere
+    std::uint32_t steps_left = 0;  ///< of these; 0 if it never does
   };
 
  private:
   static constexpr std::uint32_t kPatience = 16;
 
-  WidePairWalk(const WideTree* const (&trees)[2], const WideWay (&ways)[2]) : state_(trees, ways) {}
+  WidePairWalk(const WideTree* const (&trees)[2], const TreeTransform (&transforms)[2])
+      : state_(trees, transforms) {}
 
   State state_;
   WideWalkCounts counts_;

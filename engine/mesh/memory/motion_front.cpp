@@ -55,16 +55,16 @@ double sum_of_edges(const bvh::FloatBox& box, double unit) {
 
 }  // namespace
 
-void MotionFront::move(const bvh::WideFront::Motion& step, int queries) {
-  is_jump_ = step.way > kJump * step_ * queries;
-  step_ = step.way / queries;
+void MotionFront::move(const bvh::WideFront::MotionBound& step, int queries) {
+  is_jump_ = step.distance > kJump * step_ * queries;
+  step_ = step.distance / queries;
   queries_ = queries;
   // The factors round the sums up.
-  motion_.way = (motion_.way + step.way) * (1 + 0x1p-50);
+  motion_.distance = (motion_.distance + step.distance) * (1 + 0x1p-50);
   motion_.turn = (motion_.turn + step.turn) * (1 + 0x1p-50);
-  since_last_.way = (since_last_.way + step.way) * (1 + 0x1p-50);
+  since_last_.distance = (since_last_.distance + step.distance) * (1 + 0x1p-50);
   since_last_.turn = (since_last_.turn + step.turn) * (1 + 0x1p-50);
-  if (!(motion_.way < bvh::WideFront::kFarthest)) is_live_ = false;
+  if (!(motion_.distance < bvh::WideFront::kFarthest)) is_live_ = false;
 }
 
 void MotionFront::pause() {
@@ -97,8 +97,8 @@ bool MotionFront::is_outgrown() const {
 void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
   if (front_.has_prediction()) {
     ++passes_predicted_;
-    motion_predicted_ += since_last_.way;
-    if (front_.spent() - spent_at_prediction_ > kFastestSpending * motion_predicted_) {
+    distance_predicted_ += since_last_.distance;
+    if (front_.spent() - spent_at_prediction_ > kFastestSpending * distance_predicted_) {
       front_.drop_prediction();
       next_unpredicted_ = passes_predicted_ >= kEnoughPredicted
                               ? 1
@@ -107,11 +107,11 @@ void MotionFront::steer(const bvh::RelativeFrame (&now)[2]) {
     }
   }
   if (!front_.has_prediction() && is_last_known_ && front_.size() >= kWorthAPrediction &&
-      front_.crossing_count() + front_.unsure_count() > 0 && since_last_.way > 0 &&
+      front_.crossing_count() + front_.unsure_count() > 0 && since_last_.distance > 0 &&
       passes_unpredicted_-- <= 0) {
     front_.set_prediction(last_, since_last_);
     passes_predicted_ = 0;
-    motion_predicted_ = 0;
+    distance_predicted_ = 0;
     spent_at_prediction_ = front_.spent();
   }
   std::copy_n(now, 2, last_);
@@ -156,13 +156,13 @@ std::optional<bvh::WideFront::Pass> MotionFront::pass(const bvh::WideTree& tree_
 }
 
 bvh::WideFront::Foresight MotionFront::foresight() const {
-  const double distance = look_ahead_.queries() * step_;
+  const double look_ahead = look_ahead_.queries() * step_;
   // To go far away and to come back are of one length, and neither jumps beside the other.
-  const bool is_near = distance < bvh::WideFront::kFarthest;
+  const bool is_near = look_ahead < bvh::WideFront::kFarthest;
   if (bounds_ == bvh::WideFront::Bounds::Distance || is_jump_ || !is_near) return {};
   const std::size_t size = passes_ > 0 ? front_.size() : first_size_;
   return {
-      .reach = distance,
+      .look_ahead = look_ahead,
       .useful = step_,
       .most_added = kFewAhead + static_cast<std::size_t>(kMostAhead * static_cast<double>(size))};
 }

@@ -26,7 +26,7 @@ class MotionFront {
 
   /// Takes note that in so many queries no point of B has moved by more than the step (common
   /// units).
-  void move(const bvh::WideFront::Motion& step, int queries);
+  void move(const bvh::WideFront::MotionBound& step, int queries);
 
   /// The update of the front for this query, if the front is worth it or, begun anew in these
   /// poses, promises to be. Otherwise the query should walk the trees: where most of the front is
@@ -63,7 +63,7 @@ class MotionFront {
   bvh::WideFront::Bounds bounds_;
   bvh::WideFront front_;
   bool is_live_ = false;
-  bvh::WideFront::Motion motion_;  ///< since the front was begun
+  bvh::WideFront::MotionBound motion_;  ///< since the front was begun
   int passes_ = 0;                 ///< updates since the front was begun
   std::size_t first_size_ = 0;     ///< of the front, after the first update
   int pause_ = 0;                  ///< queries until a front may be begun
@@ -75,10 +75,10 @@ class MotionFront {
   bool is_jump_ = true;
 
   bvh::RelativeFrame last_[2] = {};  ///< the relative frames when an update was last asked for
-  bvh::WideFront::Motion since_last_;
+  bvh::WideFront::MotionBound since_last_;
   bool is_last_known_ = false;
   int passes_predicted_ = 0;
-  double motion_predicted_ = 0;
+  double distance_predicted_ = 0;
   double spent_at_prediction_ = 0;
   int passes_unpredicted_ = 0;  ///< updates until another prediction is tried
   int next_unpredicted_ = 1;

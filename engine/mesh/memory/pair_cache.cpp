@@ -28,9 +28,10 @@ namespace {
 constexpr double kFrameGrowth = 1e-5;
 
 /// How far points of the box move between two placings, common units.
-bvh::WideFront::Motion motion_of(const bvh::FloatBox& box, double unit,
-                                 const double (&rotation)[3][3], const double (&translation)[3],
-                                 const bvh::RelativeFrame& now) {
+bvh::WideFront::MotionBound motion_of(const bvh::FloatBox& box, double unit,
+                                      const double (&rotation)[3][3],
+                                      const double (&translation)[3],
+                                      const bvh::RelativeFrame& now) {
   double turns = 0;
   double moved[3] = {0, 0, 0};
   double sizes = 0;
@@ -153,7 +154,7 @@ bool PairCache::follow(const WideQuery& query) {
   const bvh::RelativeFrame& now = query.b_in_a;
   const bool was_followed = is_followed_;
   if (was_followed) {
-    const bvh::WideFront::Motion step =
+    const bvh::WideFront::MotionBound step =
         motion_of(query.tree_b.box(), now.units_b, rotation_, translation_, now);
     meeting.move(step, queries_);
     near.move(step, queries_);

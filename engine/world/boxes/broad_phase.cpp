@@ -1,4 +1,4 @@
-#include <graze/bvh/box_set/store/overlap_tracker.h>
+#include <graze/bvh/box_set/overlap_tracker.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/bvh/value/element_error.h>
@@ -64,7 +64,7 @@ struct BroadPhase::State {
     if (!is_settled.load(std::memory_order_acquire)) {
       const std::lock_guard lock(settling);
       if (!is_settled.load(std::memory_order_relaxed)) {
-        tracker.settle();
+        tracker.prepare_for_queries();
         is_settled.store(true, std::memory_order_release);
       }
     }
@@ -73,10 +73,10 @@ struct BroadPhase::State {
 
   /// Needs no bounds, but while others settle boxes may change places.
   bvh::OrderedBox box(std::uint32_t index) {
-    if (is_settled.load(std::memory_order_acquire)) return tracker.set().box(index);
+    if (is_settled.load(std::memory_order_acquire)) return tracker.set().store().box(index);
     const std::lock_guard lock(settling);
     tracker.end_waiting();
-    return tracker.set().box(index);
+    return tracker.set().store().box(index);
   }
 };
 
@@ -174,9 +174,9 @@ void BroadPhase::update() {
     if (!has_changed) return;
     state.work.searches_for_all = state.tracker.searches_for_all();
     state.work.searches_for_movers = state.tracker.searches_for_movers();
-    state.work.sorts = state.tracker.set().sorts();
-    state.work.groups_sorted = state.tracker.set().groups_sorted();
-    state.work.blocks_met = state.tracker.set().blocks_met();
+    state.work.sorts = state.tracker.set().order().sorts();
+    state.work.groups_sorted = state.tracker.set().order().groups_sorted();
+    state.work.blocks_met = state.tracker.set().search().blocks_met();
   });
 }
 
@@ -224,7 +224,7 @@ std::span<const BoxPair> BroadPhase::ended() {
 void BroadPhase::find_overlapping(const Aabb& box, std::vector<std::uint32_t>& indices) const {
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "find_overlapping");
-    state_->settled().find_overlapping(bvh::ordered_box(box), indices);
+    state_->settled().search().find_overlapping(bvh::ordered_box(box), indices);
   });
 }
 
@@ -241,7 +241,7 @@ void BroadPhase::visit_along(const Ray& ray, const RayBoxVisitor& visit) const {
       return bvh::in_users_arithmetic([&] { return visit(index); });
     };
     const auto look = [&](std::uint32_t index) { return limit_for(visited(index)); };
-    state_->settled().walk_along(slabs, limit, std::cref(look));
+    state_->settled().search().walk_along(slabs, limit, std::cref(look));
   });
 }
 

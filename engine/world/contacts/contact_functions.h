@@ -5,7 +5,7 @@
 // Private to engine/world.
 
 #include <graze/engine/world/shapes/pair_input.h>
-#include <graze/narrowphase/convex/contact/touches.h>
+#include <graze/narrowphase/convex/contact/contact_points.h>
 
 #include <vector>
 

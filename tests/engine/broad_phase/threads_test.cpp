@@ -1,5 +1,5 @@
 // One broad phase whose work many threads share. Under ThreadSanitizer these are threads that it
-// can follow (bvh/box_set/order/fork.h), and the kernels are compiled for it: whatever two of them
+// can follow (bvh/box_set/store/fork.h), and the kernels are compiled for it: whatever two of them
 // may touch at once is seen.
 
 #include <graze/engine/world/broad_phase.h>

@@ -1,5 +1,5 @@
+#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/search/pair_kernels.h>
-#include <graze/bvh/box_set/store/former_boxes.h>
 
 namespace graze::bvh {
 

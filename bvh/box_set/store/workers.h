@@ -1,6 +1,6 @@
 #pragma once
 
-#include <graze/bvh/box_set/order/fork.h>
+#include <graze/bvh/box_set/store/fork.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class Workers {
  private:
   static constexpr std::size_t kFewBoxes = 4096;
   static constexpr int kMostThreads =
-      256;  // oneTBB crashes where it has no memory for as many as asked
+      256;  ///< oneTBB crashes where it has no memory for as many as asked
 
   std::unique_ptr<tbb::task_arena> arena_;
 };

@@ -1,7 +1,7 @@
 // New boxes among their neighbours, in the places of boxes that have gone.
 
+#include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/size_class.h>
-#include <graze/bvh/box_set/store/box_set.h>
 
 #include <algorithm>
 #include <bit>
@@ -66,13 +66,14 @@ constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
 }  // namespace
 
 /// False if none of the 256 places where the box belongs is empty and near.
-bool BoxSet::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
+bool BoxOrder::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
   ++arrivals_;
-  if (std::max(arrivals_, arrivals_before_) > kFewArrivals + size_ / kArrivalShare) return false;
-  if (holes_ == 0 || layers_.size() < 2) return false;
+  if (std::max(arrivals_, arrivals_before_) > kFewArrivals + store_.size / kArrivalShare)
+    return false;
+  if (store_.holes == 0 || store_.layers.size() < 2) return false;
   const std::uint8_t number = layer_of_class_[static_cast<std::size_t>(size_class(box))];
   if (number == kNoLayer) return false;
-  Layer& layer = layers_[number];
+  Layer& layer = store_.layers[number];
   std::uint32_t block = 0;
   for (int level = layer.top; level > 1; --level) {
     const Block& here = layer.upper[level][block];
@@ -94,9 +95,9 @@ bool BoxSet::fill_hole(std::uint32_t proxy, const OrderedBox& box) {
     }
   }
   layer.is_filled[block] = true;
-  --holes_;
-  take(empty_place(layer.first_block + leaf), proxy, box);
-  if (empty_place(layer.first_block + leaf) == kNobody) layer.note_filled(leaf);
+  --store_.holes;
+  store_.take(store_.empty_place(layer.first_block + leaf), proxy, box);
+  if (store_.empty_place(layer.first_block + leaf) == kNobody) layer.note_filled(leaf);
   return true;
 }
 

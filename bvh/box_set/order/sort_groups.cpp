@@ -1,8 +1,8 @@
 // A new order for 16 neighbouring blocks among themselves, where boxes have come and gone.
 
+#include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/kd_order.h>
-#include <graze/bvh/box_set/search/pair_kernels.h>
-#include <graze/bvh/box_set/store/box_set.h>
+#include <graze/bvh/box_set/store/refit_kernels.h>
 
 #include <algorithm>
 #include <array>
@@ -94,15 +94,15 @@ void split(std::span<GroupItem> items, std::uint8_t first_block, std::uint8_t bl
 }  // namespace
 
 /// Of the groups to which boxes came since the last refit, those that this has stretched.
-void BoxSet::sort_groups() {
+void BoxOrder::sort_groups() {
   for (const FilledGroup& group : filled_) {
-    layers_[group.layer].is_filled[group.block] = false;
-    sort_group(layers_[group.layer], group.block);
+    store_.layers[group.layer].is_filled[group.block] = false;
+    sort_group(store_.layers[group.layer], group.block);
   }
   filled_.clear();
 }
 
-double BoxSet::inflation_of_group(const Layer& layer, std::uint32_t first) const {
+double BoxOrder::inflation_of_group(const Layer& layer, std::uint32_t first) const {
   double sum = 0;
   for (std::uint32_t b = first; b < first + kLanes; ++b)
     sum += inflation(layer.extent_of(b), layer.sorted_extent[b], layer.block_count);
@@ -110,7 +110,7 @@ double BoxSet::inflation_of_group(const Layer& layer, std::uint32_t first) const
 }
 
 /// Most boxes stay: only those move that change their blocks.
-void BoxSet::regroup(std::uint32_t base, const GroupBlocks& block_of) {
+void BoxOrder::regroup(std::uint32_t base, const GroupBlocks& block_of) {
   struct Mover {
     OrderedBox box;
     std::uint32_t proxy;
@@ -120,20 +120,21 @@ void BoxSet::regroup(std::uint32_t base, const GroupBlocks& block_of) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
     const std::uint32_t place = base + i;
-    if (proxy_[place] == kNobody || block_of[i] == i / kLanes) continue;
-    movers[count++] = {box_at(place), proxy_[place], block_of[i]};
-    proxy_[place] = kNobody;
-    clear_lane(high_[place >> kLaneBits], place & (kLanes - 1));
+    if (store_.proxies[place] == kNobody || block_of[i] == i / kLanes) continue;
+    movers[count++] = {store_.box_at(place), store_.proxies[place], block_of[i]};
+    store_.proxies[place] = kNobody;
+    clear_lane(store_.high[place >> kLaneBits], place & (kLanes - 1));
   }
   for (const Mover& mover : std::span(movers).first(count)) {
-    const auto place = empty_place(base / kLanes + mover.block);
-    set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), mover.box);
-    proxy_[place] = mover.proxy;
-    place_[mover.proxy] = place;
+    const auto place = store_.empty_place(base / kLanes + mover.block);
+    set_lane(store_.high[place >> kLaneBits], store_.low[place >> kLaneBits], place & (kLanes - 1),
+             mover.box);
+    store_.proxies[place] = mover.proxy;
+    store_.places[mover.proxy] = place;
   }
 }
 
-void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
+void BoxOrder::sort_group(Layer& layer, std::uint32_t group) {
   const std::uint32_t first = group * kLanes;
   if (first + kLanes >= layer.block_count) return;  // the last one has lanes that are no holes
   const double before = inflation_of_group(layer, first);
@@ -144,8 +145,8 @@ void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
   double origin[3] = {0, 0, 0};
   const std::uint32_t base = (layer.first_block + first) * kLanes;
   for (std::uint32_t i = 0; i < kLanes * kLanes; ++i) {
-    if (proxy_[base + i] == kNobody) continue;
-    const OrderedBox box = box_at(base + i);
+    if (store_.proxies[base + i] == kNobody) continue;
+    const OrderedBox box = store_.box_at(base + i);
     GroupItem& item = items[count++];
     for (std::size_t c = 0; c < 3; ++c) {
       if (count == 1) origin[c] = value_of_key(box[c]);
@@ -158,9 +159,10 @@ void BoxSet::sort_group(Layer& layer, std::uint32_t group) {
   regroup(base, block_of);
   for (std::uint32_t b = first; b < first + kLanes; ++b) {
     layer.note_filled(b);
-    if (empty_place(layer.first_block + b) != kNobody) layer.note_hole(b);
+    if (store_.empty_place(layer.first_block + b) != kNobody) layer.note_hole(b);
   }
-  refit_blocks(high_.data() + layer.first_block, first, first + kLanes, layer.upper[1].data());
+  refit_blocks(store_.high.data() + layer.first_block, first, first + kLanes,
+               layer.upper[1].data());
   // No block may be held to a wider one than the widest: a bad order does not become the norm.
   const auto extents = layer.sorted_extent.begin() + first;
   const float widest = *std::max_element(extents, extents + kLanes);

@@ -1,5 +1,5 @@
+#include <graze/bvh/box_set/overlap_tracker.h>
 #include <graze/bvh/box_set/search/sorted_pairs.h>
-#include <graze/bvh/box_set/store/overlap_tracker.h>
 
 #include <algorithm>
 #include <new>
@@ -24,7 +24,7 @@ bool OverlapTracker::are_many(std::size_t changes) const {
 }
 
 std::size_t OverlapTracker::most_changes() const {
-  return kAlwaysFew + set_.size() / kFewShare;
+  return kAlwaysFew + set_.store().size / kFewShare;
 }
 
 /// Before the proxy's box changes. What there is no memory to note is not noted, as if it were one
@@ -47,7 +47,8 @@ void OverlapTracker::note_one(std::uint32_t proxy) {
   }
   if (changed_.size() == changed_.capacity())
     changed_.reserve(std::min(2 * changed_.size() + 8, most_changes()));
-  changed_.push_back({set_.contains(proxy) ? set_.box(proxy) : no_box(), set_.place(proxy), proxy});
+  changed_.push_back({set_.store().contains(proxy) ? set_.store().box(proxy) : no_box(),
+                      set_.store().place(proxy), proxy});
   is_changed_[proxy] = true;
 }
 
@@ -83,8 +84,8 @@ void OverlapTracker::wait(const Waiting& change) {
   if (waiting_count_ == kMostWaiting) end_waiting();
   if (change.verb == Verb::Insert) set_.reserve(kMostWaiting, change.proxy + 1);
   waiting_[waiting_count_++] = change;
-  const std::uint32_t place = set_.place(change.proxy);
-  if (place != kNobody) set_.prefetch(place);
+  const std::uint32_t place = set_.store().place(change.proxy);
+  if (place != kNobody) set_.store().prefetch(place);
 }
 
 void OverlapTracker::end_waiting() {
@@ -113,7 +114,7 @@ bool OverlapTracker::update() {
   is_difference_sorted_ = has_difference_ = true;
   if (!have_many_changed_ && changed_.empty()) return false;
   // What came from afar has its neighbours elsewhere than what was looked up before it.
-  if (are_many(changed_.size() + set_.arrivals())) note_many();
+  if (are_many(changed_.size() + set_.order().arrivals())) note_many();
   try {
     have_many_changed_ ? search_all() : search_movers();
   } catch (...) {
@@ -125,8 +126,8 @@ bool OverlapTracker::update() {
 }
 
 void OverlapTracker::search_all() {
-  set_.refit();
-  set_.sort_if_worthwhile();
+  set_.order().refit();
+  set_.order().sort_if_worthwhile();
   set_.find_all_pairs(before_);
   std::swap(pairs_, before_);
   std::swap(rows_, rows_before_);
@@ -159,7 +160,7 @@ void OverlapTracker::list_former_boxes() {
 void OverlapTracker::list_movers() {
   movers_.clear();
   for (std::uint32_t i = 0; i < changed_.size(); ++i) {
-    const std::uint32_t place = set_.place(changed_[i].proxy);
+    const std::uint32_t place = set_.store().place(changed_[i].proxy);
     movers_.push_back({place != kNobody ? place : changed_[i].place, i});
   }
   sort_movers();
@@ -169,7 +170,7 @@ void OverlapTracker::list_movers() {
 /// ended with boxes that did not move. What began between two movers the list does not know yet;
 /// what ended between two is found among the places where they were.
 void OverlapTracker::compare_places() {
-  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.proxy_limit()));
+  is_changed_.resize(std::max<std::size_t>(is_changed_.size(), set_.store().proxy_limit()));
   for (std::size_t first = 0; first < movers_.size(); first += kLanes)
     look_up_some(first);
   end_pairs_of_movers();
@@ -182,10 +183,10 @@ void OverlapTracker::look_up_some(std::size_t first) {
   for (std::size_t i = 0; i < count; ++i) {
     const Changed& change = change_of(movers_[first + i]);
     before[i] = change.before;
-    after[i] = set_.contains(change.proxy) ? set_.box(change.proxy) : no_box();
+    after[i] = set_.store().contains(change.proxy) ? set_.store().box(change.proxy) : no_box();
   }
   hits_.clear();
-  set_.find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
+  set_.search().find_overlapping_either({before, count}, {after, count}, lookup_, hits_);
   for (const MoverHit& hit : hits_) {
     const std::uint32_t proxy = change_of(movers_[first + hit.mover]).proxy;
     const BoxPair pair = ordered_pair(proxy, hit.proxy);
@@ -203,8 +204,8 @@ void OverlapTracker::end_pairs_of_movers() {
   former_.find_pairs(former_pairs_);
   for (const BoxPair& pair : former_pairs_.pairs()) {
     const auto [a, b] = pair;
-    const bool is_over =
-        !set_.contains(a) || !set_.contains(b) || !overlap(set_.box(a), set_.box(b));
+    const bool is_over = !set_.store().contains(a) || !set_.store().contains(b) ||
+                         !overlap(set_.store().box(a), set_.store().box(b));
     if (is_over) ended_.push_back(pair);
   }
 }
@@ -225,8 +226,8 @@ void OverlapTracker::edit_list() {
 
 void OverlapTracker::search_movers() {
   if (!index_.is_built()) index_.build(pairs_);
-  set_.refit();
-  set_.sort_if_crowded(changed_.size());  // before movers are looked up in it
+  set_.order().refit();
+  set_.order().sort_if_crowded(changed_.size());  // before movers are looked up in it
   list_former_boxes();
   list_movers();
   compare_places();
@@ -239,7 +240,7 @@ void OverlapTracker::search_movers() {
 
 std::span<const BoxPair> OverlapTracker::sorted_pairs() {
   if (!is_sorted_) {
-    sort_pairs(pairs_.pairs(), set_.proxy_limit(), starts_, sorted_);
+    sort_pairs(pairs_.pairs(), set_.store().proxy_limit(), starts_, sorted_);
     is_sorted_ = true;
   }
   return sorted_.pairs();
@@ -252,8 +253,8 @@ void OverlapTracker::work_out_difference() {
     is_difference_sorted_ = true;
   }
   if (has_difference_) return;
-  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.proxy_limit());
-  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.proxy_limit());
+  if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.store().proxy_limit());
+  if (!is_grouped_) rows_.group(pairs_.pairs(), set_.store().proxy_limit());
   is_before_grouped_ = is_grouped_ = true;
   begun_.clear(), ended_.clear();  // should it have been thrown out of
   append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);

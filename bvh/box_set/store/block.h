@@ -2,7 +2,7 @@
 
 // What the kernels of the box set share: plain data.
 
-#include <graze/bvh/box_set/order/ordered_box.h>
+#include <graze/bvh/box_set/store/ordered_box.h>
 
 #include <cstdint>
 #include <limits>
@@ -63,8 +63,8 @@ static inline OrderedBox lane_box(const Block& high, const LowBlock& low, std::u
 /// The block on the top level has one lane, the bounds of all.
 struct TreeView {
   const Block* level[kMaxLevels];
-  const LowBlock* low;         // of level 0
-  const std::uint32_t* proxy;  // of each lane of level 0; kNobody where it is empty
+  const LowBlock* low;         ///< of level 0
+  const std::uint32_t* proxy;  ///< of each lane of level 0; kNobody where it is empty
   int top;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <graze/bvh/box_set/box_set.h>
+#include <graze/bvh/box_set/former_boxes.h>
 #include <graze/bvh/box_set/search/pair_index.h>
 #include <graze/bvh/box_set/search/pair_rows.h>
-#include <graze/bvh/box_set/store/box_set.h>
-#include <graze/bvh/box_set/store/former_boxes.h>
 
 #include <array>
 #include <cstdint>
@@ -22,10 +22,10 @@ class OverlapTracker {
  public:
   explicit OverlapTracker(int threads) : set_(threads) {}
 
-  /// As of the last settle(), update() or end_waiting(): a few changes may wait.
+  /// As of the last prepare_for_queries(), update() or end_waiting(): a few changes may wait.
   const BoxSet& set() const { return set_; }
 
-  /// As of a box set: of these insert() alone may throw, and has then not happened. An proxy that
+  /// As of a box set: of these insert() alone may throw, and has then not happened. A proxy that
   /// is erased must not come again before the next update.
   void insert(std::uint32_t proxy, const Aabb& box);
   void move(std::uint32_t proxy, const Aabb& box);
@@ -41,25 +41,25 @@ class OverlapTracker {
   void move_first(std::span<const Aabb> boxes) {
     end_waiting();
     note_many();
-    set_.move_first(boxes);
+    set_.many_moves().move_first(boxes);
   }
   template <typename ProxyOf>
   void move_ascending(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_ascending(boxes, proxy_of);
+    set_.many_moves().move_ascending(boxes, proxy_of);
   }
   template <typename ProxyOf>
   void move_many(std::span<const Aabb> boxes, const ProxyOf& proxy_of) {
     end_waiting();
     note_many();
-    set_.move_many(boxes, proxy_of);
+    set_.many_moves().move(boxes, proxy_of);
   }
 
   /// Makes the set ready for queries. No list changes.
-  void settle() {
+  void prepare_for_queries() {
     end_waiting();
-    set_.settle();
+    set_.order().prepare_for_queries();
   }
 
   /// Makes the lists fit the boxes. False if there was nothing to do. If it throws, the list of
@@ -79,8 +79,8 @@ class OverlapTracker {
  private:
   /// A box that has changed since the last update, as it was then.
   struct Changed {
-    OrderedBox before;    // no_box() for one that is new
-    std::uint32_t place;  // in the set; kNobody for one that is new
+    OrderedBox before;    ///< no_box() for one that is new
+    std::uint32_t place;  ///< in the set; kNobody for one that is new
     std::uint32_t proxy;
   };
   enum class Verb { Insert, Move, Erase };
@@ -90,8 +90,8 @@ class OverlapTracker {
     Aabb box;
   };
   struct Mover {
-    std::uint32_t place;   // now, or where it was if it is gone
-    std::uint32_t change;  // which entry of changed_
+    std::uint32_t place;   ///< now, or where it was if it is gone
+    std::uint32_t change;  ///< which entry of changed_
   };
 
   const Changed& change_of(const Mover& mover) const { return changed_[mover.change]; }
@@ -114,26 +114,26 @@ class OverlapTracker {
 
   BoxSet set_;
   PairBuffer pairs_;
-  PairBuffer before_;  // the list before the last search for all
-  PairIndex index_;    // of pairs_, while it is built
+  PairBuffer before_;  ///< the list before the last search for all
+  PairIndex index_;    ///< of pairs_, while it is built
   PairBuffer sorted_;
-  bool is_sorted_ = false;  // sorted_ holds pairs_
+  bool is_sorted_ = false;  ///< sorted_ holds pairs_
   PairRows rows_, rows_before_;
-  bool is_grouped_ = false;         // rows_ holds pairs_
-  bool is_before_grouped_ = false;  // rows_before_ holds before_
+  bool is_grouped_ = false;         ///< rows_ holds pairs_
+  bool is_before_grouped_ = false;  ///< rows_before_ holds before_
   RowsToSort rows_to_sort_;
-  bool has_difference_ = true;  // begun_ and ended_ are up to date
+  bool has_difference_ = true;  ///< begun_ and ended_ are up to date
   bool is_difference_sorted_ = true;
   PairBuffer begun_, ended_;
   static constexpr std::size_t kMostWaiting = 8;
   std::array<Waiting, kMostWaiting> waiting_;
   std::size_t waiting_count_ = 0;
-  std::vector<Changed> changed_;  // while they are few
-  std::vector<bool> is_changed_;  // by proxy
+  std::vector<Changed> changed_;  ///< while they are few
+  std::vector<bool> is_changed_;  ///< by proxy
   bool have_many_changed_ = false;
   std::vector<std::uint32_t> starts_;
   std::vector<Mover> movers_;
-  FormerBoxes former_;  // where they were
+  FormerBoxes former_;  ///< where they were
   PairBuffer former_pairs_;
   std::vector<MoverHit> hits_;
   Lookup lookup_;

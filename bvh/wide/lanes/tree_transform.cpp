@@ -1,12 +1,12 @@
 #include <graze/bvh/value/local_frame.h>
-#include <graze/bvh/wide/lanes/wide_way.h>
+#include <graze/bvh/wide/lanes/tree_transform.h>
 #include <graze/bvh/wide/tree/wide_bounds.h>
 
 #include <limits>
 
 namespace graze::bvh {
 
-WideWay::WideWay(const RelativeFrame& frame) {
+TreeTransform::TreeTransform(const RelativeFrame& frame) {
   const double per_unit = 1 / frame.units_a;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

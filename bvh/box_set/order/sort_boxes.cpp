@@ -1,8 +1,8 @@
 // Putting the boxes of a set into a new order.
 
+#include <graze/bvh/box_set/order/box_order.h>
 #include <graze/bvh/box_set/order/size_class.h>
 #include <graze/bvh/box_set/order/size_groups.h>
-#include <graze/bvh/box_set/store/box_set.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,30 +20,30 @@ constexpr std::size_t kRoomShare = 64;  // one block in so many is kept for newc
 
 }  // namespace
 
-double BoxSet::predicted_excess() const {
-  const double blocks = static_cast<double>(high_.size());
+double BoxOrder::predicted_excess() const {
+  const double blocks = static_cast<double>(store_.high.size());
   if (sorts_ == 0) return 0.5 * blocks * blocks;
   return static_cast<double>(met_sorted_) * inflation_ / std::max(1.0, blocks);
 }
 
-void BoxSet::sort_if_worthwhile() {
-  const double cost = kSortCost * static_cast<double>(high_.size());
-  if (excess_ + predicted_excess() > cost || holes_ > kLanes + size_ / 8) {
+void BoxOrder::sort_if_worthwhile() {
+  const double cost = kSortCost * static_cast<double>(store_.high.size());
+  if (excess_ + predicted_excess() > cost || store_.holes > kLanes + store_.size / 8) {
     sort();
-  } else if (newcomers_ > sorted_newcomers_) {
+  } else if (store_.newcomers > sorted_newcomers_) {
     sort_newcomers();
   }
 }
 
 /// Centres of some boxes, from an origin that precision does not ask much of.
-std::vector<KdItem> BoxSet::sample_centres(const double* origin) const {
+std::vector<KdItem> BoxOrder::sample_centres(const double* origin) const {
   std::vector<KdItem> sample;
-  const std::size_t count = std::min(kSample, proxy_.size());
+  const std::size_t count = std::min(kSample, store_.proxies.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t place = i * proxy_.size() / count;
-    if (proxy_[place] == kNobody) continue;
-    const OrderedBox of = box(proxy_[place]);
-    sample.push_back({{}, proxy_[place]});
+    const std::size_t place = i * store_.proxies.size() / count;
+    if (store_.proxies[place] == kNobody) continue;
+    const OrderedBox of = store_.box(store_.proxies[place]);
+    sample.push_back({{}, store_.proxies[place]});
     for (std::size_t c = 0; c < 3; ++c)
       sample.back().centre[c] = centre(of[c], of[c + 3], origin[c]);
   }
@@ -51,8 +51,8 @@ std::vector<KdItem> BoxSet::sample_centres(const double* origin) const {
 }
 
 /// Which layer each class of sizes goes to, by the class.
-std::vector<std::uint8_t> BoxSet::choose_layers(std::span<const std::uint32_t> count_of_class,
-                                                const double* origin) const {
+std::vector<std::uint8_t> BoxOrder::choose_layers(std::span<const std::uint32_t> count_of_class,
+                                                  const double* origin) const {
   std::vector<SizeClass> classes;
   for (std::size_t k = 0; k < kClasses; ++k) {
     if (count_of_class[k] != 0)
@@ -74,14 +74,14 @@ std::vector<std::uint8_t> BoxSet::choose_layers(std::span<const std::uint32_t> c
 }
 
 /// Lists the boxes layer by layer.
-void BoxSet::collect_items(SortSpace& space) const {
-  std::vector<std::int16_t> classes(proxy_.size());
+void BoxOrder::collect_items(SortSpace& space) const {
+  std::vector<std::int16_t> classes(store_.proxies.size());
   std::vector<std::uint32_t> count(kClasses);
   double origin[3] = {0, 0, 0};
   bool is_first = true;
-  for (std::uint32_t place = 0; place < proxy_.size(); ++place) {
-    if (proxy_[place] == kNobody) continue;
-    const OrderedBox of = box_at(place);
+  for (std::uint32_t place = 0; place < store_.proxies.size(); ++place) {
+    if (store_.proxies[place] == kNobody) continue;
+    const OrderedBox of = store_.box_at(place);
     classes[place] = static_cast<std::int16_t>(size_class(of));
     ++count[static_cast<std::size_t>(classes[place])];
     for (std::size_t c = 0; c < 3; ++c)
@@ -96,21 +96,21 @@ void BoxSet::collect_items(SortSpace& space) const {
     start.resize(space.layer_of_class[k] + std::size_t{2}, start.back());
     start.back() += count[k];
   }
-  space.items.resize(size_);
+  space.items.resize(store_.size);
   std::vector<std::uint32_t> next(start.begin(), start.end());
-  for (std::uint32_t place = 0; place < proxy_.size(); ++place) {
-    if (proxy_[place] == kNobody) continue;
-    const OrderedBox of = box_at(place);
+  for (std::uint32_t place = 0; place < store_.proxies.size(); ++place) {
+    if (store_.proxies[place] == kNobody) continue;
+    const OrderedBox of = store_.box_at(place);
     const auto number = static_cast<std::size_t>(classes[place]);
     KdItem& item = space.items[next[space.layer_of_class[number]]++];
     for (std::size_t c = 0; c < 3; ++c)
       item.centre[c] = centre(of[c], of[c + 3], origin[c]);
-    item.proxy = proxy_[place];
+    item.proxy = store_.proxies[place];
   }
 }
 
 /// The layers, their blocks and all that belongs to them, empty: from here on nothing throws.
-void BoxSet::make_room_for_items(SortSpace& space) const {
+void BoxOrder::make_room_for_items(SortSpace& space) const {
   const std::vector<std::uint32_t>& start = space.starts;
   space.layers.resize(start.size());
   std::uint32_t blocks = 0;
@@ -127,42 +127,44 @@ void BoxSet::make_room_for_items(SortSpace& space) const {
   }
   // With room for newcomers, so that the first of them does not double the memory.
   const std::size_t room = blocks + blocks / kRoomShare + kLanes;
-  space.high.reserve(room), space.low.reserve(room), space.proxy.reserve(room * kLanes);
+  space.high.reserve(room), space.low.reserve(room), space.proxies.reserve(room * kLanes);
   space.high.assign(blocks, empty_block());
   space.low.resize(blocks);
-  space.proxy.assign(std::size_t{blocks} * kLanes, kNobody);
+  space.proxies.assign(std::size_t{blocks} * kLanes, kNobody);
 }
 
 /// Writes the boxes in the order of the items.
-void BoxSet::place_items(SortSpace& space) {
+void BoxOrder::place_items(SortSpace& space) {
   const std::vector<KdItem>& items = space.items;
   const std::vector<std::uint32_t>& start = space.starts;
   for (std::size_t l = 0; l + 1 < start.size(); ++l) {
     std::uint32_t place = space.layers[l].first_block * kLanes;
     for (std::uint32_t i = start[l]; i < start[l + 1]; ++i, ++place) {
       const std::uint32_t proxy = items[i].proxy;
-      const std::uint32_t from = place_[proxy];
+      const std::uint32_t from = store_.places[proxy];
       Block& high = space.high[place >> kLaneBits];
       LowBlock& low = space.low[place >> kLaneBits];
       for (int c = 0; c < 6; ++c) {
-        high.row[c][place & (kLanes - 1)] = high_[from >> kLaneBits].row[c][from & (kLanes - 1)];
-        low.row[c][place & (kLanes - 1)] = low_[from >> kLaneBits].row[c][from & (kLanes - 1)];
+        high.row[c][place & (kLanes - 1)] =
+            store_.high[from >> kLaneBits].row[c][from & (kLanes - 1)];
+        low.row[c][place & (kLanes - 1)] =
+            store_.low[from >> kLaneBits].row[c][from & (kLanes - 1)];
       }
-      space.proxy[place] = proxy;
-      place_[proxy] = place;
+      space.proxies[place] = proxy;
+      store_.places[proxy] = place;
     }
   }
-  high_.swap(space.high);
-  low_.swap(space.low);
-  proxy_.swap(space.proxy);
-  layers_.swap(space.layers);
+  store_.high.swap(space.high);
+  store_.low.swap(space.low);
+  store_.proxies.swap(space.proxies);
+  store_.layers.swap(space.layers);
   layer_of_class_.swap(space.layer_of_class);
 }
 
-void BoxSet::measure_sorted() {
-  for (Layer& layer : layers_) {
+void BoxOrder::measure_sorted() {
+  for (Layer& layer : store_.layers) {
     if (layer.block_count == 0) continue;
-    layer.refit_all(high_.data());
+    layer.refit_all(store_.high.data());
     for (std::uint32_t b = 0; b < layer.block_count; ++b)
       layer.sorted_extent[b] = static_cast<float>(layer.extent_of(b));
   }
@@ -170,41 +172,42 @@ void BoxSet::measure_sorted() {
 
 /// Puts the boxes that came since the last sort in order among themselves. They take no more room
 /// than before: once they are listed, nothing throws.
-void BoxSet::sort_newcomers() {
-  Layer& last = layers_.back();
+void BoxOrder::sort_newcomers() {
+  Layer& last = store_.layers.back();
   std::vector<KdItem> items;
   std::vector<OrderedBox> boxes;
-  items.reserve(newcomers_), boxes.reserve(newcomers_);
+  items.reserve(store_.newcomers), boxes.reserve(store_.newcomers);
   const std::uint32_t first = last.first_block * kLanes;
-  for (std::uint32_t place = first; place < first + newcomers_; ++place) {
-    if (proxy_[place] == kNobody) continue;
-    const OrderedBox of = box(proxy_[place]);
-    items.push_back({{}, proxy_[place]});
+  for (std::uint32_t place = first; place < first + store_.newcomers; ++place) {
+    if (store_.proxies[place] == kNobody) continue;
+    const OrderedBox of = store_.box(store_.proxies[place]);
+    items.push_back({{}, store_.proxies[place]});
     for (std::size_t c = 0; c < 3; ++c)
       items.back().centre[c] = centre(of[c], of[c + 3], 0);
   }
   kd_order(items);
   for (const KdItem& item : items)
-    boxes.push_back(box(item.proxy));
-  holes_ -= newcomers_ - items.size();
-  newcomers_ = sorted_newcomers_ = items.size();
-  const auto blocks = static_cast<std::uint32_t>((newcomers_ + kLanes - 1) / kLanes);
-  high_.resize(last.first_block);
-  high_.resize(last.first_block + blocks, empty_block());
-  low_.resize(last.first_block + blocks);
-  proxy_.resize(first);
-  proxy_.resize(first + blocks * kLanes, kNobody);
+    boxes.push_back(store_.box(item.proxy));
+  store_.holes -= store_.newcomers - items.size();
+  store_.newcomers = sorted_newcomers_ = items.size();
+  const auto blocks = static_cast<std::uint32_t>((store_.newcomers + kLanes - 1) / kLanes);
+  store_.high.resize(last.first_block);
+  store_.high.resize(last.first_block + blocks, empty_block());
+  store_.low.resize(last.first_block + blocks);
+  store_.proxies.resize(first);
+  store_.proxies.resize(first + blocks * kLanes, kNobody);
   last.reshape(last.first_block, blocks);
   for (std::uint32_t i = 0; i < items.size(); ++i) {
     const std::uint32_t place = first + i;
-    set_lane(high_[place >> kLaneBits], low_[place >> kLaneBits], place & (kLanes - 1), boxes[i]);
-    proxy_[place] = items[i].proxy;
-    place_[items[i].proxy] = place;
+    set_lane(store_.high[place >> kLaneBits], store_.low[place >> kLaneBits], place & (kLanes - 1),
+             boxes[i]);
+    store_.proxies[place] = items[i].proxy;
+    store_.places[items[i].proxy] = place;
   }
-  if (blocks != 0) last.refit_all(high_.data());
+  if (blocks != 0) last.refit_all(store_.high.data());
 }
 
-void BoxSet::sort() {
+void BoxOrder::sort() {
   SortSpace space;
   collect_items(space);
   const std::vector<std::uint32_t>& start = space.starts;
@@ -215,13 +218,14 @@ void BoxSet::sort() {
   make_room_for_items(space);
   place_items(space);
   measure_sorted();
-  newcomers_ = sorted_newcomers_ = holes_ = 0;
-  all_touched_ = false;
-  touched_.clear();
+  store_.newcomers = sorted_newcomers_ = store_.holes = 0;
+  store_.are_all_touched = false;
+  store_.touched.clear();
   filled_.clear();
   met_sorted_ = 0;
   excess_ = inflation_ = 0;
-  place_.shrink_to_fit();
+  store_.places.shrink_to_fit();
+  store_.was_sorted = true;
   ++sorts_;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Doubles as integers of the same order, in two halves: comparing the high halves of two numbers
-// settles all but the pairs whose high halves are equal, without any rounding.
+// decides all but the pairs whose high halves are equal, without any rounding.
 
 #include <graze/bvh/aabb.h>
 

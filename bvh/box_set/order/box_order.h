@@ -1,0 +1,112 @@
+#pragma once
+
+#include <graze/bvh/box_set/order/kd_order.h>
+#include <graze/bvh/box_set/store/box_store.h>
+#include <graze/bvh/box_set/store/workers.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// In which order the boxes of a store share blocks: which place a box takes that comes or moves,
+/// when and how boxes are sorted anew, and the bounds above them.
+class BoxOrder {
+ public:
+  BoxOrder(BoxStore& store, const Workers& workers) : store_(store), workers_(workers) {}
+
+  void insert(std::uint32_t proxy, const OrderedBox& box);
+  void move(std::uint32_t proxy, const OrderedBox& box);
+
+  /// Makes the bounds fit the boxes again. Costs what was touched.
+  void refit();
+
+  /// refit(), and an order for boxes if many came: what queries want.
+  void prepare_for_queries();
+
+  /// Puts all boxes into a new order, if the old one has cost more by now than that does. What the
+  /// next search for all pairs would cost counts as well.
+  void sort_if_worthwhile();
+  void sort();
+
+  /// The same before so many lookups, for boxes that came in a crowd.
+  void sort_if_crowded(std::size_t lookups);
+
+  /// A search for all pairs met so many pairs of blocks: the price of the order.
+  void note_search(std::uint64_t met);
+
+  /// Boxes that came, or went far, since the last refit.
+  std::size_t arrivals() const { return arrivals_; }
+  std::uint64_t sorts() const { return sorts_; }
+  std::uint64_t groups_sorted() const { return groups_sorted_; }
+  std::size_t bytes() const { return filled_.capacity() * sizeof(FilledGroup); }
+
+ private:
+  /// What a sort needs besides the boxes, and gives back: sorts are rare, memory is not.
+  struct SortSpace {
+    std::vector<KdItem> items;
+    std::vector<std::uint32_t> starts;  ///< of the layers' items, and the end
+    std::vector<std::uint8_t> layer_of_class;
+    std::vector<Layer> layers;
+    std::vector<Block> high;
+    std::vector<LowBlock> low;
+    std::vector<std::uint32_t> proxies;
+  };
+
+  /// A block of the level above those of boxes, below which a hole was filled.
+  struct FilledGroup {
+    std::uint32_t layer;
+    std::uint32_t block;
+  };
+
+  /// A block that has grown much since it was sorted.
+  struct StretchedBlock {
+    std::size_t layer;
+    std::uint32_t block;  ///< of the layer
+  };
+
+  /// Of a group of 16 blocks: where each place within it is to go, a block within it.
+  using GroupBlocks = std::array<std::uint8_t, kLanes * kLanes>;
+
+  bool leaves_neighbours(const Layer& layer, std::uint32_t block, const OrderedBox& box) const;
+  bool fill_hole(std::uint32_t proxy, const OrderedBox& box);
+  double predicted_excess() const;
+  void refit_every_layer();
+  void refit_touched();
+  void move_outliers();
+  bool move_outlier(std::size_t layer, std::uint32_t block);
+  void sort_newcomers();
+  void sort_groups();
+  void sort_group(Layer& layer, std::uint32_t group);
+  void regroup(std::uint32_t base, const GroupBlocks& block_of);
+  double inflation_of_group(const Layer& layer, std::uint32_t first) const;
+  std::vector<KdItem> sample_centres(const double* origin) const;
+  std::vector<std::uint8_t> choose_layers(std::span<const std::uint32_t> count_of_class,
+                                          const double* origin) const;
+  void collect_items(SortSpace& space) const;
+  void make_room_for_items(SortSpace& space) const;
+  void place_items(SortSpace& space);
+  void measure_sorted();
+
+  BoxStore& store_;
+  const Workers& workers_;
+  std::vector<std::uint8_t> layer_of_class_;  ///< of sizes, as of the last sort; kNoLayer if new
+  std::vector<FilledGroup> filled_;           ///< since the last refit
+  std::vector<std::uint32_t> touched_here_;   ///< working memory: touched blocks of one layer
+  std::vector<StretchedBlock> stretched_;     ///< working memory
+  std::vector<double> sums_;                  ///< working memory: inflation by chunks of blocks
+  std::size_t sorted_newcomers_ = 0;  ///< how many newcomers were when they were last put in order
+  std::size_t moves_ = 0;             ///< one by one, since the last refit
+  std::size_t arrivals_ = 0;          ///< since the last refit: new, or left their neighbours
+  std::size_t arrivals_before_ = 0;   ///< between that refit and the one before
+
+  std::uint64_t sorts_ = 0;
+  std::uint64_t groups_sorted_ = 0;
+  std::uint64_t met_sorted_ = 0;  ///< pairs of blocks met in the first search after the last sort
+  double excess_ = 0;             ///< pairs of blocks met since then beyond that number
+  double inflation_ = 0;          ///< summed over blocks, kept up by refit() of paths
+};
+
+}  // namespace graze::bvh
