@@ -20,7 +20,8 @@ struct Work {
   std::uint64_t treelets_built = 0;     ///< parts of wide trees, likewise
   std::uint64_t trees_refitted = 0;     ///< trees of deformed meshes, from those before: not built
   std::uint64_t treelets_refitted = 0;  ///< parts of wide trees, likewise
-  std::uint64_t triangles_rebuilt = 0;  ///< below decayed parts of refitted binary trees
+  std::uint64_t triangles_rebuilt =
+      0;  ///< below parts of refitted binary trees whose boxes have degraded
   std::uint64_t skins_built = 0;        ///< volumes other than boxes fitted to a tree, likewise
   std::uint64_t convex_tests = 0;       ///< distances of two convex cores
   std::uint64_t convex_failures = 0;    ///< of these, searches that proved neither answer: hits

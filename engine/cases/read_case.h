@@ -10,6 +10,7 @@
 
 namespace graze {
 
+/// What reading needs to know beside the file.
 struct ReadCaseSettings {
   /// Where the meshes lie that a case names by file. Empty: in the folder of the case.
   std::filesystem::path mesh_folder = {};
@@ -26,6 +27,7 @@ Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settin
 Case parse_case(std::string_view bytes, const std::string& name,
                 const ReadCaseSettings& settings = {});
 
+/// How many points a hull of a file may have at most.
 inline constexpr std::size_t kMaxHullPoints = 4096;
 
 }  // namespace graze

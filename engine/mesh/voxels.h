@@ -18,10 +18,11 @@ enum class VoxelFill {
   Solid,    ///< these, and all that lie inside a closed mesh
 };
 
+/// What find_voxels() can be told.
 struct VoxelSettings {
   /// Voxels along the longest side of the mesh's bounds, 1 to 65535; see VoxelGrid::over().
   std::uint32_t resolution = 64;
-  VoxelFill fill = VoxelFill::Surface;
+  VoxelFill fill = VoxelFill::Surface;  ///< the surface alone, or what it encloses, too
   /// How many threads share the work at most; 0: all that there are.
   int threads = 0;
   /// More voxels than this are an error, found before they fill the memory. Which resolution is too
@@ -34,8 +35,8 @@ struct VoxelSettings {
 
 /// Voxels of a grid in ascending order, each once.
 struct Voxels {
-  VoxelGrid grid;
-  std::vector<Voxel> voxels;
+  VoxelGrid grid;             ///< in which they lie
+  std::vector<Voxel> voxels;  ///< ascending
 
   std::size_t size() const { return voxels.size(); }
   bool empty() const { return voxels.empty(); }

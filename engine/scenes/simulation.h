@@ -8,9 +8,10 @@
 
 namespace graze {
 
+/// How a Simulation goes on.
 struct SimulationSettings {
   double step = 0;  ///< seconds; 0: as the scene says
-  WorldSettings world = {};
+  WorldSettings world = {};  ///< of the world that it makes
 };
 
 /// A scene in a world, and the clock that moves it. A body's index in the world is its index in the
@@ -31,6 +32,7 @@ class Simulation {
   double time() const { return time_of(steps()); }
   double time_of(std::size_t steps) const { return static_cast<double>(steps) * step_; }
 
+  /// The world that it moves.
   const World& world() const { return world_; }
 
  private:
@@ -40,7 +42,7 @@ class Simulation {
   double step_;
   World world_;
   std::vector<BodyId> ids_;
-  std::size_t count_ = 0;  // calls of advance()
+  std::size_t count_ = 0;  // of calls of advance()
 };
 
 /// Throws PoseError, naming body and time, if a path leads beyond what a world can hold before

@@ -52,7 +52,7 @@ struct ShapeDistance {
   Eigen::Vector3d normal;   ///< unit, from A to B; of convex shapes that are apart, the planes at
                             ///< right angles to it that support both are no nearer to each other
                             ///< than lower_bound, but for 2^-46 of the scale
-  PairStatus status;
+  PairStatus status;        ///< whether the distance is known to its tolerance
 
   bool operator==(const ShapeDistance&) const = default;
 };
@@ -90,6 +90,7 @@ template <typename = void>
 ShapeDistance distance(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                        Work* work = nullptr);
 
+/// The share of a scale within which two shapes may come out as touching: see law 11.
 inline constexpr double kTouchTolerance = 0x1p-34;
 
 }  // namespace graze
