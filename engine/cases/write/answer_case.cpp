@@ -165,7 +165,7 @@ CaseAnswer about_itself(const Case& query, const Mesh& mesh, Work* work) {
     return answer_of(
         find_self_pairs(mesh, {.kind = query.settings.self_kind, .limit = limit_of(query)}, work));
   }
-  return says(self_intersects(mesh, {.touch = query.settings.touch}, work));
+  return says(self_intersects(mesh, work));
 }
 
 }  // namespace
