@@ -56,6 +56,7 @@ struct ShapeDistance {
 
   bool operator==(const ShapeDistance&) const = default;
 };
+
 // Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
 // greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
 // points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh

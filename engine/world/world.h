@@ -31,6 +31,7 @@ struct WorldSettings {
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
 
   // What need not be done is left out. Switching that off changes no answer, only what it costs.
+
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
   bool skip_unused_trees = true;  ///< a mesh's tree is built where a query first walks it; else
