@@ -23,14 +23,13 @@ struct BodySettings {
   Role role = Role::Solid;            ///< whether it meets others, or is told of them
 };
 
-/// How a World works.
+/// How a World works. What need not be done is left out: each setting that begins with `skip_`
+/// switches one such saving off, which changes no answer, only what it costs.
 struct WorldSettings {
   /// How many threads share the broad phase at most; 0: all that there are. Shapes are asked by the
   /// thread that calls update(). No result depends on it.
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
-
-  // What need not be done is left out. Switching that off changes no answer, only what it costs.
 
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
@@ -214,30 +213,28 @@ class World {
   /// The bodies whose boxes share a point with `box`, in ascending order.
   std::vector<BodyId> find_in_box(const Aabb& box, const BodyQuerySettings& settings = {}) const;
 
-  // The bodies about a shape that is none of them, as they are now, moves since the last update
-  // included; in ascending order. Throw PoseError, InputError for a clearance that is not finite or
-  // negative, and those that measure UnsupportedPairError if they meet a shape of a user's own.
-
-  /// The bodies that touch it.
+  /// The bodies that touch a shape that is none of them: as they are now, moves since the last
+  /// update included, and in ascending order. Throws PoseError.
   std::vector<BodyId> find_touching(const PlacedShapeView& shape,
                                     const BodyQuerySettings& settings = {}) const;
 
-  /// The bodies whose distance() to it is at most the clearance, metres.
+  /// The bodies whose distance() to such a shape is at most the clearance, metres, likewise. Throws
+  /// PoseError, InputError for a clearance that is not finite or negative, and UnsupportedPairError
+  /// where it has to measure a shape of a user's own.
   std::vector<BodyDistance> find_within(const PlacedShapeView& shape, double clearance,
                                         const BodyQuerySettings& settings = {}) const;
 
   /// The body whose distance() is least, the first of equals; none if the settings ask for none.
+  /// Throws as find_within() does.
   std::optional<BodyDistance> find_closest(const PlacedShapeView& shape,
                                            const BodyQuerySettings& settings = {}) const;
 
-  // What a ray meets, as cast_ray() of a shape says, bodies being as they are now. Throw as
-  // check_ray() does, and UnsupportedPairError if the ray comes near a shape of a user's own that
-  // does not know.
-
-  /// The body that it meets first, of equal distances the one with the smaller id.
+  /// The body that a ray meets first, as cast_ray() of a shape says, bodies being as they are now;
+  /// of equal distances the one with the smaller id. Throws as check_ray() does, and
+  /// UnsupportedPairError if the ray comes near a shape of a user's own that does not know.
   std::optional<BodyRayHit> cast_ray(const Ray& ray, const BodyQuerySettings& settings = {}) const;
 
-  /// Where it first meets each body that it meets, by distance, then by id.
+  /// Where it first meets each body that it meets, by distance, then by id. Throws likewise.
   std::vector<BodyRayHit> cast_ray_all(const Ray& ray,
                                        const BodyQuerySettings& settings = {}) const;
 
