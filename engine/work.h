@@ -22,10 +22,10 @@ struct Work {
   std::uint64_t treelets_refitted = 0;  ///< parts of wide trees, likewise
   std::uint64_t triangles_rebuilt =
       0;  ///< below parts of refitted binary trees whose boxes have degraded
-  std::uint64_t skins_built = 0;        ///< volumes other than boxes fitted to a tree, likewise
-  std::uint64_t convex_tests = 0;       ///< distances of two convex cores
-  std::uint64_t convex_failures = 0;    ///< of these, searches that proved neither answer: hits
-  std::uint64_t penetration_tests = 0;  ///< depths searched for by a polytope
+  std::uint64_t skins_built = 0;           ///< volumes other than boxes fitted to a tree, likewise
+  std::uint64_t convex_tests = 0;          ///< distances of two convex cores
+  std::uint64_t convex_failures = 0;       ///< of these, searches that proved neither answer: hits
+  std::uint64_t penetration_tests = 0;     ///< depths searched for by a polytope
   std::uint64_t penetration_failures = 0;  ///< of these, not proved the least, even with libccd
 
   /// Adds counter by counter.

@@ -15,8 +15,8 @@ enum class IntersectionKind { None, Point, Segment, Polygon };
 /// frame.
 struct TriangleIntersection {
   IntersectionKind kind = IntersectionKind::None;  ///< exact
-  int count = 0;                          ///< of corners
-  std::array<Eigen::Vector3d, 6> corner;  ///< the first `count`; a polygon's, around it
+  int count = 0;                                   ///< of corners
+  std::array<Eigen::Vector3d, 6> corner;           ///< the first `count`; a polygon's, around it
 
   auto begin() const { return corner.begin(); }
   auto end() const { return corner.begin() + count; }

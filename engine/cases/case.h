@@ -94,8 +94,8 @@ struct CaseContact {
   Eigen::Vector3d point;    ///< midway between the two
   Eigen::Vector3d point_a;  ///< on A
   Eigen::Vector3d point_b;  ///< on B
-  Eigen::Vector3d normal;  ///< from A to B
-  double depth;            ///< metres
+  Eigen::Vector3d normal;   ///< from A to B
+  double depth;             ///< metres
 };
 
 /// A ShapeContact, as far as its engine or its file names points on the surfaces.
@@ -103,27 +103,27 @@ struct CaseShapeContact {
   Eigen::Vector3d point;                   ///< midway between the two, or where the engine puts it
   std::optional<Eigen::Vector3d> point_a;  ///< on A
   std::optional<Eigen::Vector3d> point_b;  ///< on B
-  Eigen::Vector3d normal;  ///< from A to B
-  double depth;            ///< metres
-  ContactFeature feature;  ///< which parts meet
+  Eigen::Vector3d normal;                  ///< from A to B
+  double depth;                            ///< metres
+  ContactFeature feature;                  ///< which parts meet
 };
 
 /// What an engine answered: the parts that its question asks for. Distances alone may be infinite,
 /// where the true one is beyond the largest double.
 struct CaseAnswer {
-  std::optional<bool> says;  ///< Any, Within, Contains, SelfAny
+  std::optional<bool> says;                             ///< Any, Within, Contains, SelfAny
   std::optional<std::vector<TrianglePair>> pairs;       ///< Pairs of two meshes, SelfPairs
   std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
   /// Distance, Separation; metres. Of a distance a negative one claims a touch: some engines return
   /// -1 or how deep it is.
   std::optional<double> distance;
-  std::optional<double> lower_bound;       ///< Distance of bodies, metres
-  std::optional<bool> is_converged;        ///< likewise
-  std::optional<Eigen::Vector3d> normal;   ///< likewise, from A to B
-  std::optional<Eigen::Vector3d> point_a;  ///< Distance, if the engine names points
-  std::optional<Eigen::Vector3d> point_b;  ///< likewise
-  std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
-  std::optional<Eigen::Vector3d> translation;  ///< Separation, metres
+  std::optional<double> lower_bound;                      ///< Distance of bodies, metres
+  std::optional<bool> is_converged;                       ///< likewise
+  std::optional<Eigen::Vector3d> normal;                  ///< likewise, from A to B
+  std::optional<Eigen::Vector3d> point_a;                 ///< Distance, if the engine names points
+  std::optional<Eigen::Vector3d> point_b;                 ///< likewise
+  std::optional<TrianglePair> pair;                       ///< Distance, if the engine names a pair
+  std::optional<Eigen::Vector3d> translation;             ///< Separation, metres
   std::optional<std::vector<CaseContact>> contacts;       ///< Contacts, of meshes
   std::optional<std::vector<CaseShapeContact>> manifold;  ///< Contacts, of bodies
   std::optional<CaseIntersection> intersection;           ///< Intersection, of meshes
@@ -143,11 +143,11 @@ struct CaseWitness {
 
 /// A query that can be asked again, bit for bit, with the answer that somebody gave.
 struct Case {
-  std::string note;  ///< why it is kept; may be empty
-  Ask ask = Ask::Any;          ///< which query
-  CaseSettings settings;       ///< of that query
-  CaseShape a;                 ///< the first thing that it is about
-  std::optional<CaseShape> b;  ///< none where A is asked about itself
+  std::string note;                  ///< why it is kept; may be empty
+  Ask ask = Ask::Any;                ///< which query
+  CaseSettings settings;             ///< of that query
+  CaseShape a;                       ///< the first thing that it is about
+  std::optional<CaseShape> b;        ///< none where A is asked about itself
   std::optional<CaseAnswer> answer;  ///< none: it has not been answered
   CaseWitness answered_by;           ///< who gave that answer
 };

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include <graze/engine/cases/case.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/case.h>
 
 namespace graze {
 

@@ -34,7 +34,7 @@ struct IntersectionSegment {
 struct IntersectionCurve {
   std::uint32_t first_segment;  ///< index into MeshIntersection::segments
   std::uint32_t segment_count;  ///< at least 1
-  bool is_closed;  ///< it ends where it began
+  bool is_closed;               ///< it ends where it began
 
   bool operator==(const IntersectionCurve&) const = default;
 };

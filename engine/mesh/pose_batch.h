@@ -25,7 +25,8 @@ struct MeshInPoses {
 std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings = {}, const BatchSettings& batch = {},
                              Work* work = nullptr);
-std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
+std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a,
+                                               const MeshInPoses& mesh_b,
                                                const PairSettings& settings = {},
                                                const BatchSettings& batch = {},
                                                Work* work = nullptr);

@@ -46,13 +46,13 @@ struct Voxels {
   bool operator==(const Voxels&) const = default;
 };
 
-/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3: closed boxes, closed triangles), or
-/// the solid. In a solid, a voxel that touches no triangle is inside if its points are enclosed as
-/// contains() says. The result is the same for any number of threads. Time follows the surface, not
-/// the volume: blocks of voxels that no triangle touches are decided as a whole.
-/// Throws InputError as VoxelGrid::over() does for bad settings and for more than
-/// max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose that
-/// is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
+/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3:
+/// closed boxes, closed triangles), or the solid. In a solid, a voxel that touches no triangle is
+/// inside if its points are enclosed as contains() says. The result is the same for any number of
+/// threads. Time follows the surface, not the volume: blocks of voxels that no triangle touches are
+/// decided as a whole. Throws InputError as VoxelGrid::over() does for bad settings and for more
+/// than max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose
+/// that is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
 /// whole, and its tree fitted to where it is, which takes O(n) time and memory.
 Voxels find_voxels(const PlacedMeshView& mesh, const VoxelSettings& settings = {},
                    Work* work = nullptr);

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include <graze/engine/scenes/scene.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/scenes/scene.h>
 
 namespace graze {
 

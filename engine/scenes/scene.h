@@ -19,9 +19,9 @@ struct SceneShape {
 
 /// A body of a scene, and how it moves.
 struct SceneBody {
-  std::string name;       ///< of its own in the scene
-  std::size_t shape = 0;  ///< index into Scene::shapes
-  Pose pose;              ///< at time 0
+  std::string name;                   ///< of its own in the scene
+  std::size_t shape = 0;              ///< index into Scene::shapes
+  Pose pose;                          ///< at time 0
   BodyKind kind = BodyKind::Dynamic;  ///< as a world takes it
   Filter filter = {};                 ///< whom it meets
   BodyPath path = {};                 ///< how it moves by itself
@@ -36,9 +36,9 @@ struct ScenePair {
 
 /// Bodies and how they move by themselves, as a file describes them. Metres and seconds.
 struct Scene {
-  std::string note;         ///< what it shows; may be empty
-  double step = 1.0 / 60;   ///< seconds from one update to the next
-  std::size_t steps = 100;  ///< how many, unless the user says otherwise
+  std::string note;                   ///< what it shows; may be empty
+  double step = 1.0 / 60;             ///< seconds from one update to the next
+  std::size_t steps = 100;            ///< how many, unless the user says otherwise
   std::vector<SceneShape> shapes;     ///< each with a name of its own
   std::vector<SceneBody> bodies;      ///< each with a name of its own
   std::vector<ScenePair> exclusions;  ///< which never meet

@@ -10,7 +10,7 @@ namespace graze {
 
 /// How a Simulation goes on.
 struct SimulationSettings {
-  double step = 0;  ///< seconds; 0: as the scene says
+  double step = 0;           ///< seconds; 0: as the scene says
   WorldSettings world = {};  ///< of the world that it makes
 };
 

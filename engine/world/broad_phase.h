@@ -1,9 +1,9 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/error.h>
 #include <graze/bvh/ray.h>
 #include <graze/engine/world/ids.h>
-#include <graze/bvh/error.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <graze/bvh/error.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/bvh/error.h>
 
 #include <cstdint>
 #include <functional>
