@@ -75,8 +75,9 @@ enum class Role : std::uint8_t {
           ///< neither of static bodies nor of other sensors; its pairs have no contacts
 };
 
-/// Who meets whom: two bodies do if each one's category is in the other's mask; of one group other
-/// than 0, if the group is positive whatever the masks say, and if it is negative never.
+/// Who meets whom. Two bodies may meet if each one's category has a bit in the other's mask. Two of
+/// the same group other than 0 may meet if the group is positive, and may not if it is negative,
+/// whatever the masks say.
 struct Filter {
   std::uint32_t category = 1;        ///< bits: what the body is
   std::uint32_t mask = 0xffffffffu;  ///< bits: which categories it meets

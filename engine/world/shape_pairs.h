@@ -47,8 +47,9 @@ enum class PairStatus {
 struct ShapeDistance {
   double distance;          ///< of the two points; 0 if and only if intersects() says so
   double lower_bound;       ///< proved: the true distance is not less. For skipping
-  Eigen::Vector3d point_a;  ///< nearest points; of intersecting shapes one that is in both, but
-  Eigen::Vector3d point_b;  ///< for meshes in which it is near the surface that is met
+  Eigen::Vector3d point_a;  ///< the point of A nearest to B; of intersecting shapes one of both,
+                            ///< which of a mesh is near the surface that is met
+  Eigen::Vector3d point_b;  ///< the point of B nearest to A, or likewise
   Eigen::Vector3d normal;   ///< unit, from A to B; of convex shapes that are apart, the planes at
                             ///< right angles to it that support both are no nearer to each other
                             ///< than lower_bound, but for 2^-46 of the scale

@@ -79,8 +79,8 @@ struct WorldUpdate {
   std::span<const BodyPair> begun;  ///< touch now and did not
   std::span<const BodyPair> ended;  ///< touched and do not now, also because one body is gone, or a
                                     ///< filter keeps them apart
-  std::span<const BodyPair>
-      moved;  ///< touch now, and one of them moved, came, woke or changed its filter
+  /// Pairs that touch now and of which one body moved, came, woke or changed its filter.
+  std::span<const BodyPair> moved;
   std::span<const BodyContact> contacts;  ///< of the solid pairs in `moved`, if the settings ask
   WorldWork work;                         ///< what it did and could leave out
 };
