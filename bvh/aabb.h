@@ -7,8 +7,8 @@ namespace graze {
 /// A closed axis-aligned box, metres, in whatever frame its user says. `min <= max` holds in each
 /// coordinate; flat boxes and points are boxes.
 struct Aabb {
-  Eigen::Vector3d min;
-  Eigen::Vector3d max;
+  Eigen::Vector3d min;  ///< the least of each coordinate
+  Eigen::Vector3d max;  ///< the greatest
 
   bool operator==(const Aabb&) const = default;
 };

@@ -10,8 +10,8 @@ namespace graze {
 
 /// Two boxes by their indices, the smaller first.
 struct BoxPair {
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t a;  ///< the smaller index
+  std::uint32_t b;  ///< the larger one
   friend auto operator<=>(const BoxPair&, const BoxPair&) = default;
 };
 

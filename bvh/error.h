@@ -25,8 +25,10 @@ struct ErrorPlace {
 /// not throw.
 class Error : public std::runtime_error {
  public:
+  /// `what` is the line for people, `place` the same for programs.
   explicit Error(const std::string& what, ErrorPlace place = {});
 
+  /// Where it lies; empty members are not known.
   const ErrorPlace& place() const noexcept;
 
  private:

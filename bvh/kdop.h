@@ -28,9 +28,9 @@ inline constexpr std::array<std::array<int, 3>, 9> kKDopDirections<18>{{{1, 0, 0
 /// looser than the polytope. Only K = 18 has directions.
 template <int K>
 struct KDop {
-  static constexpr int kSlabs = K / 2;
-  std::array<double, static_cast<std::size_t>(kSlabs)> min;
-  std::array<double, static_cast<std::size_t>(kSlabs)> max;
+  static constexpr int kSlabs = K / 2;                       ///< how many slabs there are
+  std::array<double, static_cast<std::size_t>(kSlabs)> min;  ///< of each slab, along its direction
+  std::array<double, static_cast<std::size_t>(kSlabs)> max;  ///< likewise
 
   bool operator==(const KDop&) const = default;
 };

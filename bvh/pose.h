@@ -20,7 +20,9 @@ inline bool are_equal(const Pose& pose_a, const Pose& pose_b) {
 struct PoseHash {
   std::size_t operator()(const Pose& pose) const noexcept;
 };
+/// Whether all entries are equal, for tables of poses, with PoseHash.
 struct PoseEqual {
+  /// Says so.
   bool operator()(const Pose& pose_a, const Pose& pose_b) const noexcept {
     return are_equal(pose_a, pose_b);
   }

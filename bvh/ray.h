@@ -9,9 +9,9 @@ namespace graze {
 /// A half line, or its first part: the points origin + s direction, s >= 0, that are at most
 /// `max_distance` from the origin.
 struct Ray {
-  Eigen::Vector3d origin;                                         // metres
-  Eigen::Vector3d direction;                                      // of any length but 0
-  double max_distance = std::numeric_limits<double>::infinity();  // metres along the ray
+  Eigen::Vector3d origin;                                         ///< metres
+  Eigen::Vector3d direction;                                      ///< of any length but 0
+  double max_distance = std::numeric_limits<double>::infinity();  ///< metres along the ray
 
   bool operator==(const Ray&) const = default;
 };

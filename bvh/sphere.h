@@ -6,8 +6,8 @@ namespace graze {
 
 /// A closed ball, metres: the points at most `radius` from `centre`. A radius of 0 is a point.
 struct Sphere {
-  Eigen::Vector3d centre;
-  double radius;
+  Eigen::Vector3d centre;  ///< metres
+  double radius;           ///< metres, not negative
 
   bool operator==(const Sphere&) const = default;
 };

@@ -13,6 +13,7 @@ enum class Volume {
   KDop,    ///< 18 half-spaces in each mesh's own frame
 };
 
+/// All of them, in their order.
 inline constexpr std::array kVolumes{Volume::Aabb, Volume::Sphere, Volume::Obb, Volume::KDop};
 
 /// What queries on two meshes can compare: a wide tree's boxes, or one of the above.
@@ -24,6 +25,7 @@ enum class PairVolume {
   KDop,
 };
 
+/// All of them, in their order.
 inline constexpr std::array kPairVolumes{PairVolume::WideObb, PairVolume::Aabb, PairVolume::Sphere,
                                          PairVolume::Obb, PairVolume::KDop};
 

@@ -15,8 +15,8 @@ inline constexpr std::size_t kPoseNumbers = 12;
 
 /// A pose and the line of the file that it stands on, counted from 1.
 struct PoseLine {
-  Pose pose;
-  std::size_t line;
+  Pose pose;         ///< rigid
+  std::size_t line;  ///< counted from 1
 };
 
 /// Reads 12 numbers separated by blanks or commas, each rounded once to double. Throws PoseError,

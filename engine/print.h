@@ -31,6 +31,7 @@ namespace graze {
 /// The twelve numbers of a pose as parse_pose() reads them: the same pose to the last bit.
 std::string to_text(const Pose& pose);
 
+/// Ids, pairs and what else stands for something, as `name(number, ...)`.
 std::ostream& operator<<(std::ostream& out, const BodyId& id);
 std::ostream& operator<<(std::ostream& out, const BoxId& id);
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair);
@@ -39,6 +40,7 @@ std::ostream& operator<<(std::ostream& out, const TrianglePair& pair);
 std::ostream& operator<<(std::ostream& out, const ContactFeature& feature);
 std::ostream& operator<<(std::ostream& out, const Voxel& voxel);
 
+/// Volumes and triangles with their numbers.
 std::ostream& operator<<(std::ostream& out, const Aabb& box);
 std::ostream& operator<<(std::ostream& out, const Obb& box);
 std::ostream& operator<<(std::ostream& out, const Sphere& sphere);
@@ -46,6 +48,7 @@ std::ostream& operator<<(std::ostream& out, const KDop<18>& kdop);
 std::ostream& operator<<(std::ostream& out, const Ray& ray);
 std::ostream& operator<<(std::ostream& out, const Triangle& triangle);
 
+/// Results with their members.
 std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs);
 std::ostream& operator<<(std::ostream& out, const TriangleList& triangles);
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);

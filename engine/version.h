@@ -2,10 +2,10 @@
 
 namespace graze {
 
-// The version that these headers are of. Until 1.0 a second number may break sources.
+/// The version that these headers are of. Until 1.0 a new second number may break sources.
 inline constexpr int kVersionMajor = 0;
-inline constexpr int kVersionMinor = 2;
-inline constexpr int kVersionPatch = 0;
+inline constexpr int kVersionMinor = 2;  ///< the second
+inline constexpr int kVersionPatch = 0;  ///< the third
 
 /// "0.2.0": the version of the library that runs, which may be another than the headers' where it
 /// is shared.

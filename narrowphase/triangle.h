@@ -7,9 +7,9 @@ namespace graze {
 /// The closed convex hull of three points, metres: a triangle, or the segment or point that it
 /// degenerates to.
 struct Triangle {
-  Eigen::Vector3d a;
-  Eigen::Vector3d b;
-  Eigen::Vector3d c;
+  Eigen::Vector3d a;  ///< the first corner
+  Eigen::Vector3d b;  ///< the second
+  Eigen::Vector3d c;  ///< the third
 
   bool operator==(const Triangle&) const = default;
 };

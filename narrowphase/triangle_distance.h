@@ -10,11 +10,11 @@ enum class Feature { Vertex, Edge, Face };
 /// How far apart two closed triangles are, metres, and where. The points are in the triangles'
 /// frame.
 struct TriangleDistance {
-  double distance;
+  double distance;          ///< metres
   Eigen::Vector3d point_a;  ///< the point of A nearest to B
   Eigen::Vector3d point_b;  ///< and that of B nearest to A
   Feature feature_a;        ///< in which `point_a` lies, before rounding
-  Feature feature_b;
+  Feature feature_b;        ///< in which `point_b` lies
 
   bool operator==(const TriangleDistance&) const = default;
 };

@@ -14,6 +14,7 @@ namespace graze {
 // All throw InputError for no triangles, for the first with a coordinate that is not finite, and
 // where the volume overflows.
 
+/// As the function of this name that takes points, of all corners.
 Aabb bounding_aabb(std::span<const Triangle> triangles);
 Sphere ritter_sphere(std::span<const Triangle> triangles);
 Sphere bounding_sphere(std::span<const Triangle> triangles);

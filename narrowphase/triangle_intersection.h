@@ -7,15 +7,16 @@
 
 namespace graze {
 
+/// What kind of set two triangles have in common.
 enum class IntersectionKind { None, Point, Segment, Polygon };
 
 /// What two closed triangles have in common: nothing, a point, the segment between two points, or,
 /// where they lie in one plane, a convex polygon of three to six corners. Metres, in the triangles'
 /// frame.
 struct TriangleIntersection {
-  IntersectionKind kind = IntersectionKind::None;
-  int count = 0;                          ///< of corners
-  std::array<Eigen::Vector3d, 6> corner;  ///< the first `count`; a polygon's, around it
+  IntersectionKind kind = IntersectionKind::None;  ///< exact
+  int count = 0;                                   ///< of corners
+  std::array<Eigen::Vector3d, 6> corner;           ///< the first `count`; a polygon's, around it
 
   auto begin() const { return corner.begin(); }
   auto end() const { return corner.begin() + count; }

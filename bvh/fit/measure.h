@@ -11,6 +11,7 @@ namespace graze {
 // and for k-DOPs about 1e-13 of the volume and surface of their bounds. Infinite where that
 // overflows. The volumes must be valid; nothing is checked.
 
+/// The volume, cubic metres; 0 where it is flat.
 double volume(const Aabb& box);
 double volume(const Sphere& sphere);
 double volume(const Obb& box);

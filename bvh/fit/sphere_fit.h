@@ -14,8 +14,7 @@ namespace graze {
 // overflows.
 
 /// A sphere of a radius that is 5 to 20 per cent larger than need be, seldom more. Linear, few
-/// passes (Ritter, "An efficient
-/// bounding sphere", Graphics Gems, 1990).
+/// passes (Ritter, "An efficient bounding sphere", Graphics Gems, 1990).
 Sphere ritter_sphere(std::span<const Eigen::Vector3d> points);
 
 /// The smallest sphere, up to about 1e-14 of its radius and the rounding of its centre; never

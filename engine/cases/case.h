@@ -33,25 +33,27 @@ struct CaseMeshFile {
 
 /// A mesh of a case, in its pose.
 struct CaseMesh {
+  /// A mesh of vertices in a pose, or what a query was asked about.
   CaseMesh(Mesh the_mesh, const Pose& the_pose) : mesh(std::move(the_mesh)), pose(the_pose) {}
   CaseMesh(const PlacedMeshView& placed) : mesh(placed.mesh), pose(placed.pose) {}
 
-  Mesh mesh;
-  Pose pose;
+  Mesh mesh;                         ///< a handle
+  Pose pose;                         ///< of the mesh
   std::optional<CaseMeshFile> file;  ///< written in place of the vertices
 };
 
 /// A point, metres.
 struct CasePoint {
-  Eigen::Vector3d position;
+  Eigen::Vector3d position;  ///< in the common frame
 };
 
 /// Any shape that a body of a world can have, in its pose.
 struct CaseBody {
+  /// A shape in a pose.
   CaseBody(Shape the_shape, const Pose& the_pose) : shape(std::move(the_shape)), pose(the_pose) {}
 
-  Shape shape;
-  Pose pose;
+  Shape shape;  ///< a handle, where it is a hull or a mesh
+  Pose pose;    ///< of the shape
 };
 
 /// One of the two things that a case asks about. Only meshes and bodies have poses: a triangle is
@@ -87,41 +89,42 @@ struct CaseSettings {
   std::optional<std::uint32_t> limit = {};
 };
 
+/// A MeshContact without what refers to lists.
 struct CaseContact {
-  Eigen::Vector3d point;
-  Eigen::Vector3d point_a;
-  Eigen::Vector3d point_b;
-  Eigen::Vector3d normal;  ///< from A to B
-  double depth;            ///< metres
+  Eigen::Vector3d point;    ///< midway between the two
+  Eigen::Vector3d point_a;  ///< on A
+  Eigen::Vector3d point_b;  ///< on B
+  Eigen::Vector3d normal;   ///< from A to B
+  double depth;             ///< metres
 };
 
 /// A ShapeContact, as far as its engine or its file names points on the surfaces.
 struct CaseShapeContact {
-  Eigen::Vector3d point;
-  std::optional<Eigen::Vector3d> point_a;
-  std::optional<Eigen::Vector3d> point_b;
-  Eigen::Vector3d normal;  ///< from A to B
-  double depth;            ///< metres
-  ContactFeature feature;
+  Eigen::Vector3d point;                   ///< midway between the two, or where the engine puts it
+  std::optional<Eigen::Vector3d> point_a;  ///< on A
+  std::optional<Eigen::Vector3d> point_b;  ///< on B
+  Eigen::Vector3d normal;                  ///< from A to B
+  double depth;                            ///< metres
+  ContactFeature feature;                  ///< which parts meet
 };
 
 /// What an engine answered: the parts that its question asks for. Distances alone may be infinite,
 /// where the true one is beyond the largest double.
 struct CaseAnswer {
-  std::optional<bool> says;  ///< Any, Within, Contains, SelfAny
-  std::optional<std::vector<TrianglePair>> pairs;
+  std::optional<bool> says;                             ///< Any, Within, Contains, SelfAny
+  std::optional<std::vector<TrianglePair>> pairs;       ///< Pairs of two meshes, SelfPairs
   std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
   /// Distance, Separation; metres. Of a distance a negative one claims a touch: some engines return
   /// -1 or how deep it is.
   std::optional<double> distance;
-  std::optional<double> lower_bound;       ///< Distance of bodies, metres
-  std::optional<bool> is_converged;        ///< likewise
-  std::optional<Eigen::Vector3d> normal;   ///< likewise, from A to B
-  std::optional<Eigen::Vector3d> point_a;  ///< Distance, if the engine names points
-  std::optional<Eigen::Vector3d> point_b;
-  std::optional<TrianglePair> pair;            ///< Distance, if the engine names a pair
-  std::optional<Eigen::Vector3d> translation;  ///< Separation, metres
-  std::optional<std::vector<CaseContact>> contacts;
+  std::optional<double> lower_bound;                      ///< Distance of bodies, metres
+  std::optional<bool> is_converged;                       ///< likewise
+  std::optional<Eigen::Vector3d> normal;                  ///< likewise, from A to B
+  std::optional<Eigen::Vector3d> point_a;                 ///< Distance, if the engine names points
+  std::optional<Eigen::Vector3d> point_b;                 ///< likewise
+  std::optional<TrianglePair> pair;                       ///< Distance, if the engine names a pair
+  std::optional<Eigen::Vector3d> translation;             ///< Separation, metres
+  std::optional<std::vector<CaseContact>> contacts;       ///< Contacts, of meshes
   std::optional<std::vector<CaseShapeContact>> manifold;  ///< Contacts, of bodies
   std::optional<CaseIntersection> intersection;           ///< Intersection, of meshes
   std::optional<std::vector<Eigen::Vector3d>> corners;    ///< Intersection, of triangles
@@ -134,19 +137,19 @@ bool is_same(const CaseAnswer& answer_a, const CaseAnswer& answer_b);
 
 /// Who answered.
 struct CaseWitness {
-  std::string engine = "graze";
-  std::string version;
+  std::string engine = "graze";  ///< its name
+  std::string version;           ///< empty if it does not say
 };
 
 /// A query that can be asked again, bit for bit, with the answer that somebody gave.
 struct Case {
-  std::string note;  ///< why it is kept; may be empty
-  Ask ask = Ask::Any;
-  CaseSettings settings;
-  CaseShape a;
-  std::optional<CaseShape> b;  ///< none where A is asked about itself
-  std::optional<CaseAnswer> answer;
-  CaseWitness answered_by;
+  std::string note;                  ///< why it is kept; may be empty
+  Ask ask = Ask::Any;                ///< which query
+  CaseSettings settings;             ///< of that query
+  CaseShape a;                       ///< the first thing that it is about
+  std::optional<CaseShape> b;        ///< none where A is asked about itself
+  std::optional<CaseAnswer> answer;  ///< none: it has not been answered
+  CaseWitness answered_by;           ///< who gave that answer
 };
 
 /// The name of a question, a policy or a shape in a file.

@@ -5,11 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include <graze/engine/cases/case.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/case.h>
 
 namespace graze {
 
+/// What reading needs to know beside the file.
 struct ReadCaseSettings {
   /// Where the meshes lie that a case names by file. Empty: in the folder of the case.
   std::filesystem::path mesh_folder = {};
@@ -26,6 +27,7 @@ Case read_case(const std::filesystem::path& path, const ReadCaseSettings& settin
 Case parse_case(std::string_view bytes, const std::string& name,
                 const ReadCaseSettings& settings = {});
 
+/// How many points a hull of a file may have at most.
 inline constexpr std::size_t kMaxHullPoints = 4096;
 
 }  // namespace graze

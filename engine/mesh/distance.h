@@ -7,7 +7,7 @@ namespace graze {
 
 /// How far apart two placed meshes are, metres, and where, in the common frame.
 struct MeshDistance {
-  double distance;
+  double distance;          ///< metres; 0 if the surfaces meet
   Eigen::Vector3d point_a;  ///< the point of mesh A that is nearest to B
   Eigen::Vector3d point_b;  ///< and that of B nearest to A
   TrianglePair pair;        ///< the triangles that these lie in
@@ -15,6 +15,7 @@ struct MeshDistance {
   bool operator==(const MeshDistance&) const = default;
 };
 
+/// What distance() and within() can be told.
 struct DistanceSettings {
   /// A pair to look at first, such as the result of a query before the meshes moved a little: it
   /// saves time and changes no result.

@@ -22,6 +22,7 @@ Sphere bounding_sphere(const Mesh& mesh);
 /// turn.
 Obb bounding_obb(const Mesh& mesh);
 
+/// The smallest k-DOP, its sums of coordinates rounded outward. Linear.
 KDop<18> bounding_kdop(const Mesh& mesh);
 
 /// What the surface of a closed mesh encloses, m^3: by the divergence theorem, positive if its
@@ -33,18 +34,19 @@ double signed_volume(const Mesh& mesh);
 
 /// How well a volume fits a mesh.
 struct VolumeFit {
-  Volume type;
+  Volume type;     ///< which kind it is
   double volume;   ///< m^3
   double surface;  ///< m^2
   /// Of a closed mesh the empty share of the volume, (volume - enclosed volume) / volume, from 0
   /// for a perfect fit to 1. Of an open mesh the volume relative to that of the mesh's bounds.
   /// Nothing where either is 0 or overflows.
   std::optional<double> empty_share;
-  std::optional<double> relative_volume;
+  std::optional<double> relative_volume;  ///< of an open mesh
 
   bool operator==(const VolumeFit&) const = default;
 };
 
+/// How well each kind of volume fits a mesh.
 struct MeshFit {
   /// Of a closed mesh, |signed_volume|: a mesh that is inside out encloses as much. Of a mesh that
   /// crosses itself or has parts that are inside out it is only a measure: an empty share that

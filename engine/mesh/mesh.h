@@ -57,11 +57,13 @@ class Mesh {
   Mesh deformed(std::span<const Eigen::Vector3d> vertices) const;
   Mesh deformed(const MatrixView<double>& vertices) const;
 
+  /// As they were given to the constructor, in that order.
   std::span<const Eigen::Vector3d> vertices() const;
   std::span<const TriangleIndices> triangles() const;
 
   /// The same numbers as matrices of three columns, without a copy: valid as long as a handle.
   Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> vertex_matrix() const;
+  /// Likewise the triangles.
   Eigen::Map<const Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>>
   triangle_matrix() const;
 

@@ -16,21 +16,23 @@ struct MeshContact {
   Eigen::Vector3d normal;     ///< a unit vector, to 2 ulp, from A to B
   double depth;               ///< metres, >= 0
   std::uint32_t first_point;  ///< of the corners of the intersection, in MeshContacts::points
-  std::uint32_t point_count;
+  std::uint32_t point_count;  ///< how many corners it has
 
   bool operator==(const MeshContact&) const = default;
 };
 
+/// What find_contacts() finds on two meshes.
 struct MeshContacts {
   std::vector<MeshContact> contacts;    ///< the deepest first; ties by their points
   std::vector<Eigen::Vector3d> points;  ///< of each contact, ascending lexicographically
-  Completeness completeness = Completeness::Complete;
+  Completeness completeness = Completeness::Complete;  ///< LimitReached: there are more contacts
 
   std::size_t size() const { return contacts.size(); }
   bool empty() const { return contacts.empty(); }
   auto begin() const { return contacts.begin(); }
   auto end() const { return contacts.end(); }
   const MeshContact& operator[](std::size_t index) const { return contacts[index]; }
+  /// The corners of the intersection that a contact stands for.
   std::span<const Eigen::Vector3d> points_of(const MeshContact& contact) const {
     return {points.data() + contact.first_point, contact.point_count};
   }

@@ -14,7 +14,7 @@ namespace graze {
 struct IntersectionPoint {
   Eigen::Vector3d position;  ///< metres, off by at most 2 ulp of the largest placed coordinate
   Feature feature_a;         ///< the smallest feature of A in which it lies, exactly
-  Feature feature_b;
+  Feature feature_b;         ///< and that of B
 
   bool operator==(const IntersectionPoint&) const = default;
 };
@@ -22,46 +22,47 @@ struct IntersectionPoint {
 /// A segment between two points, and which pairs of triangles meet in it: two triangles cross in a
 /// segment of their own, all triangles at an edge share one that lies on it.
 struct IntersectionSegment {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t first_pair;
-  std::uint32_t pair_count;
+  std::uint32_t from;        ///< index into MeshIntersection::points
+  std::uint32_t to;          ///< likewise
+  std::uint32_t first_pair;  ///< index into MeshIntersection::pairs
+  std::uint32_t pair_count;  ///< how many pairs there are from there on
 
   bool operator==(const IntersectionSegment&) const = default;
 };
 
 /// Segments end to end: `segment_count` of them from `first_segment` on.
 struct IntersectionCurve {
-  std::uint32_t first_segment;
-  std::uint32_t segment_count;
-  bool is_closed;  ///< it ends where it began
+  std::uint32_t first_segment;  ///< index into MeshIntersection::segments
+  std::uint32_t segment_count;  ///< at least 1
+  bool is_closed;               ///< it ends where it began
 
   bool operator==(const IntersectionCurve&) const = default;
 };
 
 /// Triangles in one plane meet in a convex polygon of three to six points.
 struct IntersectionPolygon {
-  std::array<std::uint32_t, 6> corners;
-  std::uint32_t corner_count;
-  std::uint32_t first_pair;
-  std::uint32_t pair_count;
+  std::array<std::uint32_t, 6>
+      corners;                 ///< indices into MeshIntersection::points, the first `corner_count`
+  std::uint32_t corner_count;  ///< 3 to 6
+  std::uint32_t first_pair;    ///< index into MeshIntersection::pairs
+  std::uint32_t pair_count;    ///< how many pairs there are from there on
 
   bool operator==(const IntersectionPolygon&) const = default;
 };
 
 /// Polygons that are connected by their edges, in one plane or more.
 struct IntersectionPatch {
-  std::uint32_t first_polygon;
-  std::uint32_t polygon_count;
+  std::uint32_t first_polygon;  ///< index into MeshIntersection::polygons
+  std::uint32_t polygon_count;  ///< at least 1
 
   bool operator==(const IntersectionPatch&) const = default;
 };
 
 /// A point in which triangles meet and which is on no segment and no polygon.
 struct TouchingPoint {
-  std::uint32_t point;
-  std::uint32_t first_pair;
-  std::uint32_t pair_count;
+  std::uint32_t point;       ///< index into MeshIntersection::points
+  std::uint32_t first_pair;  ///< index into MeshIntersection::pairs
+  std::uint32_t pair_count;  ///< how many pairs there are from there on
 
   bool operator==(const TouchingPoint&) const = default;
 };
@@ -71,19 +72,21 @@ struct TouchingPoint {
 /// polygons are not listed among the segments. Points ascend lexicographically by position; curves,
 /// patches and touching points by their points.
 struct MeshIntersection {
-  std::vector<IntersectionPoint> points;
-  std::vector<IntersectionSegment> segments;
-  std::vector<IntersectionCurve> curves;
-  std::vector<IntersectionPolygon> polygons;
-  std::vector<IntersectionPatch> patches;
-  std::vector<TouchingPoint> touching_points;
-  std::vector<TrianglePair> pairs;
+  std::vector<IntersectionPoint> points;       ///< ascending by position
+  std::vector<IntersectionSegment> segments;   ///< each belongs to one curve
+  std::vector<IntersectionCurve> curves;       ///< ascending by their points
+  std::vector<IntersectionPolygon> polygons;   ///< each belongs to one patch
+  std::vector<IntersectionPatch> patches;      ///< ascending by their points
+  std::vector<TouchingPoint> touching_points;  ///< ascending
+  std::vector<TrianglePair> pairs;             ///< those of each part side by side
 
   bool empty() const { return points.empty(); }
 
+  /// The segments of a curve, end to end.
   std::span<const IntersectionSegment> segments_of(const IntersectionCurve& curve) const {
     return {segments.data() + curve.first_segment, curve.segment_count};
   }
+  /// The polygons of a patch.
   std::span<const IntersectionPolygon> polygons_of(const IntersectionPatch& patch) const {
     return {polygons.data() + patch.first_polygon, patch.polygon_count};
   }

@@ -11,6 +11,7 @@
 
 namespace graze {
 
+/// What RayHit::triangle is where no mesh was hit.
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
 /// Where a ray meets something first.

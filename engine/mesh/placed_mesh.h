@@ -7,8 +7,8 @@ namespace graze {
 
 /// A mesh in a pose: a value, which holds a handle to the mesh.
 struct PlacedMesh {
-  Mesh mesh;
-  Pose pose = Pose::Identity();
+  Mesh mesh;                     ///< a handle
+  Pose pose = Pose::Identity();  ///< of the mesh: it takes points of its frame to the common one
 };
 
 /// What queries take: a mesh in a pose, made of a PlacedMesh or within the call itself, as in
@@ -18,13 +18,14 @@ struct PlacedMesh {
 /// ask about one mesh would wait for each other.
 struct PlacedMeshView {
   // NOLINTBEGIN(google-explicit-constructor): queries are asked about meshes and placed meshes
+  /// A mesh where it is, in a pose, or as a value that is kept.
   PlacedMeshView(const Mesh& of_mesh) : mesh(of_mesh) {}
   PlacedMeshView(const Mesh& of_mesh, const Pose& in_pose) : mesh(of_mesh), pose(in_pose) {}
   PlacedMeshView(const PlacedMesh& placed) : mesh(placed.mesh), pose(placed.pose) {}
   // NOLINTEND(google-explicit-constructor)
 
-  const Mesh& mesh;
-  Pose pose = Pose::Identity();
+  const Mesh& mesh;              ///< must outlive this
+  Pose pose = Pose::Identity();  ///< a copy
 };
 
 }  // namespace graze

@@ -11,10 +11,11 @@ namespace graze {
 /// A mesh in each of many poses, as the second argument of queries: `intersects({bolt}, {nut,
 /// poses})`. It refers to both, which must outlive it.
 struct MeshInPoses {
+  /// Refers to both.
   MeshInPoses(const Mesh& mesh_b, std::span<const Pose> poses_b) : mesh(mesh_b), poses(poses_b) {}
 
-  const Mesh& mesh;
-  std::span<const Pose> poses;
+  const Mesh& mesh;             ///< must outlive this
+  std::span<const Pose> poses;  ///< must outlive this
 };
 
 /// What the queries of pair.h and distance.h answer for each pose of B, in the order of the poses.
@@ -24,7 +25,8 @@ struct MeshInPoses {
 std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                              const QuerySettings& settings = {}, const BatchSettings& batch = {},
                              Work* work = nullptr);
-std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
+std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a,
+                                               const MeshInPoses& mesh_b,
                                                const PairSettings& settings = {},
                                                const BatchSettings& batch = {},
                                                Work* work = nullptr);

@@ -12,8 +12,9 @@ enum class PreparedFor {
           ///< voxels, a mesh with itself, the contacts of bodies
 };
 
+/// What prepare() can be told.
 struct PrepareSettings {
-  PreparedFor queries = PreparedFor::Pairs;
+  PreparedFor queries = PreparedFor::Pairs;  ///< what shall find nothing left to build
 };
 
 /// Builds now, with all threads, what queries would build of the mesh's trees as they walk them, so

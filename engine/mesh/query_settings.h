@@ -13,8 +13,8 @@
 
 namespace graze {
 
-/// `threads` means the same in all settings: how many threads share the work at most; 0: all that
-/// there are; 1: the caller's alone. It changes the time, never a result.
+// `threads` means the same in all settings: how many threads share the work at most; 0: all that
+// there are; 1: the caller's alone. It changes the time, never a result.
 
 /// No limit to how many are found.
 inline constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
@@ -30,12 +30,12 @@ enum class Hit {
 struct QuerySettings {
   /// What prunes: changes the time, never the answer.
   PairVolume volume = PairVolume::WideObb;
-  Hit hit = Hit::Touching;
+  Hit hit = Hit::Touching;  ///< what counts as a hit
 };
 
 /// intersects() of two meshes with a PairMemory.
 struct MemoryQuerySettings {
-  Hit hit = Hit::Touching;
+  Hit hit = Hit::Touching;  ///< what counts as a hit
 };
 
 /// find_triangle_pairs().
@@ -55,8 +55,8 @@ struct PairSettings {
 /// find_triangle_pairs() with a PairMemory.
 struct MemoryPairSettings {
   std::size_t limit = kNoLimit;  ///< as of PairSettings
-  Touch touch = Touch::Include;
-  int threads = 1;
+  Touch touch = Touch::Include;  ///< which pairs count
+  int threads = 1;               ///< as of PairSettings
 };
 
 /// find_intersection().
@@ -104,7 +104,7 @@ enum class SelfPairKind {
 
 /// find_self_pairs().
 struct SelfSettings {
-  SelfPairKind kind = SelfPairKind::Crossing;
+  SelfPairKind kind = SelfPairKind::Crossing;  ///< which pairs are wanted
   /// Stop after this many pairs. Which pairs these are is reproducible, and may depend on `volume`.
   std::size_t limit = kNoLimit;
   /// What prunes: changes the time, never which pairs there are.
@@ -113,7 +113,7 @@ struct SelfSettings {
 
 /// Queries for many poses at once.
 struct BatchSettings {
-  int threads = 0;
+  int threads = 0;  ///< how many threads share the poses at most; 0: all that there are
 };
 
 }  // namespace graze

@@ -14,8 +14,8 @@ namespace graze {
 
 /// Triangle `a` of the first mesh and triangle `b` of the second.
 struct TrianglePair {
-  std::uint32_t a;
-  std::uint32_t b;
+  std::uint32_t a;  ///< index into the triangles of the first mesh
+  std::uint32_t b;  ///< and of the second
   auto operator<=>(const TrianglePair&) const = default;
 };
 
@@ -24,8 +24,8 @@ enum class Completeness { Complete, LimitReached };
 
 /// Pairs in ascending order, without duplicates.
 struct TrianglePairs {
-  std::vector<TrianglePair> pairs;
-  Completeness completeness = Completeness::Complete;
+  std::vector<TrianglePair> pairs;                     ///< ascending
+  Completeness completeness = Completeness::Complete;  ///< LimitReached: there may be more
 
   std::size_t size() const { return pairs.size(); }
   bool empty() const { return pairs.empty(); }
@@ -38,8 +38,8 @@ struct TrianglePairs {
 
 /// Indices of triangles in ascending order.
 struct TriangleList {
-  std::vector<std::uint32_t> triangles;
-  Completeness completeness = Completeness::Complete;
+  std::vector<std::uint32_t> triangles;                ///< ascending
+  Completeness completeness = Completeness::Complete;  ///< LimitReached: there may be more
 
   std::size_t size() const { return triangles.size(); }
   bool empty() const { return triangles.empty(); }

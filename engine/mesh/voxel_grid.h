@@ -13,9 +13,9 @@ namespace graze {
 /// The indices of a voxel along x, y and z. Ordered by k, then j, then i: a row along x is
 /// contiguous.
 struct Voxel {
-  std::uint16_t i;
-  std::uint16_t j;
-  std::uint16_t k;
+  std::uint16_t i;  ///< along x
+  std::uint16_t j;  ///< along y
+  std::uint16_t k;  ///< along z
 
   friend bool operator==(const Voxel&, const Voxel&) = default;
   friend std::strong_ordering operator<=>(const Voxel& a, const Voxel& b) {
@@ -47,6 +47,7 @@ struct VoxelGrid {
   /// origin + index * edge, rounded once. `index` is at most the count along the axis.
   double plane(int axis, std::uint32_t index) const;
 
+  /// The closed box between its six planes.
   Aabb box(const Voxel& voxel) const;
 
   /// Throws InputError unless there are 1 to 65535 voxels along each axis and planes are finite and

@@ -18,10 +18,11 @@ enum class VoxelFill {
   Solid,    ///< these, and all that lie inside a closed mesh
 };
 
+/// What find_voxels() can be told.
 struct VoxelSettings {
   /// Voxels along the longest side of the mesh's bounds, 1 to 65535; see VoxelGrid::over().
   std::uint32_t resolution = 64;
-  VoxelFill fill = VoxelFill::Surface;
+  VoxelFill fill = VoxelFill::Surface;  ///< the surface alone, or what it encloses, too
   /// How many threads share the work at most; 0: all that there are.
   int threads = 0;
   /// More voxels than this are an error, found before they fill the memory. Which resolution is too
@@ -34,8 +35,8 @@ struct VoxelSettings {
 
 /// Voxels of a grid in ascending order, each once.
 struct Voxels {
-  VoxelGrid grid;
-  std::vector<Voxel> voxels;
+  VoxelGrid grid;             ///< in which they lie
+  std::vector<Voxel> voxels;  ///< ascending
 
   std::size_t size() const { return voxels.size(); }
   bool empty() const { return voxels.empty(); }
@@ -45,13 +46,13 @@ struct Voxels {
   bool operator==(const Voxels&) const = default;
 };
 
-/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3: closed boxes, closed triangles), or
-/// the solid. In a solid, a voxel that touches no triangle is inside if its points are enclosed as
-/// contains() says. The result is the same for any number of threads. Time follows the surface, not
-/// the volume: blocks of voxels that no triangle touches are decided as a whole.
-/// Throws InputError as VoxelGrid::over() does for bad settings and for more than
-/// max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose that
-/// is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
+/// All voxels of the common frame that the placed mesh's surface touches (law 1), exactly (law 3:
+/// closed boxes, closed triangles), or the solid. In a solid, a voxel that touches no triangle is
+/// inside if its points are enclosed as contains() says. The result is the same for any number of
+/// threads. Time follows the surface, not the volume: blocks of voxels that no triangle touches are
+/// decided as a whole. Throws InputError as VoxelGrid::over() does for bad settings and for more
+/// than max_voxels, MeshError for the solid of a mesh that is not closed, and PoseError for a pose
+/// that is refused by law 10 or by law 1. A mesh in any other pose than the identity is placed as a
 /// whole, and its tree fitted to where it is, which takes O(n) time and memory.
 Voxels find_voxels(const PlacedMeshView& mesh, const VoxelSettings& settings = {},
                    Work* work = nullptr);

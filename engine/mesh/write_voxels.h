@@ -11,6 +11,7 @@ namespace graze {
 /// More voxels than this have too many triangles for a mesh, and are not written.
 inline constexpr std::uint64_t kMaxWrittenVoxels = 0x7fffffff / 12;
 
+/// What write_voxels() can be told.
 struct VoxelWriteSettings {
   /// If set, called now and then with how many of how many corners and quads are written. What it
   /// throws ends the writing, and what was there before stays.

@@ -11,7 +11,7 @@ namespace graze {
 /// Where a body is at a time.
 struct PoseKey {
   double time = 0;  ///< seconds
-  Pose pose;
+  Pose pose;        ///< where the body is then
 };
 
 /// Through poses, one after the other: positions along straight lines, rotations along the shorter

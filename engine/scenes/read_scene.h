@@ -4,11 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include <graze/engine/scenes/scene.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/scenes/scene.h>
 
 namespace graze {
 
+/// What reading needs to know beside the file.
 struct ReadSceneSettings {
   /// Where the meshes lie that a scene names by file. Empty: in the folder of the scene.
   std::filesystem::path mesh_folder = {};
@@ -26,6 +27,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadSceneSettings& set
 Scene parse_scene(std::string_view bytes, const std::string& name,
                   const ReadSceneSettings& settings = {});
 
+/// How many steps a scene may ask for at most.
 inline constexpr std::size_t kMaxSceneSteps = 10'000'000;
 
 }  // namespace graze

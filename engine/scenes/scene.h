@@ -13,33 +13,34 @@ namespace graze {
 
 /// A shape that bodies share.
 struct SceneShape {
-  std::string name;
-  Shape shape;
+  std::string name;  ///< by which bodies of the file refer to it
+  Shape shape;       ///< in its own frame
 };
 
+/// A body of a scene, and how it moves.
 struct SceneBody {
-  std::string name;
-  std::size_t shape = 0;  ///< index into Scene::shapes
-  Pose pose;              ///< at time 0
-  BodyKind kind = BodyKind::Dynamic;
-  Filter filter = {};
-  BodyPath path = {};
+  std::string name;                   ///< of its own in the scene
+  std::size_t shape = 0;              ///< index into Scene::shapes
+  Pose pose;                          ///< at time 0
+  BodyKind kind = BodyKind::Dynamic;  ///< as a world takes it
+  Filter filter = {};                 ///< whom it meets
+  BodyPath path = {};                 ///< how it moves by itself
 };
 
 /// Two bodies by their indices, the smaller first.
 struct ScenePair {
-  std::size_t a = 0;
-  std::size_t b = 0;
+  std::size_t a = 0;  ///< index into Scene::bodies
+  std::size_t b = 0;  ///< likewise, above `a`
   friend auto operator<=>(const ScenePair&, const ScenePair&) = default;
 };
 
 /// Bodies and how they move by themselves, as a file describes them. Metres and seconds.
 struct Scene {
-  std::string note;
-  double step = 1.0 / 60;   ///< seconds from one update to the next
-  std::size_t steps = 100;  ///< how many, unless the user says otherwise
-  std::vector<SceneShape> shapes;
-  std::vector<SceneBody> bodies;
+  std::string note;                   ///< what it shows; may be empty
+  double step = 1.0 / 60;             ///< seconds from one update to the next
+  std::size_t steps = 100;            ///< how many, unless the user says otherwise
+  std::vector<SceneShape> shapes;     ///< each with a name of its own
+  std::vector<SceneBody> bodies;      ///< each with a name of its own
   std::vector<ScenePair> exclusions;  ///< which never meet
 };
 

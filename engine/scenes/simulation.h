@@ -8,9 +8,10 @@
 
 namespace graze {
 
+/// How a Simulation goes on.
 struct SimulationSettings {
-  double step = 0;  ///< seconds; 0: as the scene says
-  WorldSettings world = {};
+  double step = 0;           ///< seconds; 0: as the scene says
+  WorldSettings world = {};  ///< of the world that it makes
 };
 
 /// A scene in a world, and the clock that moves it. A body's index in the world is its index in the
@@ -31,6 +32,7 @@ class Simulation {
   double time() const { return time_of(steps()); }
   double time_of(std::size_t steps) const { return static_cast<double>(steps) * step_; }
 
+  /// The world that it moves.
   const World& world() const { return world_; }
 
  private:

@@ -38,9 +38,9 @@ class BodyShape {
   virtual std::optional<Manifold> meet(const Pose& pose, const BodyShape& other,
                                        const Pose& other_pose) const;
 
-  /// A distance, metres: while the two near each other by less, from these poses on, touches()
-  /// stays false. 0 where nothing is known, or where to ask touches() again costs less than this
-  /// does.
+  /// A lower bound of the distance, metres: as long as the two come nearer to each other than in
+  /// these poses by less than that, touches() stays false. 0 where nothing is known, or where to
+  /// ask touches() again costs less than this does.
   virtual double gap(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
 
   /// Where a ray meets it first, at most ray.max_distance away. A shape that does not know throws
@@ -57,30 +57,34 @@ std::shared_ptr<const BodyShape> share(const Shape& shape);
 
 /// A user's own shape, or one that bodies share, in a pose.
 struct PlacedBodyShape {
-  std::shared_ptr<const BodyShape> shape;
-  Pose pose = Pose::Identity();
+  std::shared_ptr<const BodyShape> shape;  ///< not nullptr
+  Pose pose = Pose::Identity();            ///< of the shape
 };
 
+/// Who moves a body, and whom it can meet.
 enum class BodyKind : std::uint8_t {
-  Static,     // does not move by itself; meets only dynamic bodies
-  Kinematic,  // moved by its user, as by rails; meets only dynamic bodies
-  Dynamic     // moved by a solver; meets all
+  Static,     ///< does not move by itself; meets only dynamic bodies
+  Kinematic,  ///< is moved by its user, as by rails; meets only dynamic bodies
+  Dynamic     ///< is moved by a solver; meets all
 };
 
+/// What meeting a body means.
 enum class Role : std::uint8_t {
-  Solid,  // meets as its kind says
-  Sensor  // is told of solid bodies that move: dynamic and kinematic ones, whatever its own kind
-          // is; of no static body and no other sensor. Its pairs have no contacts
+  Solid,  ///< meets other bodies as its kind says
+  Sensor  ///< is told of solid bodies that are dynamic or kinematic, whatever its own kind is, and
+          ///< neither of static bodies nor of other sensors; its pairs have no contacts
 };
 
-/// Who meets whom: two bodies do if each one's category is in the other's mask; of one group other
-/// than 0, if the group is positive whatever the masks say, and if it is negative never.
+/// Who meets whom. Two bodies may meet if each one's category has a bit in the other's mask. Two of
+/// the same group other than 0 may meet if the group is positive, and may not if it is negative,
+/// whatever the masks say.
 struct Filter {
-  std::uint32_t category = 1;
-  std::uint32_t mask = 0xffffffffu;
-  std::int32_t group = 0;
+  std::uint32_t category = 1;        ///< bits: what the body is
+  std::uint32_t mask = 0xffffffffu;  ///< bits: which categories it meets
+  std::int32_t group = 0;            ///< 0: categories and masks decide
 };
 
+/// Whether two bodies with these filters can meet.
 bool lets_pass(const Filter& a, const Filter& b);
 
 }  // namespace graze

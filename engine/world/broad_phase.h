@@ -1,9 +1,9 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/error.h>
 #include <graze/bvh/ray.h>
 #include <graze/engine/world/ids.h>
-#include <graze/bvh/error.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,16 +16,18 @@ namespace graze {
 
 /// What an update did.
 struct BroadPhaseWork {
-  std::uint64_t updates = 0;
-  std::uint64_t searches_for_all = 0;     // updates that looked for all pairs anew
-  std::uint64_t searches_for_movers = 0;  // updates that looked at movers only
-  std::uint64_t sorts = 0;                // times that all boxes were put into a new order
-  std::uint64_t groups_sorted = 0;        // times that up to 256 neighbours were
-  std::uint64_t blocks_met = 0;           // pairs of 16 boxes in the last search for all pairs
+  std::uint64_t updates = 0;              ///< calls of BroadPhase::update()
+  std::uint64_t searches_for_all = 0;     ///< updates that looked for all pairs anew
+  std::uint64_t searches_for_movers = 0;  ///< updates that looked at movers only
+  std::uint64_t sorts = 0;                ///< times that all boxes were put into a new order
+  std::uint64_t groups_sorted = 0;  ///< times that up to 256 neighbours were put into a new order
+  std::uint64_t blocks_met =
+      0;  ///< pairs of blocks of 16 boxes that the last search for all pairs compared
 
   bool operator==(const BroadPhaseWork&) const = default;
 };
 
+/// How a BroadPhase works.
 struct BroadPhaseSettings {
   /// How many threads share an update at most; 0: all that there are, of which 256 are used. No
   /// result depends on it.
@@ -55,6 +57,7 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// that is not const. Const functions may run at the same time.
 class BroadPhase {
  public:
+  /// Without boxes.
   explicit BroadPhase(const BroadPhaseSettings& settings = {});
   ~BroadPhase();
   BroadPhase(BroadPhase&&) noexcept;
@@ -72,9 +75,12 @@ class BroadPhase {
   void remove(BoxId id);
 
   std::size_t size() const;
+  /// Whether the id is of a box that is there.
   bool contains(BoxId id) const;
-  Aabb box(BoxId id) const;             // throws StaleIdError
-  BoxId id(std::uint32_t index) const;  // of the box with this index; throws StaleIdError
+  /// Where it was put last. Throws StaleIdError.
+  Aabb box(BoxId id) const;
+  /// The id of the box with this index. Throws StaleIdError.
+  BoxId id(std::uint32_t index) const;
 
   /// Finds which pairs overlap now.
   void update();
@@ -100,6 +106,7 @@ class BroadPhase {
   /// roughly first. `visit` must not change the boxes. Throws as check_ray() does.
   void visit_along(const Ray& ray, const RayBoxVisitor& visit) const;
 
+  /// What updates have done since the beginning.
   const BroadPhaseWork& work() const;
 
   /// Memory in use, bytes: for the boxes, and for lists of pairs and what finds changes in them,

@@ -14,23 +14,25 @@ namespace graze {
 /// A body of a World, by value. An index is used again when its body is gone; the generation tells
 /// its users apart.
 struct BodyId {
-  std::uint32_t index = 0xffffffffu;
-  std::uint32_t generation = 0;
+  std::uint32_t index = 0xffffffffu;  ///< a small number, which may serve as index of an array; of
+                                      ///< no body as it is here
+  std::uint32_t generation = 0;       ///< tells those apart that had the same index
   friend auto operator<=>(const BodyId&, const BodyId&) = default;
 };
 
 /// Two bodies, the one with the smaller index first.
 struct BodyPair {
-  BodyId a;
-  BodyId b;
+  BodyId a;  ///< with the smaller index
+  BodyId b;  ///< with the larger index
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
 /// A box of a BroadPhase, by value. Indices are small numbers that are used again when a box is
 /// gone; the generation tells its users apart.
 struct BoxId {
-  std::uint32_t index = 0xffffffffu;
-  std::uint32_t generation = 0;
+  std::uint32_t index = 0xffffffffu;  ///< a small number, which may serve as index of an array; of
+                                      ///< no box as it is here
+  std::uint32_t generation = 0;       ///< tells those apart that had the same index
   friend auto operator<=>(const BoxId&, const BoxId&) = default;
 };
 

@@ -16,26 +16,27 @@ namespace graze {
 /// own, the same in every pose. Where the same parts meet in the next step, the feature is the
 /// same, so that a solver can start from what it found before. Unique within a manifold.
 struct ContactFeature {
-  std::uint64_t a;
-  std::uint64_t b;
+  std::uint64_t a;  ///< of A, by a number of its own
+  std::uint64_t b;  ///< of B
   auto operator<=>(const ContactFeature&) const = default;
 };
 
+/// One point in which two shapes meet.
 struct ShapeContact {
   Eigen::Vector3d point;    ///< midway between point_a and point_b, metres, in the world's frame
   Eigen::Vector3d point_a;  ///< on A's surface
   Eigen::Vector3d point_b;  ///< on B's
   Eigen::Vector3d normal;   ///< unit, from A to B
   double depth;             ///< metres, >= 0: how far the two reach past each other here
-  ContactFeature feature;
+  ContactFeature feature;   ///< which parts of the two meet here
 
   bool operator==(const ShapeContact&) const = default;
 };
 
 /// Up to four contacts that stand for all of a pair, the deepest first.
 struct Manifold {
-  std::array<ShapeContact, 4> contacts;
-  std::size_t count = 0;
+  std::array<ShapeContact, 4> contacts;  ///< the first `count`
+  std::size_t count = 0;                 ///< at most 4
 
   std::size_t size() const { return count; }
   bool empty() const { return count == 0; }

@@ -7,8 +7,8 @@ namespace graze {
 
 /// A shape in a pose: a value, as a Shape is.
 struct PlacedShape {
-  Shape shape;
-  Pose pose = Pose::Identity();
+  Shape shape;                   ///< a handle, where it is a hull or a mesh
+  Pose pose = Pose::Identity();  ///< of the shape: it takes points of its frame to the world
 };
 
 /// What queries take: a shape in a pose, made of a PlacedShape or within the call itself, as in
@@ -16,13 +16,14 @@ struct PlacedShape {
 /// everything does that stands within a call; to keep one, keep a PlacedShape.
 struct PlacedShapeView {
   // NOLINTBEGIN(google-explicit-constructor): queries are asked about shapes and placed shapes
+  /// A shape where it is, in a pose, or as a value that is kept.
   PlacedShapeView(const Shape& of_shape);
   PlacedShapeView(const Shape& of_shape, const Pose& in_pose) : shape(of_shape), pose(in_pose) {}
   PlacedShapeView(const PlacedShape& placed) : shape(placed.shape), pose(placed.pose) {}
   // NOLINTEND(google-explicit-constructor)
 
-  const Shape& shape;
-  const Pose& pose;
+  const Shape& shape;  ///< must outlive this
+  const Pose& pose;    ///< must outlive this
 };
 
 }  // namespace graze

@@ -17,24 +17,25 @@ namespace graze {
 
 /// [-half_extents, half_extents].
 struct Box {
-  Eigen::Vector3d half_extents;
+  Eigen::Vector3d half_extents;  ///< metres, along x, y and z
 };
 
 /// The points at most `radius` from the segment between z = -half_length and z = half_length.
 struct Capsule {
-  double radius;
+  double radius;       ///< metres
   double half_length;  ///< 0 is a sphere
 };
 
+/// Between z = -half_height and z = half_height around the z axis.
 struct Cylinder {
-  double radius;
-  double half_height;
+  double radius;       ///< metres
+  double half_height;  ///< metres
 };
 
 /// The apex is at z = half_height, the base, of that radius, at z = -half_height.
 struct Cone {
-  double radius;
-  double half_height;
+  double radius;       ///< of the base, metres
+  double half_height;  ///< metres
 };
 
 /// The points x with normal . x <= offset.
@@ -43,6 +44,7 @@ struct HalfSpace {
   double offset = 0;       ///< for the normal as it is given
 };
 
+/// Which of the types a Shape is, in the order of Shape::Value.
 enum class ShapeKind {
   Sphere,
   Box,
@@ -55,6 +57,7 @@ enum class ShapeKind {
   Mesh
 };
 
+/// All of them, in their order.
 inline constexpr std::array kShapeKinds{
     ShapeKind::Sphere,     ShapeKind::Box,       ShapeKind::Capsule,
     ShapeKind::Cylinder,   ShapeKind::Cone,      ShapeKind::Ellipsoid,
@@ -66,6 +69,7 @@ const char* name_of(ShapeKind kind);
 /// Lengths of shapes are at least the smallest and at most the largest, and so are, at most,
 /// coordinates of their poses: squares and products of six stay within double.
 inline constexpr double kSmallestLength = 1e-100;
+/// The largest: see kSmallestLength.
 inline constexpr double kLargestLength = 1e100;
 
 /// Any shape that a body can have; a value, and cheap to copy: hulls and meshes are handles. The
@@ -73,9 +77,11 @@ inline constexpr double kLargestLength = 1e100;
 /// is not finite, not positive, or beyond the lengths above.
 class Shape {
  public:
+  /// What it can be.
   using Value =
       std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace, Mesh>;
 
+  /// A shape is any of these: each converts to it.
   Shape(const Sphere& sphere);      // NOLINT(google-explicit-constructor): a shape is any of these
   Shape(const Box& box);            // NOLINT(google-explicit-constructor)
   Shape(const Capsule& capsule);    // NOLINT(google-explicit-constructor)
@@ -86,7 +92,9 @@ class Shape {
   Shape(const HalfSpace& half_space);  // NOLINT(google-explicit-constructor)
   Shape(Mesh mesh);                    // NOLINT(google-explicit-constructor)
 
+  /// Which of them it is.
   ShapeKind kind() const { return static_cast<ShapeKind>(value_.index()); }
+  /// The shape itself.
   const Value& value() const { return value_; }
 
   /// The shape as one of the value types, or nullptr if it is another.

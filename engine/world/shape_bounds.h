@@ -18,12 +18,13 @@ Aabb bounding_aabb(const PlacedShapeView& shape);
 /// How far apart two boxes are along the axis along which that is most, metres, rounded down, and
 /// the axis; 0 only if they share a point.
 struct BoxGap {
-  double gap = 0;
-  int axis = 0;
+  double gap = 0;           ///< metres
+  int axis = 0;             ///< 0, 1 or 2: x, y or z
   bool is_a_below = false;  ///< A lies on the negative side
 
   bool operator==(const BoxGap&) const = default;
 };
+/// How far apart two valid boxes are. Nothing is checked.
 BoxGap gap_between(const Aabb& a, const Aabb& b);
 
 /// Throws as bounding_aabb() does; what() begins with `what`.

@@ -47,15 +47,17 @@ enum class PairStatus {
 struct ShapeDistance {
   double distance;          ///< of the two points; 0 if and only if intersects() says so
   double lower_bound;       ///< proved: the true distance is not less. For skipping
-  Eigen::Vector3d point_a;  ///< nearest points; of intersecting shapes one that is in both, but
-  Eigen::Vector3d point_b;  ///< for meshes in which it is near the surface that is met
+  Eigen::Vector3d point_a;  ///< the point of A nearest to B; of intersecting shapes one of both,
+                            ///< which of a mesh is near the surface that is met
+  Eigen::Vector3d point_b;  ///< the point of B nearest to A, or likewise
   Eigen::Vector3d normal;   ///< unit, from A to B; of convex shapes that are apart, the planes at
                             ///< right angles to it that support both are no nearer to each other
                             ///< than lower_bound, but for 2^-46 of the scale
-  PairStatus status;
+  PairStatus status;        ///< whether the distance is known to its tolerance
 
   bool operator==(const ShapeDistance&) const = default;
 };
+
 // Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
 // greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
 // points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh
@@ -90,6 +92,7 @@ template <typename = void>
 ShapeDistance distance(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                        Work* work = nullptr);
 
+/// The share of a scale within which two shapes may come out as touching: see law 11.
 inline constexpr double kTouchTolerance = 0x1p-34;
 
 }  // namespace graze

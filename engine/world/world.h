@@ -1,10 +1,10 @@
 #pragma once
 
+#include <graze/bvh/error.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape_pairs.h>
-#include <graze/bvh/error.h>
 
 #include <cstdint>
 #include <functional>
@@ -15,20 +15,22 @@
 
 namespace graze {
 
+/// What a body is to others. Each can be changed later.
 struct BodySettings {
-  BodyKind kind = BodyKind::Dynamic;
-  Filter filter = {};
-  std::uint64_t user_data = 0;
-  Role role = Role::Solid;
+  BodyKind kind = BodyKind::Dynamic;  ///< who moves it
+  Filter filter = {};                 ///< whom it meets
+  std::uint64_t user_data = 0;        ///< a number that the world keeps and does not read
+  Role role = Role::Solid;            ///< whether it meets others, or is told of them
 };
 
+/// How a World works. What need not be done is left out: each setting that begins with `skip_`
+/// switches one such saving off, which changes no answer, only what it costs.
 struct WorldSettings {
   /// How many threads share the broad phase at most; 0: all that there are. Shapes are asked by the
   /// thread that calls update(). No result depends on it.
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
 
-  // What need not be done is left out. Switching that off changes no answer, only what it costs.
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
   bool skip_unused_trees = true;  ///< a mesh's tree is built where a query first walks it; else
@@ -38,8 +40,8 @@ struct WorldSettings {
 /// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own
 /// that tell of none, touch with an empty manifold.
 struct BodyContact {
-  BodyPair pair;
-  Manifold manifold;  // as find_contacts() says, normals from pair.a to pair.b
+  BodyPair pair;      ///< touches
+  Manifold manifold;  ///< as find_contacts() says, normals from pair.a to pair.b
 
   bool operator==(const BodyContact&) const = default;
 };
@@ -49,13 +51,14 @@ struct WorldWork {
   /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
   /// kind, role or exclusion changed. After that they cost nothing, and are not counted.
   std::uint64_t pairs_filtered = 0;
-  std::uint64_t pairs_at_rest = 0;  // pairs with overlapping boxes in which nothing changed
-  std::uint64_t pairs_asleep = 0;   // pairs in which something changed, but nobody is awake
-  std::uint64_t pairs_apart = 0;    // pairs in which something moved, but less than their gap
-  std::uint64_t shape_tests = 0;
-  std::uint64_t gaps_measured = 0;     // of pairs that were tested
-  std::uint64_t contacts_found = 0;    // pairs whose contacts were asked for
-  std::uint64_t contacts_skipped = 0;  // pairs in `moved` without: nobody asked, or a sensor
+  std::uint64_t pairs_at_rest = 0;  ///< pairs with overlapping boxes in which nothing changed
+  std::uint64_t pairs_asleep = 0;   ///< pairs in which something changed, but neither body is awake
+  std::uint64_t pairs_apart = 0;    ///< pairs in which something moved, but by less than their gap
+  std::uint64_t shape_tests = 0;    ///< pairs that were asked whether they touch
+  std::uint64_t gaps_measured = 0;  ///< gaps of pairs that were tested
+  std::uint64_t contacts_found = 0;  ///< pairs whose contacts were asked for
+  std::uint64_t contacts_skipped =
+      0;  ///< pairs in `moved` without contacts: the settings ask for none, or one is a sensor
 
   /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
   /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
@@ -74,30 +77,33 @@ struct WorldWork {
 /// world's next update() or restore(): a loop that reads them may add, move and remove bodies.
 struct WorldUpdate {
   std::span<const BodyPair> begun;  ///< touch now and did not
-  std::span<const BodyPair> ended;  ///< touched and do not now, or one body is gone or filtered
-  std::span<const BodyPair>
-      moved;  ///< touch now, and one of them moved, came, woke or changed its filter
+  std::span<const BodyPair> ended;  ///< touched and do not now, also because one body is gone, or a
+                                    ///< filter keeps them apart
+  /// Pairs that touch now and of which one body moved, came, woke or changed its filter.
+  std::span<const BodyPair> moved;
   std::span<const BodyContact> contacts;  ///< of the solid pairs in `moved`, if the settings ask
-  WorldWork work;
+  WorldWork work;                         ///< what it did and could leave out
 };
 
+/// Which bodies a query of a world is about.
 struct BodyQuerySettings {
-  std::optional<Filter> filter = {};  // only bodies that lets_pass() lets meet it; else all bodies
-  std::optional<Role> role = {};      // only solid bodies, or only sensors; else both
+  std::optional<Filter> filter =
+      {};                         ///< only bodies that lets_pass() lets meet it; else all bodies
+  std::optional<Role> role = {};  ///< only solid bodies, or only sensors; else both
 };
 
 /// A body and how far it is from a shape: A is the shape that was asked about, B the body's.
 struct BodyDistance {
-  BodyId id;
-  ShapeDistance distance;
+  BodyId id;               ///< of the body
+  ShapeDistance distance;  ///< from the shape to the body
 
   bool operator==(const BodyDistance&) const = default;
 };
 
 /// A body and where a ray meets it first.
 struct BodyRayHit {
-  BodyId id;
-  RayHit hit;
+  BodyId id;   ///< of the body
+  RayHit hit;  ///< where the ray meets it first
 
   bool operator==(const BodyRayHit&) const = default;
 };
@@ -119,6 +125,7 @@ class WorldSnapshot {
 /// movers and the pairs around them do.
 class World {
  public:
+  /// Without bodies.
   explicit World(const WorldSettings& settings = {});
   ~World();
   World(World&&) noexcept;
@@ -128,19 +135,23 @@ class World {
   BodyId add(const PlacedShapeView& shape, const BodySettings& settings = {});
   BodyId add(const PlacedBodyShape& shape, const BodySettings& settings = {});
 
-  /// All of these throw StaleIdError for the id of a body that is gone.
+  /// Takes a body out of the world. This, and all that take the id of one body, throw StaleIdError
+  /// for a body that is gone.
   void remove(BodyId id);
-  void move(BodyId id, const Pose& pose);  // wakes the body
-  /// All or none: what it throws names the element.
+  /// Takes the body to a pose, and wakes it.
+  void move(BodyId id, const Pose& pose);
+  /// The same of many bodies. Moves all or none: an error names the element that is to blame.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
   /// each step. Throws as add() does, and leaves the body as it was.
   void set_shape(BodyId id, const Shape& shape);
   void set_shape(BodyId id, std::shared_ptr<const BodyShape> shape);
 
+  /// These three hold from the next update() on.
   void set_filter(BodyId id, const Filter& filter);
   void set_kind(BodyId id, BodyKind kind);
   void set_role(BodyId id, Role role);
+  /// A number that the world keeps and does not read.
   void set_user_data(BodyId id, std::uint64_t data);
 
   /// A body that comes is awake; what is moved or takes another shape wakes. An update looks at a
@@ -167,20 +178,27 @@ class World {
   /// cannot change the world: what tries to, within an update, throws InputError.
   void set_pair_filter(std::function<bool(BodyId, BodyId)> filter);
 
+  /// Whether the id is of a body that is there.
   bool contains(BodyId id) const;
   std::size_t size() const;
+  /// Where the body was put last.
   const Pose& pose(BodyId id) const;
-  const BodyShape& shape(BodyId id) const;  // until the body is gone or takes another
+  /// What it was added with; valid until the body is gone or takes another.
+  const BodyShape& shape(BodyId id) const;
+  /// As settings or set_kind() said last.
   BodyKind kind(BodyId id) const;
+  /// As settings or set_role() said last.
   Role role(BodyId id) const;
+  /// As settings or set_filter() said last.
   const Filter& filter(BodyId id) const;
+  /// As settings or set_user_data() said last.
   std::uint64_t user_data(BodyId id) const;
+  /// Whether it is awake: see sleep(). Static bodies are not, unless they are sensors.
   bool is_awake(BodyId id) const;
 
   /// Brings all pairs up to date. Where a filter or a shape of a user's own throws, or memory is
-  /// short (std::bad_alloc), so does this;
-  /// the next update then looks at every body as if it had changed, and lists what has begun and
-  /// ended since the last one that came to its end.
+  /// short (std::bad_alloc), so does this; the next update then looks at every body as if it had
+  /// changed, and lists what has begun and ended since the last one that came to its end.
   WorldUpdate update();
 
   /// All pairs that touched at the last update, in ascending order, without bodies that were
@@ -195,30 +213,28 @@ class World {
   /// The bodies whose boxes share a point with `box`, in ascending order.
   std::vector<BodyId> find_in_box(const Aabb& box, const BodyQuerySettings& settings = {}) const;
 
-  // The bodies about a shape that is none of them, as they are now, moves since the last update
-  // included; in ascending order. Throw PoseError, InputError for a clearance that is not finite or
-  // negative, and those that measure UnsupportedPairError if they meet a shape of a user's own.
-
-  /// The bodies that touch it.
+  /// The bodies that touch a shape that is none of them: as they are now, moves since the last
+  /// update included, and in ascending order. Throws PoseError.
   std::vector<BodyId> find_touching(const PlacedShapeView& shape,
                                     const BodyQuerySettings& settings = {}) const;
 
-  /// The bodies whose distance() to it is at most the clearance, metres.
+  /// The bodies whose distance() to such a shape is at most the clearance, metres, likewise. Throws
+  /// PoseError, InputError for a clearance that is not finite or negative, and UnsupportedPairError
+  /// where it has to measure a shape of a user's own.
   std::vector<BodyDistance> find_within(const PlacedShapeView& shape, double clearance,
                                         const BodyQuerySettings& settings = {}) const;
 
   /// The body whose distance() is least, the first of equals; none if the settings ask for none.
+  /// Throws as find_within() does.
   std::optional<BodyDistance> find_closest(const PlacedShapeView& shape,
                                            const BodyQuerySettings& settings = {}) const;
 
-  // What a ray meets, as cast_ray() of a shape says, bodies being as they are now. Throw as
-  // check_ray() does, and UnsupportedPairError if the ray comes near a shape of a user's own that
-  // does not know.
-
-  /// The body that it meets first, of equal distances the one with the smaller id.
+  /// The body that a ray meets first, as cast_ray() of a shape says, bodies being as they are now;
+  /// of equal distances the one with the smaller id. Throws as check_ray() does, and
+  /// UnsupportedPairError if the ray comes near a shape of a user's own that does not know.
   std::optional<BodyRayHit> cast_ray(const Ray& ray, const BodyQuerySettings& settings = {}) const;
 
-  /// Where it first meets each body that it meets, by distance, then by id.
+  /// Where it first meets each body that it meets, by distance, then by id. Throws likewise.
   std::vector<BodyRayHit> cast_ray_all(const Ray& ray,
                                        const BodyQuerySettings& settings = {}) const;
 

@@ -7,8 +7,8 @@ namespace graze {
 /// A closed solid ellipsoid whose axes are the coordinate axes, metres. A semi-axis of 0 makes it
 /// flat.
 struct Ellipsoid {
-  Eigen::Vector3d centre;
-  Eigen::Vector3d semi_axes;
+  Eigen::Vector3d centre;     ///< metres
+  Eigen::Vector3d semi_axes;  ///< along x, y and z; metres, not negative
 
   bool operator==(const Ellipsoid&) const = default;
 };

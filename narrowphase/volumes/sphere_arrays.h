@@ -11,18 +11,18 @@ namespace graze {
 /// Spheres, coordinate by coordinate, metres: element i of each array, all of one length. A view:
 /// the caller keeps the memory.
 struct SphereArray {
-  std::span<const double> x;
-  std::span<const double> y;
-  std::span<const double> z;
-  std::span<const double> radius;
+  std::span<const double> x;       ///< of the centres
+  std::span<const double> y;       ///< of the centres
+  std::span<const double> z;       ///< of the centres
+  std::span<const double> radius;  ///< not negative
 
   std::size_t size() const { return x.size(); }
 };
 
 /// Axis-aligned boxes, likewise; arrays 0, 1, 2 are x, y, z.
 struct AabbArray {
-  std::array<std::span<const double>, 3> min;
-  std::array<std::span<const double>, 3> max;
+  std::array<std::span<const double>, 3> min;  ///< the least x, y and z
+  std::array<std::span<const double>, 3> max;  ///< the greatest
 
   std::size_t size() const { return min[0].size(); }
 };

@@ -26,13 +26,13 @@ namespace narrowphase {
 Decision decide(const Sphere& sphere, const Aabb& box);
 
 // The same by three methods, which differ in speed and in how often rounded arithmetic suffices,
-// never in the answer. All add up, axis by axis, the square of the offset from the centre to the
+// never in the answer. All add up, axis by axis, the square of the distance from the centre to the
 // box.
 
 /// Arvo, "A simple method for box-sphere intersection testing", Graphics Gems, 1990; closed.
 Decision decide_arvo(const Sphere& sphere, const Aabb& box);
 
-/// With rejections as soon as the offset along one axis exceeds the radius: Larsson,
+/// With rejections as soon as the distance along one axis exceeds the radius: Larsson,
 /// Akenine-Möller, Lengyel, "On faster sphere-box overlap testing", Journal of Graphics Tools
 /// 12(1), 2007.
 Decision decide_quick_rejections(const Sphere& sphere, const Aabb& box);

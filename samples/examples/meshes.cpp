@@ -1,0 +1,53 @@
+// Meshes: made from arrays and from matrices, what they consist of, what they form, and deformed.
+
+#include <cmath>
+
+#include "samples/examples/example.h"
+
+using examples::expect;
+
+int main() {
+  const graze::Mesh cube = examples::cube(1);  // from two arrays
+  expect(cube.vertices().size() == 8 && cube.triangles().size() == 12, "a cube has 12 triangles");
+  expect(cube.bounds() == graze::Aabb{{0, 0, 0}, {1, 1, 1}}, "bounds are exact");
+
+  // Matrices of three columns, as libigl and others have them, and back.
+  const Eigen::MatrixXd vertices = 2 * cube.vertex_matrix();
+  const Eigen::MatrixXi triangles = cube.triangle_matrix().cast<int>();
+  const graze::Mesh twice(vertices, triangles);
+  expect(twice.triangle(0).c == 2 * cube.triangle(0).c, "the same cube, twice as large");
+
+  // A copy is a handle to the same data; equal data of its own is another mesh.
+  const graze::Mesh copy = cube;
+  expect(copy == cube && !(twice == cube), "copies are handles");
+
+  // What its triangles form once equal positions are one vertex.
+  const graze::Topology& topology = cube.topology();
+  expect(topology.is_closed && topology.components == 1, "a cube is closed and connected");
+  expect(cube.component_vertices().size() == 1, "one vertex of each component");
+  expect(cube.welded()[7] == 7, "no other vertex is where the last one is");
+  expect(std::abs(graze::signed_volume(cube) - 1) < 1e-12, "it encloses a cubic metre");
+  expect(graze::contains({cube, examples::at(5, 0, 0)}, Eigen::Vector3d(5.5, 0.5, 0.5)),
+         "a point inside the placed cube");
+
+  expect(!graze::self_intersects(cube), "no triangles cross");
+  expect(graze::find_self_pairs(cube).empty(), "so there are no pairs that do");
+  expect(!graze::find_self_pairs(cube, {.kind = graze::SelfPairKind::Neighbour}).empty(),
+         "but neighbours share vertices and edges");
+
+  // Volumes around it, and how well they fit.
+  expect(std::abs(graze::bounding_sphere(cube).radius - std::sqrt(0.75)) < 1e-12,
+         "the smallest ball");
+  expect(graze::volume(graze::bounding_obb(cube)) < 1 + 1e-12, "the smallest box");
+  expect(graze::bounding_kdop(cube).max[3] == 2, "x + y is at most 2");
+  const graze::MeshFit fit = graze::measure_fit(cube);
+  expect(fit.volumes[0].type == graze::Volume::Aabb, "four kinds of volumes, the boxes first");
+  expect(fit.volumes[1].empty_share > 0.6, "most of a ball around a cube is empty");
+
+  // The same triangles with vertices elsewhere: trees are fitted, not built.
+  std::vector<Eigen::Vector3d> higher(cube.vertices().begin(), cube.vertices().end());
+  for (Eigen::Vector3d& vertex : higher)
+    vertex.z() *= 3;
+  const graze::Mesh tower = cube.deformed(higher);
+  expect(std::abs(graze::signed_volume(tower) - 3) < 1e-12, "three times as high");
+}

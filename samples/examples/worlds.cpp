@@ -1,0 +1,79 @@
+// A world: bodies that come, move, sleep and go; which pairs touch; what is near; and back to where
+// it was.
+
+#include "samples/examples/example.h"
+
+using examples::at;
+using examples::expect;
+
+namespace {
+
+const graze::Shape kBall = graze::Sphere{{0, 0, 0}, 0.5};
+
+void pairs_over_time(graze::World& world, graze::BodyId floor, graze::BodyId ball) {
+  world.move(ball, at(0, 0, 0.5));
+  const graze::WorldUpdate update = world.update();
+  expect(update.begun.size() == 1 && update.contacts.size() == 1, "the ball has come to the floor");
+  expect(world.pairs().size() == 1 && world.contacts().size() == 1, "all pairs, all contacts");
+
+  const graze::WorldSnapshot before = world.snapshot();
+  world.move(std::vector{ball}, std::vector{at(0, 0, 3)});  // many at once: all or none
+  expect(world.update().ended.size() == 1, "and has left it");
+  world.restore(before);
+  expect(world.pairs().size() == 1, "there it is again");
+
+  world.exclude(floor, ball);
+  world.update();
+  expect(world.pairs().empty(), "two bodies that never meet");
+  world.include(floor, ball);
+  world.set_pair_filter([](graze::BodyId, graze::BodyId) { return true; });  // asked last
+  world.update();
+  expect(world.pairs().size() == 1, "they may again");
+
+  world.sleep(ball);
+  expect(!world.is_awake(ball), "what sleeps costs nothing");
+  world.wake(ball);
+  expect(world.is_awake(ball), "until it wakes");
+}
+
+void what_a_body_is(graze::World& world, graze::BodyId ball) {
+  world.set_user_data(ball, 7);
+  world.set_filter(ball, {.category = 2});
+  world.set_kind(ball, graze::BodyKind::Kinematic);
+  world.set_role(ball, graze::Role::Sensor);
+  expect(world.user_data(ball) == 7 && world.filter(ball).category == 2, "as it was set");
+  expect(world.kind(ball) == graze::BodyKind::Kinematic, "moved by its user");
+  expect(world.role(ball) == graze::Role::Sensor, "is told, and has no contacts");
+  world.set_kind(ball, graze::BodyKind::Dynamic);
+  world.set_role(ball, graze::Role::Solid);
+  world.set_shape(ball, graze::Box{{0.5, 0.5, 0.5}});
+  expect(world.shape(ball).shape()->kind() == graze::ShapeKind::Box, "it has become a box");
+  expect(world.pose(ball).translation().z() == 0.5, "where it was");
+}
+
+void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) {
+  expect(world.find_in_box({{-1, -1, 0.25}, {1, 1, 1}}) == std::vector{ball}, "whose box is there");
+  expect(world.find_touching({kBall, at(0, 0, 1)}) == std::vector{ball}, "whom a shape touches");
+  expect(world.find_within({kBall, at(0, 0, 4)}, 2.75).size() == 1, "who is within a clearance");
+  expect(world.find_closest({kBall, at(0, 0, 4)})->id == ball, "who is nearest");
+  const graze::Ray down{{0, 0, 4}, {0, 0, -1}};
+  expect(world.cast_ray(down)->id == ball, "whom a ray meets first");
+  const std::vector<graze::BodyRayHit> hits = world.cast_ray_all(down);
+  expect(hits.size() == 2 && hits[1].id == floor, "and behind that");
+}
+
+}  // namespace
+
+int main() {
+  graze::World world({.threads = 1});
+  const graze::BodyId floor =
+      world.add({graze::Box{{5, 5, 0.5}}, at(0, 0, -0.5)}, {.kind = graze::BodyKind::Static});
+  const graze::BodyId ball = world.add({graze::share(kBall), at(0, 0, 3)});
+  world.update();
+  pairs_over_time(world, floor, ball);
+  what_a_body_is(world, ball);
+  world.update();
+  what_is_near(world, floor, ball);
+  world.remove(ball);
+  expect(!world.contains(ball) && world.size() == 1, "it is gone");
+}
