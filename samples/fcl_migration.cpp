@@ -50,8 +50,7 @@ bool ask_meshes(const graze::Mesh& a, const graze::Mesh& b, const graze::Pose& p
   // In FCL, too, a mesh inside another does not collide with it. Closed meshes may be asked as
   // solids.
   if (a.topology().is_closed && b.topology().is_closed) {
-    const bool is_solid_hit =
-        graze::intersects({a}, {b, pose}, {.hit = graze::Hit::Solid});
+    const bool is_solid_hit = graze::intersects({a}, {b, pose}, {.hit = graze::Hit::Solid});
     std::printf("as solids: %s\n", is_solid_hit ? "yes" : "no");
   }
   return is_hit == (gap.distance == 0) && is_hit == !pairs.empty() && is_hit == !contacts.empty();
@@ -69,7 +68,8 @@ void ask_shapes(const graze::Mesh& a, const graze::Pose& pose) {
   // fcl::Capsuled(radius, length), Cylinderd, Coned, Ellipsoidd, Convexd, Halfspaced: any two
   // shapes, or a shape and a mesh. Lengths are halves here, and the axis is z in both.
   const graze::ShapeDistance apart =
-      graze::distance({graze::Capsule{0.001, 0.004}, graze::Pose::Identity()}, {graze::Cone{0.002, 0.003}, graze::Pose(Eigen::Translation3d(0, 0, 0.02))});
+      graze::distance({graze::Capsule{0.001, 0.004}, graze::Pose::Identity()},
+                      {graze::Cone{0.002, 0.003}, graze::Pose(Eigen::Translation3d(0, 0, 0.02))});
   std::printf("capsule and cone: %g m apart\n", apart.distance);
 }
 

@@ -75,7 +75,8 @@ class Simulation {
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/bolt.obj"), "bolt");
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/nut.stl"), "nut");
     bodies_.reserve(static_cast<std::size_t>(options.bodies));
-    world_.add({bin_mesh_, graze::Pose::Identity()}, {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
+    world_.add({bin_mesh_, graze::Pose::Identity()},
+               {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
   }
 
   int run() {

@@ -40,7 +40,8 @@ Case to_case(const PlacedMeshView& a, const CaseShape& volume, const TriangleLis
 Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshDistance& gap);
 Case to_case_within(const PlacedMeshView& a, const PlacedMeshView& b, double clearance, bool says);
 Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshContacts& contacts);
-Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshIntersection& intersection);
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
+             const MeshIntersection& intersection);
 
 /// separating_translation(), without a direction or along one.
 Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const Separation& separation,

@@ -1,5 +1,5 @@
-#include <graze/engine/files/source.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/files/source.h>
 
 #include <utility>
 

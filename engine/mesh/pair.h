@@ -15,8 +15,8 @@ namespace graze {
 /// settings that are none, and with Hit::Solid MeshError, which names the mesh and its number of
 /// boundary edges, for one that is not closed.
 bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work = nullptr);
-bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const QuerySettings& settings,
-                Work* work = nullptr);
+bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                const QuerySettings& settings, Work* work = nullptr);
 
 /// All such pairs, sorted. Throws as intersects() does.
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,

@@ -33,7 +33,8 @@ class PairMemory {
   std::uint64_t still_touching() const;
 
  private:
-  friend PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b);
+  friend PairCache& recall(PairMemory& memory, const PlacedMeshView& mesh_a,
+                           const PlacedMeshView& mesh_b);
 
   std::unique_ptr<PairCache> cache_;
 };
@@ -51,8 +52,9 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
 
 /// distance(), likewise, to the last bit. The settings' hint is looked at where the memory has none
 /// of its own.
-MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
-                      const DistanceSettings& settings = {}, Work* work = nullptr);
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                      PairMemory& memory, const DistanceSettings& settings = {},
+                      Work* work = nullptr);
 
 /// within(), likewise.
 bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,

@@ -26,8 +26,8 @@ bool intersects(const PlacedMeshView& mesh, const Aabb& box, const VolumeQuerySe
                 Work* work = nullptr);
 bool intersects(const PlacedMeshView& mesh, const Obb& box, const VolumeQuerySettings& settings,
                 Work* work = nullptr);
-bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, const VolumeQuerySettings& settings,
-                Work* work = nullptr);
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere,
+                const VolumeQuerySettings& settings, Work* work = nullptr);
 
 /// All such triangles, sorted. Throws as intersects() does.
 TriangleList find_triangles(const PlacedMeshView& mesh, const Aabb& box,

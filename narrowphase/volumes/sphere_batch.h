@@ -18,7 +18,7 @@ void intersects(const Sphere& sphere, const SphereArray& spheres, std::span<std:
 
 /// Pairs: element i of one array against element i of the other.
 void intersects(const SphereArray& spheres_a, const SphereArray& spheres_b,
-              std::span<std::uint8_t> hits);
+                std::span<std::uint8_t> hits);
 
 /// One sphere against each of many boxes.
 void intersects(const Sphere& sphere, const AabbArray& boxes, std::span<std::uint8_t> hits);

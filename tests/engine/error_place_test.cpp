@@ -78,11 +78,15 @@ TEST_F(ErrorPlaces, OfElements) {
   const Mesh box = tests::make_box({1, 1, 1});
   std::vector<Pose> poses(3, Pose::Identity());
   poses[1].matrix()(0, 0) = nan;
-  EXPECT_EQ(place_of<PoseError>([&] { intersects({box}, {box, poses}); }),
+  EXPECT_EQ(place_of<PoseError>([&] {
+              intersects({box}, {box, poses});
+            }),
             (ErrorPlace{.element = "pose", .index = 1}));
   AabbList boxes;
   boxes.add({{0, 0, 0}, {1, 1, 1}});
-  EXPECT_EQ(place_of<InputError>([&] { boxes.add({{1, 0, 0}, {0, 0, 0}}); }),
+  EXPECT_EQ(place_of<InputError>([&] {
+              boxes.add({{1, 0, 0}, {0, 0, 0}});
+            }),
             (ErrorPlace{.element = "box", .index = 1}));
 }
 

@@ -96,15 +96,25 @@ TEST(TouchPolicyMeshes, LimitsHold) {
 }
 
 template <typename Settings>
-concept HasTouch = requires(Settings settings) { settings.touch; };
+concept HasTouch = requires(Settings settings) {
+  settings.touch;
+};
 template <typename Settings>
-concept HasHit = requires(Settings settings) { settings.hit; };
+concept HasHit = requires(Settings settings) {
+  settings.hit;
+};
 template <typename Settings>
-concept HasInterior = requires(Settings settings) { settings.interior; };
+concept HasInterior = requires(Settings settings) {
+  settings.interior;
+};
 template <typename Settings>
-concept HasVolume = requires(Settings settings) { settings.volume; };
+concept HasVolume = requires(Settings settings) {
+  settings.volume;
+};
 template <typename Settings>
-concept HasWideVolume = requires(Settings settings) { settings.volume = PairVolume::WideObb; };
+concept HasWideVolume = requires(Settings settings) {
+  settings.volume = PairVolume::WideObb;
+};
 
 // What a query would have to ignore or refuse does not compile.
 static_assert(HasHit<QuerySettings> && HasWideVolume<QuerySettings>);

@@ -1,5 +1,5 @@
-// The programs of README.md and of samples/tour.md, word for word as they stand there, between what they take for granted
-// and what must have come of them.
+// The programs of README.md and of samples/tour.md, word for word as they stand there, between what
+// they take for granted and what must have come of them.
 
 #include <graze/graze.h>
 #include <gtest/gtest.h>

@@ -11,9 +11,9 @@ namespace {
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       if (!std::isfinite(points[i].data()[k])) {
-        throw InputError("point " + std::to_string(i) + ": coordinate " + "xyz"[k] +
-                             " is not finite",
-                         {.element = "point", .index = i});
+        throw InputError(
+            "point " + std::to_string(i) + ": coordinate " + "xyz"[k] + " is not finite",
+            {.element = "point", .index = i});
       }
     }
   }

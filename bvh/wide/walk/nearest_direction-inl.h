@@ -135,8 +135,8 @@ HWY_INLINE void consider_edges(Shortest& shortest, const TriangleEdges& tested, 
 
 /// A corner above or below a triangle; `to_corner` leads there from each corner of the triangle.
 /// `sign` is 1 if the triangle is the tested primitive, and -1 if it is the query's.
-HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle, const Vectors& normal,
-                              const Vectors (&to_corner)[3], float sign) {
+HWY_INLINE void consider_face(Shortest& shortest, const TriangleEdges& triangle,
+                              const Vectors& normal, const Vectors (&to_corner)[3], float sign) {
   const ManyTag tag;
   const Many zero = hn::Zero(tag);
   auto is_within = hn::Ge(dot(cross(normal, triangle.edge[0]), to_corner[0]), zero);
@@ -159,9 +159,9 @@ HWY_INLINE void set_bounds(float (&bounds)[NearPairs::kMost], const NearPairs& p
   const ManyTag tag;
   for (std::size_t part = 0; part < pairs.count; part += hn::Lanes(tag)) {
     const Vectors p[3] = {corner_in(pairs.tested[0], part), corner_in(pairs.tested[1], part),
-                      corner_in(pairs.tested[2], part)};
+                          corner_in(pairs.tested[2], part)};
     const Vectors q[3] = {corner_in(pairs.query[0], part), corner_in(pairs.query[1], part),
-                      corner_in(pairs.query[2], part)};
+                          corner_in(pairs.query[2], part)};
     const TriangleEdges tested(p[0], p[1], p[2]);
     const TriangleEdges query(q[0], q[1], q[2]);
     const Vectors tested_normal = cross(tested.edge[0], tested.edge[1]);

@@ -25,9 +25,9 @@ std::string JsonCursor::pointer() const {
 
 void JsonCursor::fail(const std::string& why) const {
   const std::string place = pointer();
-  throw CaseError(file_ + ":" + std::to_string(value_.line) + ": " +
-                      (place.empty() ? "" : place + ": ") + why,
-                  {.file = std::string(file_), .line = value_.line, .element = place});
+  throw CaseError(
+      file_ + ":" + std::to_string(value_.line) + ": " + (place.empty() ? "" : place + ": ") + why,
+      {.file = std::string(file_), .line = value_.line, .element = place});
 }
 
 void JsonCursor::require(JsonKind kind) const {

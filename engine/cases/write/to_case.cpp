@@ -44,7 +44,8 @@ CaseAnswer says_so(bool is_so) {
 
 }  // namespace
 
-Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, bool says, const QuerySettings& settings) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, bool says,
+             const QuerySettings& settings) {
   return make_case(Ask::Any, CaseMesh(a), CaseMesh(b), says_so(says), settings_of(settings));
 }
 
@@ -88,7 +89,8 @@ Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshContact
   return make_case(Ask::Contacts, CaseMesh(a), CaseMesh(b), answer_of(contacts));
 }
 
-Case to_case(const PlacedMeshView& a, const PlacedMeshView& b, const MeshIntersection& intersection) {
+Case to_case(const PlacedMeshView& a, const PlacedMeshView& b,
+             const MeshIntersection& intersection) {
   return make_case(Ask::Intersection, CaseMesh(a), CaseMesh(b), answer_of(intersection));
 }
 

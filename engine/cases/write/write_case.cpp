@@ -1,5 +1,5 @@
-#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cases/write_case.h>

@@ -46,7 +46,8 @@ std::optional<Eigen::Vector3d> direction_between(const Case& query) {
   const std::optional<compare::BodyCase> bodies = compare::as_bodies(query);
   if (!bodies) return std::nullopt;
   try {
-    return unit(distance({bodies->a.shape, bodies->a.pose}, {bodies->b.shape, bodies->b.pose}).normal);
+    return unit(
+        distance({bodies->a.shape, bodies->a.pose}, {bodies->b.shape, bodies->b.pose}).normal);
   } catch (const Error&) {
     return std::nullopt;
   }

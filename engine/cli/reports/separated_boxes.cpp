@@ -119,8 +119,8 @@ BoxAxis widest_axis(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b) 
                      PlacedBox{mesh_b.mesh.bounds(), mesh_b.pose});
 }
 
-std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                              TrianglePair pair) {
+std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a,
+                                              const PlacedMeshView& mesh_b, TrianglePair pair) {
   DescentPath a(mesh_a, pair.a);
   DescentPath b(mesh_b, pair.b);
   for (;;) {

@@ -28,7 +28,7 @@ struct SeparatedBoxes {
 /// The first boxes that are apart on the way from the roots down to the pair, the larger opened
 /// first; none if those of its leaves overlap. In double, for people to read: a query's own boxes
 /// are wider by its slack (law 5), and those of wide trees are others.
-std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                              TrianglePair pair);
+std::optional<SeparatedBoxes> separated_boxes(const PlacedMeshView& mesh_a,
+                                              const PlacedMeshView& mesh_b, TrianglePair pair);
 
 }  // namespace graze::cli

@@ -1,9 +1,9 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/job_key.h>
 #include <graze/engine/files/source.h>
-#include <graze/bvh/error.h>
 
 #include <fstream>
 #include <iterator>

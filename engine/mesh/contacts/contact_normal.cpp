@@ -188,8 +188,8 @@ class RegionNormal {
 }  // namespace
 
 Eigen::Vector3d contact_normal(const CellComplex& complex, const std::vector<CurveSteps>& curves,
-                               const Region& region, const PlacedMeshView& a, const PlacedMeshView& b,
-                               const SweepUnits& units) {
+                               const Region& region, const PlacedMeshView& a,
+                               const PlacedMeshView& b, const SweepUnits& units) {
   const RegionNormal normal(complex, curves, region, units);
   if (const auto by_area = normal.by_area()) return *by_area;
   if (const auto by_faces = normal.by_faces()) return *by_faces;

@@ -16,7 +16,7 @@ namespace graze::contacts {
 ///    by coordinates to the other, along x.
 /// Swapping A and B turns it round bit for bit, unless the meshes are alike in all they are.
 Eigen::Vector3d contact_normal(const CellComplex& complex, const std::vector<CurveSteps>& curves,
-                               const Region& region, const PlacedMeshView& a, const PlacedMeshView& b,
-                               const SweepUnits& units);
+                               const Region& region, const PlacedMeshView& a,
+                               const PlacedMeshView& b, const SweepUnits& units);
 
 }  // namespace graze::contacts

@@ -210,7 +210,8 @@ void join_cells(const Pieces& found, std::span<const std::uint32_t> numbers, Cel
 
 }  // namespace
 
-CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume, Work* work) {
+CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume,
+                            Work* work) {
   const TrianglePairs pairs = find_triangle_pairs(a, b, {.volume = volume}, work);
   CellComplex complex{corners_of(a, pairs, &TrianglePair::a),
                       corners_of(b, pairs, &TrianglePair::b),

@@ -48,6 +48,7 @@ struct CellComplex {
   }
 };
 
-CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume, Work* work);
+CellComplex intersect_cells(const PlacedMeshView& a, const PlacedMeshView& b, PairVolume volume,
+                            Work* work);
 
 }  // namespace graze::contacts

@@ -60,7 +60,8 @@ Obb bounding_obb(const Mesh& mesh) {
 }
 
 KDop<18> bounding_kdop(const Mesh& mesh) {
-  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return bounding_kdop(used_vertices(mesh)); });
+  return bvh::in_standard_arithmetic(
+      [&]() -> KDop<18> { return bounding_kdop(used_vertices(mesh)); });
 }
 
 double signed_volume(const Mesh& mesh) {

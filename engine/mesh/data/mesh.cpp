@@ -34,7 +34,7 @@ std::vector<TriangleIndices> checked_triangles(std::span<const Indices> triangle
       const auto index = triangles[i][k];
       if (std::cmp_less(index, 0) || std::cmp_greater_equal(index, vertex_count)) {
         throw MeshError("triangle " + std::to_string(i) + ": index " + std::to_string(index) +
-                        " is out of range, there are " + std::to_string(vertex_count) +
+                            " is out of range, there are " + std::to_string(vertex_count) +
                             " vertices",
                         {.element = "triangle", .index = i});
       }

@@ -68,9 +68,8 @@ const bvh::Tree& tree_of(const Mesh& mesh, Work* work) {
       const std::shared_ptr<const AgedTree> older = data.older_tree.get();
       tbb::this_task_arena::isolate([&] {
         data.tree = std::make_shared<const AgedTree>(
-            older != nullptr
-                ? refitted(*older, data.vertices, data.triangles, data.bounds, work)
-                : AgedTree{tree_over(data.vertices, data.triangles, data.bounds), {}});
+            older != nullptr ? refitted(*older, data.vertices, data.triangles, data.bounds, work)
+                             : AgedTree{tree_over(data.vertices, data.triangles, data.bounds), {}});
       });
       data.is_tree_made.store(true, std::memory_order_release);
       data.older_tree.set(nullptr);

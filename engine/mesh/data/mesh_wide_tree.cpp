@@ -88,8 +88,8 @@ const bvh::WideTree& wide_tree_of(const Mesh& mesh, Work* work) {
       // Isolated, as the building of the tree is.
       tbb::this_task_arena::isolate([&] {
         data.wide = older != nullptr
-                          ? std::make_unique<bvh::WideTree>(data.bounds, *data.corners, *older)
-                          : std::make_unique<bvh::WideTree>(data.bounds, *data.corners);
+                        ? std::make_unique<bvh::WideTree>(data.bounds, *data.corners, *older)
+                        : std::make_unique<bvh::WideTree>(data.bounds, *data.corners);
       });
       data.is_wide_made.store(true, std::memory_order_release);
       data.older_wide.set(nullptr);

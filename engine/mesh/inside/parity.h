@@ -21,7 +21,8 @@ bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Wor
 
 /// Whether the moved point is enclosed by the placed triangles of a closed mesh (law 1), wherever
 /// it lies. Exact. Placing keeps a mesh closed: equal vertices are placed alike.
-bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work);
+bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point,
+                             Work& work);
 
 /// Whether the moved origin of the box's frame is enclosed by the triangles that law 3 takes into
 /// that frame. Exact. No vertex may overflow on its way.

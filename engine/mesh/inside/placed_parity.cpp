@@ -98,7 +98,8 @@ bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, TriangleAt
 
 }  // namespace
 
-bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work) {
+bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point,
+                             Work& work) {
   const Aabb bounds = placed_bounds(placed);
   if (!is_within(bounds, point)) return false;
   const Way way = way_out(bounds, point);

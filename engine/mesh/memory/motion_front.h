@@ -64,9 +64,9 @@ class MotionFront {
   bvh::WideFront front_;
   bool is_live_ = false;
   bvh::WideFront::MotionBound motion_;  ///< since the front was begun
-  int passes_ = 0;                 ///< updates since the front was begun
-  std::size_t first_size_ = 0;     ///< of the front, after the first update
-  int pause_ = 0;                  ///< queries until a front may be begun
+  int passes_ = 0;                      ///< updates since the front was begun
+  std::size_t first_size_ = 0;          ///< of the front, after the first update
+  int pause_ = 0;                       ///< queries until a front may be begun
   int next_pause_ = 1;
   FrontWorth worth_;
   LookAhead look_ahead_;

@@ -50,7 +50,8 @@ namespace {
 /// A query of two meshes of which it is not known that they are apart.
 class MeetingQuery {
  public:
-  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache, Touch touch, Work& work)
+  MeetingQuery(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache, Touch touch,
+               Work& work)
       : query_(a, b, cache.deviation_a(), cache.deviation_b(), work),
         cache_(cache),
         touch_(touch),
@@ -167,13 +168,15 @@ HWY_NOINLINE bool do_surfaces_meet(const PlacedMeshView& mesh_a, const PlacedMes
   return count > 0;
 }
 
-HWY_NOINLINE bool is_one_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work) {
+HWY_NOINLINE bool is_one_inside(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                Work* work) {
   CountedWork counted(work);
   return is_either_inside(mesh_a, mesh_b, counted.work());
 }
 
 HWY_NOINLINE TrianglePairs find_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                      PairCache& cache, const MemoryPairSettings& settings, Work* work) {
+                                      PairCache& cache, const MemoryPairSettings& settings,
+                                      Work* work) {
   CountedWork counted(work);
   TrianglePairs found;
   MeetingQuery query(mesh_a, mesh_b, cache, settings.touch, counted.work());
@@ -220,7 +223,8 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Pair
 }
 
 TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                                  PairMemory& memory, const MemoryPairSettings& settings, Work* work) {
+                                  PairMemory& memory, const MemoryPairSettings& settings,
+                                  Work* work) {
   return bvh::in_standard_arithmetic([&]() -> TrianglePairs {
     narrowphase::check_touch(settings.touch);
     check_threads(settings.threads);

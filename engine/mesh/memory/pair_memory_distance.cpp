@@ -143,8 +143,8 @@ MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache&
 
 }  // namespace
 
-MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, PairMemory& memory,
-                      const DistanceSettings& settings, Work* work) {
+MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                      PairMemory& memory, const DistanceSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> MeshDistance {
     CountedWork counted(work);
     check_hint(settings, mesh_a.mesh, mesh_b.mesh);

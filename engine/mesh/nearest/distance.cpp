@@ -118,7 +118,7 @@ void check_hint(const DistanceSettings& settings, const Mesh& a, const Mesh& b) 
   const auto check = [](std::uint32_t index, std::size_t count, const char* name) {
     if (index < count) return;
     throw InputError(std::string("hint: triangle ") + std::to_string(index) + " of mesh " + name +
-                     ", which has " + std::to_string(count),
+                         ", which has " + std::to_string(count),
                      {.element = "triangle", .index = index});
   };
   check(settings.hint->a, a.triangles().size(), "A");

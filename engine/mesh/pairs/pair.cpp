@@ -63,8 +63,8 @@ bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work
   return intersects(mesh_a, mesh_b, QuerySettings{}, work);
 }
 
-bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const QuerySettings& settings,
-                Work* work) {
+bool intersects(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                const QuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_hit(settings.hit);
     const bool is_solid = settings.hit == Hit::Solid;

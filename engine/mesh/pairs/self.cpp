@@ -98,8 +98,7 @@ bvh::RelativeFrame own_frame() {
 /// Calls `use(separation)` for a tree with itself. Boxes in one frame are compared as they are.
 template <typename Use>
 void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
-  if (volume == Volume::Aabb)
-    return use(bvh::NodeOverlap(volumes.nodes, volumes.nodes));
+  if (volume == Volume::Aabb) return use(bvh::NodeOverlap(volumes.nodes, volumes.nodes));
   with_separation(volume, own_frame(), volumes, volumes, use);
 }
 

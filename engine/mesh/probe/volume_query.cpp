@@ -165,8 +165,8 @@ bool is_inside(const FramedVolume& asked, const PlacedMeshView& mesh, Work& work
   }
 }
 
-bool meets_any(const PlacedMeshView& mesh, const FramedVolume& asked, const VolumeQuerySettings& settings,
-               Work* work) {
+bool meets_any(const PlacedMeshView& mesh, const FramedVolume& asked,
+               const VolumeQuerySettings& settings, Work* work) {
   check_interior(settings.interior);
   if (settings.interior == Interior::Solid) check_closed(mesh.mesh, "the mesh");
   CountedWork counted(work);
@@ -210,13 +210,14 @@ bool intersects(const PlacedMeshView& mesh, const Aabb& box, const VolumeQuerySe
       [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
-bool intersects(const PlacedMeshView& mesh, const Obb& box, const VolumeQuerySettings& settings, Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Obb& box, const VolumeQuerySettings& settings,
+                Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(box), settings, work); });
 }
 
-bool intersects(const PlacedMeshView& mesh, const Sphere& sphere, const VolumeQuerySettings& settings,
-                Work* work) {
+bool intersects(const PlacedMeshView& mesh, const Sphere& sphere,
+                const VolumeQuerySettings& settings, Work* work) {
   return bvh::in_standard_arithmetic(
       [&]() -> bool { return meets_any(mesh, framed(sphere), settings, work); });
 }

@@ -29,8 +29,8 @@ void check_poses(const PlacedMeshView& a, const MeshInPoses& b) {
 
 /// Fills `answers`, one for each pose, by `ask(placed B, work)`.
 template <typename Answer, typename Ask>
-void answer_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettings& batch, Work* total,
-                std::vector<Answer>& answers, Ask&& ask) {
+void answer_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettings& batch,
+                Work* total, std::vector<Answer>& answers, Ask&& ask) {
   check_threads(batch.threads);
   check_poses(a, b);
   answers.resize(b.poses.size());
@@ -62,7 +62,8 @@ std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& me
   });
 }
 
-std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
+std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a,
+                                               const MeshInPoses& mesh_b,
                                                const PairSettings& settings,
                                                const BatchSettings& batch, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<TrianglePairs> {
@@ -79,8 +80,9 @@ std::vector<MeshDistance> distance(const PlacedMeshView& mesh_a, const MeshInPos
                                    Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<MeshDistance> {
     std::vector<MeshDistance> answers;
-    answer_all(mesh_a, mesh_b, batch, work, answers,
-               [&](const PlacedMeshView& b, Work& own) { return distance(mesh_a, b, settings, &own); });
+    answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMeshView& b, Work& own) {
+      return distance(mesh_a, b, settings, &own);
+    });
     return answers;
   });
 }

@@ -26,8 +26,8 @@ class OpenedTree {
   };
   enum class Side { A, B };
 
-  OpenedTree(Side side, const PlacedMeshView& placed, const SweptNodes& swept, const SweepUnits& units,
-             Work& work)
+  OpenedTree(Side side, const PlacedMeshView& placed, const SweptNodes& swept,
+             const SweepUnits& units, Work& work)
       : side_(side),
         placed_(placed),
         tree_(tree_of(placed.mesh, &work)),
@@ -168,8 +168,8 @@ Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction) {
   return {x / length, y / length, z / length};
 }
 
-double last_contact(const PlacedMeshView& a, const PlacedMeshView& b, const Eigen::Vector3d& direction,
-                    double limit, Work& work) {
+double last_contact(const PlacedMeshView& a, const PlacedMeshView& b,
+                    const Eigen::Vector3d& direction, double limit, Work& work) {
   const SweepUnits units(a, b);
   const double d[3] = {direction.data()[0], direction.data()[1], direction.data()[2]};
   tree_of(a.mesh, &work), tree_of(b.mesh, &work);

@@ -11,7 +11,7 @@ Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction);
 
 /// The largest translation of B along the unit vector, metres, at which the meshes can still meet;
 /// 0 if there is none. If it is `limit` or more, any value that is. Both must be placed soundly.
-double last_contact(const PlacedMeshView& a, const PlacedMeshView& b, const Eigen::Vector3d& direction,
-                    double limit, Work& work);
+double last_contact(const PlacedMeshView& a, const PlacedMeshView& b,
+                    const Eigen::Vector3d& direction, double limit, Work& work);
 
 }  // namespace graze::contacts

@@ -24,8 +24,8 @@ Separation separation_of(double distance, const Eigen::Vector3d& direction, cons
 
 /// The exact test has the last word: the bound covers all rounding, but is not trusted. Steps
 /// double, so that they end even where the first vanish in the pose's translation.
-Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b, const Eigen::Vector3d& direction,
-                       double distance, Work& work) {
+Separation end_contact(const PlacedMeshView& a, const PlacedMeshView& b,
+                       const Eigen::Vector3d& direction, double distance, Work& work) {
   Separation separation = separation_of(distance, direction, b.pose);
   double step = 0x1p-48 * distance + std::numeric_limits<double>::denorm_min();
   for (; intersects(a, {b.mesh, separation.pose_b}, &work); step *= 2) {
@@ -39,7 +39,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kTriedContacts = 4;
 
 /// Directions, each of which is tried both ways.
-std::vector<Eigen::Vector3d> candidates(const PlacedMeshView& a, const PlacedMeshView& b, Work& work) {
+std::vector<Eigen::Vector3d> candidates(const PlacedMeshView& a, const PlacedMeshView& b,
+                                        Work& work) {
   std::vector<Eigen::Vector3d> directions;
   for (const MeshContact& contact : find_contacts(a, b, {.limit = kTriedContacts}, &work))
     directions.push_back(contact.normal);
@@ -70,7 +71,8 @@ Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMesh
   });
 }
 
-Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Work* work) {
+Separation separating_translation(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                                  Work* work) {
   return bvh::in_standard_arithmetic([&]() -> Separation {
     CountedWork counted(work);
     if (!intersects(mesh_a, mesh_b, &counted.work()))

@@ -21,7 +21,6 @@
 namespace graze {
 namespace {
 
-
 /// Blocks for threads to share: this many if the surface were everywhere, but none so small that
 /// handing it over would show.
 constexpr std::uint64_t kTaskCount = 16384;

@@ -1,8 +1,8 @@
+#include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/files/file_error.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
-#include <graze/bvh/error.h>
 #include <graze/engine/mesh/voxel/voxel_corners.h>
 #include <graze/engine/mesh/voxel/voxel_format.h>
 #include <graze/engine/mesh/write_voxels.h>

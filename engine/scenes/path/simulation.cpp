@@ -31,7 +31,8 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
       shapes.push_back(share(shape.shape));
     ids_.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) {
-      ids_.push_back(world_.add({shapes[body.shape], pose_at(body, 0)}, {.kind = body.kind, .filter = body.filter}));
+      ids_.push_back(world_.add({shapes[body.shape], pose_at(body, 0)},
+                                {.kind = body.kind, .filter = body.filter}));
     }
     for (const ScenePair& exclusion : scene.exclusions)
       world_.exclude(ids_[exclusion.a], ids_[exclusion.b]);

@@ -1,5 +1,5 @@
-#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/scenes/read/scene_parts.h>

@@ -39,8 +39,8 @@ bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
 
 }  // namespace
 
-void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                         Work& work) {
+void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
+                         ContactCandidates& candidates, Work& work) {
   if (b.shape.kind() == ShapeKind::Sphere && candidates_of_spheres(a, b, candidates)) return;
   candidates.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, candidates.origin);
@@ -54,8 +54,8 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Con
 }
 
 // The axes along which they part mostly tell for sure whether they touch.
-void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                         Work& work) {
+void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
+                         ContactCandidates& candidates, Work& work) {
   using narrowphase::Verdict;
   candidates.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, candidates.origin);

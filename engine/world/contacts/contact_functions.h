@@ -28,11 +28,11 @@ struct ContactCandidates {
   }
 };
 
-void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                         Work& work);
+void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
+                         ContactCandidates& candidates, Work& work);
 /// Two boxes, which need not touch: no contacts then.
-void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                         Work& work);
+void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
+                         ContactCandidates& candidates, Work& work);
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates);
 void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b,
@@ -43,8 +43,8 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
 void candidates_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b,
                                ContactCandidates& candidates, Work& work);
 /// Two meshes, likewise.
-void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                          Work& work);
+void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b,
+                          ContactCandidates& candidates, Work& work);
 /// Likewise, where triangles go through each other. False if that does not tell.
 bool candidates_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b,
                              ContactCandidates& candidates, Work& work);

@@ -14,8 +14,8 @@ using enum PairMethod;
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
-void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                         Work& work) {
+void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
+                         ContactCandidates& candidates, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case ExactSpheres:
     case ExactSphereBox:

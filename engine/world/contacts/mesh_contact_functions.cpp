@@ -240,8 +240,8 @@ void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b
 namespace {
 
 /// Of meshes that touch in planes, along lines or in points: by their exact intersection.
-void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                          Work& work) {
+void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
+                          ContactCandidates& candidates, Work& work) {
   const PlacedMeshView mesh_a{*a.shape.as<Mesh>(), a.pose};
   const PlacedMeshView mesh_b{*b.shape.as<Mesh>(), b.pose};
   candidates.origin = middle_of(a.shape, a.pose);
@@ -267,8 +267,8 @@ void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b, Co
 
 }  // namespace
 
-void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b, ContactCandidates& candidates,
-                          Work& work) {
+void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b,
+                          ContactCandidates& candidates, Work& work) {
   if (!candidates_of_crossings(a, b, candidates, work))
     candidates_of_pieces(a, b, candidates, work);
 }

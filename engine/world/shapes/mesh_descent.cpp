@@ -40,8 +40,8 @@ Extent extent_along(const Core& core, const Vec3& axis) {
 // rounding, 8 u of all coordinates in between. The set's box there comes from its extent along
 // R's columns, off by 20 u of the pair's scale, and by 2 dev of the radius for columns that are not
 // quite of length 1. The slack, 8 dev + 2^-45 of the sum of all, covers both.
-MeshDescent::MeshDescent(const PlacedMeshView& mesh, const Core& core, const Eigen::Vector3d& origin,
-                         Work& work)
+MeshDescent::MeshDescent(const PlacedMeshView& mesh, const Core& core,
+                         const Eigen::Vector3d& origin, Work& work)
     : mesh_(mesh),
       origin_(origin),
       tree_(tree_of(mesh.mesh, &work)),

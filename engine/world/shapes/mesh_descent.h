@@ -20,8 +20,8 @@ class MeshDescent {
  public:
   /// `origin` is that of the core's frame. The mesh must outlive it. Builds the mesh's tree if it
   /// is not there yet.
-  MeshDescent(const PlacedMeshView& mesh, const narrowphase::Core& core, const Eigen::Vector3d& origin,
-              Work& work);
+  MeshDescent(const PlacedMeshView& mesh, const narrowphase::Core& core,
+              const Eigen::Vector3d& origin, Work& work);
 
   /// Calls `on_triangle(index)` for the triangles in leaves whose boxes meet the set's, until it
   /// answers Stop.

@@ -27,7 +27,8 @@ bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Wor
   return is_hit;
 }
 
-ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
+                                    Work& work) {
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, origin);

@@ -76,8 +76,8 @@ ShapeDistance distance_of_spheres(const PlacedShapeView& a, const PlacedShapeVie
 
 // What the exact test reads is the centre in the box's frame, rounded once (law 3). What that
 // leaves of the distance is not proved of the box as its pose places it, so the bound stays 0.
-ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
-                                         Work& work) {
+ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b,
+                                         bool is_hit, Work& work) {
   ShapeDistance found = distance_of_cores(a, b, work);
   if (is_hit || found.distance > 0) return agreeing(found, is_hit);
   const double radius = a.shape.as<Sphere>()->radius;

@@ -14,8 +14,8 @@ ShapeDistance distance_of_cores(const PlacedShapeView& a, const PlacedShapeView&
 /// What it finds apart has a distance above 0, and as right a one as the kinds allow.
 ShapeDistance distance_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                   Work& work);
-ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
-                                         Work& work);
+ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedShapeView& b,
+                                         bool is_hit, Work& work);
 ShapeDistance distance_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                 Work& work);
 
@@ -30,7 +30,8 @@ ShapeDistance distance_of_planes(const PlacedShapeView& a, const PlacedShapeView
 
 /// B is the mesh; A a half-space, or a convex shape.
 bool intersect_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
-ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                                     Work& work);
 bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 

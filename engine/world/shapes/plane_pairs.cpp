@@ -183,7 +183,8 @@ bool intersect_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Wo
   return !(height.height - height.slack > 0);
 }
 
-ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                                     Work& work) {
   const double never = -std::numeric_limits<double>::infinity();
   const MeshSituation s = mesh_beside_plane(a, b, never, work);
   return mirrored(distance_above(s.height, s.plane, s.origin));

@@ -36,7 +36,8 @@ std::optional<RayHit> cast_ray(const PlacedShapeView& placed, const Ray& ray, Wo
     check_ray(ray, "ray");
     const auto& [shape, pose] = placed;
     check_pose(pose, "pose");
-    if (const auto* mesh = shape.as<Mesh>()) return cast_ray(PlacedMeshView{*mesh, pose}, ray, work);
+    if (const auto* mesh = shape.as<Mesh>())
+      return cast_ray(PlacedMeshView{*mesh, pose}, ray, work);
     const Vec3 direction = unit_direction(ray);
     std::optional<CoreRayHit> found;
     if (const auto* half_space = shape.as<HalfSpace>()) {

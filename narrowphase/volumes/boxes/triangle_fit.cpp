@@ -67,7 +67,8 @@ Eigen::Matrix3d surface_covariance(const bvh::LocalPoints& corners) {
 }  // namespace
 
 Aabb bounding_aabb(std::span<const Triangle> triangles) {
-  return bvh::in_standard_arithmetic([&]() -> Aabb { return bounding_aabb(corners_of(triangles)); });
+  return bvh::in_standard_arithmetic(
+      [&]() -> Aabb { return bounding_aabb(corners_of(triangles)); });
 }
 
 Sphere ritter_sphere(std::span<const Triangle> triangles) {
@@ -81,7 +82,8 @@ Sphere bounding_sphere(std::span<const Triangle> triangles) {
 }
 
 KDop<18> bounding_kdop(std::span<const Triangle> triangles) {
-  return bvh::in_standard_arithmetic([&]() -> KDop<18> { return bounding_kdop(corners_of(triangles)); });
+  return bvh::in_standard_arithmetic(
+      [&]() -> KDop<18> { return bounding_kdop(corners_of(triangles)); });
 }
 
 Obb ditetrahedron_box(std::span<const Triangle> triangles) {

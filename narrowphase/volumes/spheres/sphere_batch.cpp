@@ -85,7 +85,7 @@ void intersects(const Sphere& sphere, const SphereArray& spheres, std::span<std:
 }
 
 void intersects(const SphereArray& spheres_a, const SphereArray& spheres_b,
-              std::span<std::uint8_t> hits) {
+                std::span<std::uint8_t> hits) {
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_lengths(spheres_a, "spheres a");
     narrowphase::check_lengths(spheres_b, "spheres b");

@@ -68,7 +68,7 @@ class SpheresInArrays final : public Contestant<SpherePair> {
   }
   void answer(std::size_t first, std::span<Answer> answers) override {
     intersects(part_of(a_, first, answers.size()), part_of(b_, first, answers.size()),
-             as_hits(answers));
+               as_hits(answers));
   }
 
  private:

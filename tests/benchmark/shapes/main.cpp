@@ -79,12 +79,15 @@ void report(ShapeKind kind_a, ShapeKind kind_b, RandomSource& source) {
   const auto fcl_time = [&](auto&& ask) {
     return time_of(kPairs, [&](std::size_t i) { return static_cast<double>(ask(of_fcl[i])); });
   };
-  const double yes =
-      graze_time([](const Placed& p) { return intersects({p.a, p.pose_a}, {p.b, p.pose_b}); });
-  const double contacts = graze_time(
-      [](const Placed& p) { return find_contacts({p.a, p.pose_a}, {p.b, p.pose_b}).size(); });
-  const double apart =
-      graze_time([](const Placed& p) { return distance({p.a, p.pose_a}, {p.b, p.pose_b}).distance; });
+  const double yes = graze_time([](const Placed& p) {
+    return intersects({p.a, p.pose_a}, {p.b, p.pose_b});
+  });
+  const double contacts = graze_time([](const Placed& p) {
+    return find_contacts({p.a, p.pose_a}, {p.b, p.pose_b}).size();
+  });
+  const double apart = graze_time([](const Placed& p) {
+    return distance({p.a, p.pose_a}, {p.b, p.pose_b}).distance;
+  });
   const double fcl_yes = fcl_time([](const tests::FclPair& p) { return p.intersects(); });
   const double fcl_contacts = fcl_time([](const tests::FclPair& p) { return p.contacts().is_hit; });
   const bool has_distance = kind_b != ShapeKind::HalfSpace && kind_b != ShapeKind::Mesh;

@@ -73,9 +73,7 @@ Json to_json(const QueryMeasure& measure, std::size_t poses) {
   pairs["microseconds"] = measure.pairs_microseconds;
   pairs["hits"] = static_cast<double>(measure.hits) / count;
   pairs["false_share"] = measure.false_share();
-  return {{"volume", measure.volume},
-          {"any", std::move(any)},
-          {"pairs", std::move(pairs)}};
+  return {{"volume", measure.volume}, {"any", std::move(any)}, {"pairs", std::move(pairs)}};
 }
 
 Json measure_mesh(const std::string& file, const Options& options) {

@@ -26,8 +26,8 @@ struct QueryMeasure {
 };
 
 /// For each of kPairVolumes and each cascade; `on_pose()` is called after each pose. Volumes take
-/// turns pose by pose, so that a slow moment of the machine hits all of them. Each time is the median of `repetitions`.
-/// Throws Error if two volumes disagree.
+/// turns pose by pose, so that a slow moment of the machine hits all of them. Each time is the
+/// median of `repetitions`. Throws Error if two volumes disagree.
 std::vector<QueryMeasure> measure_queries(const Mesh& mesh_a, const Mesh& mesh_b,
                                           std::span<const Pose> poses, int repetitions,
                                           const std::function<void()>& on_pose);

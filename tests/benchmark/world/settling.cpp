@@ -23,7 +23,8 @@ constexpr double kTimeToSleep = 0.1;  // seconds
 class Settling {
  public:
   explicit Settling(const Scene& scene) : scene_(scene), solver_(settings_) {
-    world_.add({scene.ground, Pose::Identity()}, {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
+    world_.add({scene.ground, Pose::Identity()},
+               {.kind = BodyKind::Static, .user_data = ContactSolver::kFixed});
     for (const Kind& kind : scene.kinds) {
       shapes_.push_back(share(kind.shape));
       reach_ = std::max(reach_, kind.reach);

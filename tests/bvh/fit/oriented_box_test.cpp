@@ -43,7 +43,8 @@ TEST(FitOrientedBox, FindsABoxAgain) {
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d half{0.25, source.uniform(0.5, 1), source.uniform(1.5, 3)};
     const Points points = box_corners(random_pose(2, source), half);
-    for (const Obb& box : {ditetrahedron_box(points), bounding_obb(points), covariance_box(points)}) {
+    for (const Obb& box :
+         {ditetrahedron_box(points), bounding_obb(points), covariance_box(points)}) {
       EXPECT_TRUE(sorted_extents(box).isApprox(half, 1e-12)) << sorted_extents(box).transpose();
     }
   }

@@ -28,7 +28,8 @@ struct Merry {
       const Role role = i % 7 == 0 ? Role::Sensor : Role::Solid;
       const Pose start = tests::random_pose(0.6 * std::cbrt(count), source);
       ids.push_back(
-          world.add({tests::random_shape(kind, 0.8, source), start}, {.kind = motion, .filter = {.group = is_alone ? -1 : 0}, .role = role}));
+          world.add({tests::random_shape(kind, 0.8, source), start},
+                    {.kind = motion, .filter = {.group = is_alone ? -1 : 0}, .role = role}));
       paths.emplace_back();
       const Eigen::Vector3d axis = source.vector(-1, 1).normalized();
       for (int k = 0; k < kPeriod; ++k) {

@@ -170,7 +170,9 @@ TEST(WorldDoors, QueriesAskForSome) {
   std::vector<BodyId> ids;
   for (int i = 0; i < 60; ++i) {
     const auto category = 1u << i % 3;
-    ids.push_back(world.add({Sphere{{0, 0, 0}, 0.4}, at(i % 5, i / 5 % 4, i / 20)}, {.filter = {.category = category}, .role = i % 4 == 0 ? Role::Sensor : Role::Solid}));
+    ids.push_back(world.add(
+        {Sphere{{0, 0, 0}, 0.4}, at(i % 5, i / 5 % 4, i / 20)},
+        {.filter = {.category = category}, .role = i % 4 == 0 ? Role::Sensor : Role::Solid}));
   }
   world.update();
   const Sphere ball{{0, 0, 0}, 1.2};

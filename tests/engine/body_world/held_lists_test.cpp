@@ -32,7 +32,8 @@ TEST(HeldLists, OfAWorldStandUntilItsNextUpdate) {
   World world;
   std::vector<BodyId> ids;
   for (int i = 0; i < 40; ++i)
-    ids.push_back(world.add({Box{{0.5, 0.5, 0.5}}, at(source.uniform(0, 4), source.uniform(0, 4))}));
+    ids.push_back(
+        world.add({Box{{0.5, 0.5, 0.5}}, at(source.uniform(0, 4), source.uniform(0, 4))}));
   std::size_t listed = 0;
   for (int frame = 0; frame < 30; ++frame) {
     const WorldUpdate update = world.update();

@@ -37,8 +37,8 @@ class CliCompareFolder : public CliCompare {
     put("b-behind", to_case({torus_}, {box_, behind}, intersects({torus_}, {box_, behind})));
     const CaseBody ball(Sphere{{0, 0, 0}, 0.5}, aside);
     const CaseBody cone(Cone{1, 1}, behind);
-    put("c-ball",
-        to_case(CaseShape(ball), cone, intersects({ball.shape, ball.pose}, {cone.shape, cone.pose})));
+    put("c-ball", to_case(CaseShape(ball), cone,
+                          intersects({ball.shape, ball.pose}, {cone.shape, cone.pose})));
     put("d-gap", to_case({torus_}, {box_, behind}, distance({torus_}, {box_, behind})));
     put("e-triangles", to_case(CaseShape(Triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}),
                                Triangle{{1, 1, 0}, {1, 1, 5}, {2, 2, 5}}, true));

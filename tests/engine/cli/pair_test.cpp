@@ -38,7 +38,8 @@ TEST_F(CliPair, VolumesChangeNoAnswer) {
     const Json line =
         json_lines({"--pose-b", kCrossing, "--list", "--volume", name_of(volume)}).at(0);
     EXPECT_EQ(line["list"], expected) << name_of(volume);
-    EXPECT_EQ(line["work"]["skins_built"] > 0, volume != PairVolume::WideObb && volume != PairVolume::Aabb)
+    EXPECT_EQ(line["work"]["skins_built"] > 0,
+              volume != PairVolume::WideObb && volume != PairVolume::Aabb)
         << name_of(volume);
   }
   EXPECT_EQ(graze({"pair", "a.off", "b.off", "--volume", "cone"}).exit_code, 2);

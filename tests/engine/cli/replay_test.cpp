@@ -1,8 +1,8 @@
 // `graze replay`: what counts as wrong and what as changed, what is printed, and bad files among
 // good ones.
 
-#include <graze/engine/cases/answer_case.h>
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>

@@ -258,7 +258,8 @@ Digest shapes(const Mesh& a, const Mesh& b) {
 
 Digest worlds(const Mesh& a, const Mesh& b) {
   World world;
-  world.add({a, at(0)}), world.add({b, near()}), world.add({a, far()}), world.add({Box{{1, 1, 1}}, at(1)});
+  world.add({a, at(0)}), world.add({b, near()}), world.add({a, far()}),
+      world.add({Box{{1, 1, 1}}, at(1)});
   const WorldUpdate update = world.update();
   Digest digest;
   for (const BodyContact& contact : update.contacts) {

@@ -79,7 +79,8 @@ void MeshCrowd::add_actor(std::size_t index) {
   actor.kind = kMotions[one_of(5)];
   actor.role = one_of(20) == 0 ? Role::Sensor : Role::Solid;
   actor.pose = random_place();
-  actor.id = world_.add({shapes_[actor.mesh], actor.pose}, {.kind = actor.kind, .filter = actor.filter, .role = actor.role});
+  actor.id = world_.add({shapes_[actor.mesh], actor.pose},
+                        {.kind = actor.kind, .filter = actor.filter, .role = actor.role});
   actor.version = ++versions_;
   actor.box = box_of(meshes_[actor.mesh], actor.pose);
   set_out(actor);

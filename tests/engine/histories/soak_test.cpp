@@ -62,7 +62,8 @@ class Village {
       for (auto t = std::next(s); t != bodies_.end(); ++t) {
         if (lets_pass(world_.filter(s->first), world_.filter(t->first)) &&
             !is_excluded({s->first, t->first}) &&
-            intersects({palette_[s->second.shape], s->second.pose}, {palette_[t->second.shape], t->second.pose}))
+            intersects({palette_[s->second.shape], s->second.pose},
+                       {palette_[t->second.shape], t->second.pose}))
           pairs.push_back({s->first, t->first});
       }
     }

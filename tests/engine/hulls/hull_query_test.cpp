@@ -153,7 +153,8 @@ TEST(HullQuery, ContactsWithABoxPartThem) {
     Vector3d middle = source.vector(-0.5, 0.5);
     middle[k] = hull.reach(Vector3d::Unit(k)) + half[k] - depth;
     Work work;
-    const Manifold found = find_contacts({shape, tests::at(0)}, {Box{half}, tests::at(middle[0], middle[1], middle[2])}, &work);
+    const Manifold found = find_contacts(
+        {shape, tests::at(0)}, {Box{half}, tests::at(middle[0], middle[1], middle[2])}, &work);
     if (found.empty()) continue;
     ++found_any;
     const double size = std::min(half.norm(), 2.0);

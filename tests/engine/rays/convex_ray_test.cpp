@@ -285,7 +285,8 @@ TEST(ConvexRay, FlatConesEndAtTheirRims) {
 }
 
 TEST(ConvexRayNormal, AtAnApexIsOfTheSideTheRayComesFrom) {
-  const auto hit = cast_ray({Cone{1e-20, 1}, Pose::Identity()}, {{-0.8, -1.6, 0.2}, {0.4, 0.8, 0.4}});
+  const auto hit =
+      cast_ray({Cone{1e-20, 1}, Pose::Identity()}, {{-0.8, -1.6, 0.2}, {0.4, 0.8, 0.4}});
   ASSERT_TRUE(hit);
   EXPECT_LT(hit->normal.head<2>().dot(Eigen::Vector2d(1, 2)), 0);
   EXPECT_GE(hit->normal.z(), 0);

@@ -76,7 +76,8 @@ class Laws {
 
   std::string swapping() {
     const PlacedPair& p = pair_;
-    if (intersects({p.b, p.pose_b}, {p.a, p.pose_a}) != is_hit_) return "swapped: another yes or no";
+    if (intersects({p.b, p.pose_b}, {p.a, p.pose_a}) != is_hit_)
+      return "swapped: another yes or no";
     const ShapeDistance other = distance({p.b, p.pose_b}, {p.a, p.pose_a});
     if (!is_same_bits(other.distance, found_.distance) ||
         !is_same_bits(other.lower_bound, found_.lower_bound) || other.status != found_.status) {

@@ -42,7 +42,8 @@ double kept_share(const Shape& lower, const Shape& upper, const Pose& pose, doub
   std::set<ContactFeature> before;
   std::size_t kept = 0, all = 0;
   for (int step = 0; step < 400; ++step) {
-    const Manifold m = find_contacts({lower, jittered(at(0), jitter, source)}, {upper, jittered(pose, jitter, source)});
+    const Manifold m = find_contacts({lower, jittered(at(0), jitter, source)},
+                                     {upper, jittered(pose, jitter, source)});
     EXPECT_FALSE(m.empty());
     const std::set<ContactFeature> now = features_of(m);
     EXPECT_EQ(now.size(), m.size());

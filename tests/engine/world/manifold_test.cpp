@@ -214,7 +214,8 @@ TEST(Manifold, ClosedFormsAreAsTheirFormulas) {
   ASSERT_EQ(inside.size(), 1u);
   EXPECT_NEAR(inside[0].depth, 0.75, 1e-15);
   EXPECT_NEAR(inside[0].normal.x(), 1, 1e-15);
-  const Manifold crossed = find_contacts({Capsule{0.5, 2}, at({0, 0, 0})}, {Capsule{0.5, 2}, turned(at({0.9, 0, 0}), {1, 0, 0}, 1.0)});
+  const Manifold crossed = find_contacts(
+      {Capsule{0.5, 2}, at({0, 0, 0})}, {Capsule{0.5, 2}, turned(at({0.9, 0, 0}), {1, 0, 0}, 1.0)});
   ASSERT_EQ(crossed.size(), 1u);
   EXPECT_NEAR(crossed[0].depth, 0.1, 1e-14);
   const Manifold touching =

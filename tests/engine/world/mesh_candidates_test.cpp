@@ -145,7 +145,8 @@ TEST(MeshCandidates, EachToothIsAsDeepAsItIs) {
 
 TEST(MeshCandidates, SwappingMirrorsBitForBit) {
   for_each_resting(0.05, [&](const Resting& pair, const Manifold& manifold) {
-    const Manifold other = find_contacts({Shape(pair.b), pair.pose_b}, {Shape(pair.a), pair.pose_a});
+    const Manifold other =
+        find_contacts({Shape(pair.b), pair.pose_b}, {Shape(pair.a), pair.pose_a});
     ASSERT_EQ(other.size(), manifold.size());
     for (std::size_t i = 0; i < manifold.size(); ++i) {
       EXPECT_EQ(manifold[i].point, other[i].point);
@@ -179,8 +180,8 @@ TEST(MeshCandidates, ABoxInACornerIsNotAsDeepAsItsPatchIsWide) {
       std::vector<TriangleIndices>{{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}});
   Pose pose = Pose::Identity();
   pose.translation() = Vector3d(0.499, 0.1, 0.498);
-  const Manifold m =
-      find_contacts({Shape(room), Pose::Identity()}, {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
+  const Manifold m = find_contacts({Shape(room), Pose::Identity()},
+                                   {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
   ASSERT_GE(m.size(), 3u);
   for (const ShapeContact& contact : m) {
     EXPECT_GT(contact.depth, 0.001);
@@ -198,8 +199,8 @@ TEST(MeshCandidates, ABoxOnAPlaneHasFourCorners) {
   Pose pose = Pose::Identity();
   pose.translation() = Vector3d(0.3, 0.1, 0.498);
   pose.rotate(Eigen::AngleAxisd(0.4, Vector3d::UnitZ()));
-  const Manifold m =
-      find_contacts({Shape(ground), Pose::Identity()}, {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
+  const Manifold m = find_contacts({Shape(ground), Pose::Identity()},
+                                   {Shape(tests::make_box({0.5, 0.5, 0.5})), pose});
   ASSERT_EQ(m.size(), 4u);
   for (const ShapeContact& contact : m) {
     EXPECT_NEAR(contact.depth, 0.002, 1e-12);

@@ -153,7 +153,8 @@ TEST(ShapePairs, ContainmentAndCoincidenceAreHits) {
                              : pose;
       // A sphere's and an ellipsoid's centre, and a hull's middle, are not at the origin, but near.
       if (kind_a == ShapeKind::ConvexHull) continue;
-      EXPECT_TRUE(intersects({a, pose}, {small, inner})) << name_of(kind_a) << "/" << name_of(kind_b);
+      EXPECT_TRUE(intersects({a, pose}, {small, inner}))
+          << name_of(kind_a) << "/" << name_of(kind_b);
       EXPECT_TRUE(intersects({a, pose}, {a, pose})) << name_of(kind_a);
     }
   }
@@ -198,7 +199,8 @@ TEST(Law11Shapes, OthersTouchWithinTheTolerance) {
         const std::string label = std::string(name_of(a.kind())) + "/" + name_of(b.kind());
         EXPECT_TRUE(intersects({a, at({0, 0, 0})}, {b, at({0, 0, 2 - 1e-12})})) << label;
         EXPECT_FALSE(intersects({a, at({0, 0, 0})}, {b, at({0, 0, 2 + 1e-9})})) << label;
-        EXPECT_NEAR(distance({a, at({0, 0, 0})}, {b, at({0, 0, 2.5})}).distance, 0.5, 1e-12) << label;
+        EXPECT_NEAR(distance({a, at({0, 0, 0})}, {b, at({0, 0, 2.5})}).distance, 0.5, 1e-12)
+            << label;
       }
     }
   }

@@ -259,7 +259,8 @@ void expect_lengths_checked(const P& three, const typename P::VolumeType& bad,
   P four = three;
   four.add(three.a[0], three.b[0]);
   Hits hits(4);
-  EXPECT_EQ(message_of([&] { intersects(three.a, three.b, hits); }), "hits: 4 elements for 3 pairs");
+  EXPECT_EQ(message_of([&] { intersects(three.a, three.b, hits); }),
+            "hits: 4 elements for 3 pairs");
   EXPECT_EQ(message_of([&] { intersects(three.a[0], three.b, hits); }),
             "hits: 4 elements for 3 pairs");
   EXPECT_EQ(message_of([&] { intersects(four.a, three.b, hits); }),

@@ -88,7 +88,8 @@ TEST(Law2Hollow, AFlatBoxIsItsOwnSurface) {
     Aabb box = source.box();
     box.max[n % 3] = box.min[n % 3];
     ASSERT_EQ(intersects(sphere, HollowAabb{box}), intersects(sphere, box)) << n;
-    ASSERT_EQ(intersects(HollowSphere{sphere}, HollowAabb{box}), intersects(HollowSphere{sphere}, box))
+    ASSERT_EQ(intersects(HollowSphere{sphere}, HollowAabb{box}),
+              intersects(HollowSphere{sphere}, box))
         << n;
   }
 }

@@ -197,17 +197,20 @@ TEST(Law10SphereBatch, BadElementsAreNamed) {
         const auto starts = [&](const std::string& what, const std::string& message) {
           return message.rfind(what + index, 0) == 0;
         };
-        EXPECT_TRUE(starts("spheres", message_of([&] { intersects(sphere, spheres.view(), hits); })));
+        EXPECT_TRUE(
+            starts("spheres", message_of([&] { intersects(sphere, spheres.view(), hits); })));
         EXPECT_TRUE(starts("spheres", message_of([&] { intersects(box, spheres.view(), hits); })));
-        EXPECT_TRUE(starts(
-            "spheres a", message_of([&] { intersects(spheres.view(), good_spheres.view(), hits); })));
-        EXPECT_TRUE(starts(
-            "spheres b", message_of([&] { intersects(good_spheres.view(), spheres.view(), hits); })));
+        EXPECT_TRUE(starts("spheres a", message_of([&] {
+                             intersects(spheres.view(), good_spheres.view(), hits);
+                           })));
+        EXPECT_TRUE(starts("spheres b", message_of([&] {
+                             intersects(good_spheres.view(), spheres.view(), hits);
+                           })));
         EXPECT_TRUE(starts("boxes", message_of([&] { intersects(sphere, boxes.view(), hits); })));
-        EXPECT_TRUE(starts("boxes",
-                           message_of([&] { intersects(good_spheres.view(), boxes.view(), hits); })));
-        EXPECT_TRUE(starts("spheres",
-                           message_of([&] { intersects(spheres.view(), good_boxes.view(), hits); })));
+        EXPECT_TRUE(starts(
+            "boxes", message_of([&] { intersects(good_spheres.view(), boxes.view(), hits); })));
+        EXPECT_TRUE(starts(
+            "spheres", message_of([&] { intersects(spheres.view(), good_boxes.view(), hits); })));
       }
     }
   }
@@ -244,8 +247,10 @@ TEST(Law10SphereBatch, LengthsThatDifferAreRefused) {
   const Sphere sphere{{0, 0, 0}, 1};
   const Aabb box{{0, 0, 0}, {1, 1, 1}};
   Hits hits(4), three(3);
-  EXPECT_EQ(message_of([&] { intersects(sphere, spheres, three); }), "hits: 3 elements for 4 pairs");
-  EXPECT_EQ(message_of([&] { intersects(spheres, spheres, three); }), "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(sphere, spheres, three); }),
+            "hits: 3 elements for 4 pairs");
+  EXPECT_EQ(message_of([&] { intersects(spheres, spheres, three); }),
+            "hits: 3 elements for 4 pairs");
   EXPECT_EQ(message_of([&] { intersects(sphere, boxes, three); }), "hits: 3 elements for 4 pairs");
   EXPECT_EQ(message_of([&] { intersects(box, spheres, three); }), "hits: 3 elements for 4 pairs");
   EXPECT_EQ(message_of([&] { intersects(spheres, boxes, three); }), "hits: 3 elements for 4 pairs");

@@ -51,8 +51,8 @@ bool is_hit_by_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_
   return is_apart;
 }
 
-bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
-                       bool is_hit, const JudgeSettings& settings) {
+bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                       const TrianglePair& pair, bool is_hit, const JudgeSettings& settings) {
   if (!moves(mesh_a.pose) && !moves(mesh_b.pose)) return false;
   const Triangle a = mesh_a.mesh.triangle(pair.a);
   const Triangle b = mesh_b.mesh.triangle(pair.b);
@@ -81,8 +81,8 @@ ErrorClass class_of_pair(const RationalTriangle& a, const RationalTriangle& b, d
   return is_containment && is_containment() ? ErrorClass::Containment : ErrorClass::Real;
 }
 
-PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
-                     bool is_hit, const JudgeSettings& settings,
+PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                     const TrianglePair& pair, bool is_hit, const JudgeSettings& settings,
                      const std::function<bool()>& is_containment) {
   const Triangle a = place(mesh_a.pose, mesh_a.mesh.triangle(pair.a));
   const Triangle b = place(mesh_b.pose, mesh_b.mesh.triangle(pair.b));

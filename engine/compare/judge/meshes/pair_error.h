@@ -26,12 +26,12 @@ ErrorClass class_of_pair(const RationalTriangle& a, const RationalTriangle& b, d
 
 /// Whether placing has changed the answer: the real numbers of the poses say otherwise, or the
 /// engine itself does once it has nothing to place.
-bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
-                       bool is_hit, const JudgeSettings& settings);
+bool is_due_to_placing(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                       const TrianglePair& pair, bool is_hit, const JudgeSettings& settings);
 
 /// `is_containment` as of class_of_pair().
-PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, const TrianglePair& pair,
-                     bool is_hit, const JudgeSettings& settings,
+PairError pair_error(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                     const TrianglePair& pair, bool is_hit, const JudgeSettings& settings,
                      const std::function<bool()>& is_containment = {});
 
 /// Whether two meshes that hit do not where the poses are real numbers and nothing is rounded.

@@ -16,7 +16,8 @@ namespace graze::compare {
 class MeshReferee {
  public:
   /// With Touch::Exclude a hit is a pair that crosses.
-  MeshReferee(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, Touch touch = Touch::Include);
+  MeshReferee(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+              Touch touch = Touch::Include);
 
   /// A pair that shares a point, if there is one.
   std::optional<TrianglePair> find_hit() const;
