@@ -61,7 +61,8 @@ struct ShapeDistance {
 // Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
 // greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
 // points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh
-// and a sphere or a box: apart, by the exact test, and by less than the distance's rounding.
+// and a convex shape: apart, by the exact test or by the boxes of triangles, and by less than the
+// distance's tolerance.
 
 // All questions: shapes in poses in the world's frame, each in one argument: `distance({Box{{1, 1,
 // 1}}}, {hull, pose})`. They are templates, of which there is one, only so that C++ prefers the

@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/contacts/scaled_meshes.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -122,7 +123,8 @@ class TriangleCandidates {
 std::uint32_t triangle_at(const PlacedMeshView& mesh, const Eigen::Vector3d& point) {
   const double size = largest(to_vec3(mesh.mesh.bounds().max) - to_vec3(mesh.mesh.bounds().min)) +
                       largest(to_vec3(point));
-  for (double radius = 0x1p-48 * size; radius < size; radius *= 16) {
+  const double least = std::numeric_limits<double>::denorm_min();  // 0 would never grow
+  for (double radius = std::max(0x1p-48 * size, least); radius < size; radius *= 16) {
     const TriangleList found = find_triangles(mesh, Sphere{point, radius});
     if (!found.empty()) return found.triangles.front();
   }
@@ -269,6 +271,7 @@ void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
 
 void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b,
                           ContactCandidates& candidates, Work& work) {
+  if (candidates_of_scaled_meshes(a, b, candidates, work)) return;
   if (!candidates_of_crossings(a, b, candidates, work))
     candidates_of_pieces(a, b, candidates, work);
 }

@@ -50,37 +50,8 @@ class MeshDescent {
   /// The corners of a triangle as the solvers take them (law 1, then relative to the origin).
   narrowphase::Core triangle(std::uint32_t index) const;
 
- private:
-  /// What traverse_nearest() asks.
-  template <typename Limit>
-  struct NodeBounds {
-    const MeshDescent& descent;
-    Limit& limit;
-
-    double of(std::uint32_t node) const { return descent.bound(node); }
-    bool is_missed(double) const { return false; }
-    bool is_beyond(double bound) const { return descent.is_beyond(bound, limit()); }
-  };
-
-  /// Of the distance between what is in the node, or the triangle, and the set, metres.
-  double bound(std::uint32_t node) const;
-  double triangle_bound(std::uint32_t index) const;
-  double bound_of(const double (&low)[3], const double (&high)[3]) const;
-  bool is_beyond(double bound, double limit) const;
-
-  // Both without branches: what comes here cannot be foreseen.
-  bool is_apart(std::uint32_t node) const {
-    ++work_.volume_tests;
-    const bvh::FloatBox& box = tree_.nodes[node].box;
-    bool is_apart = false;
-    for (int k = 0; k < 3; ++k) {
-      is_apart |= box.min[k] > around_.max[k];
-      is_apart |= box.max[k] < around_.min[k];
-    }
-    work_.volume_rejections += is_apart;
-    return is_apart;
-  }
-
+  /// Whether the triangle's box is apart from the set's, both in the mesh's own frame. Without
+  /// branches, as is_apart(): what comes here cannot be foreseen.
   bool is_triangle_apart(std::uint32_t index) const {
     const TriangleIndices& t = triangles_[index];
     const double* a = vertices_[t[0]].data();
@@ -93,6 +64,38 @@ class MeshDescent {
       is_apart |= low > own_max_[k];
       is_apart |= high < own_min_[k];
     }
+    return is_apart;
+  }
+
+  /// A lower bound of the distance between the triangle and the set, metres.
+  double triangle_bound(std::uint32_t index) const;
+
+ private:
+  /// What traverse_nearest() asks.
+  template <typename Limit>
+  struct NodeBounds {
+    const MeshDescent& descent;
+    Limit& limit;
+
+    double of(std::uint32_t node) const { return descent.bound(node); }
+    bool is_missed(double) const { return false; }
+    bool is_beyond(double bound) const { return descent.is_beyond(bound, limit()); }
+  };
+
+  /// A lower bound of the distance between what is in the node and the set, metres.
+  double bound(std::uint32_t node) const;
+  double bound_of(const double (&low)[3], const double (&high)[3]) const;
+  bool is_beyond(double bound, double limit) const;
+
+  bool is_apart(std::uint32_t node) const {
+    ++work_.volume_tests;
+    const bvh::FloatBox& box = tree_.nodes[node].box;
+    bool is_apart = false;
+    for (int k = 0; k < 3; ++k) {
+      is_apart |= box.min[k] > around_.max[k];
+      is_apart |= box.max[k] < around_.min[k];
+    }
+    work_.volume_rejections += is_apart;
     return is_apart;
   }
 

@@ -27,6 +27,19 @@ bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Wor
   return is_hit;
 }
 
+namespace {
+
+/// intersect_mesh_core() does not look at a triangle whose box is apart from the set's: what the
+/// gap's tolerance brings together here is apart for the distance, too, by what the boxes prove.
+void keep_apart(SetGap& gap, const MeshDescent& descent, std::uint32_t index) {
+  if (!descent.is_triangle_apart(index)) return;
+  gap.is_apart = true;
+  gap.lower = descent.triangle_bound(index);
+  gap.distance = std::max(gap.lower, std::numeric_limits<double>::denorm_min());
+}
+
+}  // namespace
+
 ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
                                     Work& work) {
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
@@ -40,9 +53,9 @@ ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeV
   PairStatus status = PairStatus::Converged;
   descent.for_each_within([&] { return best.distance; },
                           [&](std::uint32_t index) {
-                            const SetGap gap =
-                                gap_of_sets(core, descent.triangle(index), best.distance);
+                            SetGap gap = gap_of_sets(core, descent.triangle(index), best.distance);
                             ++work.convex_tests;
+                            if (gap.distance == 0) keep_apart(gap, descent, index);
                             lower = std::min(lower, gap.lower);
                             if (gap.status == PairStatus::NotConverged) {
                               ++work.convex_failures;

@@ -204,7 +204,12 @@ Stretch in_nappe(const Line& line) {
   const DoublePair a = form(d, d), b = form(o, d), c = form(o, o);
   const bool is_upward = d.z > 0;
   if (std::abs(a.high) <= 0x1p-90 * dot(d, d)) {  // along the cone: one point, and on one nappe
-    if (b.high == 0) return upward_from(line, -o.z / d.z);
+    if (b.high == 0) {
+      // In the plane that touches the cone along a generator parallel to the line: the form is c
+      // all along, which is 0 on that generator and above 0 beside it.
+      if (c.high > 0x1p-90 * dot(o, o)) return Stretch::nothing();
+      return upward_from(line, -o.z / d.z);
+    }
     if ((b.high < 0) != is_upward) return Stretch::nothing();
     return upward_from(line, -c.high / (2 * b.high));
   }

@@ -292,6 +292,38 @@ TEST(ConvexRayNormal, AtAnApexIsOfTheSideTheRayComesFrom) {
   EXPECT_GE(hit->normal.z(), 0);
 }
 
+// A line parallel to a generator, in the plane that touches the cone along that: it lies outside
+// all along, but for the generator itself.
+TEST(ConvexRayCone, InATangentPlaneBesideTheGeneratorMisses) {
+  const double radii[] = {0.5, 1, 2, 3}, heights[] = {0.5, 1, 2};
+  for (const double radius : radii) {
+    for (const double height : heights) {
+      const Shape cone = Cone{radius, height};
+      for (int side = 0; side < 4; ++side) {
+        const Vector3d out(side == 0   ? 1
+                           : side == 2 ? -1
+                                       : 0,
+                           side == 1   ? 1
+                           : side == 3 ? -1
+                                       : 0,
+                           0);
+        const Vector3d across(-out.y(), out.x(), 0);
+        const Vector3d down = radius * out - 2 * height * Vector3d::UnitZ();  // from apex to rim
+        const Vector3d apex = height * Vector3d::UnitZ();
+        for (const double beside : {0.25, -0.5, 0x1p-20, 4.0}) {
+          for (const double from : {-1.0, 0.0, 0.25, 0.5, 1.0, 2.0}) {
+            const Vector3d origin = apex + from * down + beside * radius * across;
+            EXPECT_FALSE(cast_ray({cone}, {origin, down})) << radius << " " << height;
+            EXPECT_FALSE(cast_ray({cone}, {origin, -down})) << radius << " " << height;
+          }
+        }
+        EXPECT_TRUE(cast_ray({cone}, {apex - down, down})) << "the generator";
+        EXPECT_TRUE(cast_ray({cone}, {apex + 2 * down, -down})) << "the generator";
+      }
+    }
+  }
+}
+
 class ConvexRaySpecial : public testing::TestWithParam<ShapeKind> {};
 TEST_P(ConvexRaySpecial, IsTheDefinitionsInSpecialPositions) {
   EXPECT_GT(rays_tried(GetParam(), 300, 1), 180);
