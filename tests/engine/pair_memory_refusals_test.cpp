@@ -51,11 +51,5 @@ TEST(Law10, AMemoryOfAMeshThatOverflows) {
   EXPECT_THROW(intersects({vast, turned}, {box}, memory), PoseError);
 }
 
-TEST(PairMemory, RefusesOtherVolumes) {
-  const Mesh box = tests::make_box({1, 1, 1});
-  PairMemory memory;
-  EXPECT_THROW(intersects({box}, {box}, memory, {.volume = Volume::Obb}), InputError);
-}
-
 }  // namespace
 }  // namespace graze

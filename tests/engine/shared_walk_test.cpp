@@ -48,8 +48,8 @@ class SharedWalkTest : public testing::Test {
   Mesh mesh_ = tests::make_sphere(1, 80, 80);
   Pose pose_a_ = Pose::Identity();
   Pose pose_b_ = Pose(Eigen::Translation3d(0.7, 0.1, 0.2));
-  PlacedMesh a_{mesh_, pose_a_};
-  PlacedMesh b_{mesh_, pose_b_};
+  PlacedMeshView a_{mesh_, pose_a_};
+  PlacedMeshView b_{mesh_, pose_b_};
   WideQuery query_{a_, b_, work_};
   SharedWalk shared_;
 };

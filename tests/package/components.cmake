@@ -39,7 +39,7 @@ if(HAS_CASES)
   string(APPEND listed ", cases, scenes")
 endif()
 
-try_components(said 0.1 REQUIRED)
+try_components(said 0.2 REQUIRED)
 expect("${said}" "^0: found (1|TRUE) ${all} $")
 try_components(said COMPONENTS bvh narrowphase engine REQUIRED)
 expect("${said}" "^0: found (1|TRUE) ${all} $")

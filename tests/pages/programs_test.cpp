@@ -70,6 +70,9 @@ TEST_F(ReadmePrograms, OfTheTour) {
   EXPECT_GT(ball.radius, 0.01);
   EXPECT_TRUE(inside);
   EXPECT_GT(voxels.size(), 1000u);
+  EXPECT_EQ(kept_hits, hit);
+  EXPECT_GT(beside.distance, 0);
+  EXPECT_EQ(rows.rows(), static_cast<Eigen::Index>(bolt.vertices().size()));
 }
 
 TEST_F(ReadmePrograms, OfTwoMeshes) {

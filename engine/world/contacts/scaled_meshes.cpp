@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/contacts/scaled_meshes.h>
 

@@ -39,7 +39,7 @@ long throw_at_every_call(Fuse& fuse, const std::function<void()>& ask) {
 
 TEST(QueryCallbacks, ProgressOfVoxelsMayThrowAtEveryCall) {
   const Mesh mesh = make_sphere(1, 20, 20);
-  const auto count = [&](std::uint32_t threads, VoxelFill fill, const auto& on_progress) {
+  const auto count = [&](int threads, VoxelFill fill, const auto& on_progress) {
     return find_voxels(
                mesh,
                {.resolution = 24, .fill = fill, .threads = threads, .on_progress = on_progress})
@@ -47,7 +47,7 @@ TEST(QueryCallbacks, ProgressOfVoxelsMayThrowAtEveryCall) {
   };
   for (const VoxelFill fill : {VoxelFill::Surface, VoxelFill::Solid}) {
     const std::size_t expected = count(1, fill, std::function<void(std::size_t, std::size_t)>());
-    for (const std::uint32_t threads : {1u, 4u}) {
+    for (const int threads : {1, 4}) {
       Fuse fuse;
       bool has_thrown = false;
       const long thrown = throw_at_every_call(fuse, [&] {

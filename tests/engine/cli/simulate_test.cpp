@@ -123,7 +123,7 @@ TEST_F(CliSimulate, BadInputIsRefused) {
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--steps", "-1"},
                                                   {"--dt", "0"},
                                                   {"--dt", "nan"},
-                                                  {"--threads", "0"}}) {
+                                                  {"--threads", "-1"}}) {
     std::vector<std::string> arguments = {"simulate", "scene.json"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_EQ(graze(arguments).exit_code, 2) << options[0] << options[1];

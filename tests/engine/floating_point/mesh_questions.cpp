@@ -146,8 +146,8 @@ void ask_batches(const Inputs& in, Words& words, int threads) {
 void ask_voxels(const Inputs& in, Words& words, int threads) {
   const Meshes meshes(in);
   for (const VoxelFill fill : {VoxelFill::Surface, VoxelFill::Solid}) {
-    const Voxels voxels = find_voxels(
-        meshes.a, {.resolution = 9, .fill = fill, .threads = static_cast<std::uint32_t>(threads)});
+    const Voxels voxels =
+        find_voxels(meshes.a, {.resolution = 9, .fill = fill, .threads = threads});
     words.add(voxels.grid.origin), words.add(voxels.grid.edge);
     for (const Voxel& voxel : voxels)
       words.add(std::uint64_t{voxel.i} << 32 | std::uint64_t{voxel.j} << 16 | voxel.k);
