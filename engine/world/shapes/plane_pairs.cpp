@@ -102,17 +102,18 @@ Height lowest_vertex(const PlacedMeshView& mesh, const PlacedHalfSpace& plane,
       low += std::min(own[k] * b.min[k], own[k] * b.max[k]);
     return base + low * unit - slack;
   };
-  bvh::traverse_nearest(tree, HeightBounds{bound, best.height}, [&](const bvh::Node& leaf) {
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      const Triangle t = narrowphase::place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
-      for (const Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) {
-        const Vec3 point = to_vec3(*corner) - to_vec3(origin);
-        const double height = dot(plane.normal, point) - plane.offset;
-        if (height < best.height) best.height = height, best.lowest = point;
-      }
-    }
-    return best.height > enough ? bvh::Walk::Continue : bvh::Walk::Stop;
-  });
+  bvh::traverse_nearest(
+      tree, HeightBounds<decltype(bound)>{bound, best.height}, [&](const bvh::Node& leaf) {
+        for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+          const Triangle t = narrowphase::place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
+          for (const Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) {
+            const Vec3 point = to_vec3(*corner) - to_vec3(origin);
+            const double height = dot(plane.normal, point) - plane.offset;
+            if (height < best.height) best.height = height, best.lowest = point;
+          }
+        }
+        return best.height > enough ? bvh::Walk::Continue : bvh::Walk::Stop;
+      });
   return best;
 }
 
