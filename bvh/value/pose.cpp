@@ -12,11 +12,13 @@
 
 namespace graze {
 
-// Adding 0 makes one zero of both, which are equal.
+// Both zeros are equal. By bits alone: it does not depend on how the program computes.
 std::size_t PoseHash::operator()(const Pose& pose) const noexcept {
   std::size_t hash = 0;
-  for (int i = 0; i < 16; ++i)
-    hash = hash_of({hash, std::bit_cast<std::uint64_t>(pose.data()[i] + 0.0)});
+  for (int i = 0; i < 16; ++i) {
+    const auto bits = std::bit_cast<std::uint64_t>(pose.data()[i]);
+    hash = hash_of({hash, bits << 1 == 0 ? 0 : bits});
+  }
   return hash;
 }
 

@@ -24,7 +24,7 @@ struct VoxelSettings {
   std::uint32_t resolution = 64;
   VoxelFill fill = VoxelFill::Surface;  ///< the surface alone, or what it encloses, too
   /// How many threads share the work at most; 0: all that there are.
-  int threads = 0;
+  int threads = 1;
   /// More voxels than this are an error, found before they fill the memory. Which resolution is too
   /// high does not depend on threads.
   std::uint64_t max_voxels = std::numeric_limits<std::uint64_t>::max();

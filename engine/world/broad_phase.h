@@ -53,8 +53,9 @@ using RayBoxVisitor = std::function<double(std::uint32_t index)>;
 /// at the same time wait for that first one.
 /// What throws for want of memory (std::bad_alloc) has not happened: of an update the pairs are
 /// those of before, none began or ended, and the next one tells all that has since. All lists are
-/// the same for any number of threads and on any SIMD target. Spans are valid until the next call
-/// that is not const. Const functions may run at the same time.
+/// the same for any number of threads and on any SIMD target. Spans are valid until the next
+/// update(): boxes may come, move and go while a loop reads them. Const functions may run at the
+/// same time.
 class BroadPhase {
  public:
   /// Without boxes.

@@ -26,7 +26,7 @@ std::string written(const Pose& pose) {
   return text;
 }
 
-bool are_equal(const Pose& p, const Pose& q) {
+bool have_equal_numbers(const Pose& p, const Pose& q) {
   for (int i = 0; i < 16; ++i) {
     if (std::bit_cast<std::uint64_t>(p.data()[i]) != std::bit_cast<std::uint64_t>(q.data()[i]))
       return false;
@@ -44,6 +44,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;  // what is wrong with an input is no finding
   }
   check_rigid(pose, "a pose that was read");
-  if (!are_equal(parse_pose(written(pose), "written"), pose)) std::abort();
+  if (!have_equal_numbers(parse_pose(written(pose), "written"), pose)) std::abort();
   return 0;
 }

@@ -5,6 +5,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <string>
 
 namespace graze {
@@ -47,7 +48,9 @@ void for_each_part(std::size_t count, int threads, const std::function<void(std:
 }
 
 std::size_t thread_count(int threads) {
-  return static_cast<std::size_t>(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+  constexpr int kMost = 1024;  // more would only ask for memory
+  return static_cast<std::size_t>(threads > 0 ? std::min(threads, kMost)
+                                              : tbb::this_task_arena::max_concurrency());
 }
 
 }  // namespace graze

@@ -12,7 +12,8 @@ namespace graze {
 namespace {
 
 [[noreturn]] void refuse(const SceneBody& body, double time, const PoseError& error) {
-  throw PoseError("body \"" + body.name + "\" at " + std::to_string(time) + " s: " + error.what());
+  throw PoseError("body \"" + body.name + "\" at " + std::to_string(time) + " s: " + error.what(),
+                  error.place());
 }
 
 }  // namespace

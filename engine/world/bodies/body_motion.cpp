@@ -40,7 +40,7 @@ double longer_path(double path, double motion) {
   return next_up(path + motion);
 }
 
-bool Separation::wants_gap(const GapCost& cost) {
+bool KnownGap::wants_gap(const GapCost& cost) {
   if (wait_ == kNotAsked) wait_ = tests_left_ = cost.first_wait;
   if (tests_left_ != 0) {
     --tests_left_;
@@ -55,7 +55,7 @@ bool Separation::wants_gap(const GapCost& cost) {
 }
 
 // Motions since now are the paths then less the paths now, each path rounded up at every step.
-void Separation::set_gap(double gap, double path_a, double path_b) {
+void KnownGap::set_gap(double gap, double path_a, double path_b) {
   limit_ = next_down(next_down(path_a + path_b) + gap);
 }
 

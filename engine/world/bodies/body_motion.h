@@ -28,7 +28,7 @@ inline constexpr GapCost kMeasuredGap{3, 16};
 inline constexpr GapCost kQuickGap{0, 2};
 
 /// What is known of two bodies that were found apart.
-class Separation {
+class KnownGap {
  public:
   /// True if paths of these lengths, begun before, cannot have closed the gap.
   bool holds(double path_a, double path_b) const { return next_up(path_a + path_b) < limit_; }

@@ -78,41 +78,41 @@ struct Bodies {
 
 /// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
 /// touch.
-class Candidates {
+class CandidatePairs {
  public:
   /// What throws has changed nothing.
   void add(BoxPair pair) {
-    make_room_in(touches_, 1), make_room_in(separations_, 1);
+    make_room_in(touches_, 1), make_room_in(known_gaps_, 1);
     index_.add(list_, pair);
     touches_.push_back(0);
-    separations_.emplace_back();
+    known_gaps_.emplace_back();
   }
   void remove(std::uint32_t at) {
     index_.remove(list_, list_.data()[at]);
     touches_[at] = touches_.back();
     touches_.pop_back();
-    separations_[at] = separations_.back();
-    separations_.pop_back();
+    known_gaps_[at] = known_gaps_.back();
+    known_gaps_.pop_back();
   }
   std::uint32_t position(BoxPair pair) const { return index_.position(list_, pair); }
   /// What position() reads first, and what is known of the pair there.
   void fetch(BoxPair pair) const { index_.prefetch(pair); }
   void fetch(std::uint32_t at) const {
     __builtin_prefetch(&touches_[at]);
-    __builtin_prefetch(&separations_[at]);
+    __builtin_prefetch(&known_gaps_[at]);
   }
   static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
 
   std::span<const BoxPair> list() const { return list_.pairs(); }
   bool touches(std::uint32_t at) const { return touches_[at] != 0; }
   void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
-  Separation& separation(std::uint32_t at) { return separations_[at]; }
+  KnownGap& known_gap(std::uint32_t at) { return known_gaps_[at]; }
   void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
     list_.clear();
     for (const BoxPair& pair : pairs)
       list_.push_back(pair);
     touches_.assign(touches.begin(), touches.end());
-    separations_.assign(pairs.size(), {});
+    known_gaps_.assign(pairs.size(), {});
     index_.build(list_);
   }
   std::span<const std::uint8_t> all_touches() const { return touches_; }
@@ -121,10 +121,10 @@ class Candidates {
   bvh::PairBuffer list_;
   bvh::PairIndex index_;
   std::vector<std::uint8_t> touches_;
-  std::vector<Separation> separations_;
+  std::vector<KnownGap> known_gaps_;
 
  public:
-  Candidates() { index_.build(list_); }
+  CandidatePairs() { index_.build(list_); }
 };
 
 struct WorldSnapshot::State {
@@ -177,7 +177,7 @@ struct World::State {
   Bodies all;
   BroadPhase broad;
   std::vector<std::uint32_t> body_of_box;
-  Candidates candidates;
+  CandidatePairs candidates;
   UnbuiltTrees unbuilt;
   std::vector<std::uint32_t> changed;  ///< indices of bodies
   std::size_t removed = 0;             ///< how many bodies were removed since the last update

@@ -99,7 +99,7 @@ void World::State::end_pairs() {
   for (const BoxPair& boxes : broad.ended()) {
     const std::uint32_t at =
         candidates.position(ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]));
-    if (at != Candidates::kNowhere) end(at);
+    if (at != CandidatePairs::kNowhere) end(at);
   }
 }
 
@@ -148,8 +148,8 @@ void World::State::filter_again(std::uint32_t index) {
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
     const bool do_meet = all.meet(index, partner);
-    if (do_meet && at == Candidates::kNowhere) candidates.add(pair);
-    if (!do_meet && at != Candidates::kNowhere) end(at);
+    if (do_meet && at == CandidatePairs::kNowhere) candidates.add(pair);
+    if (!do_meet && at != CandidatePairs::kNowhere) end(at);
     work.pairs_filtered += !do_meet;
   }
 }
@@ -176,7 +176,7 @@ void World::State::test_partners() {
   for (const BoxPair& each : asked) {
     if (all.changes[each.b].has_changed && each.b < each.a) continue;
     const std::uint32_t at = candidates.position(ordered_pair(each.a, each.b));
-    if (at == Candidates::kNowhere) continue;
+    if (at == CandidatePairs::kNowhere) continue;
     due.push_back(at);
     candidates.fetch(at);
   }
@@ -200,7 +200,7 @@ void World::State::test_candidate(std::uint32_t at) {
   if (touches) moved.push_back(all.id_pair(pair));
   note_answer(at, touches);
   if (touches) {
-    candidates.separation(at) = {};
+    candidates.known_gap(at) = {};
   } else {
     learn_gap(at);
   }
@@ -290,24 +290,24 @@ void World::State::note_answer(std::uint32_t at, bool touches) {
 bool World::State::is_apart_for_sure(std::uint32_t at) {
   const BoxPair pair = candidates.list()[at];
   const Bodies::Changes &a = all.changes[pair.a], &b = all.changes[pair.b];
-  Separation& separation = candidates.separation(at);
-  if (a.has_other_shape || b.has_other_shape) separation = {};
-  if (!separation.holds(a.path, b.path)) return false;
-  separation.note_skip();
+  KnownGap& known = candidates.known_gap(at);
+  if (a.has_other_shape || b.has_other_shape) known = {};
+  if (!known.holds(a.path, b.path)) return false;
+  known.note_skip();
   ++work.pairs_apart;
   return true;
 }
 
 void World::State::learn_gap(std::uint32_t at) {
-  Separation& separation = candidates.separation(at);
+  KnownGap& known = candidates.known_gap(at);
   if (!settings.skip_apart) return;
   const BoxPair pair = candidates.list()[at];
   const Bodies::Body& a = all.bodies[pair.a];
   const Bodies::Body& b = all.bodies[pair.b];
-  if (!separation.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
+  if (!known.wants_gap(cost_of_gap(*a.shape, *b.shape))) return;
   const double gap =
       a.ask([&](const BodyShape& shape) { return shape.gap(a.pose, *b.shape, b.pose); });
-  separation.set_gap(gap, all.changes[pair.a].path, all.changes[pair.b].path);
+  known.set_gap(gap, all.changes[pair.a].path, all.changes[pair.b].path);
   ++work.gaps_measured;
 }
 

@@ -33,7 +33,6 @@ namespace {
 /// gap's tolerance brings together here is apart for the distance, too, by what the boxes prove.
 void keep_apart(SetGap& gap, const MeshDescent& descent, std::uint32_t index) {
   if (!descent.is_triangle_apart(index)) return;
-  gap.is_apart = true;
   gap.lower = descent.triangle_bound(index);
   gap.distance = std::max(gap.lower, std::numeric_limits<double>::denorm_min());
 }

@@ -60,53 +60,53 @@ TEST(NextDouble, IsThatOfTheStandardLibrary) {
   EXPECT_TRUE(std::isnan(next_up(std::nan(""))));
 }
 
-TEST(Separation, HoldsUntilThePathsHaveClosedTheGap) {
-  Separation separation;
-  EXPECT_FALSE(separation.holds(0, 0));
-  EXPECT_FALSE(separation.wants_gap(kMeasuredGap));
+TEST(KnownGap, HoldsUntilThePathsHaveClosedTheGap) {
+  KnownGap gap;
+  EXPECT_FALSE(gap.holds(0, 0));
+  EXPECT_FALSE(gap.wants_gap(kMeasuredGap));
   int tests = 1;
-  while (!separation.wants_gap(kMeasuredGap))
+  while (!gap.wants_gap(kMeasuredGap))
     ASSERT_LT(++tests, 20);
-  separation.set_gap(1, 10, 20);
-  EXPECT_TRUE(separation.holds(10, 20));
-  EXPECT_TRUE(separation.holds(10.5, 20.4));
-  EXPECT_FALSE(separation.holds(10.5, 20.5));
-  EXPECT_FALSE(separation.holds(std::numeric_limits<double>::infinity(), 20));
-  separation.set_gap(0, 10, 20);
-  EXPECT_FALSE(separation.holds(10, 20));
+  gap.set_gap(1, 10, 20);
+  EXPECT_TRUE(gap.holds(10, 20));
+  EXPECT_TRUE(gap.holds(10.5, 20.4));
+  EXPECT_FALSE(gap.holds(10.5, 20.5));
+  EXPECT_FALSE(gap.holds(std::numeric_limits<double>::infinity(), 20));
+  gap.set_gap(0, 10, 20);
+  EXPECT_FALSE(gap.holds(10, 20));
 }
 
-TEST(Separation, MeasuresSeldomWhatIsSoonUsedUp) {
-  Separation separation;
+TEST(KnownGap, MeasuresSeldomWhatIsSoonUsedUp) {
+  KnownGap gap;
   int measured = 0;
   for (int i = 0; i < 1000; ++i)
-    measured += separation.wants_gap(kMeasuredGap) ? 1 : 0;
+    measured += gap.wants_gap(kMeasuredGap) ? 1 : 0;
   EXPECT_GT(measured, 3);
   EXPECT_LT(measured, 20);
 }
 
-TEST(Separation, MeasuresAgainAtOnceWhatLasted) {
-  Separation separation;
-  while (!separation.wants_gap(kMeasuredGap)) {
+TEST(KnownGap, MeasuresAgainAtOnceWhatLasted) {
+  KnownGap gap;
+  while (!gap.wants_gap(kMeasuredGap)) {
   }
   for (int i = 0; i < 100; ++i)
-    separation.note_skip();
-  while (!separation.wants_gap(kMeasuredGap)) {
+    gap.note_skip();
+  while (!gap.wants_gap(kMeasuredGap)) {
   }
-  EXPECT_TRUE(separation.wants_gap(kMeasuredGap));
+  EXPECT_TRUE(gap.wants_gap(kMeasuredGap));
 }
 
-TEST(Separation, MeasuresAtOnceWhatIsMeasuredInNoTime) {
-  Separation separation;
-  EXPECT_TRUE(separation.wants_gap(kQuickGap));
-  separation.note_skip();
-  EXPECT_FALSE(separation.wants_gap(kQuickGap));
-  EXPECT_TRUE(separation.wants_gap(kQuickGap));
-  separation.note_skip(), separation.note_skip();
-  while (!separation.wants_gap(kQuickGap)) {
+TEST(KnownGap, MeasuresAtOnceWhatIsMeasuredInNoTime) {
+  KnownGap gap;
+  EXPECT_TRUE(gap.wants_gap(kQuickGap));
+  gap.note_skip();
+  EXPECT_FALSE(gap.wants_gap(kQuickGap));
+  EXPECT_TRUE(gap.wants_gap(kQuickGap));
+  gap.note_skip(), gap.note_skip();
+  while (!gap.wants_gap(kQuickGap)) {
   }
-  separation.note_skip(), separation.note_skip();
-  EXPECT_TRUE(separation.wants_gap(kQuickGap));
+  gap.note_skip(), gap.note_skip();
+  EXPECT_TRUE(gap.wants_gap(kQuickGap));
 }
 
 }  // namespace
