@@ -1,7 +1,7 @@
 #pragma once
 
-// For those who only pass handles around: every class and result of graze by name, ids and pairs as
-// values, and no other header. <graze/graze.h> has all of it.
+// For those who only pass handles around: the classes, settings and results that programs pass
+// around, by name, ids and pairs as values, and no other header. <graze/graze.h> has all of it.
 
 #include <graze/engine/world/ids.h>
 
@@ -24,15 +24,34 @@ struct MeshInPoses;
 struct PlacedMesh;
 struct PlacedMeshView;
 class PairMemory;
+struct Topology;
 
+struct BatchSettings;
+struct ContactSettings;
+struct DistanceSettings;
+struct IntersectionSettings;
+struct MemoryPairSettings;
+struct MemoryQuerySettings;
+struct PairSettings;
+struct PrepareSettings;
+struct QuerySettings;
+struct SelfQuerySettings;
+struct SelfSettings;
+struct TriangleSettings;
+struct VolumeQuerySettings;
+struct VoxelSettings;
+
+struct MeshContact;
 struct MeshContacts;
 struct MeshDistance;
 struct MeshIntersection;
 struct RayHit;
 struct Separation;
+struct TriangleDistance;
 struct TriangleList;
 struct TrianglePair;
 struct TrianglePairs;
+struct Voxel;
 struct VoxelGrid;
 struct Voxels;
 struct Work;
@@ -41,6 +60,7 @@ class ConvexHull;
 class Shape;
 struct PlacedShape;
 struct PlacedShapeView;
+struct ContactFeature;
 struct Manifold;
 struct ShapeContact;
 struct ShapeDistance;

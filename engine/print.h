@@ -31,7 +31,7 @@ namespace graze {
 /// The twelve numbers of a pose as parse_pose() reads them: the same pose to the last bit.
 std::string to_text(const Pose& pose);
 
-/// Ids, pairs and what else stands for something, as `name(number, ...)`.
+/// Ids, pairs and voxels in a short form: `body 3.0`, `3-4`, `(1, 2, 3)`.
 std::ostream& operator<<(std::ostream& out, const BodyId& id);
 std::ostream& operator<<(std::ostream& out, const BoxId& id);
 std::ostream& operator<<(std::ostream& out, const BodyPair& pair);

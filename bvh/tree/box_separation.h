@@ -37,7 +37,7 @@ class BoxSeparation {
 /// products of edges would prove beside that is little, and takes longer than all of this.
 bool are_apart_along_faces(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b);
 
-/// How far apart these axes have them, common units, as it is rounded: the slack pays for that. 0
+/// How far apart these axes have them, common units, as it is rounded: the slack covers that. 0
 /// where they overlap along all.
 double gap_along_faces(const RelativeFrame& frame, const FloatBox& a, const FloatBox& b);
 

@@ -35,7 +35,7 @@ static inline ScaledDirection scaled_direction(const double* direction) {
 
 /// The points origin + s direction, s >= 0, the direction's largest component being between 1/2
 /// and 4, and which boxes they may meet. A component below 2^-60 is taken for 0: whoever asks
-/// grows the boxes by 2^-58 of how far they reach from the origin, at least, which pays for that.
+/// grows the boxes by 2^-58 of how far they reach from the origin, at least, which covers that.
 struct RaySlabs {
   RaySlabs() = default;
   RaySlabs(const double* ray_origin, const double* ray_direction) {

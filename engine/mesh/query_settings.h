@@ -8,7 +8,6 @@
 #include <graze/narrowphase/touch.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 namespace graze {
@@ -22,7 +21,7 @@ inline constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 /// What two meshes must do for a query to say yes.
 enum class Hit {
   Touching,  ///< share a point of their surfaces (law 2)
-  Crossing,  ///< have triangles that cross(): insides meet, and no plane holds both
+  Crossing,  ///< have triangles for which crosses() is true: insides meet, and no plane holds both
   Solid,     ///< share a point, both being closed and solid: a mesh wholly inside another counts
 };
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/obb.h>
 #include <graze/bvh/sphere.h>

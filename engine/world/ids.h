@@ -6,6 +6,7 @@
 #include <graze/bvh/hash.h>
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 

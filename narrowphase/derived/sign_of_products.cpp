@@ -28,7 +28,7 @@ constexpr double kCrossProductsBound = 132 * kUnitRoundoff;
 
 // Products of two sizes between these make no product of four overflow, and an underflow of n in
 // any of them is below 2^-1074 + 500 of the largest size, less than 2^-100 u of what bounds it. The
-// spare u in each constant pays for it and for the rounding of the bound.
+// spare u in each constant covers it and the rounding of the bound.
 constexpr double kSmallest = 0x1p-450;
 constexpr double kLargest = 0x1p+450;
 

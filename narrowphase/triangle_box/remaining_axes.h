@@ -21,7 +21,7 @@ namespace graze::narrowphase {
 // <= 8 u F V, and is used twice. The box's radius r = h_j |f_k| + h_k |f_j| is off by 8 u F H. The
 // gap |p - m / 2| - (|m| / 2 + r) rounds a difference of at most 2 F V, a sum of 2 F V + 2 F H, and
 // a difference of 2 F (V + H). In all u F (30 V + 2 M + 12 H) <= u F (30 K + 44 M) <= 44 u F S;
-// the rest of 46 pays for second orders, the rounding of S and of the bound, and underflow of six
+// the rest of 46 covers second orders, the rounding of S and of the bound, and underflow of six
 // products.
 inline constexpr double kEdgeBound = 46 * 0x1p-53;
 

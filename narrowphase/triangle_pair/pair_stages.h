@@ -19,7 +19,7 @@ namespace graze::narrowphase {
 //
 // Underflow: six products lose n / 2 each and are multiplied by at most X, three more lose n / 2:
 // 3 n X + 1.5 n, with X <= 2^150 below 2^-922. For X Y Z >= 2^-850 the spare 0.99 u X Y Z is above
-// 2^-904. It also pays for the rounding of the bound.
+// 2^-904. It also covers the rounding of the bound.
 inline constexpr double kPairBound = 49 * 0x1p-53;
 inline constexpr double kSmallestPairVolume = 0x1p-850;
 inline constexpr double kLargestExtent = 0x1p+150;

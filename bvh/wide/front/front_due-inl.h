@@ -79,7 +79,7 @@ class FrontDue {
       const std::uint32_t index = due[i];
       const float later =
           budget_after(outlook_[planes[index].query.tested_side].lasts(planes[index]));
-      // False where it is no number. What lasts so long is further apart than the limit.
+      // NaN compares false, so that it is due. A budget beyond `due` implies a gap above `limit`.
       const std::uint32_t kept = later > look_ahead_.due;
       budgets[index] = chosen(kept, later, budgets[index]);
       due[open] = index;

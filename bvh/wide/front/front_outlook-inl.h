@@ -20,7 +20,7 @@ namespace {
 /// was.
 inline constexpr float kRoundUp = 1 + 0x1p-20f;
 
-/// Quotients are multiplied by this, which pays for estimates of reciprocals on any target.
+/// Quotients are multiplied by this, which covers errors of estimated reciprocals on any target.
 inline constexpr float kReciprocalError = 1 - kEstimateError;
 
 /// A displacement that is linear in the point, column by column.

@@ -52,7 +52,7 @@ struct FrontQuery {
 };
 
 /// Gaps of planes are multiplied by this where they are stored, and once more where they are read.
-/// It pays for four roundings each, and for those of turns.
+/// It covers four roundings each, and those of turns.
 inline constexpr float kRoundPlanes = 1 - 0x1p-20f;
 
 /// A number rounded to float and multiplied by this is no larger than it was before.
@@ -87,7 +87,7 @@ struct FrontPlane {
 enum class FrontBounds { Meeting, Distance };
 
 /// What keeps pairs out: lane by lane a direction in the tested node's frame, no longer than 1 but
-/// for rounding, which kRoundPlanes pays for, and how far beyond the tested node a query box is
+/// for rounding, which kRoundPlanes covers, and how far beyond the tested node a query box is
 /// along it. Gaps are those of the reference pose, but for what turning may have cost; infinite in
 /// lanes that need no plane. Nothing is kept out at first.
 template <std::size_t lanes, FrontBounds bounds>

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-/// Pays for kBoundGrowth, roots and products.
+/// Covers kBoundGrowth, and the rounding of roots and products.
 inline constexpr float kShrink = 1 - 0x1p-13f;
 
 /// Of how far apart things are, what a direction costs that is rounded after the gap along it was

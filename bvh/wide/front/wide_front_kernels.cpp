@@ -4,7 +4,7 @@
 // When a gap was proved, three times the slack of that query was taken off it. A later query has a
 // slack of its own: two placed primitives may be nearer by twice that than the trees' frames say
 // (engine/mesh/memory/pair_memory.cpp). It is taken off as well, and what was taken off before is
-// not counted on to pay for it.
+// not counted on to cover it.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/bvh/wide/front/wide_front_kernels.cpp"

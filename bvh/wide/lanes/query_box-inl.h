@@ -79,7 +79,7 @@ struct alignas(16) QueryInNode {
   float offset[4];           ///< from the node's origin to the middle of the query box
   float radius[4];           ///< of the query box, projected on the node's axes
   float half[3];             ///< half extents along its own axes, with the padding
-  float padding;             ///< pays for the slack and for the rounding of all this
+  float padding;             ///< covers the slack and the rounding of all this
 };
 
 /// What the tests of a tested node's children read of it.

@@ -59,7 +59,7 @@ void set_slab(const CornerRows& rows, const NodeAxes& axes, const float* origin,
   const double rounded = std::clamp(std::floor(middle + 0.5), -127.0, 127.0);
   const double at = rounded * WideNode::kSlabMiddleUnit * radius;
   const double half = std::max(high - at, at - low) / (WideNode::kSlabHalfUnit * radius);
-  // One step more pays for the division. What reaches beyond the box is held by the box.
+  // One step more covers the division's rounding. What reaches beyond the box is held by the box.
   const double steps = std::floor(half) + 1;
   if (!(steps <= 256)) return clear_slab(node, lane);
   node.slab_middle[lane] = static_cast<std::int8_t>(rounded);

@@ -1,7 +1,7 @@
 #pragma once
 
 // The even-odd rule behind containment.h, Interior::Solid and the solid voxels. Private to
-// engine/mesh. "The moved point" is the point moved by (e, e^2, e^3), e > 0 and small; see
+// the library. "The moved point" is the point moved by (e, e^2, e^3), e > 0 and small; see
 // narrowphase/ray/axis_line.h. A point that lies on no triangle is enclosed if and only if the
 // moved point beside it is.
 

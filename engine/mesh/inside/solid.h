@@ -1,6 +1,6 @@
 #pragma once
 
-// Interior::Solid and Hit::Solid: what is asked when no surfaces touch. Private to engine/mesh.
+// Interior::Solid and Hit::Solid: what is asked when no surfaces touch. Private to the library.
 
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/pair.h>

@@ -11,6 +11,8 @@
 #include <graze/engine/mesh/query/wide_query.h>
 #include <graze/narrowphase/crossing.h>
 
+#include <algorithm>
+
 namespace graze {
 namespace {
 

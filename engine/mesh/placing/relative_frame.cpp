@@ -49,7 +49,7 @@ double dot(const double* a, const double* b) {
 inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
                   const PlacedFrame& side_b) {
   // Common units: those of the larger frame. Scaling by powers of two is exact; what underflows is
-  // paid for by the last term of the slack.
+  // covered by the last term of the slack.
   const int exponent = std::max(side_a.frame.exponent, side_b.frame.exponent);
   const double per_metre = bvh::power_of_two(-exponent);
 
@@ -69,7 +69,7 @@ inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,
                          3.5 * side_b.placing + 10 * kUnitRoundoff * largest_component(between);
   const double gram = 3.01 * side_a.deviation + side_b.deviation + 12 * kUnitRoundoff;
   const double metres = 2 * (error_a + error_b) + 18 * gram * side_b.radius;
-  // A hundredth more pays for the rounding of these lines.
+  // A hundredth more covers the rounding of these lines.
   relative.slack = 1.01 * (metres * per_metre + 128 * kUnitRoundoff * (tau + 16)) + 0x1p-900;
 }
 

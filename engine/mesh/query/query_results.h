@@ -1,6 +1,6 @@
 #pragma once
 
-// How queries hand back what they find. Private to engine/mesh. Each query has one function that
+// How queries hand back what they find. Private to the library. Each query has one function that
 // calls `on_item(item)` for all there is to find, until it answers Stop; the rest is the same for
 // all.
 

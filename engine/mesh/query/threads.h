@@ -1,6 +1,6 @@
 #pragma once
 
-// How queries use threads. Private to engine/mesh.
+// How queries use threads. Private to the library.
 
 #include <cstddef>
 #include <functional>

@@ -17,6 +17,8 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace graze {
 namespace {
