@@ -26,7 +26,7 @@ using Lanes = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
 // A register that is not the widest holds part of a block; bits of its lanes are the lowest ones.
-constexpr std::uint32_t kAllHere = (1u << hn::MaxLanes(Tag())) - 1;
+inline constexpr std::uint32_t kAllHere = (1u << hn::MaxLanes(Tag())) - 1;
 static_assert(std::endian::native == std::endian::little);
 
 HWY_INLINE std::uint32_t bits_of(Mask mask) {
@@ -82,8 +82,8 @@ HWY_INLINE std::uint32_t sure_lanes(const Block& block, const BroadcastBox& box)
 }
 
 /// The bits of those `unsure` lanes that overlap the box by the low halves, too.
-HWY_NOINLINE std::uint32_t decided_lanes(const Block& high, const LowBlock& low,
-                                         const OrderedBox& box, std::uint32_t unsure) {
+inline HWY_NOINLINE std::uint32_t decided_lanes(const Block& high, const LowBlock& low,
+                                                const OrderedBox& box, std::uint32_t unsure) {
   std::uint32_t bits = 0;
   for (; unsure != 0; unsure &= unsure - 1) {
     const auto lane = static_cast<std::uint32_t>(std::countr_zero(unsure));

@@ -22,7 +22,7 @@ namespace {
 
 // Only the widest registers can be packed in one instruction. Highway 1.0.3 packs others by a table
 // that g++ 12.2 copies to the stack each time; there a loop over the bits is faster.
-constexpr bool kPacks = hn::MaxLanes(Tag()) == kLanes;
+inline constexpr bool kPacks = hn::MaxLanes(Tag()) == kLanes;
 
 /// The lanes whose bits are set, one after the other.
 template <typename Numbers>

@@ -23,12 +23,12 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
-constexpr float kNever = std::numeric_limits<float>::infinity();
+inline constexpr float kAtOnce = -std::numeric_limits<float>::infinity();
+inline constexpr float kNever = std::numeric_limits<float>::infinity();
 
 /// How many leaves, and planes, are fetched ahead of the one that is looked at.
-constexpr std::size_t kAhead = 6;
-constexpr std::size_t kPlanesAhead = 16;
+inline constexpr std::size_t kAhead = 6;
+inline constexpr std::size_t kPlanesAhead = 16;
 
 /// The first if `is_first` is 1, the second if it is 0, without a branch.
 HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
