@@ -16,10 +16,14 @@ struct Obb;
 struct Ray;
 struct Sphere;
 struct Triangle;
+struct EdgePath;
+struct PointPath;
+struct TrianglePath;
 template <int K>
 struct KDop;
 
 class Mesh;
+class MeshPath;
 struct MeshInPoses;
 struct PlacedMesh;
 struct PlacedMeshView;
@@ -29,7 +33,9 @@ struct Topology;
 struct BatchSettings;
 struct ContactSettings;
 struct DistanceSettings;
+struct FirstContactSettings;
 struct IntersectionSettings;
+struct ManifoldSettings;
 struct MemoryPairSettings;
 struct MemoryQuerySettings;
 struct PairSettings;
@@ -43,7 +49,9 @@ struct VoxelSettings;
 
 struct MeshContact;
 struct MeshContacts;
+struct FirstContact;
 struct MeshDistance;
+struct MeshFirstContact;
 struct MeshIntersection;
 struct RayHit;
 struct Separation;
@@ -61,7 +69,8 @@ class Shape;
 struct PlacedShape;
 struct PlacedShapeView;
 struct ContactFeature;
-struct Manifold;
+class Manifold;
+struct MeshSides;
 struct ShapeContact;
 struct ShapeDistance;
 

@@ -25,6 +25,7 @@
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
+#include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/pair_memory.h>
@@ -54,6 +55,7 @@
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
 #include <graze/narrowphase/crossing.h>
+#include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/touch.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_box.h>

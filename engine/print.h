@@ -11,6 +11,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
@@ -19,6 +20,7 @@
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/world.h>
+#include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/triangle.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_ray.h>
@@ -53,6 +55,8 @@ std::ostream& operator<<(std::ostream& out, const TrianglePairs& pairs);
 std::ostream& operator<<(std::ostream& out, const TriangleList& triangles);
 std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);
 std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit);
+std::ostream& operator<<(std::ostream& out, const FirstContact& contact);
+std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);

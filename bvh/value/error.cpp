@@ -9,8 +9,8 @@ Error::Error(const std::string& what, ErrorPlace place) : std::runtime_error(wha
 }
 
 const ErrorPlace& Error::place() const noexcept {
-  static const ErrorPlace nowhere;
-  return place_ == nullptr ? nowhere : *place_;
+  static const ErrorPlace kNowhere;
+  return place_ == nullptr ? kNowhere : *place_;
 }
 
 }  // namespace graze

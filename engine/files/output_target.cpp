@@ -82,6 +82,7 @@ OutputTarget find_output_target(const fs::path& given) {
     if (S_ISREG(status.st_mode)) {
       return {.kind = OutputTarget::Kind::Replaced, .path = path, .old = status};
     }
+    if (S_ISSOCK(status.st_mode)) fail_to_write(given, ENXIO);  // as open() would
     if (!S_ISLNK(status.st_mode)) return {.kind = OutputTarget::Kind::Through, .path = path};
     const fs::path folder = folder_of(path);
     if (is_of_processes(folder)) return target_of_process(given, path);

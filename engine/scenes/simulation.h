@@ -24,7 +24,8 @@ class Simulation {
 
   /// The first call brings the world to time 0, each later one a step further: it moves the bodies
   /// that have paths, and updates. Throws PoseError that names body and time if a path leads beyond
-  /// what a world can hold. The spans are valid until the next call.
+  /// what a world can hold. After whatever is thrown the clock stands, and the next call takes the
+  /// same step. The spans are valid until the next call.
   WorldUpdate advance();
 
   /// Of the last advance(): how many steps from time 0, and the time, the product, rounded once.

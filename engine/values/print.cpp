@@ -144,6 +144,14 @@ std::ostream& operator<<(std::ostream& out, const TriangleDistance& gap) {
 std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit) {
   return out << Text("hit at ", hit.distance, ", point ", hit.point, ", normal ", hit.normal);
 }
+std::ostream& operator<<(std::ostream& out, const FirstContact& contact) {
+  return out << Text("contact at time ", contact.time)
+             << (contact.is_at_start ? ", from the start" : "");
+}
+std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact) {
+  return out << FirstContact{contact.time, contact.is_at_start} << Text(", triangles ")
+             << contact.pair;
+}
 std::ostream& operator<<(std::ostream& out, const MeshDistance& gap) {
   return out << Text("distance ", gap.distance, " from ", gap.point_a, " to ", gap.point_b,
                      ", triangles ")

@@ -22,6 +22,11 @@ class BodyShape {
   /// The Shape that it stands for, or nullptr if it is a user's own.
   virtual const Shape* shape() const { return nullptr; }
 
+  /// Whether several threads may ask the shape at once, as a world with WorldSettings::threads
+  /// does. One that does not say so is asked only by the thread that calls World::update(). A world
+  /// asks this once, before a body takes the shape.
+  virtual bool allows_concurrent_calls() const { return false; }
+
   /// A box in world coordinates, metres, that holds the shape placed by the pose.
   virtual Aabb bounds(const Pose& pose) const = 0;
 
@@ -32,6 +37,12 @@ class BodyShape {
   /// Where two that touch meet, as seen from this one; asked as touches() is. A shape that does not
   /// know offers none.
   virtual Manifold contacts(const Pose& pose, const BodyShape& other, const Pose& other_pose) const;
+
+  /// Where two meet that touch or are apart by no more than a margin above 0, metres: empty if they
+  /// are farther apart. Asked as touches() is; by default, of a shape that does not know of
+  /// margins, contacts() of those that touch.
+  virtual Manifold contacts_within(const Pose& pose, const BodyShape& other, const Pose& other_pose,
+                                   double margin) const;
 
   /// Both in one: what contacts() says where touches() is true, else nothing. For poses that have
   /// been checked, as those of a world have.

@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include <graze/bvh/hash.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/sides.h>
 
 namespace graze {
 
@@ -27,28 +30,68 @@ struct ShapeContact {
   Eigen::Vector3d point_a;  ///< on A's surface
   Eigen::Vector3d point_b;  ///< on B's
   Eigen::Vector3d normal;   ///< unit, from A to B
-  double depth;             ///< metres, >= 0: how far the two reach past each other here
+  double depth;             ///< metres: how far the two reach past each other here; negative only
+                            ///< where a margin was asked for: minus how far they are apart
   ContactFeature feature;   ///< which parts of the two meet here
+  std::uint32_t region;     ///< contacts of one region share a way out; see Manifold
 
   bool operator==(const ShapeContact&) const = default;
 };
 
-/// Up to four contacts that stand for all of a pair, the deepest first.
-struct Manifold {
-  std::array<ShapeContact, 4> contacts;  ///< the first `count`
-  std::size_t count = 0;                 ///< at most 4
+/// The contacts of a pair, region by region: of each at most four that stand for all of it, its
+/// deepest first; and the region with the deepest first. Where two bodies meet in several regions,
+/// as a plank that lies on two trestles or a box in a corner, each has its own normal. Two convex
+/// bodies meet in one. Four contacts take no memory beyond the manifold's own.
+class Manifold {
+ public:
+  static constexpr std::size_t kMostOfRegion = 4;  ///< contacts of one region
 
-  std::size_t size() const { return count; }
-  bool empty() const { return count == 0; }
-  auto begin() const { return contacts.begin(); }
-  auto end() const { return contacts.begin() + static_cast<std::ptrdiff_t>(count); }
-  const ShapeContact& operator[](std::size_t index) const { return contacts[index]; }
+  Manifold() = default;
+  Manifold(Manifold&&) noexcept = default;
+  Manifold& operator=(Manifold&&) noexcept = default;
+  /// Copies the contacts that there are, mostly one or two of four.
+  Manifold(const Manifold& other) { *this = other; }
+  Manifold& operator=(const Manifold& other);
 
-  /// Of the contacts that there are.
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  const ShapeContact* begin() const { return data(); }
+  const ShapeContact* end() const { return data() + count_; }
+  const ShapeContact& operator[](std::size_t index) const { return data()[index]; }
+  /// To be changed in place.
+  ShapeContact& operator[](std::size_t index) { return data()[index]; }
+
+  /// How many regions there are, and the contacts of one.
+  std::size_t region_count() const { return count_ == 0 ? 0 : (*this)[count_ - 1].region + 1; }
+  std::span<const ShapeContact> region(std::size_t index) const;
+
+  void clear() { count_ = 0; }
+  /// Adds a contact of the last region, or of the next; there may be more than four.
+  void add(const ShapeContact& contact);
+
   bool operator==(const Manifold& other) const {
     return std::equal(begin(), end(), other.begin(), other.end());
   }
+
+ private:
+  const ShapeContact* data() const { return count_ <= kMostOfRegion ? few_.data() : all_.data(); }
+  ShapeContact* data() { return count_ <= kMostOfRegion ? few_.data() : all_.data(); }
+
+  std::size_t count_ = 0;
+  std::vector<ShapeContact> all_;                ///< if there are more than four
+  std::array<ShapeContact, kMostOfRegion> few_;  ///< else
 };
+
+inline Manifold& Manifold::operator=(const Manifold& other) {
+  count_ = other.count_;
+  if (count_ > kMostOfRegion) {
+    all_ = other.all_;
+  } else {
+    std::copy(other.few_.begin(), other.few_.begin() + static_cast<std::ptrdiff_t>(count_),
+              few_.begin());
+  }
+  return *this;
+}
 
 /// Where two placed shapes meet; empty exactly when intersects() is false.
 ///
@@ -63,36 +106,39 @@ struct Manifold {
 /// whichever is more: moving B by as much along the normal parts them. So a motion by d changes
 /// that width by at most d and the tolerance. A cylinder's cap and a cone's base count as octagons.
 ///
-/// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside. With a
-/// convex shape each triangle that it meets offers contacts: along the triangle's normal, if the
-/// shape's middle is outside its plane and the common area is not empty, else along the shortest
-/// separating translation. Triangles that the middle is behind count only if there are no others.
-/// Two meshes offer the corners of the patches in which they meet, points of the curves of their
-/// find_intersection(): each with its patch's normal, that of the area which its curves enclose,
-/// and the depth of the closed curve that it lies on. A patch that lies in several curves, as where
-/// the teeth of a comb enter, offers a point of the deepest one, too: so the first contact is as
-/// deep as any. A depth is mostly find_contacts()'s, and a guide: it is not proved to part them.
-/// Curves that do not close, of open meshes or where rounding tears them, count together as far as
-/// triangles connect them; and of a part inside with thousands of vertices those are looked at to
-/// which the way in leads, up to 96 for all curves, or 8 for each. Meshes that only touch, in a
-/// plane, along a line or in a point, offer their find_contacts().
+/// **Meshes** are one-sided: their triangles turn counter-clockwise as seen from outside, and what
+/// is behind a surface leaves it in front. Law 15 (narrowphase/README.md) says what a region is and
+/// which way leads out of it: a direction that a face, a convex edge or a corner of a mesh faces.
+/// So a polyhedron has the same contacts as the closed mesh of its surface, however that is
+/// tessellated: the greatest depth to a twentieth, its normal to a degree or one that parts the two
+/// as well, while the depth is at most a tenth of the smaller body. Edges between triangles of one
+/// plane have no effect. Each contact has its own depth: what leans is deepest where it leans.
+/// Regions between walls that are too near to each other to satisfy both are all listed. Where
+/// nothing but triangles of no height is touched, each parts from a shape along the shortest way.
+/// Where the deepest point lies beyond the triangles that are touched, as in a valley, a region's
+/// contact is less deep than its way out. Of two meshes curves that do not close, where a mesh is
+/// open or where rounding tears them, count as one piece as far as triangles connect them. A piece
+/// that wraps around, as that of a nut on a bolt, has a region for each triangle that it has to be
+/// left by. Meshes
+/// that only touch, in a plane, along a line or in a point, offer their find_contacts().
 ///
 /// **Points.** Each point_a is on A's surface and each point_b on B's, however deep the two are, to
 /// 2^-32 of the scale of the pair (their sizes and the distance of their middles) and the rounding
-/// of world coordinates. Unless both are meshes, point_a - point_b is depth times normal: along the
-/// normal A ends at point_a, depth beyond point_b, where B begins. Where faces, or edges that lie
+/// of world coordinates. point_a - point_b is depth times normal: along the normal A ends at
+/// point_a, depth beyond point_b, where B begins. Where faces, or edges that lie
 /// along each other, meet, and above a half-space that holds to the same tolerance. Where one point
 /// of each meets, the two are where the shapes touch once they are parted: to 2^-17 of the smaller
 /// one's size, or 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth
 /// is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing if
-/// Work::penetration_failures counts the pair. Two meshes go through each other at their contacts:
-/// point_a and point_b are one point, on both surfaces, and the depth is that of the curve.
+/// Work::penetration_failures counts the pair. Of two meshes the one of the two points that a
+/// corner or an edge has is on its surface; the other is on the plane of the face that it is
+/// behind, which where a surface is curved leaves it by the height of a facet's neighbours.
 ///
-/// Of all that is offered four remain: the deepest, and those that are far from all that remain. So
-/// that features persist, edges of two faces that are within a 256th of the smaller shape's size of
-/// each other count as one, which no answer of yes or no depends on: where such an edge ends the
-/// common area, its corners slide along their face onto that end, and keep their names.
-/// Swapping A and B mirrors the result, bit for bit: normals turn round, and features change
+/// Of all that a region offers four remain: the deepest, and those that are far from all that
+/// remain. So that features persist, edges of two faces that are within a 256th of the smaller
+/// shape's size of each other count as one, which no answer of yes or no depends on: where such an
+/// edge ends the common area, its corners slide along their face onto that end, and keep their
+/// names. Swapping A and B mirrors the result, bit for bit: normals turn round, and features change
 /// places. Of equal shapes in equal poses there is nothing to mirror, as the swapped question is
 /// the same one: then the result is the same, too. Throws as intersects() does, and
 /// UnsupportedPairError for two half-spaces that intersect: no finite translation parts them.
@@ -102,6 +148,36 @@ struct Manifold {
 template <typename = void>
 Manifold find_contacts(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                        Work* work = nullptr);
+
+/// How find_contacts() of two shapes looks for contacts.
+struct ManifoldSettings {
+  /// Contacts begin when the two are so near, metres: finite and not negative.
+  double margin = 0;
+  MeshSides sides_a = {};  ///< what of A counts beside its surface, if it is a mesh
+  MeshSides sides_b = {};  ///< likewise of B
+};
+
+/// The same with a margin: empty exactly when the two are apart by more than it, as distance()
+/// says, or by its lower bound where that has not converged. The contacts are those of A grown by
+/// the margin, by the same definition, and as they lie on A itself: a depth may be negative, down
+/// to minus the margin, where the surfaces are apart along the normal by that much. Of two that do
+/// not touch no depth is above 0. A mesh grows triangle by triangle, to its front; where all that
+/// is near is behind it, as for a ball inside a closed mesh, the one contact is that of the nearest
+/// points. Of two meshes what is near along one direction is one region.
+///
+/// What does not touch, and is on the inner side of a mesh whose sides count, has contacts, too:
+/// one region, in front of which it is once it has moved by the greatest depth. A solid is left by
+/// the shortest way out through a triangle that the body then lies before, as far as triangles
+/// about as near as that way is long say; a surface with a front by the nearest triangle's. What
+/// touches as well is led out by what it touches, as ever.
+///
+/// With a margin of 0 and surfaces alone these are the contacts of above, bit for bit. Throws as
+/// above; InputError for a margin that is negative, infinite or NaN, for sides of what is no mesh,
+/// and for a thickness that is none; MeshError, with the edge, for a mesh that does not tell its
+/// sides apart. Costs up to a distance() more.
+template <typename = void>
+Manifold find_contacts(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
+                       const ManifoldSettings& settings, Work* work = nullptr);
 
 }  // namespace graze
 

@@ -40,12 +40,14 @@ enum class PairStatus {
                  ///< the true distance is no less than `lower_bound`, and no more than that of the
                  ///< points, if that is not 0. If `lower_bound` is 0 nothing proves the two apart,
                  ///< and a caller who must not miss a hit reads it as one, as intersects() does
-                 ///< (law 11)
+                 ///< (law 11). The point of such a hit may be in neither: it is midway between one
+                 ///< of each, and how far apart these are is not promised
 };
 
 /// How far apart two placed shapes are, metres, and where, in the world's frame.
 struct ShapeDistance {
-  double distance;          ///< of the two points; 0 if and only if intersects() says so
+  double distance;          ///< of the two points, but for tolerances (see below); 0 if and only if
+                            ///< intersects() says so
   double lower_bound;       ///< proved: the true distance is not less. For skipping
   Eigen::Vector3d point_a;  ///< the point of A nearest to B; of intersecting shapes one of both,
                             ///< which of a mesh is near the surface that is met
@@ -60,9 +62,10 @@ struct ShapeDistance {
 
 // Rounding moves points by 2^-46 of the scale, and of the world's coordinates where those are
 // greater. Of shapes that are apart by less than kTouchTolerance of the scale, or that touch,
-// points are known to that tolerance. Such a distance may be the least double, 4.9e-324, of a mesh
-// and a convex shape: apart, by the exact test or by the boxes of triangles, and by less than the
-// distance's tolerance.
+// points are known to that tolerance, and the distance may exceed that of its points, which may be
+// one: it is then what boxes or an exact test prove. Of a mesh and a convex shape that is no sphere
+// it may even be the least double, 4.9e-324: apart, by the exact test or by the boxes of triangles,
+// and by less than the distance's tolerance.
 
 // All questions: shapes in poses in the world's frame, each in one argument: `distance({Box{{1, 1,
 // 1}}}, {hull, pose})`. They are templates, of which there is one, only so that C++ prefers the
@@ -85,9 +88,10 @@ bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,
                 Work* work = nullptr);
 
 /// The distance is off by at most kTouchTolerance times the scale of the pair where the status is
-/// Converged; lower_bound holds whatever the status is. Two spheres, a sphere and a box and two
-/// boxes that their tests find apart by less than rounding are measured again, in twice the
-/// precision or by all their features, so that their distance is above 0 and that of the points.
+/// Converged; lower_bound holds whatever the status is. Two spheres, a sphere and a box, a sphere
+/// and a mesh, and two boxes that their tests find apart by less than rounding are measured again,
+/// in twice the precision or by all their features, so that their distance is above 0 and, but for
+/// the rounding of the points, that of these. So a sphere and a mesh always converge.
 /// Two half-spaces are apart only where their normals are exactly opposite.
 template <typename = void>
 ShapeDistance distance(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b,

@@ -21,13 +21,21 @@ struct BodySettings {
   Filter filter = {};                 ///< whom it meets
   std::uint64_t user_data = 0;        ///< a number that the world keeps and does not read
   Role role = Role::Solid;            ///< whether it meets others, or is told of them
+  /// Metres, finite and not negative. Contacts of two bodies begin when they are apart by no more
+  /// than the sum of both margins: ManifoldSettings says what they then are. Costs nothing where it
+  /// is 0; else up to a distance() for each pair that is looked at and does not touch.
+  double margin = 0;
+  /// What of a mesh counts beside its surface: see ManifoldSettings. What is behind it touches
+  /// then, in all lists and contacts of the world, not in its queries.
+  MeshSides sides = {};
 };
 
 /// How a World works. What need not be done is left out: each setting that begins with `skip_`
 /// switches one such saving off, which changes no answer, only what it costs.
 struct WorldSettings {
-  /// How many threads share the broad phase at most; 0: all that there are. Shapes are asked by the
-  /// thread that calls update(). No result depends on it.
+  /// How many threads share each stage of update() at most; 0: all that there are. Filters are
+  /// asked by the thread that calls it, and so are shapes of a user's own that do not allow others
+  /// (BodyShape::allows_concurrent_calls()). No result depends on it, nor does WorldWork.
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
 
@@ -37,10 +45,10 @@ struct WorldSettings {
                                   ///< when a body takes the mesh
 };
 
-/// Where two solid bodies that touch meet. Half-spaces among themselves, and shapes of a user's own
-/// that tell of none, touch with an empty manifold.
+/// Where two solid bodies that touch meet, or that are near, if they have a margin. Half-spaces
+/// among themselves, and shapes of a user's own that tell of none, touch with an empty manifold.
 struct BodyContact {
-  BodyPair pair;      ///< touches
+  BodyPair pair;      ///< touches, or is near: then no depth is above 0
   Manifold manifold;  ///< as find_contacts() says, normals from pair.a to pair.b
 
   bool operator==(const BodyContact&) const = default;
@@ -56,9 +64,10 @@ struct WorldWork {
   std::uint64_t pairs_apart = 0;    ///< pairs in which something moved, but by less than their gap
   std::uint64_t shape_tests = 0;    ///< pairs that were asked whether they touch
   std::uint64_t gaps_measured = 0;  ///< gaps of pairs that were tested
+  std::uint64_t pairs_near = 0;     ///< tested pairs that are within their margin and do not touch
   std::uint64_t contacts_found = 0;  ///< pairs whose contacts were asked for
-  std::uint64_t contacts_skipped =
-      0;  ///< pairs in `moved` without contacts: the settings ask for none, or one is a sensor
+  /// Pairs in `moved`, or near, without contacts: the settings ask for none, or one is a sensor.
+  std::uint64_t contacts_skipped = 0;
 
   /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
   /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
@@ -81,8 +90,15 @@ struct WorldUpdate {
                                     ///< filter keeps them apart
   /// Pairs that touch now and of which one body moved, came, woke or changed its filter.
   std::span<const BodyPair> moved;
-  std::span<const BodyContact> contacts;  ///< of the solid pairs in `moved`, if the settings ask
-  WorldWork work;                         ///< what it did and could leave out
+  /// Of the solid pairs in `moved`, and of those that would be there if to be near were to touch;
+  /// if the settings ask.
+  std::span<const BodyContact> contacts;
+  WorldWork work;  ///< what it did and could leave out
+
+  /// Pairs with a margin that are within it now, touching or not, and were not. All lists but these
+  /// two mean the touch.
+  std::span<const BodyPair> begun_near;
+  std::span<const BodyPair> ended_near;  ///< were within their margin and are not
 };
 
 /// Which bodies a query of a world is about.
@@ -131,7 +147,8 @@ class World {
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds.
+  /// Throws PoseError for a pose that is not rigid, InputError for a shape without finite bounds or
+  /// a margin that is none, and as find_contacts() does for sides that the shape has not.
   BodyId add(const PlacedShapeView& shape, const BodySettings& settings = {});
   BodyId add(const PlacedBodyShape& shape, const BodySettings& settings = {});
 
@@ -144,13 +161,16 @@ class World {
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
   /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
   /// each step. Throws as add() does, and leaves the body as it was.
+  /// Sides that the settings gave it stay, and must suit the new shape.
   void set_shape(BodyId id, const Shape& shape);
   void set_shape(BodyId id, std::shared_ptr<const BodyShape> shape);
 
-  /// These three hold from the next update() on.
+  /// These four hold from the next update() on.
   void set_filter(BodyId id, const Filter& filter);
   void set_kind(BodyId id, BodyKind kind);
   void set_role(BodyId id, Role role);
+  /// Likewise. Throws InputError for a margin that is negative, infinite or NaN.
+  void set_margin(BodyId id, double margin);
   /// A number that the world keeps and does not read.
   void set_user_data(BodyId id, std::uint64_t data);
 
@@ -189,6 +209,10 @@ class World {
   BodyKind kind(BodyId id) const;
   /// As settings or set_role() said last.
   Role role(BodyId id) const;
+  /// As settings or set_margin() said last.
+  double margin(BodyId id) const;
+  /// As settings said, while it has the mesh.
+  const MeshSides& sides(BodyId id) const;
   /// As settings or set_filter() said last.
   const Filter& filter(BodyId id) const;
   /// As settings or set_user_data() said last.
@@ -205,9 +229,13 @@ class World {
   /// removed since. O(pairs log pairs).
   std::vector<BodyPair> pairs() const;
 
-  /// The contacts of all solid pairs that touch, in the order of pairs(). Computes each: for bodies
-  /// that were put to sleep where they were moved to from where they are, which may be none. Throws
-  /// InputError while changes wait for an update.
+  /// All pairs with a margin that were within it at the last update, likewise; whether they touch
+  /// or not.
+  std::vector<BodyPair> near_pairs() const;
+
+  /// The contacts of all solid pairs that touch or are near, in ascending order. Computes each: for
+  /// bodies that were put to sleep where they were moved to from where they are, which may be none.
+  /// Throws InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
 
   /// The bodies whose boxes share a point with `box`, in ascending order.

@@ -29,12 +29,22 @@ int exponent_of_lowest_bit(double value) {
   return parts.exponent + std::countr_zero(parts.mantissa);
 }
 
-BigInteger::BigInteger(const BigInteger& other)
+template <int Capacity>
+LongInteger<Capacity>::LongInteger(const LongInteger& other)
     : size_(other.size_), is_negative_(other.is_negative_) {
   std::copy_n(other.limbs_.begin(), size_, limbs_.begin());
 }
 
-BigInteger& BigInteger::operator=(const BigInteger& other) {
+template <int Capacity>
+template <int OtherCapacity>
+LongInteger<Capacity>::LongInteger(const LongInteger<OtherCapacity>& other)
+    : size_(other.size_), is_negative_(other.is_negative_) {
+  if (size_ > Capacity) throw CapacityExceeded();
+  std::copy_n(other.limbs_.begin(), size_, limbs_.begin());
+}
+
+template <int Capacity>
+LongInteger<Capacity>& LongInteger<Capacity>::operator=(const LongInteger& other) {
   if (this == &other) return *this;
   size_ = other.size_;
   is_negative_ = other.is_negative_;
@@ -42,8 +52,9 @@ BigInteger& BigInteger::operator=(const BigInteger& other) {
   return *this;
 }
 
-BigInteger BigInteger::from_double(double value, int unit) {
-  BigInteger result;
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::from_double(double value, int unit) {
+  LongInteger result;
   if (value == 0) return result;
   const Decomposed parts = decompose(value);
   const int trailing = std::countr_zero(parts.mantissa);
@@ -61,12 +72,14 @@ BigInteger BigInteger::from_double(double value, int unit) {
   return result;
 }
 
-Sign BigInteger::sign() const {
+template <int Capacity>
+Sign LongInteger<Capacity>::sign() const {
   if (size_ == 0) return Sign::Zero;
   return is_negative_ ? Sign::Negative : Sign::Positive;
 }
 
-BigInteger::Leading BigInteger::leading() const {
+template <int Capacity>
+auto LongInteger<Capacity>::leading() const -> Leading {
   if (size_ == 0) return {0, 0, 0};
   const auto limb = [&](int i) { return i >= 0 ? limbs_[i] : 0; };
   const std::uint64_t limbs[3] = {limb(size_ - 1), limb(size_ - 2), limb(size_ - 3)};
@@ -77,7 +90,8 @@ BigInteger::Leading BigInteger::leading() const {
   return {joined(0), joined(1), 64 * (size_ - 2) - shift};
 }
 
-int BigInteger::compare_magnitude(const BigInteger& a, const BigInteger& b) {
+template <int Capacity>
+int LongInteger<Capacity>::compare_magnitude(const LongInteger& a, const LongInteger& b) {
   if (a.size_ != b.size_) return a.size_ < b.size_ ? -1 : 1;
   for (int i = a.size_ - 1; i >= 0; --i) {
     if (a.limbs_[i] != b.limbs_[i]) return a.limbs_[i] < b.limbs_[i] ? -1 : 1;
@@ -85,8 +99,10 @@ int BigInteger::compare_magnitude(const BigInteger& a, const BigInteger& b) {
   return 0;
 }
 
-BigInteger BigInteger::add_magnitude(const BigInteger& a, const BigInteger& b) {
-  BigInteger sum;
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::add_magnitude(const LongInteger& a,
+                                                           const LongInteger& b) {
+  LongInteger sum;
   std::uint64_t carry = 0;
   const int size = std::max(a.size_, b.size_);
   for (int i = 0; i < size; ++i) {
@@ -96,12 +112,17 @@ BigInteger BigInteger::add_magnitude(const BigInteger& a, const BigInteger& b) {
     carry = static_cast<std::uint64_t>(total >> 64);
   }
   sum.size_ = size;
-  if (carry != 0) sum.limbs_[sum.size_++] = carry;
+  if (carry != 0) {
+    if (sum.size_ == Capacity) throw CapacityExceeded();
+    sum.limbs_[sum.size_++] = carry;
+  }
   return sum;
 }
 
-BigInteger BigInteger::subtract_magnitude(const BigInteger& larger, const BigInteger& smaller) {
-  BigInteger difference;
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::subtract_magnitude(const LongInteger& larger,
+                                                                const LongInteger& smaller) {
+  LongInteger difference;
   std::uint64_t borrow = 0;
   for (int i = 0; i < larger.size_; ++i) {
     const std::uint64_t subtrahend = i < smaller.size_ ? smaller.limbs_[i] : 0;
@@ -115,29 +136,50 @@ BigInteger BigInteger::subtract_magnitude(const BigInteger& larger, const BigInt
   return difference;
 }
 
-BigInteger operator+(const BigInteger& a, const BigInteger& b) {
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::sum(const LongInteger& a, const LongInteger& b) {
   if (a.is_negative_ == b.is_negative_) {
-    BigInteger sum = BigInteger::add_magnitude(a, b);
+    LongInteger sum = add_magnitude(a, b);
     sum.is_negative_ = a.is_negative_;
     return sum;
   }
-  const int order = BigInteger::compare_magnitude(a, b);
-  BigInteger sum =
-      order >= 0 ? BigInteger::subtract_magnitude(a, b) : BigInteger::subtract_magnitude(b, a);
+  const int order = compare_magnitude(a, b);
+  LongInteger sum = order >= 0 ? subtract_magnitude(a, b) : subtract_magnitude(b, a);
   sum.is_negative_ = order >= 0 ? a.is_negative_ : b.is_negative_;
   return sum;
 }
 
-BigInteger operator-(const BigInteger& a, const BigInteger& b) {
-  BigInteger negated = b;
-  negated.is_negative_ = !b.is_negative_;
-  return a + negated;
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::operator-() const {
+  LongInteger negated = *this;
+  negated.is_negative_ = !is_negative_;
+  return negated;
 }
 
-BigInteger operator*(const BigInteger& a, const BigInteger& b) {
-  BigInteger product;
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::shifted(int bits) const {
+  LongInteger result;
+  if (size_ == 0) return result;
+  const int limb = bits / 64;
+  const int bit = bits % 64;
+  if (size_ + limb + 1 > Capacity) throw CapacityExceeded();
+  std::fill_n(result.limbs_.begin(), limb, 0);
+  std::uint64_t carried = 0;
+  for (int i = 0; i < size_; ++i) {
+    result.limbs_[limb + i] = limbs_[i] << bit | carried;
+    carried = bit == 0 ? 0 : limbs_[i] >> (64 - bit);
+  }
+  result.size_ = limb + size_;
+  if (carried != 0) result.limbs_[result.size_++] = carried;
+  result.is_negative_ = is_negative_;
+  return result;
+}
+
+template <int Capacity>
+LongInteger<Capacity> LongInteger<Capacity>::product(const LongInteger& a, const LongInteger& b) {
+  LongInteger product;
   if (a.size_ == 0 || b.size_ == 0) return product;
-  assert(a.size_ + b.size_ <= BigInteger::kCapacity);
+  if (a.size_ + b.size_ > Capacity) throw CapacityExceeded();
   std::fill_n(product.limbs_.begin(), a.size_ + b.size_, 0);
   for (int i = 0; i < a.size_; ++i) {
     std::uint64_t carry = 0;
@@ -154,5 +196,10 @@ BigInteger operator*(const BigInteger& a, const BigInteger& b) {
   product.is_negative_ = a.is_negative_ != b.is_negative_;
   return product;
 }
+
+template class LongInteger<200>;
+template class LongInteger<768>;
+template LongInteger<768>::LongInteger(const LongInteger<200>&);
+template LongInteger<200>::LongInteger(const LongInteger<768>&);
 
 }  // namespace graze::narrowphase

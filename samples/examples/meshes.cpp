@@ -50,4 +50,17 @@ int main() {
     vertex.z() *= 3;
   const graze::Mesh tower = cube.deformed(higher);
   expect(std::abs(graze::signed_volume(tower) - 3) < 1e-12, "three times as high");
+
+  // On the way there each vertex goes straight: when does the tower meet what is above?
+  const graze::MeshPath growing(cube, tower);
+  std::vector<Eigen::Vector3d> raised(cube.vertices().begin(), cube.vertices().end());
+  for (Eigen::Vector3d& vertex : raised)
+    vertex.z() += 2;
+  const graze::Mesh lid = cube.deformed(raised);
+  const graze::MeshPath resting(lid, lid);
+  const std::optional<graze::MeshFirstContact> met = graze::first_contact(growing, resting);
+  expect(met && met->time == 0.5 && !met->is_at_start, "one metre of two: never late");
+  expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
+         "it holds both meshes, and a tree");
+  expect(!graze::first_self_contact(growing), "and no part of it meets another");
 }

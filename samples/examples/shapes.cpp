@@ -29,7 +29,32 @@ int main() {
   const graze::Manifold manifold =
       graze::find_contacts({graze::Box{{1, 1, 1}}}, {graze::Box{{1, 1, 1}}, at(0, 0, 1.875)});
   expect(manifold.size() == 4, "face on face: four contacts");
+  const graze::Manifold near = graze::find_contacts(
+      {graze::Box{{1, 1, 1}}}, {graze::Box{{1, 1, 1}}, at(0, 0, 2.125)}, {.margin = 0.25});
+  expect(near.size() == 4 && near[0].depth == -0.125, "and with a margin before they touch");
   expect(std::abs(manifold[0].depth - 0.125) < 1e-9 && manifold[0].normal.z() > 0.99, "upward");
+
+  // A plank on two trestles, which are one mesh: it meets them in two regions of up to four
+  // contacts.
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<graze::TriangleIndices> triangles;
+  for (const double x : {-3.0, 3.0}) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    const graze::Mesh trestle = examples::cube(1);
+    for (const Eigen::Vector3d& corner : trestle.vertices())
+      corners.push_back(corner + Eigen::Vector3d(x, 0, 0));
+    for (const graze::TriangleIndices& t : trestle.triangles())
+      triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const graze::Mesh trestles(corners, std::span<const graze::TriangleIndices>(triangles));
+  const graze::Aabb around = trestles.bounds();
+  const graze::Manifold lying = graze::find_contacts(
+      {graze::Box{{3.25, 0.25, 0.125}}, at(0, 0, around.max.z() + 0.0625)}, {trestles});
+  expect(lying.region_count() == 2, "one for each trestle");
+  for (std::size_t region = 0; region < lying.region_count(); ++region) {
+    for (const graze::ShapeContact& contact : lying.region(region))
+      expect(std::abs(contact.depth - 0.0625) < 1e-9 && contact.normal.z() < -0.99, "downward");
+  }
 
   const graze::Aabb box_a = graze::bounding_aabb({capsule});
   const graze::Aabb box_b = graze::bounding_aabb({capsule, aside});
@@ -40,11 +65,13 @@ int main() {
   // As a world asks it; classes of a user's own may do the same.
   const std::shared_ptr<const graze::BodyShape> body = graze::share(capsule);
   expect(body->shape()->kind() == graze::ShapeKind::Capsule, "the shape that it stands for");
+  expect(body->allows_concurrent_calls(), "threads may ask it at once");
   expect(body->bounds(aside) == box_b, "its box");
   expect(body->bounding_radius() >= 0.75, "no point is further from its origin");
   expect(!body->touches(at(0, 0, 0), *body, aside), "apart");
   expect(body->gap(at(0, 0, 0), *body, aside) <= 1.5, "by what is known, if anything is");
   expect(body->contacts(at(0, 0, 0), *body, aside).empty(), "so there is no contact");
+  expect(!body->contacts_within(at(0, 0, 0), *body, aside, 1.75).empty(), "but with a margin");
   expect(body->meet(at(0, 0, 0), *body, at(0.25, 0, 0)).has_value(), "both at once");
   expect(body->cast_ray(aside, {{0, 0, 0}, {1, 0, 0}}).has_value(), "a ray meets it");
 

@@ -39,6 +39,24 @@ int main() {
   // Beside other sets, exactly as well.
   expect(graze::intersects(flat, graze::Aabb{{0.5, 0.5, 0}, {1, 1, 1}}), "a corner of the box");
   expect(graze::intersects(flat, graze::Sphere{{0, 0, 1}, 1}), "the ball touches it from above");
+  // When they move, each vertex straight: the first contact, never late.
+  const graze::TrianglePath floor{{flat.a, flat.a}, {flat.b, flat.b}, {flat.c, flat.c}};
+  const graze::PointPath falling{{0.25, 0.25, 1}, {0.25, 0.25, -3}};
+  const std::optional<graze::FirstContact> fallen = graze::first_contact(falling, floor);
+  expect(fallen && fallen->time == 0.25 && !fallen->is_at_start, "after a quarter of the way");
+  const graze::PointPath leaving{{0.25, 0.25, 0}, {0.25, 0.25, 1}};
+  expect(graze::first_contact(leaving, floor)->is_at_start, "they touch before anything moves");
+  expect(!graze::first_contact(leaving, floor, {.start = graze::StartContact::IsLeft}),
+         "which a policy leaves out");
+  const graze::EdgePath rail{floor.a, floor.b};
+  const graze::EdgePath bar{{{0.5, -1, 1}, {0.5, -1, -1}}, {{0.5, 1, 1}, {0.5, 1, -1}}};
+  expect(graze::first_contact(rail, bar)->time == 0.5, "two edges");
+  std::optional<graze::FirstContact> both[2];
+  graze::first_contacts(std::vector{rail, bar}, std::vector{bar, rail}, both);
+  expect(both[0] == both[1] && both[0]->time == 0.5, "many at once, each as alone");
+  const graze::TrianglePath panel{bar.a, bar.b, falling};
+  expect(graze::first_contact(panel, floor)->time == 0.25, "two triangles: the vertex comes first");
+
   const std::optional<graze::TriangleRayHit> hit =
       graze::cast_ray(flat, graze::Ray{{0.25, 0.25, 3}, {0, 0, -1}});
   expect(hit && hit->distance == 3 && hit->normal.z() == 1, "a ray from above");

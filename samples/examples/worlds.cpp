@@ -51,6 +51,19 @@ void what_a_body_is(graze::World& world, graze::BodyId ball) {
   expect(world.pose(ball).translation().z() == 0.5, "where it was");
 }
 
+/// Contacts may begin before bodies touch.
+void what_has_a_margin(graze::World& world, graze::BodyId ball) {
+  world.set_margin(ball, 0.125);
+  world.move(ball, at(0, 0, 0.5625));  // a box of half size 0.5 by now, above the floor
+  const graze::WorldUpdate update = world.update();
+  expect(world.margin(ball) == 0.125 && update.ended.size() == 1, "they do not touch any more");
+  expect(update.begun_near.size() == 1 && world.near_pairs().size() == 1, "but are near");
+  expect(update.contacts[0].manifold[0].depth == -0.0625, "negative: how far apart they are");
+  world.set_margin(ball, 0);
+  world.move(ball, at(0, 0, 0.5));
+  expect(world.update().ended_near.size() == 1, "none without a margin");
+}
+
 void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) {
   expect(world.find_in_box({{-1, -1, 0.25}, {1, 1, 1}}) == std::vector{ball}, "whose box is there");
   expect(world.find_touching({kBall, at(0, 0, 1)}) == std::vector{ball}, "whom a shape touches");
@@ -73,7 +86,9 @@ int main() {
   pairs_over_time(world, floor, ball);
   what_a_body_is(world, ball);
   world.update();
+  what_has_a_margin(world, ball);
   what_is_near(world, floor, ball);
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");
+  expect(world.sides(floor).sides == graze::Sides::Surface, "what is in a mesh may count, too");
 }

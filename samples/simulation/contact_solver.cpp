@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace graze::samples {
@@ -75,6 +76,7 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
     Touch& touch = touches_[contact.pair];
     touch.a = world.user_data(contact.pair.a);
     touch.b = world.user_data(contact.pair.b);
+    touch.friction = std::sqrt(friction_of(touch.a, bodies) * friction_of(touch.b, bodies));
     const std::vector<Point> before = std::exchange(touch.points, {});
     const Pose to_a = world.pose(contact.pair.a).inverse();
     const Pose to_b = world.pose(contact.pair.b).inverse();
@@ -87,14 +89,34 @@ void ContactSolver::take(const World& world, const WorldUpdate& update,
       point.axis[0] = c.normal;
       point.axis[1] = c.normal.unitOrthogonal();
       point.axis[2] = c.normal.cross(point.axis[1]);
-      for (const Point& old : before) {
-        if (old.feature != point.feature) continue;
-        for (int k = 0; k < 3; ++k)
-          point.impulse[k] = old.impulse[k];
+      if (const Point* old = before_of(point, before)) {
+        // Friction is kept as a vector: the axes across the normal turn where the normal does.
+        const Vector3d across = old->impulse[1] * old->axis[1] + old->impulse[2] * old->axis[2];
+        point.impulse[0] = old->impulse[0];
+        for (int k = 1; k < 3; ++k)
+          point.impulse[k] = across.dot(point.axis[k]);
       }
       touch.points.push_back(point);
     }
   }
+}
+
+const ContactSolver::Point* ContactSolver::before_of(const Point& point,
+                                                     const std::vector<Point>& before) const {
+  const auto distance = [&](const Point& old) {  // on the body on which it has moved less
+    return std::min((old.anchor_a - point.anchor_a).norm(), (old.anchor_b - point.anchor_b).norm());
+  };
+  if (settings_.same_place > 0) {
+    const auto nearest = std::ranges::min_element(before, {}, distance);
+    if (nearest != before.end() && distance(*nearest) < settings_.same_place) return &*nearest;
+  }
+  const auto same = std::ranges::find(before, point.feature, &Point::feature);
+  return same == before.end() ? nullptr : &*same;
+}
+
+double ContactSolver::friction_of(std::uint64_t index, std::span<const RigidBody> bodies) const {
+  const RigidBody* body = body_of(index, bodies);
+  return body ? body->friction : settings_.friction;
 }
 
 void ContactSolver::prepare(Touch& touch, std::span<const RigidBody> bodies) const {
@@ -107,8 +129,9 @@ void ContactSolver::prepare(Touch& touch, std::span<const RigidBody> bodies) con
     const Vector3d apart = (place_b.at + point.arm_b) - (place_a.at + point.arm_a);
     point.gap = point.axis[0].dot(apart) - point.depth;
     for (int k = 0; k < 3; ++k) {
-      point.mass[k] =
-          1 / (mobility(a, point.arm_a, point.axis[k]) + mobility(b, point.arm_b, point.axis[k]));
+      const double yields =
+          mobility(a, point.arm_a, point.axis[k]) + mobility(b, point.arm_b, point.axis[k]);
+      point.mass[k] = yields > 0 ? 1 / yields : 0;  // two that nothing moves
     }
   }
 }
@@ -127,7 +150,16 @@ void ContactSolver::start_warm(Touch& touch, std::span<RigidBody> bodies) const 
   }
 }
 
+ContactSolver::Softness ContactSolver::softness() const {
+  if (settings_.hertz == 0) return {settings_.push_share / settings_.step, 1, 0};
+  const double omega = 2 * std::numbers::pi * settings_.hertz;
+  const double a1 = 2 * settings_.damping + settings_.step * omega;
+  const double a2 = settings_.step * omega * a1;
+  return {omega / a1, a2 / (1 + a2), 1 / (1 + a2)};
+}
+
 void ContactSolver::iterate(Touch& touch, std::span<RigidBody> bodies, bool is_pushing) const {
+  const Softness soft = softness();
   const auto speed = [&](const Point& point, int k) {
     const Vector3d between = velocity_at(body_of(touch.b, bodies), point.arm_b) -
                              velocity_at(body_of(touch.a, bodies), point.arm_a);
@@ -141,18 +173,20 @@ void ContactSolver::iterate(Touch& touch, std::span<RigidBody> bodies, bool is_p
   for (Point& point : touch.points) {
     const double overlap = -point.gap - settings_.slop;
     double wanted_speed = std::min(-point.gap, 0.0) / settings_.step;  // it may close, no more
+    double mass_share = 1, impulse_share = 0;
     if (is_pushing && overlap > 0) {
-      wanted_speed =
-          std::min(settings_.push_share * overlap / settings_.step, settings_.push_speed);
+      wanted_speed = std::min(soft.rate * overlap, settings_.push_speed);
+      mass_share = soft.mass_share, impulse_share = soft.impulse_share;
     }
-    const double by = point.mass[0] * (wanted_speed - speed(point, 0));
+    const double by = mass_share * point.mass[0] * (wanted_speed - speed(point, 0)) -
+                      impulse_share * point.impulse[0];
     change(point, 0, std::max(point.impulse[0] + by, 0.0));
   }
   for (Point& point : touch.points) {
     double wanted[3];
     for (int k = 1; k < 3; ++k)
       wanted[k] = point.impulse[k] - point.mass[k] * speed(point, k);
-    const double most = settings_.friction * point.impulse[0];
+    const double most = touch.friction * point.impulse[0];
     const double size = std::hypot(wanted[1], wanted[2]);
     for (int k = 1; k < 3; ++k)
       change(point, k, size > most ? wanted[k] * most / size : wanted[k]);

@@ -11,12 +11,15 @@ namespace graze::samples {
 struct SolverSettings {
   double step = 1.0 / 150;  // seconds
   double gravity = 9.81;    // m/s^2
-  double friction = 0.4;    // Coulomb's coefficient, of all surfaces
+  double friction = 0.4;    // Coulomb's coefficient of what is no body of the span
   int iterations = 10;
-  int relaxations = 4;       // more of these, without pushing bodies apart
-  double slop = 5e-5;        // metres that bodies may overlap without being pushed apart
-  double push_share = 0.2;   // of the rest, in a step
-  double push_speed = 0.3;   // metres a second, at most
+  int relaxations = 4;      // more of these, without pushing bodies apart
+  double slop = 5e-5;       // metres that bodies may overlap without being pushed apart
+  double push_share = 0.2;  // of the rest, in a step
+  double push_speed = 0.3;  // metres a second, at most
+  double hertz = 0;         // if more: overlaps are pushed apart as by a spring of that frequency
+  double damping = 10;      // and by a damper, of so many times the critical damping
+  double same_place = 0;  // metres: nearer than that, contacts are the same without their features
   double wake_speed = 0.25;  // metres a second, at which a body that arrives wakes one that sleeps
   double load_share =
       0.25;  // of a sleeping body's weight: it wakes if a contact that bore this ends
@@ -26,7 +29,8 @@ struct SolverSettings {
 /// bodies by their World::user_data(), the index in the span of bodies; what is no body of the span
 /// does not move. Contacts are kept until the world tells of newer ones or of their end, and start
 /// from the impulses that contacts of the same features had before. In between, the depth follows
-/// from how far their points have come.
+/// from how far their points have come. Two surfaces rub with the geometric mean of their
+/// coefficients.
 class ContactSolver {
  public:
   explicit ContactSolver(const SolverSettings& settings) : settings_(settings) {}
@@ -62,12 +66,23 @@ class ContactSolver {
   };
   struct Touch {
     std::uint64_t a, b;
+    double friction = 0;  // of the two surfaces on each other
     std::vector<Point> points;
   };
 
+  /// How overlaps are pushed apart: at a share of them each second, by impulses of which a share
+  /// counts and of which a share of the impulse so far is taken back.
+  struct Softness {
+    double rate, mass_share, impulse_share;
+  };
+
+  /// What a contact found anew starts from, if there is anything.
+  const Point* before_of(const Point& point, const std::vector<Point>& before) const;
+  double friction_of(std::uint64_t index, std::span<const RigidBody> bodies) const;
   void prepare(Touch& touch, std::span<const RigidBody> bodies) const;
   void start_warm(Touch& touch, std::span<RigidBody> bodies) const;
   void iterate(Touch& touch, std::span<RigidBody> bodies, bool is_pushing) const;
+  Softness softness() const;
   void apply(const Touch& touch, const Point& point, int axis, double impulse,
              std::span<RigidBody> bodies) const;
 

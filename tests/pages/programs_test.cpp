@@ -46,6 +46,7 @@ TEST_F(ReadmePrograms, OfTheTour) {
   EXPECT_EQ(same, hit);
   EXPECT_EQ(still, hit);
   EXPECT_TRUE(bent_hits);
+  EXPECT_EQ(first.has_value() && first->is_at_start, graze::intersects({bolt}, {nut}));
   EXPECT_FALSE(pairs.empty());
   EXPECT_FALSE(curves.empty());
   EXPECT_FALSE(contacts.empty());

@@ -37,11 +37,11 @@ HWY_INLINE float chosen(std::uint32_t is_first, float first, float second) {
   return std::bit_cast<float>(other ^ (change & (0 - is_first)));
 }
 
-WideFront::Planes<FrontBounds::Meeting>& planes_of(
+HWY_INLINE WideFront::Planes<FrontBounds::Meeting>& planes_of(
     WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Meeting> /*of*/) {
   return state.meeting;
 }
-WideFront::Planes<FrontBounds::Distance>& planes_of(
+HWY_INLINE WideFront::Planes<FrontBounds::Distance>& planes_of(
     WideFront::State& state, std::integral_constant<FrontBounds, FrontBounds::Distance> /*of*/) {
   return state.distance;
 }

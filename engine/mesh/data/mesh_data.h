@@ -7,6 +7,7 @@
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/data/inherited.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/mesh.h>
 
@@ -54,6 +55,8 @@ struct Mesh::Data {
   mutable std::vector<std::uint32_t> welded;
   mutable std::once_flag fans_flag;
   mutable VertexFans fans;
+  mutable std::once_flag orientation_flag;
+  mutable Orientation orientation;
   mutable std::once_flag topology_flag;
   mutable Topology topology;
   mutable std::vector<std::uint32_t> component_vertices;

@@ -43,8 +43,13 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
 WorldUpdate Simulation::advance() {
   return bvh::in_standard_arithmetic([&]() -> WorldUpdate {
     ++count_;
-    if (count_ > 1) move_bodies();
-    return world_.update();
+    try {
+      if (count_ > 1) move_bodies();
+      return world_.update();
+    } catch (...) {
+      --count_;  // bodies that were moved are where the next call wants them
+      throw;
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/bodies/users_shape.h>
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
@@ -21,8 +22,8 @@ namespace graze {
 namespace {
 
 Manifold mirrored(Manifold manifold) {
-  for (std::size_t i = 0; i < manifold.count; ++i) {
-    ShapeContact& contact = manifold.contacts[i];
+  for (std::size_t i = 0; i < manifold.size(); ++i) {
+    ShapeContact& contact = manifold[i];
     std::swap(contact.point_a, contact.point_b);
     contact.normal = -contact.normal;
     std::swap(contact.feature.a, contact.feature.b);
@@ -67,6 +68,8 @@ class ShapeBody final : public BodyShape {
 
   const Shape* shape() const override { return &shape_; }
 
+  bool allows_concurrent_calls() const override { return true; }
+
   Aabb bounds(const Pose& pose) const override { return bounding_aabb({shape_, pose}); }
 
   bool touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const override {
@@ -89,7 +92,25 @@ class ShapeBody final : public BodyShape {
       }
       // No finite translation parts two half-spaces: they touch, and have no contact.
       if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
-      return contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+      Manifold found;
+      contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work(), found);
+      return found;
+    });
+  }
+
+  Manifold contacts_within(const Pose& pose, const BodyShape& other, const Pose& other_pose,
+                           double margin) const override {
+    return bvh::in_standard_arithmetic([&]() -> Manifold {
+      const Shape* shape = other.shape();
+      if (shape == nullptr) {
+        return bvh::in_users_arithmetic(
+            [&] { return mirrored(other.contacts_within(other_pose, *this, pose, margin)); });
+      }
+      if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes) return {};
+      Manifold found;
+      graze::contacts_within({shape_, pose}, {*shape, other_pose}, {.margin = margin}, shape_work(),
+                             found);
+      return found;
     });
   }
 
@@ -107,7 +128,8 @@ class ShapeBody final : public BodyShape {
       if (pair_method(shape_.kind(), shape->kind()) == PairMethod::Planes)
         return BodyShape::meet(pose, other, other_pose);
       // Empty exactly when they do not touch.
-      Manifold found = contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work());
+      Manifold found;
+      contacts_in_boxes({shape_, pose}, {*shape, other_pose}, shape_work(), found);
       if (found.empty()) return std::nullopt;
       return found;
     });
@@ -178,6 +200,11 @@ class ShapeBody final : public BodyShape {
 Manifold BodyShape::contacts(const Pose& /*pose*/, const BodyShape& /*other*/,
                              const Pose& /*other_pose*/) const {
   return {};
+}
+
+Manifold BodyShape::contacts_within(const Pose& pose, const BodyShape& other,
+                                    const Pose& other_pose, double /*margin*/) const {
+  return touches(pose, other, other_pose) ? contacts(pose, other, other_pose) : Manifold{};
 }
 
 std::optional<Manifold> BodyShape::meet(const Pose& pose, const BodyShape& other,

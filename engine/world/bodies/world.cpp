@@ -5,6 +5,9 @@
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/contacts/margin/nearness.h>
+#include <graze/engine/world/contacts/sides/enclosure.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <string>
@@ -16,13 +19,33 @@ std::uint64_t pair_key(std::uint32_t s, std::uint32_t t) {
   return static_cast<std::uint64_t>(s) << 32 | t;
 }
 
-Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, const char* what) {
+/// The Shape that it stands for, or nullptr.
+const Shape* known_shape(const BodyShape& shape, bool is_users) {
+  return ask_shape(is_users, [&] { return shape.shape(); });
+}
+
+/// With that room around it, metres.
+Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
+               const char* what) {
   Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
   bvh::check_box(box, what);
-  return box;
+  return room > 0 ? grown(box, room) : box;
+}
+
+/// No more than oneTBB has now: it would warn of those that it cannot give.
+std::size_t threads_of(const WorldSettings& settings) {
+  using tbb::global_control;
+  return std::min(thread_count(settings.threads),
+                  global_control::active_value(global_control::max_allowed_parallelism));
 }
 
 }  // namespace
+
+World::State::State(const WorldSettings& chosen)
+    : settings(chosen),
+      threads(threads_of(chosen)),
+      workers(static_cast<int>(threads)),
+      broad({.threads = chosen.threads}) {}
 
 const Bodies::Body& World::State::body(BodyId id, const char* what) const {
   if (!all.ids.is_live(id.index, id.generation)) {
@@ -102,7 +125,7 @@ void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
   check_is_free(what);
   const Bodies::Body& mover = body(id, what);
   bvh::check_rigid(pose, what);
-  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, what));
+  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, mover.room(), what));
   bounding_radii.push_back(
       mover.ask([](const BodyShape& shape) { return shape.bounding_radius(); }));
   boxes_to_move.push_back(broad.id(mover.box));
@@ -124,7 +147,7 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
 /// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
 /// a shape of a user's own may throw.
 const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
-  const Shape* known = ask_shape(is_users, [&] { return shape.shape(); });
+  const Shape* known = known_shape(shape, is_users);
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
   if (mesh != nullptr && !settings.skip_unused_trees) {
     prepare(*mesh, {.queries = PreparedFor::All});
@@ -135,12 +158,17 @@ const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) c
 /// Throws before it has changed anything.
 void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape,
                               const Mesh* mesh) {
+  const bool is_users = is_users_shape(*shape);
+  const bool is_for_caller =
+      is_users && !ask_shape(is_users, [&] { return shape->allows_concurrent_calls(); });
   const bool is_unbuilt = unbuilt.add(mesh);
   drop_shape(index);
-  all.bodies[index].is_users = is_users_shape(*shape);
+  all.bodies[index].is_users = is_users;
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
   all.changes[index].has_unbuilt_tree = is_unbuilt;
+  all.changes[index].is_mesh = mesh != nullptr;
+  all.changes[index].is_for_caller = is_for_caller;
 }
 
 void World::State::drop_shape(std::uint32_t index) {
@@ -166,7 +194,10 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     if (shape == nullptr) throw InputError("add: no shape");
     bvh::check_rigid(pose, "add");
     const bool is_users = is_users_shape(*shape);
-    const Aabb box = bounds_of(*shape, is_users, pose, "add");
+    check_margin(settings.margin, "add");
+    check_sides(known_shape(*shape, is_users), settings.sides, "add");
+    const Aabb box =
+        bounds_of(*shape, is_users, pose, settings.margin + settings.sides.thickness, "add");
     const Mesh* mesh = state.prepared_mesh(*shape, is_users);
     const std::uint32_t index = state.make_room_for_one();
     Bodies::Body& body = state.all.bodies[index];
@@ -185,6 +216,8 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     body.role = settings.role;
     body.filter = settings.filter;
     body.user_data = settings.user_data;
+    body.margin = settings.margin;
+    body.sides = settings.sides;
     state.note_change(index);
     return state.all.id(index);
   });
@@ -248,7 +281,8 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     Bodies::Body& body = state.body(id, "set_shape");
     if (shape == nullptr) throw InputError("set_shape: no shape");
     const bool is_users = is_users_shape(*shape);
-    const Aabb box = bounds_of(*shape, is_users, body.pose, "set_shape");
+    check_sides(known_shape(*shape, is_users), body.sides, "set_shape");
+    const Aabb box = bounds_of(*shape, is_users, body.pose, body.room(), "set_shape");
     const Mesh* mesh = state.prepared_mesh(*shape, is_users);
     state.make_room_for_changes(1);
     state.take_shape(id.index, std::move(shape), mesh);
@@ -282,6 +316,21 @@ void World::set_role(BodyId id, Role role) {
   state_->make_room_for_changes(1);
   body.role = role;
   state_->note_other_filter(id.index);
+}
+
+void World::set_margin(BodyId id, double margin) {
+  bvh::in_standard_arithmetic([&] {
+    State& state = *state_;
+    Bodies::Body& body = state.body(id, "set_margin");
+    check_margin(margin, "set_margin");
+    const Aabb box = bounds_of(*body.shape, body.is_users, body.pose, margin + body.sides.thickness,
+                               "set_margin");
+    state.make_room_for_changes(1);
+    state.broad.move(state.broad.id(body.box), box);
+    body.margin = margin;
+    state.all.changes[id.index].has_other_shape = true;
+    state.note_change(id.index);
+  });
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
@@ -331,56 +380,6 @@ void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
   state_->check_is_free("set_pair_filter");
   state_->note_everything();
   state_->all.pair_filter = std::move(filter);
-}
-
-bool World::contains(BodyId id) const {
-  return state_->all.ids.is_live(id.index, id.generation);
-}
-
-std::size_t World::size() const {
-  return state_->all.ids.live_count();
-}
-
-const Pose& World::pose(BodyId id) const {
-  return state_->body(id, "pose").pose;
-}
-
-const BodyShape& World::shape(BodyId id) const {
-  return *state_->body(id, "shape").shape;
-}
-
-BodyKind World::kind(BodyId id) const {
-  return state_->body(id, "kind").kind;
-}
-
-Role World::role(BodyId id) const {
-  return state_->body(id, "role").role;
-}
-
-const Filter& World::filter(BodyId id) const {
-  return state_->body(id, "filter").filter;
-}
-
-std::uint64_t World::user_data(BodyId id) const {
-  return state_->body(id, "user_data").user_data;
-}
-
-bool World::is_awake(BodyId id) const {
-  const Bodies::Body& body = state_->body(id, "is_awake");
-  return body.is_awake && !body.is_static();
-}
-
-std::vector<BodyPair> World::pairs() const {
-  const State& state = *state_;
-  std::vector<BodyPair> pairs;
-  for (std::uint32_t at = 0; at < state.candidates.list().size(); ++at) {
-    const BoxPair pair = state.candidates.list()[at];
-    if (state.candidates.touches(at) && state.all.ids.is_live(pair.a) &&
-        state.all.ids.is_live(pair.b))
-      pairs.push_back(state.all.id_pair(pair));
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 }  // namespace graze

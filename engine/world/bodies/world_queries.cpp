@@ -4,6 +4,7 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/narrowphase/volumes/aabb_overlap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +20,6 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 // (shape_bounds.cpp).
 constexpr double kDistanceRounding = 0x1p-44;
 
-/// The box with room around it for all that may be that far away or nearer.
-Aabb grown(const Aabb& box, double width) {
-  Aabb larger;
-  const double room = width + kDistanceRounding * width;
-  for (int i = 0; i < 3; ++i) {
-    const double low = std::nextafter(box.min.data()[i] - room, -kLargest);
-    const double high = std::nextafter(box.max.data()[i] + room, kLargest);
-    larger.min.data()[i] = std::max(low, -kLargest);
-    larger.max.data()[i] = std::min(high, kLargest);
-  }
-  return larger;
-}
-
 double width_of(const Aabb& box) {
   double most = 0;
   for (int i = 0; i < 3; ++i)
@@ -46,6 +34,18 @@ bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
 
 }  // namespace
 
+Aabb grown(const Aabb& box, double width) {
+  Aabb larger;
+  const double room = width + kDistanceRounding * width;
+  for (int i = 0; i < 3; ++i) {
+    const double low = std::nextafter(box.min.data()[i] - room, -kLargest);
+    const double high = std::nextafter(box.max.data()[i] + room, kLargest);
+    larger.min.data()[i] = std::max(low, -kLargest);
+    larger.max.data()[i] = std::min(high, kLargest);
+  }
+  return larger;
+}
+
 bool World::State::is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const {
   const Bodies::Body& body = all.bodies[index];
   if (query.filter && !lets_pass(*query.filter, body.filter)) return false;
@@ -58,6 +58,12 @@ std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
   broad.find_overlapping(box, bodies);
   for (std::uint32_t& index : bodies)
     index = body_of_box[index];
+  // Boxes have room for margins, which mean nothing here.
+  std::erase_if(bodies, [&](std::uint32_t index) {
+    const Bodies::Body& body = all.bodies[index];
+    return body.room() > 0 &&
+           !intersects(box, body.ask([&](const BodyShape& s) { return s.bounds(body.pose); }));
+  });
   std::erase_if(bodies, [&](std::uint32_t index) { return !is_asked_for(index, query); });
   std::sort(bodies.begin(), bodies.end());
   return bodies;

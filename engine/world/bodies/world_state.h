@@ -1,7 +1,10 @@
 #pragma once
 
 #include <graze/bvh/box_set/search/pair_index.h>
+#include <graze/bvh/box_set/store/workers.h>
 #include <graze/engine/world/bodies/body_motion.h>
+#include <graze/engine/world/bodies/pair_batches.h>
+#include <graze/engine/world/bodies/pair_news.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
 #include <graze/engine/world/bodies/users_shape.h>
 #include <graze/engine/world/boxes/id_table.h>
@@ -13,12 +16,6 @@
 
 namespace graze {
 
-/// Memory for so many more elements: to append them throws nothing.
-template <typename T>
-void make_room_in(std::vector<T>& of, std::size_t more) {
-  if (of.capacity() - of.size() < more) of.reserve(std::max(2 * of.size(), of.size() + more));
-}
-
 /// The part of a world that a snapshot copies.
 struct Bodies {
   struct Body {
@@ -27,6 +24,8 @@ struct Bodies {
     Pose pose;
     Filter filter;
     std::uint64_t user_data = 0;
+    double margin = 0;
+    MeshSides sides;
     std::uint32_t box = 0;  ///< its index in the broad phase
     std::uint32_t exclusions = 0;
     BodyKind kind = BodyKind::Dynamic;
@@ -38,6 +37,8 @@ struct Bodies {
     auto ask(const Question& question) const {
       return ask_shape(is_users, [&] { return question(*shape); });
     }
+    /// Metres: how far from its shape it may meet another.
+    double room() const { return margin + sides.thickness; }
     bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
   };
 
@@ -51,6 +52,8 @@ struct Bodies {
     bool has_other_filter = false;  ///< whether its filter, kind or exclusions changed
     bool has_other_shape = false;   ///< whether known gaps of its pairs no longer hold
     bool has_unbuilt_tree = false;  ///< the mark that UnbuiltTrees speaks of
+    bool is_mesh = false;           ///< whether the shape stands for a mesh
+    bool is_for_caller = false;     ///< whether only the caller's thread may ask the shape
   };
 
   IdTable<std::uint32_t> ids;
@@ -71,6 +74,10 @@ struct Bodies {
   bool is_up(std::uint32_t index) const {
     return bodies[index].is_awake && (changes[index].has_changed || !bodies[index].is_static());
   }
+  double margin(BoxPair pair) const { return bodies[pair.a].margin + bodies[pair.b].margin; }
+  ManifoldSettings settings(BoxPair pair) const {
+    return {margin(pair), bodies[pair.a].sides, bodies[pair.b].sides};
+  }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
   }
@@ -82,15 +89,15 @@ class CandidatePairs {
  public:
   /// What throws has changed nothing.
   void add(BoxPair pair) {
-    make_room_in(touches_, 1), make_room_in(known_gaps_, 1);
+    make_room_in(states_, 1), make_room_in(known_gaps_, 1);
     index_.add(list_, pair);
-    touches_.push_back(0);
+    states_.push_back(0);
     known_gaps_.emplace_back();
   }
   void remove(std::uint32_t at) {
     index_.remove(list_, list_.data()[at]);
-    touches_[at] = touches_.back();
-    touches_.pop_back();
+    states_[at] = states_.back();
+    states_.pop_back();
     known_gaps_[at] = known_gaps_.back();
     known_gaps_.pop_back();
   }
@@ -98,29 +105,36 @@ class CandidatePairs {
   /// What position() reads first, and what is known of the pair there.
   void fetch(BoxPair pair) const { index_.prefetch(pair); }
   void fetch(std::uint32_t at) const {
-    __builtin_prefetch(&touches_[at]);
+    __builtin_prefetch(&states_[at]);
     __builtin_prefetch(&known_gaps_[at]);
   }
   static constexpr std::uint32_t kNowhere = bvh::PairIndex::kNowhere;
 
   std::span<const BoxPair> list() const { return list_.pairs(); }
-  bool touches(std::uint32_t at) const { return touches_[at] != 0; }
-  void set_touches(std::uint32_t at, bool does) { touches_[at] = does; }
+  bool touches(std::uint32_t at) const { return (states_[at] & kTouches) != 0; }
+  /// Whether the pair was within a margin above 0, touching or not.
+  bool is_near(std::uint32_t at) const { return (states_[at] & kIsNear) != 0; }
+  void set(std::uint32_t at, bool touches, bool is_near) {
+    states_[at] = static_cast<std::uint8_t>((touches ? kTouches : 0) | (is_near ? kIsNear : 0));
+  }
   KnownGap& known_gap(std::uint32_t at) { return known_gaps_[at]; }
-  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> touches) {
+  const KnownGap& known_gap(std::uint32_t at) const { return known_gaps_[at]; }
+  void rebuild(std::span<const BoxPair> pairs, std::span<const std::uint8_t> states) {
     list_.clear();
     for (const BoxPair& pair : pairs)
       list_.push_back(pair);
-    touches_.assign(touches.begin(), touches.end());
+    states_.assign(states.begin(), states.end());
     known_gaps_.assign(pairs.size(), {});
     index_.build(list_);
   }
-  std::span<const std::uint8_t> all_touches() const { return touches_; }
+  std::span<const std::uint8_t> all_states() const { return states_; }
 
  private:
+  static constexpr std::uint8_t kTouches = 1, kIsNear = 2;
+
   bvh::PairBuffer list_;
   bvh::PairIndex index_;
-  std::vector<std::uint8_t> touches_;
+  std::vector<std::uint8_t> states_;
   std::vector<KnownGap> known_gaps_;
 
  public:
@@ -130,50 +144,39 @@ class CandidatePairs {
 struct WorldSnapshot::State {
   Bodies all;
   std::vector<BoxPair> candidates;
-  std::vector<std::uint8_t> touches;
+  std::vector<std::uint8_t> states;
 };
 
-/// Contacts of pairs, kept from update to update and written over: of a manifold only the contacts
-/// that there are, mostly one or two of four.
-class ContactList {
- public:
-  void clear() {
-    count_ = 0;
-    is_ascending_ = true;
-  }
-  void add(const BodyPair& pair, const Manifold& manifold) {
-    if (count_ == list_.size()) list_.emplace_back();
-    if (count_ != 0 && !(last_ < pair)) is_ascending_ = false;
-    last_ = pair;
-    BodyContact& contact = list_[count_++];
-    contact.pair = pair;
-    contact.manifold.count = manifold.count;
-    std::copy(manifold.begin(), manifold.end(), contact.manifold.contacts.begin());
-    if (count_ < list_.size()) fetch(list_[count_]);
-  }
-  void add(const BodyContact& contact) { add(contact.pair, contact.manifold); }
-  std::span<const BodyContact> all() const { return {list_.data(), count_}; }
-  bool is_ascending() const { return is_ascending_; }
+/// The box with room around it, outward, for all that may be that far away or nearer, metres.
+Aabb grown(const Aabb& box, double width);
 
- private:
-  /// Fetches the memory that the next manifold is written to, if it has one contact.
-  static void fetch(const BodyContact& next) {
-    __builtin_prefetch(&next, 1);
-    __builtin_prefetch(&next.manifold.contacts[0].feature, 1);
-    __builtin_prefetch(&next.manifold.count, 1);
-  }
+inline BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
+  return {std::min(s, t), std::max(s, t)};
+}
 
-  std::vector<BodyContact> list_;
-  std::size_t count_ = 0;
-  BodyPair last_;
-  bool is_ascending_ = true;
+/// Why a pair is tested: something in it changed, or nothing, and the settings ask for it all the
+/// same.
+enum class PairQuestion { Changed, AtRest };
+
+/// The search for the pairs of some changed bodies, and the memory that it needs.
+struct PartnerSearch {
+  std::vector<std::uint32_t> partners;
+  std::vector<BoxPair> asked;  ///< changed bodies and their partners: as boxes, and then as bodies
+  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> due;  ///< of these, without those that are apart for sure
+};
+
+/// How many pairs of a part of the list are due, and how many would be but for a known gap.
+struct DuePart {
+  std::uint32_t due, apart;
 };
 
 struct World::State {
-  explicit State(const WorldSettings& chosen)
-      : settings(chosen), broad({.threads = chosen.threads}) {}
+  explicit State(const WorldSettings& chosen);
 
   WorldSettings settings;
+  std::size_t threads;
+  bvh::Workers workers;
   Bodies all;
   BroadPhase broad;
   std::vector<std::uint32_t> body_of_box;
@@ -182,18 +185,18 @@ struct World::State {
   std::vector<std::uint32_t> changed;  ///< indices of bodies
   std::size_t removed = 0;             ///< how many bodies were removed since the last update
   std::vector<std::uint32_t> partners;
-  std::vector<BoxPair> asked;  ///< changed bodies and their partners: as boxes, and then as bodies
-  std::vector<BodyPair> begun, ended, moved;
-  ContactList found;                      ///< in the order in which pairs were tested
+  PairNews news;
+  std::vector<PartnerSearch> searches;
   std::vector<std::uint32_t> due;         ///< pairs to be tested, in the order of the list
-  std::vector<std::uint32_t> order;       ///< an order of `due`, or of `found`
+  std::vector<DuePart> due_parts;         ///< of the list
+  std::vector<std::uint32_t> order;       ///< an order of `due`, or of contacts
   std::vector<std::uint32_t> first_pair;  ///< of each body, its first place in `order`
-  ContactList contacts;                   ///< `found` in ascending order of pairs
+  PairBatches batches;                    ///< the pairs in `order`, if threads share them
+  ContactList contacts;                   ///< those of `news` in ascending order of pairs
   std::vector<BodyId> box_hits;
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
   std::vector<double> bounding_radii;
-  WorldWork work;
 
   bool is_updating = false;
   /// The last update did not end: something that it asked threw, or it had no memory.
@@ -218,7 +221,11 @@ struct World::State {
   const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
-  void look_for_tree(std::uint32_t index);
+  /// To be called after what may have built the tree of the body's mesh: takes the mark away if so.
+  void look_for_tree(std::uint32_t index) {
+    bool& is_marked = all.changes[index].has_unbuilt_tree;
+    if (is_marked) is_marked = unbuilt.still_holds(*all.bodies[index].mesh);
+  }
 
   void find_changes();
   void list_changes();
@@ -227,15 +234,25 @@ struct World::State {
   void begin_pairs();
   void filter_again(std::uint32_t index);
   void test_changed();
-  void list_changed_pairs();
+  void list_due_pairs();
+  void list_due_part(std::size_t part);
+  void list_due_partners();
+  void search_partners(std::span<const std::uint32_t> bodies, PartnerSearch& search);
   void fetch(BoxPair pair) const;
-  void test_partners();
+  void fetch_ahead(std::size_t i, std::size_t ahead) const;
   bool is_due(BoxPair pair) const;
-  void test_candidate(std::uint32_t at);
-  void test_pairs_at_rest();
-  void note_answer(std::uint32_t at, bool touches);
+  bool is_anyone_up(BoxPair pair) const { return all.is_up(pair.a) || all.is_up(pair.b); }
   bool is_apart_for_sure(std::uint32_t at);
-  void learn_gap(std::uint32_t at);
+  void test_pairs_at_rest();
+  void test_in_order(PairQuestion question, std::size_t ahead);
+  bool are_worth_sharing();
+  void test_in_batches(PairQuestion question);
+  void settle_batches(PairQuestion question);
+  void settle_in_turn(PairQuestion question);
+  PairAnswer answer_of(std::uint32_t at, PairQuestion question, ContactList& into) const;
+  void tell(std::uint32_t at, PairQuestion question, const PairAnswer& answer, PairNews& to) const;
+  void settle(std::uint32_t at, PairQuestion question, const PairAnswer& answer);
+  bool learn_gap(BoxPair pair, KnownGap& known) const;
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
   bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
@@ -245,8 +262,15 @@ struct World::State {
   template <typename OnHit>
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
   void check_is_updated(const char* what) const;
+  template <typename IsAskedFor>
+  std::vector<BodyPair> list_pairs(const IsAskedFor& is_asked_for) const;
   BodyContact contact_of(const BodyPair& pair) const;
-  bool test(BoxPair pair);
+  bool do_touch(BoxPair pair) const;
+  PairAnswer::Kind stand(BoxPair pair) const;
+  PairAnswer::Kind meet(BoxPair pair, ContactList& into) const;
+  PairAnswer::Kind meet_within(BoxPair pair, const ManifoldSettings& asked,
+                               ContactList& into) const;
+  Manifold contacts_within(BoxPair pair, const ManifoldSettings& asked) const;
   void sort_contacts();
 };
 

@@ -15,7 +15,8 @@ using narrowphase::CoreGap;
 using narrowphase::Parting;
 using narrowphase::Vec3;
 
-// The tables' booleans have been asked before: what comes here touches, but for boxes.
+// The tables' booleans have been asked before: what comes here touches, or is as near as the
+// margin, but for boxes without one.
 
 namespace {
 
@@ -27,10 +28,11 @@ bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
   candidates.origin = middle_of(a.shape, a.pose);
   const Vec3 between = to_vec3(middle_of(b.shape, b.pose)) - to_vec3(candidates.origin);
   const double distance = length(between);
-  const double radii = sphere_a.radius + sphere_b.radius;
+  const double radius_a = sphere_a.radius + candidates.margin;
+  const double radii = radius_a + sphere_b.radius;
   if (!(distance > 0x1p-20 * radii)) return false;
   const Vec3 normal = unit_or(between, {0, 0, 1});
-  const Vec3 on_a = normal * sphere_a.radius;
+  const Vec3 on_a = normal * radius_a;
   const Vec3 on_b = between - normal * sphere_b.radius;
   candidates.list.push_back({on_a, on_b, normal, std::max(radii - distance, 0.0),
                              narrowphase::kPointFeature, narrowphase::kPointFeature});
@@ -39,17 +41,26 @@ bool candidates_of_spheres(const PlacedShapeView& a, const PlacedShapeView& b,
 
 }  // namespace
 
+void grow(Core& core_a, const Core& core_b, double margin, Parting& parting) {
+  narrowphase::Penetration& penetration = parting.penetration;
+  if (!(penetration.depth > 0)) penetration.depth = along(core_a, core_b, penetration.normal).depth;
+  penetration.depth = std::max(penetration.depth + margin, 0.0);
+  penetration.point_a = penetration.point_a + penetration.normal * margin;
+  core_a.radius += margin;
+}
+
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   if (b.shape.kind() == ShapeKind::Sphere && candidates_of_spheres(a, b, candidates)) return;
   candidates.origin = middle_of(a.shape, a.pose);
-  const Core core_a = core_of(a.shape, a.pose, candidates.origin);
+  Core core_a = core_of(a.shape, a.pose, candidates.origin);
   const Core core_b = core_of(b.shape, b.pose, candidates.origin);
   const CoreGap gap = narrowphase::nearest(core_a, core_b);
   ++work.convex_tests;
-  const Parting parting = part(core_a, core_b, gap);
+  Parting parting = part(core_a, core_b, gap);
   work.penetration_tests += parting.is_asked;
   work.penetration_failures += parting.is_failed;
+  if (candidates.margin > 0) grow(core_a, core_b, candidates.margin, parting);
   add_contact_points(core_a, core_b, parting, candidates.list);
 }
 
@@ -57,6 +68,7 @@ void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
 void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   using narrowphase::Verdict;
+  if (candidates.margin > 0) return candidates_of_cores(a, b, candidates, work);
   candidates.origin = middle_of(a.shape, a.pose);
   const Core core_a = core_of(a.shape, a.pose, candidates.origin);
   const Core core_b = core_of(b.shape, b.pose, candidates.origin);
@@ -70,7 +82,8 @@ void candidates_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b,
 void candidates_with_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                            ContactCandidates& candidates) {
   candidates.origin = middle_of(a.shape, a.pose);
-  const Core core = core_of(a.shape, a.pose, candidates.origin);
+  Core core = core_of(a.shape, a.pose, candidates.origin);
+  core.radius += candidates.margin;
   const PlacedHalfSpace plane =
       placed_half_space(*b.shape.as<HalfSpace>(), b.pose, candidates.origin);
   const Vec3 down = -plane.normal;

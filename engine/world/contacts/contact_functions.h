@@ -11,22 +11,40 @@
 
 namespace graze {
 
-/// The contact candidates of one pair, of which reduce() leaves four. The vectors are kept from one
-/// pair to the next, so that no step of a simulation allocates.
+/// The contact candidates of one pair: of those of each region reduce() leaves four. The vectors
+/// are kept from one pair to the next, so that no step of a simulation allocates.
 struct ContactCandidates {
   Eigen::Vector3d origin;
+  /// Metres. Where it is not 0, candidates are those of A grown by it: their depths, which count
+  /// from its surface, are >= 0, and write_manifold() takes the margin off again.
+  double margin = 0;
   std::vector<narrowphase::ContactPoint> list;
-  std::vector<narrowphase::ContactPoint>
-      from_behind;  ///< of triangles of a mesh that face away from the shape
-  std::vector<narrowphase::ContactPoint>
-      found;                  ///< of one triangle, before it is known which list they belong to
+  std::vector<std::size_t> ends;                 ///< where in the list each region's candidates end
+  std::vector<narrowphase::ContactPoint> found;  ///< of one region, before it is in the list
   std::vector<bool> is_seen;  ///< for each vertex of a mesh, whether it was looked at
 
   void clear() {
     list.clear();
-    from_behind.clear();
+    ends.clear();
+  }
+  /// What the list holds beyond the regions so far is one more.
+  void end_region() {
+    if (list.size() > (ends.empty() ? 0 : ends.back())) ends.push_back(list.size());
   }
 };
+
+/// Whatever their order: those of the pair that is_swapped() puts in order.
+void candidates_of_pair(const PlacedShapeView& a, const PlacedShapeView& b,
+                        ContactCandidates& candidates, Work& work);
+/// Of the candidates of each region four are left. They are mirrored where the pair was swapped.
+void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& manifold);
+/// This thread's, without any.
+ContactCandidates& empty_candidates(double margin);
+
+/// Makes of how two cores part how they do once A is grown by the margin, and grows it: the way is
+/// the same, and so much longer. Where they are apart the depth that part() calls 0 is negative.
+void grow(narrowphase::Core& core_a, const narrowphase::Core& core_b, double margin,
+          narrowphase::Parting& parting);
 
 void candidates_of_cores(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work);
@@ -42,11 +60,20 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
 /// A sphere or a box and a mesh, which need not touch: no contacts then.
 void candidates_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b,
                                ContactCandidates& candidates, Work& work);
-/// Two meshes, likewise.
+/// Two meshes, likewise, and whatever the margin.
 void candidates_of_meshes(const PlacedShapeView& a, const PlacedShapeView& b,
                           ContactCandidates& candidates, Work& work);
-/// Likewise, where triangles go through each other. False if that does not tell.
+/// The same where triangles go through each other. False if that does not tell.
 bool candidates_of_crossings(const PlacedShapeView& a, const PlacedShapeView& b,
                              ContactCandidates& candidates, Work& work);
+/// The same of meshes that are so large or so small that products of five lengths may overflow or
+/// underflow: those of the same meshes scaled by a power of two, scaled back. Scaling changes no
+/// bit of a placed coordinate (law 1) but of one that is denormal. Returns false, and does nothing,
+/// for all others.
+bool candidates_of_scaled_meshes(const PlacedShapeView& a, const PlacedShapeView& b,
+                                 ContactCandidates& candidates, Work& work);
+/// Adds to the candidates of two meshes, ungrown so far, what the margin demands.
+void add_near_triangles(const PlacedShapeView& a, const PlacedShapeView& b,
+                        ContactCandidates& candidates, Work& work);
 
 }  // namespace graze

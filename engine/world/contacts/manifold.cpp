@@ -14,6 +14,7 @@ using enum PairMethod;
 using narrowphase::ContactPoint;
 using narrowphase::Vec3;
 
+/// A's kind is not above B's.
 void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
                          ContactCandidates& candidates, Work& work) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
@@ -33,7 +34,9 @@ void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
     case MeshCore:
       return candidates_of_mesh_core(a, b, candidates, work);
     case Meshes:
-      return candidates_of_meshes(a, b, candidates, work);
+      candidates_of_meshes(a, b, candidates, work);
+      if (candidates.margin > 0) add_near_triangles(a, b, candidates, work);
+      return;
     case Planes:
       break;
   }
@@ -45,39 +48,81 @@ void candidates_in_order(const PlacedShapeView& a, const PlacedShapeView& b,
 /// told apart by their order.
 void make_unique(Manifold& manifold) {
   constexpr std::uint64_t kNext = 1ull << 28;
-  for (std::size_t i = 1; i < manifold.count; ++i) {
-    ContactFeature& feature = manifold.contacts[i].feature;
+  for (std::size_t i = 1; i < manifold.size(); ++i) {
+    ContactFeature& feature = manifold[i].feature;
     for (std::size_t j = 0; j < i; ++j) {
-      if (manifold.contacts[j].feature != feature) continue;
+      if (manifold[j].feature != feature) continue;
       feature.b += kNext;
       j = 0;
     }
   }
 }
 
-Manifold manifold_of(ContactCandidates& candidates, bool is_mirrored) {
-  narrowphase::reduce(candidates.list, 4);
-  const Vec3 origin = to_vec3(candidates.origin);
-  Manifold manifold;
-  for (const ContactPoint& touch : candidates.list) {
-    ShapeContact& contact = manifold.contacts[manifold.count++];
-    const Vec3 on_a = (is_mirrored ? touch.point_b : touch.point_a) + origin;
-    const Vec3 on_b = (is_mirrored ? touch.point_a : touch.point_b) + origin;
-    contact.point = to_eigen((on_a + on_b) * 0.5);
-    contact.point_a = to_eigen(on_a);
-    contact.point_b = to_eigen(on_b);
-    contact.normal = to_eigen(is_mirrored ? -touch.normal : touch.normal);
-    contact.depth = touch.depth;
-    contact.feature = {touch.feature_a, touch.feature_b};
-  }
-  make_unique(manifold);
-  if (!is_mirrored) return manifold;
-  for (std::size_t i = 0; i < manifold.count; ++i)
-    std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
-  return manifold;
-}
+/// The candidates of a region, and how deep it is.
+struct Region {
+  std::size_t first;
+  std::size_t end;
+  double depth;
+};
 
 }  // namespace
+
+void candidates_of_pair(const PlacedShapeView& a, const PlacedShapeView& b,
+                        ContactCandidates& candidates, Work& work) {
+  is_swapped(a, b) ? candidates_in_order(b, a, candidates, work)
+                   : candidates_in_order(a, b, candidates, work);
+}
+
+void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& manifold) {
+  candidates.end_region();
+  static thread_local std::vector<Region> regions;
+  regions.clear();
+  for (const std::size_t end : candidates.ends) {
+    const std::size_t first = regions.empty() ? 0 : regions.back().end;
+    double depth = 0;  // of A grown by the margin
+    for (std::size_t i = first; i < end; ++i)
+      depth = std::max(depth, candidates.list[i].depth);
+    regions.push_back({first, end, depth});
+  }
+  std::sort(regions.begin(), regions.end(), [](const Region& s, const Region& t) {
+    return s.depth != t.depth ? s.depth > t.depth : s.first < t.first;
+  });
+  const Vec3 origin = to_vec3(candidates.origin);
+  std::uint32_t number = 0;
+  for (const Region& region : regions) {
+    const auto begin = candidates.list.begin();
+    candidates.found.assign(begin + static_cast<std::ptrdiff_t>(region.first),
+                            begin + static_cast<std::ptrdiff_t>(region.end));
+    narrowphase::reduce(candidates.found, Manifold::kMostOfRegion);
+    for (ContactPoint& touch : candidates.found) {
+      if (candidates.margin > 0) {
+        touch.point_a = touch.point_a - touch.normal * candidates.margin;
+        touch.depth -= candidates.margin;
+      }
+      const Vec3 on_a = (is_mirrored ? touch.point_b : touch.point_a) + origin;
+      const Vec3 on_b = (is_mirrored ? touch.point_a : touch.point_b) + origin;
+      manifold.add({.point = to_eigen((on_a + on_b) * 0.5),
+                    .point_a = to_eigen(on_a),
+                    .point_b = to_eigen(on_b),
+                    .normal = to_eigen(is_mirrored ? -touch.normal : touch.normal),
+                    .depth = touch.depth,
+                    .feature = {touch.feature_a, touch.feature_b},
+                    .region = number});
+    }
+    ++number;
+  }
+  make_unique(manifold);
+  if (!is_mirrored) return;
+  for (std::size_t i = 0; i < manifold.size(); ++i)
+    std::swap(manifold[i].feature.a, manifold[i].feature.b);
+}
+
+ContactCandidates& empty_candidates(double margin) {
+  static thread_local ContactCandidates candidates;  // no pair is looked at within another
+  candidates.clear();
+  candidates.margin = margin;
+  return candidates;
+}
 
 namespace {
 
@@ -86,22 +131,22 @@ bool is_one_question(PairMethod method) {
   return method == Meshes || method == MeshVolume;
 }
 
-Manifold contacts_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
-  static thread_local ContactCandidates candidates;  // no pair is looked at within another
-  candidates.clear();
-  const bool is_mirrored = is_swapped(a, b);
-  candidates_in_order(is_mirrored ? b : a, is_mirrored ? a : b, candidates, work);
-  return manifold_of(candidates, is_mirrored);
+void find_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
+                      Manifold& found) {
+  ContactCandidates& candidates = empty_candidates(0);
+  candidates_of_pair(a, b, candidates, work);
+  write_manifold(candidates, is_swapped(a, b), found);
 }
 
 }  // namespace
 
-Manifold contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
+                       Manifold& found) {
+  found.clear();
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
   // Two boxes are one question, too, where those around them are known to overlap.
   const bool is_one = is_one_question(method) || method == BoxAxes;
-  if (!is_one && !intersect_in_boxes(a, b, work)) return {};
-  return contacts_of_touching(a, b, work);
+  if (is_one || intersect_in_boxes(a, b, work)) find_of_touching(a, b, work, found);
 }
 
 template <typename>
@@ -109,12 +154,32 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
   return bvh::in_standard_arithmetic([&]() -> Manifold {
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
-    if (!is_one_question(pair_method(a.shape.kind(), b.shape.kind())) &&
-        !intersects(a, b, &counted.work()))
-      return {};
-    return contacts_of_touching(a, b, counted.work());
+    Manifold found;
+    if (is_one_question(pair_method(a.shape.kind(), b.shape.kind())) ||
+        intersects(a, b, &counted.work()))
+      find_of_touching(a, b, counted.work(), found);
+    return found;
   });
 }
 template Manifold find_contacts<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
+
+std::span<const ShapeContact> Manifold::region(std::size_t index) const {
+  const auto is_before = [](const ShapeContact& contact, std::size_t number) {
+    return contact.region < number;
+  };
+  const ShapeContact* first = std::lower_bound(begin(), end(), index, is_before);
+  const ShapeContact* last = std::lower_bound(first, end(), index + 1, is_before);
+  return {first, last};
+}
+
+void Manifold::add(const ShapeContact& contact) {
+  if (count_ < kMostOfRegion) {
+    few_[count_] = contact;
+  } else {
+    if (count_ == kMostOfRegion) all_.assign(few_.begin(), few_.end());
+    all_.push_back(contact);
+  }
+  ++count_;
+}
 
 }  // namespace graze

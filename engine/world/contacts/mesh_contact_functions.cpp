@@ -2,13 +2,10 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/contacts/contact_functions.h>
-#include <graze/engine/world/contacts/scaled_meshes.h>
+#include <graze/engine/world/contacts/triangle_candidates.h>
 #include <graze/engine/world/shapes/mesh_descent.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/narrowphase/convex/contact/contact_points.h>
-#include <graze/narrowphase/convex/core/contact_face.h>
-#include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
@@ -21,103 +18,9 @@ namespace graze {
 
 using narrowphase::ContactPoint;
 using narrowphase::Core;
-using narrowphase::Parting;
 using narrowphase::Vec3;
 
 namespace {
-
-/// The contact candidates that triangles of a mesh offer beside a convex shape.
-class TriangleCandidates {
- public:
-  TriangleCandidates(const Core& core, ContactCandidates& candidates, Work& work)
-      : core_(core), candidates_(candidates), work_(work) {}
-
-  void add(std::uint32_t index, const Core& triangle) {
-    PairStatus status{};
-    ++work_.convex_tests;
-    if (are_apart(core_, triangle, status)) return;
-    offer(index, triangle);
-  }
-
-  /// Keeps the candidates of triangles that face the shape, or where there are none those of
-  /// triangles that face away from it.
-  void choose_side() {
-    if (candidates_.list.empty()) std::swap(candidates_.list, candidates_.from_behind);
-  }
-
-  void offer(std::uint32_t index, const Core& triangle) {
-    const Vec3 outward =
-        cross(triangle.corner[1] - triangle.corner[0], triangle.corner[2] - triangle.corner[0]);
-    const bool has_area = largest(outward) > 0;
-    const Vec3 normal = unit_or(outward, {0, 0, 1});
-    const bool is_front = has_area && dot(normal, core_.at - triangle.corner[0]) >= 0;
-    std::vector<ContactPoint>& found = candidates_.found;
-    found.clear();
-    if (is_front) {
-      Parting parting;
-      parting.penetration = along(core_, triangle, -normal);
-      parting.penetration.depth = std::max(parting.penetration.depth, 0.0);
-      add_candidates_within(triangle, parting, found);
-    }
-    if (found.empty()) {
-      const Parting parting = least_parting(triangle, has_area);
-      work_.penetration_tests += parting.is_asked;
-      work_.penetration_failures += parting.is_failed;
-      add_contact_points(core_, triangle, parting, found);
-    }
-    std::vector<ContactPoint>& list =
-        is_front || !has_area ? candidates_.list : candidates_.from_behind;
-    for (ContactPoint& touch : found) {
-      touch.feature_b = (static_cast<std::uint64_t>(index) << 32) | (touch.feature_b & 0xffffffff);
-      list.push_back(touch);
-    }
-  }
-
- private:
-  Parting least_parting(const Core& triangle, bool has_area) const {
-    using enum narrowphase::CoreKind;
-    if (has_area && (core_.kind == Box || core_.kind == Point))
-      return part_from_triangle(core_, triangle);
-    return part(core_, triangle, narrowphase::nearest(core_, triangle));
-  }
-
-  /// Contacts along the triangle's normal, if the shape's deepest point or some of its face is
-  /// above the triangle itself.
-  void add_candidates_within(const Core& triangle, const Parting& parting,
-                             std::vector<ContactPoint>& found) {
-    const Vec3& deepest = parting.penetration.point_a;
-    const Vec3 normal = -parting.penetration.normal;
-    bool is_within = true;
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 edge = triangle.corner[(i + 1) % 3] - triangle.corner[i];
-      is_within &= dot(cross(normal, edge), deepest - triangle.corner[i]) >= 0;
-    }
-    const narrowphase::ContactFace face = face_along(core_, parting.penetration.normal);
-    if (face.count < 2) {
-      if (is_within) add_point(deepest, parting, found);
-      return;
-    }
-    add_face_contact_points(core_, triangle, parting.penetration, found);
-    if (is_within) {
-      double most = -1;
-      for (const ContactPoint& touch : found)
-        most = std::max(most, touch.depth);
-      constexpr double kSameDepth = 1e-6;
-      const double allowance = kSameDepth * (core_.bounding_radius + core_.radius);
-      if (parting.penetration.depth - most > allowance) add_point(deepest, parting, found);
-    }
-  }
-
-  void add_point(const Vec3& deepest, const Parting& parting, std::vector<ContactPoint>& found) {
-    const Vec3 on_triangle = deepest - parting.penetration.normal * parting.penetration.depth;
-    found.push_back({deepest, on_triangle, parting.penetration.normal, parting.penetration.depth,
-                     narrowphase::kPointFeature, narrowphase::kPointFeature});
-  }
-
-  const Core& core_;
-  ContactCandidates& candidates_;
-  Work& work_;
-};
 
 /// The lowest triangle of the mesh that comes as near to the point as rounding has moved it.
 std::uint32_t triangle_at(const PlacedMeshView& mesh, const Eigen::Vector3d& point) {
@@ -137,15 +40,16 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
                              ContactCandidates& candidates, Work& work) {
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   candidates.origin = middle_of(a.shape, a.pose);
-  const Core core = core_of(a.shape, a.pose, candidates.origin);
+  Core core = core_of(a.shape, a.pose, candidates.origin);
+  core.radius += candidates.margin;
   MeshDescent descent(mesh, core, candidates.origin, work);
-  TriangleCandidates found(core, candidates, work);
+  TriangleCandidates found(core, mesh, candidates, work);
   descent.for_each_near([&](std::uint32_t index) {
     found.add(index, descent.triangle(index));
     return bvh::Walk::Continue;
   });
-  found.choose_side();
-  if (!candidates.list.empty()) return;
+  if (found.has_touched()) return found.finish();
+  if (candidates.margin > 0) return;  // all that is near is behind its surface
   // An exact hit that rounding keeps apart: the nearest triangle touches.
   std::uint32_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -156,7 +60,7 @@ void candidates_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b,
                             return bvh::Walk::Continue;
                           });
   found.offer(nearest, descent.triangle(nearest));
-  found.choose_side();
+  found.finish();
 }
 
 namespace {
@@ -193,18 +97,19 @@ class ExactVolume {
 
 void candidates_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& b,
                                ContactCandidates& candidates, Work& work) {
+  if (candidates.margin > 0) return candidates_of_mesh_core(a, b, candidates, work);
   const PlacedMeshView mesh{*b.shape.as<Mesh>(), b.pose};
   candidates.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, candidates.origin);
   const ExactVolume volume(a);
   MeshDescent descent(mesh, core, candidates.origin, work);
-  TriangleCandidates found(core, candidates, work);
+  TriangleCandidates found(core, mesh, candidates, work);
   descent.for_each_near([&](std::uint32_t index) {
     const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
     if (volume.meets(placed, work)) found.offer(index, core_of(placed, candidates.origin));
     return bvh::Walk::Continue;
   });
-  found.choose_side();
+  if (found.has_touched()) found.finish();
 }
 
 void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b,
@@ -212,8 +117,8 @@ void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b
   const Mesh& mesh = *b.shape.as<Mesh>();
   const double* m = b.pose.data();
   candidates.origin = Eigen::Vector3d(m[12], m[13], m[14]);
-  const PlacedHalfSpace plane =
-      placed_half_space(*a.shape.as<HalfSpace>(), a.pose, candidates.origin);
+  PlacedHalfSpace plane = placed_half_space(*a.shape.as<HalfSpace>(), a.pose, candidates.origin);
+  plane.offset += candidates.margin;
   const Aabb& box = mesh.bounds();
   const double size =
       largest(to_vec3(box.min)) + largest(to_vec3(box.max)) + std::abs(plane.offset) + plane.slack;

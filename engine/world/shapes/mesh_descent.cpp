@@ -112,9 +112,13 @@ bool MeshDescent::is_beyond(double bound, double limit) const {
   return is_pruned;
 }
 
+Triangle MeshDescent::placed_triangle(std::uint32_t index) const {
+  return narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index));
+}
+
 Core MeshDescent::triangle(std::uint32_t index) const {
   ++work_.triangle_tests;
-  return core_of(narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index)), origin_);
+  return core_of(placed_triangle(index), origin_);
 }
 
 }  // namespace graze

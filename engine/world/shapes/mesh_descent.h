@@ -47,6 +47,9 @@ class MeshDescent {
                           [&](const bvh::Node& leaf) { return visit(leaf, limit, on_triangle); });
   }
 
+  /// A triangle in the world's frame (law 1).
+  Triangle placed_triangle(std::uint32_t index) const;
+
   /// The corners of a triangle as the solvers take them (law 1, then relative to the origin).
   narrowphase::Core triangle(std::uint32_t index) const;
 

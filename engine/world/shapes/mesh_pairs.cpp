@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace graze {
 
@@ -29,12 +30,26 @@ bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Wor
 
 namespace {
 
+constexpr double kDoubt = 0x1p-20;
+
 /// intersect_mesh_core() does not look at a triangle whose box is apart from the set's: what the
 /// gap's tolerance brings together here is apart for the distance, too, by what the boxes prove.
 void keep_apart(SetGap& gap, const MeshDescent& descent, std::uint32_t index) {
   if (!descent.is_triangle_apart(index)) return;
   gap.lower = descent.triangle_bound(index);
   gap.distance = std::max(gap.lower, std::numeric_limits<double>::denorm_min());
+}
+
+/// The sphere in the world's frame; nothing of other shapes.
+std::optional<Sphere> placed_ball(const PlacedShapeView& a, const Eigen::Vector3d& middle) {
+  const auto* sphere = a.shape.as<Sphere>();
+  return sphere == nullptr ? std::nullopt : std::optional(Sphere{middle, sphere->radius});
+}
+
+/// Whether the search leaves a ball's gap open, or rounding is more of it than a millionth.
+bool is_in_doubt(const SetGap& gap, const Sphere& ball) {
+  return gap.status == PairStatus::NotConverged || gap.distance <= kDoubt * ball.radius ||
+         gap.distance - gap.lower > kDoubt * gap.distance;
 }
 
 }  // namespace
@@ -47,6 +62,7 @@ ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeV
   MeshDescent descent(mesh, core, origin, work);
   SetGap best{};
   best.distance = std::numeric_limits<double>::infinity();
+  const std::optional<Sphere> ball = placed_ball(a, origin);
   std::uint32_t nearest = 0;
   double lower = best.distance;
   PairStatus status = PairStatus::Converged;
@@ -54,6 +70,8 @@ ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeV
                           [&](std::uint32_t index) {
                             SetGap gap = gap_of_sets(core, descent.triangle(index), best.distance);
                             ++work.convex_tests;
+                            if (ball && is_in_doubt(gap, *ball))
+                              gap = gap_of_ball(*ball, descent.placed_triangle(index));
                             if (gap.distance == 0) keep_apart(gap, descent, index);
                             lower = std::min(lower, gap.lower);
                             if (gap.status == PairStatus::NotConverged) {

@@ -1,8 +1,10 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/gap/ball_gap.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +102,25 @@ ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedS
   found.point_b = to_eigen(on_sphere + toward_box * found.distance);
   found.normal = to_eigen(toward_box);
   return found;
+}
+
+// Where the bounds leave open whether the two touch the exact test says it.
+SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle) {
+  const narrowphase::BallGap gap = narrowphase::ball_gap(placed, triangle);
+  SetGap result{};
+  result.is_apart = gap.lower > 0 || !narrowphase::decide(triangle, placed).is_hit;
+  result.distance = result.is_apart ? std::max(gap.upper, kLeast) : 0;
+  result.lower = result.is_apart ? std::max(gap.lower, 0.0) : 0;
+  result.normal = gap.normal;
+  result.point_b = gap.to_point;
+  result.point_a =
+      result.is_apart ? unit_or(gap.to_point, gap.normal) * placed.radius : gap.to_point;
+  double scale = 0;  // and not more than the pair's
+  for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c})
+    scale = std::max(scale, placed.radius + length(to_vec3(*corner) - to_vec3(placed.centre)));
+  const bool is_known = result.distance - result.lower <= kTouchTolerance * scale;
+  result.status = is_known ? PairStatus::Converged : PairStatus::NotConverged;
+  return result;
 }
 
 ShapeDistance distance_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,

@@ -4,6 +4,7 @@
 // Private to engine/world.
 
 #include <graze/engine/world/shapes/pair_input.h>
+#include <graze/narrowphase/triangle.h>
 
 namespace graze {
 
@@ -18,6 +19,10 @@ ShapeDistance distance_of_sphere_and_box(const PlacedShapeView& a, const PlacedS
                                          bool is_hit, Work& work);
 ShapeDistance distance_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,
                                 Work& work);
+
+/// Of a ball and a triangle of a mesh, relative to the ball's middle: apart exactly if the test of
+/// the two says so. The distance is as right as it is small, and so is its bound.
+SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle);
 
 /// As a test says that is more exact than the distance's own rounding.
 ShapeDistance agreeing(ShapeDistance found, bool is_hit);

@@ -23,8 +23,9 @@ bool is_swapped(const PlacedShapeView& a, const PlacedShapeView& b);
 /// that it may say "hit" of two that a tolerance brings together and their boxes part.
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// find_contacts() likewise.
-Manifold contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+/// find_contacts() likewise, in the place of what `found` held: its memory is used again.
+void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
+                       Manifold& found);
 
 /// Throws unless both poses are fit for shapes.
 void check_poses(const Pose& pose_a, const Pose& pose_b);

@@ -122,8 +122,8 @@ Shape::Shape(Mesh mesh) : value_(checked(std::move(mesh))) {}
 namespace {
 
 const Pose& identity() {
-  static const Pose pose = Pose::Identity();
-  return pose;
+  static const Pose kIdentity = Pose::Identity();
+  return kIdentity;
 }
 
 }  // namespace

@@ -8,6 +8,9 @@
 namespace graze::narrowphase {
 namespace {
 
+/// A share of the scale that is well above the rounding of points and gaps.
+constexpr double kBeyondRounding = 0x1p-40;
+
 Core shifted(Core core, const Vec3& by) {
   core.at = core.at + by;
   for (Vec3& corner : core.corner)
@@ -24,6 +27,19 @@ std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3&
   const std::optional<CoreRayHit> hit = cast_ray(core, start, -out);
   if (!hit) return std::nullopt;
   return start - out * hit->distance;
+}
+
+/// The farthest point of the smaller set along a normal from A to B, and where the line through it
+/// leaves the larger; of that one the point at hand if the line misses it.
+MeetingPoints of_smaller(const Core& a, const Core& b, const Vec3& normal, MeetingPoints met) {
+  const bool is_of_a = a.bounding_radius + a.radius < b.bounding_radius + b.radius;
+  Vec3& farthest = is_of_a ? met.on_a : met.on_b;
+  Vec3& other = is_of_a ? met.on_b : met.on_a;
+  farthest = is_of_a ? rounded_support(a, normal) : rounded_support(b, -normal);
+  const std::optional<Vec3> end =
+      end_on_line(is_of_a ? b : a, farthest, is_of_a ? -normal : normal);
+  if (end) other = *end;
+  return met;
 }
 
 /// The side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
@@ -99,7 +115,9 @@ bool lie_along(const Penetration& penetration, double tolerance) {
 //
 // That near, a search about round sets may end open, and a wider clearance help. Else the points
 // are moved along the normal, to where the line through one of them leaves each set: unless that
-// is far from where they are, as where the line lies in a face.
+// is far from where they are, as where the line lies in a face. Where the one set is so small that
+// rounding of the other's points is more than any clearance, no search tells where they meet: then
+// the smaller one's farthest point does.
 MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
   const double size = smaller_size(a, b);
   MeetingPoints met;
@@ -110,6 +128,8 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
     met = {gap.point_a + normal * a.radius, gap.point_b - normal * b.radius - out};
     if (gap.verdict == GapVerdict::Apart) return met;
   }
+  if (kBeyondRounding * pair_scale(a, b) > 16 * kClearance * size)
+    return of_smaller(a, b, penetration.normal, met);
   const Vec3 on_line = met.on_b;
   const auto move_to_surface = [&](const Core& core, const Vec3& normal, Vec3& point) {
     const std::optional<Vec3> end = end_on_line(core, on_line, normal);

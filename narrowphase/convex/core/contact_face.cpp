@@ -104,10 +104,7 @@ ContactFace segment_face(const Core& core, const Vec3& direction, const Vec3& ow
     face.id = own.z > 0 ? 1 : 0;
     return face;
   }
-  ContactFace face = side(core, own, 0, 0);
-  for (int i = 0; i < 2; ++i)
-    face.corner[i] = face.corner[i] + face.normal * core.radius;
-  return face;
+  return side(core, own, 0, 0);
 }
 
 ContactFace hull_face(const Core& core, const Vec3& own) {
@@ -146,9 +143,7 @@ ContactFace triangle_face(const Core& core, const Vec3& direction) {
   return face;
 }
 
-}  // namespace
-
-ContactFace face_along(const Core& core, const Vec3& unit_direction) {
+ContactFace face_of_core(const Core& core, const Vec3& unit_direction) {
   const Vec3 own = into_own(core, unit_direction);
   switch (core.kind) {
     case CoreKind::Box:
@@ -160,12 +155,23 @@ ContactFace face_along(const Core& core, const Vec3& unit_direction) {
     case CoreKind::Cone:
       return cone_face(core, own);
     case CoreKind::Points:
-      return hull_face(core, own);
+      return core.hull != nullptr ? hull_face(core, own) : point_along(core, unit_direction);
     case CoreKind::Triangle:
       return triangle_face(core, unit_direction);
     default:
       return point_along(core, unit_direction);
   }
+}
+
+}  // namespace
+
+ContactFace face_along(const Core& core, const Vec3& unit_direction) {
+  ContactFace face = face_of_core(core, unit_direction);
+  if (face.count > 1 && core.radius > 0) {  // points have it already
+    for (int i = 0; i < face.count; ++i)
+      face.corner[i] = face.corner[i] + face.normal * core.radius;
+  }
+  return face;
 }
 
 }  // namespace graze::narrowphase

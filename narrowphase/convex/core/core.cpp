@@ -1,4 +1,5 @@
 #include <graze/narrowphase/convex/core/core.h>
+#include <graze/narrowphase/convex/core/point_rows.h>
 
 namespace graze::narrowphase {
 namespace {
@@ -53,7 +54,8 @@ Vec3 own_support(const Core& core, const Vec3& d) {
     case CoreKind::Ellipsoid:
       return ellipsoid_support(half, d);
     case CoreKind::Points:
-      return farthest(core.points, core.point_count, d);
+      if (core.rows == nullptr) return farthest(core.points, core.point_count, d);
+      return core.points[core.rows->farthest(d, core.point_count)];
     default:
       return {};
   }

@@ -9,6 +9,7 @@
 namespace graze::narrowphase {
 
 struct Hull;
+class PointRows;
 
 enum class CoreKind { Point, Segment, Box, Cylinder, Cone, Ellipsoid, Points, Triangle };
 
@@ -28,9 +29,10 @@ struct Core {
               ///< Cylinder, Cone: radius as x, half height as z; a cone's apex is at +z
   double radius = 0;
   double bounding_radius = 0;    ///< no point of the core is further than this from `at`
-  const Hull* hull = nullptr;    ///< Points: what they are the corners of
+  const Hull* hull = nullptr;    ///< Points: what they are the corners of; nullptr if unknown
   const Vec3* points = nullptr;  ///< Points: the corners in the core's own frame
   std::size_t point_count = 0;
+  const PointRows* rows = nullptr;  ///< Points: the same ones and perhaps more, or nullptr
   Vec3 corner[3];  ///< Triangle: in the common frame; axes do not concern it, `at` is corner[0]
 };
 

@@ -1,11 +1,23 @@
 #include <graze/narrowphase/convex/core/segments.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace graze::narrowphase {
 namespace {
 
+// Sizes between which products of four lengths neither overflow nor lose what they are made of.
+constexpr double kSmallOfFour = 0x1p-200;
+constexpr double kLargeOfFour = 0x1p200;
+
+/// What brings a length to between 1 and 2; 1 for 0.
+double unit_scale(double length) {
+  return length > 0 ? std::scalbn(1.0, -std::ilogb(length)) : 1;
+}
+
 /// What brings the largest coordinate of a vector, not zero, to between 1 and 2.
 double to_units_of(const Vec3& a) {
-  return std::scalbn(1.0, -std::ilogb(largest(a)));
+  return unit_scale(largest(a));
 }
 
 // Where the line from r along a is nearest to that from 0 along b, in lengths of a. The offset
@@ -68,14 +80,18 @@ NearestPoints nearest_of_segments(const Vec3& p_a, const Vec3& q_a, const Vec3& 
 
 Vec3 nearest_on_triangle(const Core& triangle, const Vec3& point) {
   const Vec3* c = triangle.corner;
-  const Vec3 ab = c[1] - c[0], ac = c[2] - c[0], ap = point - c[0];
+  const Vec3 edge_b = c[1] - c[0], edge_c = c[2] - c[0];
+  // Of degree four: by themselves these would overflow or underflow at lengths that shapes have.
+  const double size = std::max(std::max(largest(edge_b), largest(edge_c)), largest(point - c[0]));
+  const double scale = size > kSmallOfFour && size < kLargeOfFour ? 1 : unit_scale(size);
+  const Vec3 ab = edge_b * scale, ac = edge_c * scale, ap = (point - c[0]) * scale;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  const Vec3 bp = point - c[1], cp = point - c[2];
+  const Vec3 bp = (point - c[1]) * scale, cp = (point - c[2]) * scale;
   const double d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp), d6 = dot(ac, cp);
   const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
   const double sum = (of_a + of_b) + of_c;
   if (of_a > 0 && of_b > 0 && of_c > 0 && sum > 0)
-    return c[0] + (ab * (of_b / sum) + ac * (of_c / sum));
+    return c[0] + (edge_b * (of_b / sum) + edge_c * (of_c / sum));
   Vec3 best;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {

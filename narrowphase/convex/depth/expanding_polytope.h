@@ -19,6 +19,6 @@ struct PolytopeDepth {
 /// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
 PolytopeDepth polytope_depth(const Core& a, const Core& b, double tolerance);
 
-inline constexpr int kMostPolytopeCorners = 160;
+inline constexpr int kMostPolytopeCorners = 240;
 
 }  // namespace graze::narrowphase

@@ -8,7 +8,7 @@ namespace graze::narrowphase {
 
 /// Which method found the direction of a penetration.
 enum class PenetrationSource {
-  Fixed,     ///< the best of a few fixed directions
+  Fixed,     ///< the best of axes, faces and pairs of edges, and of what is beside these
   Formula,   ///< the two lie along the same axes: see aligned_parting.h
   Polytope,  ///< the expanding polytope
   Ccd,       ///< libccd's MPR, asked because the polytope ended open
@@ -30,9 +30,9 @@ struct Penetration {
 
 /// The least penetration of two cores whose radii are added, by formula where they are aligned,
 /// else proved from below by an expanding polytope: off by at most depth_tolerance(). Where the
-/// polytope ends open, libccd's MPR is asked, too, and a few fixed directions, and the least of all
-/// is taken: then only that it parts the two is known. van den Bergen, "Proximity queries and
-/// penetration depth computation on 3D game objects" (2001).
+/// polytope ends open, libccd's MPR is asked, too, and axes, faces and pairs of edges, and the
+/// least of what is beside the best of these is taken: then only that it parts the two is known.
+/// van den Bergen, "Proximity queries and penetration depth computation on 3D game objects" (2001).
 Penetration penetration(const Core& a, const Core& b);
 
 /// By how much a depth may exceed the least, metres: kDepthTolerance of the smaller size,

@@ -35,6 +35,23 @@ constexpr double kMostTilt = 0x1p-8;
 constexpr double kLeastTilt = 0x1p-28;
 constexpr double kTiltShare = 0x1p-2;
 
+/// The directions of a face's edges.
+class Edges {
+ public:
+  explicit Edges(const ContactFace& face) {
+    if (face.count < 2) return;
+    count_ = face.count == 2 ? 1 : face.count;
+    for (int i = 0; i < count_; ++i)
+      edge_[i] = unit_or(face.corner[(i + 1) % face.count] - face.corner[i], {});
+  }
+  const Vec3* begin() const { return edge_; }
+  const Vec3* end() const { return edge_ + count_; }
+
+ private:
+  Vec3 edge_[ContactFace::kMostCorners];
+  int count_ = 0;
+};
+
 class Search {
  public:
   Search(const Core& a, const Core& b, const GapGoal& goal)
@@ -49,15 +66,13 @@ class Search {
   }
 
   CoreGap run() {
-    bound_along(unit_or(b_.at - a_.at, {1, 0, 0}));
-    add_candidate();
-    simplex_.weight[0] = 1;
-    nearest_ = {simplex_.point[0], simplex_.point[0]};
-    upper_ = length(nearest_.point);
+    start();
     for (int round = 0;; ++round) {
       if (descend() == Step::Inside) return touching();
-      if (is_known() || is_enough() || round == kMostFeatureRounds) break;
-      const Step found = look_along_features();
+      if (is_settled() || round == kMostFeatureRounds) break;
+      Step found = look_along_features();
+      if (found == Step::None && !is_settled()) found = look_about_edges();
+      if (found == Step::None && !is_settled()) found = meet_in_faces();
       if (found == Step::Inside) return touching();
       if (found == Step::None) break;
     }
@@ -66,6 +81,14 @@ class Search {
 
  private:
   enum class Step { Inside, Nearer, None };
+
+  void start() {
+    bound_along(unit_or(b_.at - a_.at, {1, 0, 0}));
+    add_candidate();
+    simplex_.weight[0] = 1;
+    nearest_ = {simplex_.point[0], simplex_.point[0]};
+    upper_ = length(nearest_.point);
+  }
 
   /// GJK from the simplex at hand, until it gains nothing or has taken kLargestSteps. Inside if the
   /// cores touch.
@@ -150,9 +173,7 @@ class Search {
       const ContactFace& face = faces[side];
       if (face.count < 2) continue;
       if (try_along(side == 0 ? face.normal : -face.normal) == Step::Inside) return Step::Inside;
-      const int edges = face.count == 2 ? 1 : face.count;
-      for (int i = 0; i < edges; ++i) {
-        const Vec3 edge = unit_or(face.corner[(i + 1) % face.count] - face.corner[i], {});
+      for (const Vec3& edge : Edges(face)) {
         const Vec3 across = lower_ > 0 ? normal_ : toward;
         for (const Vec3& direction :
              {across - edge * dot(across, edge), across + edge * kTilt, across - edge * kTilt}) {
@@ -174,9 +195,83 @@ class Search {
         const Vec3 base = lower_ > 0 ? normal_ : first;
         if (try_along(unit_or(base + aside * tilt, base)) == Step::Inside) return Step::Inside;
       }
-      if (is_known() || is_enough()) break;
+      if (is_settled()) break;
     }
     return Step::None;
+  }
+
+  /// A direction that leans along an edge is off by as much as it leans, and one that leans about
+  /// it by the square of that alone. So those are asked that are at right angles to an edge of
+  /// either, and of each edge those about it, nearer and nearer to the best.
+  Step look_about_edges() {
+    const double before = upper_ - lower_;
+    const Edges of_a(face_along(a_, normal_)), of_b(face_along(b_, -normal_));
+    for (const Vec3& edge_a : of_a) {
+      for (const Vec3& edge_b : of_b) {
+        const Vec3 normal = unit_or(cross(edge_a, edge_b), normal_);
+        if (try_along(dot(normal, normal_) < 0 ? -normal : normal) == Step::Inside)
+          return Step::Inside;
+      }
+    }
+    for (const Edges* edges : {&of_a, &of_b}) {
+      for (const Vec3& edge : *edges) {
+        if (look_about(edge) == Step::Inside) return Step::Inside;
+      }
+    }
+    return before - (upper_ - lower_) > kWorthwhile * before ? Step::Nearer : Step::None;
+  }
+
+  Step look_about(const Vec3& edge) {
+    for (double tilt = kMostTilt; tilt > kLeastTilt && !is_settled(); tilt *= kTiltShare) {
+      for (const double sign : {-1.0, 1.0}) {
+        const Vec3 across = normal_ - edge * dot(normal_, edge);
+        const Vec3 tilted = across + cross(edge, across) * (sign * tilt);
+        if (try_along(unit_or(tilted, normal_)) == Step::Inside) return Step::Inside;
+      }
+    }
+    return Step::None;
+  }
+
+  /// Where round sides all but touch, a direction is better known than the points that it leads to,
+  /// which are off by its error and never lead nearer by more than rounding. So the nearest points
+  /// of the faces that look along it are taken: few corners, all of them points of the cores.
+  Step meet_in_faces() {
+    const Vec3 toward = normal_;
+    Vec3 corners[2][kMostOfFace];
+    const Core of_a = part_along(a_, toward, corners[0]);
+    const Core of_b = part_along(b_, -toward, corners[1]);
+    Search parts(of_a, of_b, goal_);
+    parts.start();
+    const bool is_inside = parts.descend() == Step::Inside;
+    if (is_inside ? lower_ > slack_units_ : !(parts.upper_ < upper_)) return Step::None;
+    simplex_ = parts.simplex_;
+    nearest_ = parts.nearest_;
+    if (is_inside) return Step::Inside;
+    upper_ = parts.upper_;
+    return Step::Nearer;
+  }
+
+  static constexpr std::size_t kMostOfFace = ContactFace::kMostCorners + 1;
+
+  /// The face that looks along a direction and the farthest point, as corners; of one size with the
+  /// core, so that both are measured in the same units.
+  static Core part_along(const Core& core, const Vec3& toward, Vec3 (&corners)[kMostOfFace]) {
+    Core part;
+    part.kind = CoreKind::Points;
+    part.at = core.at;
+    part.radius = core.radius;
+    part.bounding_radius = core.bounding_radius;
+    part.points = corners;
+    corners[part.point_count++] = support(core, toward) - core.at;
+    if (core.kind == CoreKind::Point) return part;
+    if (core.kind == CoreKind::Segment) {
+      corners[part.point_count++] = support(core, -toward) - core.at;
+      return part;
+    }
+    const ContactFace face = face_along(core, toward);
+    for (int i = 0; i < face.count; ++i)
+      corners[part.point_count++] = face.corner[i] - core.at;
+    return part;
   }
 
   Step try_along(const Vec3& toward) {
@@ -218,6 +313,8 @@ class Search {
            (goal_.near_enough >= 0 && upper_ <= goal_.near_enough * to_units_);
   }
 
+  bool is_settled() const { return is_known() || is_enough(); }
+
   bool is_known() const { return upper_ - lower_ <= kRelativeTolerance * extent_units_; }
 
   CoreGap filled(GapVerdict verdict) const {
@@ -242,7 +339,7 @@ class Search {
   }
 
   CoreGap finish() const {
-    const bool is_open = !is_known() && !is_enough();
+    const bool is_open = !is_settled();
     if (lower_ > 0) return filled(is_open ? GapVerdict::NotReached : GapVerdict::Apart);
     return filled(is_open ? GapVerdict::NotReached : GapVerdict::Touching);
   }

@@ -2,6 +2,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/bvh/value/element_error.h>
+#include <graze/narrowphase/volumes/boxes/batch_sizes.h>
 #include <graze/narrowphase/volumes/sphere_batch.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
@@ -34,12 +35,6 @@ BoxRows rows(const Aabb& box) {
   const double* min = box.min.data();
   const double* max = box.max.data();
   return {min, min + 1, min + 2, max, max + 1, max + 2};
-}
-
-void check_hits(std::span<std::uint8_t> hits, std::size_t pairs) {
-  if (hits.size() == pairs) return;
-  throw InputError("hits: " + std::to_string(hits.size()) + " elements for " +
-                   std::to_string(pairs) + " pairs");
 }
 
 std::string name_of(const char* array, std::size_t index) {
@@ -76,7 +71,7 @@ void intersects(const Sphere& sphere, const SphereArray& spheres, std::span<std:
   bvh::in_standard_arithmetic([&] {
     bvh::check_sphere(sphere, "sphere");
     narrowphase::check_lengths(spheres, "spheres");
-    check_hits(hits, spheres.size());
+    narrowphase::check_hits(hits, spheres.size());
     narrowphase::judge_one_sphere(rows(sphere), rows(spheres), hits.size(), hits.data());
     decide_unsure(hits, [&](std::size_t i) {
       return narrowphase::overlap_exactly(sphere, checked(spheres, i, "spheres"));
@@ -89,11 +84,8 @@ void intersects(const SphereArray& spheres_a, const SphereArray& spheres_b,
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_lengths(spheres_a, "spheres a");
     narrowphase::check_lengths(spheres_b, "spheres b");
-    if (spheres_a.size() != spheres_b.size()) {
-      throw InputError("spheres b: " + std::to_string(spheres_b.size()) + " elements for " +
-                       std::to_string(spheres_a.size()) + " spheres a");
-    }
-    check_hits(hits, spheres_a.size());
+    narrowphase::check_pairs(spheres_a.size(), spheres_b.size(), "spheres");
+    narrowphase::check_hits(hits, spheres_a.size());
     narrowphase::judge_sphere_pairs(rows(spheres_a), rows(spheres_b), hits.size(), hits.data());
     decide_unsure(hits, [&](std::size_t i) {
       const Sphere a = checked(spheres_a, i, "spheres a");
@@ -106,7 +98,7 @@ void intersects(const Sphere& sphere, const AabbArray& boxes, std::span<std::uin
   bvh::in_standard_arithmetic([&] {
     bvh::check_sphere(sphere, "sphere");
     narrowphase::check_lengths(boxes, "boxes");
-    check_hits(hits, boxes.size());
+    narrowphase::check_hits(hits, boxes.size());
     narrowphase::judge_sphere_and_boxes(rows(sphere), rows(boxes), hits.size(), hits.data());
     decide_unsure(hits, [&](std::size_t i) {
       return narrowphase::overlap_exactly(sphere, checked(boxes, i, "boxes"));
@@ -118,7 +110,7 @@ void intersects(const Aabb& box, const SphereArray& spheres, std::span<std::uint
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_lengths(spheres, "spheres");
-    check_hits(hits, spheres.size());
+    narrowphase::check_hits(hits, spheres.size());
     narrowphase::judge_box_and_spheres(rows(box), rows(spheres), hits.size(), hits.data());
     decide_unsure(hits, [&](std::size_t i) {
       return narrowphase::overlap_exactly(checked(spheres, i, "spheres"), box);
@@ -134,7 +126,7 @@ void intersects(const SphereArray& spheres, const AabbArray& boxes, std::span<st
       throw InputError("boxes: " + std::to_string(boxes.size()) + " elements for " +
                        std::to_string(spheres.size()) + " spheres");
     }
-    check_hits(hits, spheres.size());
+    narrowphase::check_hits(hits, spheres.size());
     narrowphase::judge_sphere_box_pairs(rows(spheres), rows(boxes), hits.size(), hits.data());
     decide_unsure(hits, [&](std::size_t i) {
       const Sphere sphere = checked(spheres, i, "spheres");

@@ -9,11 +9,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <string>
 
-#include "tests/engine/allocations/failing_new.h"
+#include "tests/engine/allocations/fail_each_allocation.h"
 #include "tests/files/temporary_directory.h"
 #include "tests/shapes/formula_meshes.h"
 
@@ -23,27 +22,6 @@ namespace {
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-template <typename Task, typename Check>
-void fail_each_allocation_of_files(
-    const std::string& name, const Task& task, const Check& check,
-    const std::function<void()>& begin = [] {}) {
-  task();
-  const long count = allocations_of(task);
-  EXPECT_GT(count, 0) << name;
-  for (long n = 1; n <= count; n = next_failure(n, count, 120)) {
-    begin();
-    const long before = live_blocks();
-    const Attempt made = attempt(n, task);
-    EXPECT_TRUE(made.has_failed) << name << ", allocation " << n;
-    EXPECT_EQ(live_blocks(), before) << name << ", allocation " << n;
-    check(made);
-    if (testing::Test::HasFailure()) {
-      ADD_FAILURE() << name << ", allocation " << n;
-      return;
-    }
-  }
 }
 
 const char kTriangle[] =

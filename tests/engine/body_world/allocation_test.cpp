@@ -2,6 +2,7 @@
 
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <vector>
 
@@ -89,6 +90,21 @@ TEST(Allocations, NoneInASteadyUpdate) {
 
 TEST(Allocations, NoneInASteadyUpdateOfMany) {
   expect_steady(500, {.contacts = false});
+}
+
+/// Each thread has memory of its own, which grows until it has met the pairs that need most.
+TEST(Allocations, EndWhereThreadsShareAnUpdate) {
+  const tbb::global_control enough(tbb::global_control::max_allowed_parallelism, 2);
+  Merry merry(500, {.threads = 2, .contacts = false});
+  constexpr int kMostRounds = 40;
+  int steady = 0;
+  for (int round = 0; round < kMostRounds && steady < 3; ++round) {
+    const std::size_t before = tests::allocations();
+    for (int frame = 0; frame < kPeriod; ++frame)
+      EXPECT_FALSE(merry.step(frame).moved.empty());
+    steady = tests::allocations() == before ? steady + 1 : 0;
+  }
+  EXPECT_EQ(steady, 3);
 }
 
 }  // namespace

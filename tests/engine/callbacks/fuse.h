@@ -39,7 +39,8 @@ class Fuse {
   std::atomic<long> due_ = kNever;
 };
 
-/// A shape as graze makes it, behind a fuse at each of its doors.
+/// A shape as graze makes it, behind a fuse at each of its doors. A transparent one may be asked by
+/// several threads at once.
 class FusedShape final : public BodyShape {
  public:
   enum class Look { Opaque, Transparent };  // whether shape() tells what it stands for
@@ -61,6 +62,10 @@ class FusedShape final : public BodyShape {
   const Shape* shape() const override {
     fuse_->burn();
     return look_ == Look::Transparent ? inner_->shape() : nullptr;
+  }
+  bool allows_concurrent_calls() const override {
+    fuse_->burn();
+    return look_ == Look::Transparent;
   }
   Aabb bounds(const Pose& pose) const override {
     fuse_->burn();

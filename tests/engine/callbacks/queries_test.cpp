@@ -122,7 +122,7 @@ struct Questions {
     const Ray ray{{-5, 0.2, 0.3}, {1, 0, 0}, 100};
     if (question == 0) {
       for (const BodyContact& c : world.contacts())
-        say(c.pair.a.index), say(c.manifold.count);
+        say(c.pair.a.index), say(c.manifold.size());
     } else if (question == 1) {
       for (const BodyId id : world.find_touching({Sphere{{0, 0, 0}, 3}, at(6)}))
         say(id.index);

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -223,6 +225,23 @@ TEST_F(OutputFiles, APipeThatNobodyReadsAnyMoreIsAnError) {
   EXPECT_EQ(error_of([&] { write_file(name, "x"); }), name + ": cannot be written: Broken pipe");
   signal(SIGPIPE, before);
   close(ends[1]);
+}
+
+/// Its name leads to nobody that could be written to; found out before anything is computed.
+TEST_F(OutputFiles, ASocketByItsNameIsRefused) {
+  const std::string name = path("socket");
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  ASSERT_LT(name.size(), sizeof address.sun_path);
+  name.copy(address.sun_path, name.size());
+  const int listener = socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  const std::string expected = name + ": cannot be written: No such device or address";
+  EXPECT_EQ(error_of([&] { check_output(name); }), expected);
+  EXPECT_EQ(error_of([&] { write_file(name, "x"); }), expected);
+  close(listener);
+  EXPECT_TRUE(fs::is_socket(name));
+  EXPECT_EQ(names(), Names{"socket"});
 }
 
 /// A shell's `> file` is behind /dev/stdout: what comes next must go on behind what is written.

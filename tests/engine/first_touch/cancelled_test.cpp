@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
@@ -81,6 +82,29 @@ TEST(FirstTouch, OfBoxesWithinACancelledGroupOfTasks) {
   };
   const std::vector<BoxPair> expected = pairs([](const auto& task) { task(); });
   EXPECT_GT(expected.size(), 10000u);
+  EXPECT_TRUE(pairs(within_cancelled_group) == expected);
+}
+
+TEST(FirstTouch, OfAWorldWithinACancelledGroupOfTasks) {
+  const auto pairs = [](const auto& within) {
+    World world({.threads = 2});
+    std::vector<BodyPair> found;
+    std::size_t contacts = 0;
+    within([&] {
+      const Mesh ball = make_sphere(0.6, 6, 8);
+      for (int i = 0; i < 4000; ++i) {
+        const Shape shape = i % 9 == 0 ? Shape(ball) : Shape(Box{{0.5, 0.5, 0.5}});
+        world.add({shape, at(0.9 * (i % 20), 0.9 * (i / 20 % 20), 1.1 * (i / 400))});
+      }
+      const WorldUpdate update = world.update();
+      found.assign(update.moved.begin(), update.moved.end());
+      contacts = update.contacts.size();
+    });
+    EXPECT_EQ(contacts, found.size());
+    return found;
+  };
+  const std::vector<BodyPair> expected = pairs([](const auto& task) { task(); });
+  EXPECT_GT(expected.size(), 8000u);
   EXPECT_TRUE(pairs(within_cancelled_group) == expected);
 }
 

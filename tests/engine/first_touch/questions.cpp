@@ -9,6 +9,7 @@
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
+#include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/pair_memory.h>
@@ -144,6 +145,23 @@ Digest separation(const Mesh& a, const Mesh& b) {
 Digest itself(const Mesh& a, const Mesh& b) {
   Digest digest = told(find_self_pairs(b, {.kind = SelfPairKind::Neighbour}));
   return digest << self_intersects(a);
+}
+
+/// Both rise by a metre in a step, and B back again.
+Digest on_the_way(const Mesh& a, const Mesh& b) {
+  const auto raised = [](const Mesh& mesh) {
+    std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
+    for (Eigen::Vector3d& vertex : vertices)
+      vertex.z() += 1;
+    return mesh.deformed(vertices);
+  };
+  const MeshPath rising(a, raised(a)), sinking(raised(b), b);
+  Digest digest;
+  for (const auto& met : {first_contact(rising, sinking), first_self_contact(rising)}) {
+    digest << met.has_value();
+    if (met) digest << met->time << met->pair.a << met->pair.b;
+  }
+  return digest;
 }
 
 template <typename Shape>
@@ -292,6 +310,7 @@ constexpr FirstQuestion kQuestions[] = {
     {"intersection", intersection},
     {"separation", separation},
     {"with itself", itself},
+    {"on the way", on_the_way, WorkedOutBy::OneTbbToo},
     {"a box", box},
     {"an oriented box", obb},
     {"a ball", ball},

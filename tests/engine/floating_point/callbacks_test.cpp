@@ -1,9 +1,13 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <atomic>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/engine/floating_point/environments.h"
 #include "tests/engine/floating_point/questions.h"
@@ -15,12 +19,17 @@ namespace {
 /// A shape of a user's own that remembers how it was asked, and may throw.
 class Witness : public BodyShape {
  public:
+  bool allows_concurrent_calls() const override {
+    note();
+    return is_concurrent;
+  }
   Aabb bounds(const Pose&) const override {
     note();
     return {Eigen::Vector3d::Constant(-1), Eigen::Vector3d::Constant(1)};
   }
   bool touches(const Pose&, const BodyShape&, const Pose&) const override {
     note();
+    if (is_concurrent) wait_for_another();
     if (throws) throw std::runtime_error("a user's own");
     return is_hit;
   }
@@ -45,10 +54,25 @@ class Witness : public BodyShape {
     ++calls;
     if (current_control() != expected) ++wrong;
   }
+  /// Until two threads have asked it, for a while.
+  void wait_for_another() const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto own = std::hash<std::thread::id>{}(std::this_thread::get_id());
+    std::size_t none = 0;
+    if (first_thread.compare_exchange_strong(none, own) || none == own) {
+      while (!has_met_two && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+    } else {
+      has_met_two = true;
+    }
+  }
   std::uint32_t expected = 0;
   bool is_hit = true;
   bool throws = false;
+  bool is_concurrent = false;
   mutable std::atomic<int> calls = 0, wrong = 0;
+  mutable std::atomic<std::size_t> first_thread = 0;
+  mutable std::atomic<bool> has_met_two = false;
 };
 
 Pose at(double x) {
@@ -98,6 +122,29 @@ TEST(UsersArithmetic, IsThatOfUsersOwnShapesAndFilters) {
       meet_in_world(environment, is_hit, witness);
       EXPECT_GT(witness.calls, 10);
       EXPECT_EQ(witness.wrong, 0) << environment.name;
+    }
+  }
+}
+
+/// On whichever thread a world asks them.
+TEST(UsersArithmetic, IsThatOfUsersOwnShapesOnOtherThreads) {
+  const tbb::global_control enough(tbb::global_control::max_allowed_parallelism, 4);
+  for (const Environment& environment : all_environments()) {
+    for (const bool is_concurrent : {false, true}) {
+      Witness witness;
+      witness.expected = environment.control;
+      witness.is_concurrent = is_concurrent;
+      const std::shared_ptr<const BodyShape> shared(&witness, [](const BodyShape*) {});
+      const InEnvironment in(environment);
+      World world({.threads = 4});
+      for (int i = 0; i < 100; ++i) {
+        world.add({shared, at(0.25 * i)});
+        world.add({Shape(Sphere{{0, 0, 0}, 1}), at(0.25 * i)});
+      }
+      EXPECT_GT(world.update().moved.size(), 400u);
+      EXPECT_EQ(current_control(), environment.control) << environment.name;
+      EXPECT_EQ(witness.wrong, 0) << environment.name;
+      EXPECT_EQ(witness.has_met_two, is_concurrent) << environment.name;
     }
   }
 }

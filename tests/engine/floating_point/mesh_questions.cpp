@@ -122,6 +122,22 @@ void ask_bent(const Inputs& in, Words& words) {
       find_triangle_pairs({meshes.a, in.pose_a}, {bent, in.pose_b}, {.volume = PairVolume::Aabb}));
 }
 
+void add_contact(Words& words, const std::optional<MeshFirstContact>& found) {
+  words.add(found.has_value());
+  if (!found) return;
+  words.add(found->time), words.add(found->is_at_start);
+  words.add(std::uint64_t{found->pair.a} << 32 | found->pair.b);
+}
+
+void ask_paths(const Inputs& in, Words& words) {
+  const Meshes meshes(in);
+  const MeshPath path(meshes.b, meshes.b.deformed(in.bent)), rest(meshes.a, meshes.a);
+  for (const StartContact start : {StartContact::Counts, StartContact::IsLeft}) {
+    add_contact(words, first_contact(path, rest, {.start = start}));
+    add_contact(words, first_self_contact(path, {.start = start}));
+  }
+}
+
 void ask_rays(const Inputs& in, Words& words) {
   const Meshes meshes(in);
   if (const auto hit = cast_ray({meshes.a, in.pose_a}, in.ray)) add_hit(words, *hit);
@@ -234,6 +250,7 @@ std::vector<Question> mesh_questions(int threads) {
       {"a mesh itself", ask_about_itself},
       {"volumes around a mesh", ask_for_fits},
       {"a mesh that bends", ask_bent},
+      {"meshes whose vertices move", ask_paths},
       {"rays at a mesh", ask_rays},
       batches(threads),
       voxels(threads),

@@ -7,6 +7,15 @@ void add_distance(Words& words, const TriangleDistance& found) {
   words.add(found.distance), words.add(found.point_a), words.add(found.point_b);
 }
 
+void add_contact(Words& words, const std::optional<FirstContact>& contact) {
+  words.add(contact.has_value());
+  if (contact) words.add(contact->time), words.add(contact->is_at_start);
+}
+
+TrianglePath path_between(const Triangle& start, const Triangle& end) {
+  return {{start.a, end.a}, {start.b, end.b}, {start.c, end.c}};
+}
+
 }  // namespace
 
 std::vector<Question> triangle_questions() {
@@ -60,6 +69,20 @@ std::vector<Question> triangle_questions() {
            const std::optional<TriangleRayHit> hit = cast_ray(triangle, in.ray);
            words.add(hit.has_value());
            if (hit) words.add(hit->distance), words.add(hit->point), words.add(hit->normal);
+         }
+       }},
+      {"first_contact(paths)",
+       [](const Inputs& in, Words& words) {
+         const TrianglePath moving = path_between(in.triangle_a, in.triangle_b);
+         for (std::size_t i = 0; i + 1 < in.triangles.size(); ++i) {
+           const TrianglePath other = path_between(in.triangles[i], in.triangles[i + 1]);
+           add_contact(words, first_contact(moving, other));
+           std::optional<FirstContact> contacts[1];
+           first_contacts(std::span(&moving, 1), std::span(&other, 1), contacts);
+           add_contact(words, contacts[0]);
+           add_contact(words, first_contact(moving.a, other, {.start = StartContact::IsLeft}));
+           add_contact(words,
+                       first_contact(EdgePath{moving.a, moving.b}, EdgePath{other.b, other.c}));
          }
        }},
       {"volumes around triangles",

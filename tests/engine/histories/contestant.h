@@ -60,10 +60,10 @@ struct Contestant {
       all.push_back({ordered(a, b), contact.manifold});
       if (a < b || oracle.are_alike(a, b)) continue;
       Manifold& manifold = all.back().manifold;
-      for (std::size_t i = 0; i < manifold.count; ++i) {
-        std::swap(manifold.contacts[i].point_a, manifold.contacts[i].point_b);
-        manifold.contacts[i].normal *= -1;
-        std::swap(manifold.contacts[i].feature.a, manifold.contacts[i].feature.b);
+      for (std::size_t i = 0; i < manifold.size(); ++i) {
+        std::swap(manifold[i].point_a, manifold[i].point_b);
+        manifold[i].normal *= -1;
+        std::swap(manifold[i].feature.a, manifold[i].feature.b);
       }
     }
     std::sort(all.begin(), all.end(), [](const auto& s, const auto& t) { return s.pair < t.pair; });

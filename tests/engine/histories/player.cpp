@@ -47,7 +47,8 @@ class Player {
     all_.back().fault = fault;
     all_.emplace_back(
         "world without skips", setting,
-        WorldSettings{.skip_apart = false, .skip_at_rest = false, .skip_unused_trees = false});
+        WorldSettings{
+            .threads = 3, .skip_apart = false, .skip_at_rest = false, .skip_unused_trees = false});
     all_.emplace_back("world without contacts", setting,
                       WorldSettings{.threads = 4, .contacts = false});
     all_.back().finds_contacts = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "tests/engine/world/random_shapes.h"
@@ -134,6 +135,12 @@ double width_along(const PlacedPair& pair, const Vector3d& direction) {
 
 LeastWidth least_width(const PlacedPair& pair, std::size_t directions,
                        std::initializer_list<Vector3d> hints) {
+  for (const auto& [shape, pose, sign] :
+       {std::tuple(&pair.a, &pair.pose_a, 1.0), std::tuple(&pair.b, &pair.pose_b, -1.0)}) {
+    if (shape->kind() != ShapeKind::HalfSpace) continue;
+    const Vector3d out = pose->linear() * shape->as<HalfSpace>()->normal * sign;
+    return {width_along(pair, out), out};
+  }
   std::vector<LeastWidth> tried;
   const auto offer = [&](const Vector3d& d) { tried.push_back({width_along(pair, d), d}); };
   for (const Vector3d& d : Special(pair).directions)
@@ -169,8 +176,21 @@ Vector3d placed_middle(const Shape& shape, const Pose& pose) {
 }
 
 double scale_of(const PlacedPair& pair) {
-  const Vector3d between = placed_middle(pair.b, pair.pose_b) - placed_middle(pair.a, pair.pose_a);
-  return size_about_middle(pair.a) + size_about_middle(pair.b) + between.norm();
+  const auto above = [](const HalfSpace& plane, const Pose& pose, const Vector3d& point) {
+    return std::abs(plane.normal.dot(pose.inverse() * point) - plane.offset);
+  };
+  const Vector3d at_a = placed_middle(pair.a, pair.pose_a);
+  const Vector3d at_b = placed_middle(pair.b, pair.pose_b);
+  double between = (at_b - at_a).norm();
+  if (const auto* plane = pair.a.as<HalfSpace>()) between = above(*plane, pair.pose_a, at_b);
+  if (const auto* plane = pair.b.as<HalfSpace>()) between = above(*plane, pair.pose_b, at_a);
+  return size_about_middle(pair.a) + size_about_middle(pair.b) + between;
+}
+
+double smaller_size(const PlacedPair& pair) {
+  const double size_a = size_about_middle(pair.a), size_b = size_about_middle(pair.b);
+  if (size_a == 0 || size_b == 0) return std::max(size_a, size_b);
+  return std::min(size_a, size_b);
 }
 
 }  // namespace graze::tests

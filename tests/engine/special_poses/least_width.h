@@ -32,7 +32,7 @@ struct LeastWidth {
 LeastWidth least_width(const PlacedPair& pair, std::size_t directions,
                        std::initializer_list<Eigen::Vector3d> hints = {});
 
-/// The distance of the farthest point of a bounded shape from its middle.
+/// The distance of the farthest point of a shape from its middle; 0 of a half-space.
 double size_about_middle(const Shape& shape);
 
 /// The centre of a sphere or an ellipsoid, the middle of the box around a hull's corners or a
@@ -41,5 +41,8 @@ Eigen::Vector3d placed_middle(const Shape& shape, const Pose& pose);
 
 /// The scale of a pair as shape_pairs.h defines it.
 double scale_of(const PlacedPair& pair);
+
+/// Of the two, half-spaces aside.
+double smaller_size(const PlacedPair& pair);
 
 }  // namespace graze::tests

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "tests/shapes/formula_meshes.h"
+
 namespace graze::tests {
 
 using Eigen::Vector3d;
@@ -32,6 +34,7 @@ Numbers numbers_of(const Shape& shape) {
     for (std::size_t i = 0; i < s->vertex_count(); ++i)
       add(all, s->vertex(i));
   }
+  if (const auto* s = shape.as<Mesh>()) add(all, s->bounds().max);
   return all;
 }
 
@@ -92,6 +95,7 @@ Shape shape_of(const Line& line) {
   if (is(ShapeKind::Cone, 2)) return Cone{n[0], n[1]};
   if (is(ShapeKind::Ellipsoid, 6)) return Ellipsoid{vector(0), vector(3)};
   if (is(ShapeKind::HalfSpace, 4)) return HalfSpace{vector(0), n[3]};
+  if (is(ShapeKind::Mesh, 3)) return make_box(vector(0));
   if (is(ShapeKind::ConvexHull, n.size()) && n.size() % 3 == 0) {
     std::vector<Vector3d> corners;
     for (std::size_t i = 0; i < n.size(); i += 3)

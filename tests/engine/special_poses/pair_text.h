@@ -1,7 +1,8 @@
 #pragma once
 
 // Pairs as text: a line for each shape, its kind and its numbers, and after it a line "at" and the
-// three rows of its pose. All numbers to the last bit.
+// three rows of its pose. All numbers to the last bit. A mesh is that of a box, by its half
+// extents.
 
 #include <istream>
 #include <optional>

@@ -95,28 +95,57 @@ PlacedPair special_pair(ShapeKind kind_a, ShapeKind kind_b, std::size_t turn, Sp
   PlacedPair pair{plain_shape(kind_a, index / 7), plain_shape(kind_b, index), Pose::Identity(),
                   Pose::Identity()};
   pair.pose_b.linear() = right_turn(turn);
-  const Vector3d axis = Vector3d::Unit(static_cast<int>(index % 3)) * (index % 2 == 0 ? 1.0 : -1.0);
+  Vector3d axis = Vector3d::Unit(static_cast<int>(index % 3)) * (index % 2 == 0 ? 1.0 : -1.0);
+  // Beside a half-space there is one way out.
+  if (kind_b == ShapeKind::HalfSpace) axis = -pair.pose_b.linear().col(2);
+  if (kind_a == ShapeKind::HalfSpace) axis = pair.pose_a.linear().col(2);
   if (place == SpecialPlace::Offset) {
     constexpr double kShares[] = {0.25, 0.5, 1.0, 0.1, 1e-3};
-    pair.pose_b.translation() = axis * (kShares[index % 5] * size_about_middle(pair.a));
+    pair.pose_b.translation() = axis * (kShares[index % 5] * smaller_size(pair));
   }
   if (place == SpecialPlace::Touching) move_to_touch(pair, axis);
   return pair;
 }
 
-PlacedPair drawn_pair(RandomSource& source) {
+PlacedPair scaled(const PlacedPair& pair, double factor) {
+  const auto times = [&](const Shape& shape) -> Shape {
+    if (const auto* s = shape.as<Sphere>()) return Sphere{s->centre * factor, s->radius * factor};
+    if (const auto* s = shape.as<Box>()) return Box{s->half_extents * factor};
+    if (const auto* s = shape.as<Capsule>())
+      return Capsule{s->radius * factor, s->half_length * factor};
+    if (const auto* s = shape.as<Cylinder>())
+      return Cylinder{s->radius * factor, s->half_height * factor};
+    if (const auto* s = shape.as<Cone>()) return Cone{s->radius * factor, s->half_height * factor};
+    if (const auto* s = shape.as<Ellipsoid>())
+      return Ellipsoid{s->centre * factor, s->semi_axes * factor};
+    if (const auto* s = shape.as<HalfSpace>()) return HalfSpace{s->normal, s->offset * factor};
+    if (const auto* s = shape.as<Mesh>()) return make_box(s->bounds().max * factor);
+    const auto& hull = *shape.as<ConvexHull>();
+    std::vector<Vector3d> corners;
+    for (std::size_t i = 0; i < hull.vertex_count(); ++i)
+      corners.push_back(hull.vertex(i) * factor);
+    return ConvexHull(corners);
+  };
+  PlacedPair result{times(pair.a), times(pair.b), pair.pose_a, pair.pose_b};
+  result.pose_a.translation() *= factor;
+  result.pose_b.translation() *= factor;
+  return result;
+}
+
+PlacedPair drawn_pair(RandomSource& source, std::size_t kinds) {
   const auto any = [&](int count) {
     return static_cast<std::size_t>(source.integer(0, count - 1));
   };
-  const ShapeKind kind_a = kShapeKinds[any(7)];
-  ShapeKind kind_b = kShapeKinds[any(7)];
+  const ShapeKind kind_a = kShapeKinds[any(static_cast<int>(kinds))];
+  ShapeKind kind_b = kShapeKinds[any(static_cast<int>(kinds))];
   if (any(5) == 0) kind_b = kind_a;
+  if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) kind_b = ShapeKind::Mesh;
   PlacedPair pair =
       special_pair(kind_a, kind_b, any(24), static_cast<SpecialPlace>(any(3)), any(49 * 30));
   const std::size_t change = any(10);
-  if (any(16) == 0) pair.a = random_shape(kind_a, 1, source);
-  if (any(16) == 0) pair.b = random_shape(kind_b, 1, source);
-  if (any(8) == 0) pair.b = pair.a;
+  if (any(16) == 0 && kind_a < ShapeKind::HalfSpace) pair.a = random_shape(kind_a, 1, source);
+  if (any(16) == 0 && kind_b < ShapeKind::HalfSpace) pair.b = random_shape(kind_b, 1, source);
+  if (any(8) == 0 && kind_a != ShapeKind::HalfSpace) pair.b = pair.a;
   if (any(8) == 0) pair.pose_b.translation() += source.vector(-1, 1) * 0.3;
   if (change == 1) pair.pose_b.translation() += source.vector(-1, 1) * small(source);
   if (change == 2 || change == 3) {

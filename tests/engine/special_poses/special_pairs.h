@@ -11,6 +11,9 @@
 
 namespace graze::tests {
 
+/// How many of kShapeKinds, the first, are convex and bounded.
+inline constexpr std::size_t kConvexKinds = 7;
+
 /// The rotations that map the axes of a frame to its axes.
 inline constexpr std::size_t kRightTurns = 24;
 Eigen::Matrix3d right_turn(std::size_t index);
@@ -30,6 +33,10 @@ PlacedPair special_pair(ShapeKind kind_a, ShapeKind kind_b, std::size_t turn, Sp
 
 /// A special pair drawn at random, of which every other is changed: turned as one, moved or turned
 /// by between 1e-16 and 1e-3, scaled, or given the sizes of any shape.
-PlacedPair drawn_pair(RandomSource& source);
+/// Of the first so many of kShapeKinds, but never two half-spaces.
+PlacedPair drawn_pair(RandomSource& source, std::size_t kinds = kConvexKinds);
+
+/// The same pair, all lengths times a factor. A mesh is one of a box.
+PlacedPair scaled(const PlacedPair& pair, double factor);
 
 }  // namespace graze::tests

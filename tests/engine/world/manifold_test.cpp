@@ -269,7 +269,10 @@ TEST(Manifold, ABoxOnAFineTerrainIsPushedUp) {
       EXPECT_NEAR(contact.normal.z(), -1, 1e-12);
       EXPECT_NEAR(contact.depth, 0.05, 1e-12);
     }
-    EXPECT_GT((m[0].point - m[1].point).norm(), 1.5);
+    double spread = 0;
+    for (const ShapeContact& contact : m)
+      spread = std::max(spread, (contact.point - m[0].point).norm());
+    EXPECT_GT(spread, 1.5);
   }
 }
 

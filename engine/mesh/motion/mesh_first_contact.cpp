@@ -1,0 +1,70 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/traverse/traverse_pair.h>
+#include <graze/bvh/traverse/traverse_self.h>
+#include <graze/engine/mesh/motion/feature_contacts.h>
+#include <graze/engine/mesh/placing/relative_frame.h>
+#include <graze/engine/mesh/query/node_volumes.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/narrowphase/motion/path_checks.h>
+
+#include <algorithm>
+
+namespace graze {
+
+std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const MeshPath& path_b,
+                                              const FirstContactSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<MeshFirstContact> {
+    narrowphase::check_settings(settings);
+    CountedWork counted(work);
+    const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
+    const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
+    const Pose identity = Pose::Identity();
+    const bvh::RelativeFrame frame =
+        relative_frame(PlacedFrame(identity, 0, a.tree.frame, a.bounds),
+                       PlacedFrame(identity, 0, b.tree.frame, b.bounds));
+    const bvh::NodeSeparation separation(frame, a.tree.nodes, b.tree.nodes);
+    EarliestContact earliest(settings);
+    bvh::traverse_pair(
+        a.tree, b.tree, CountedSeparation(separation, counted.work()),
+        [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+          for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+            for (std::uint32_t k = leaf_b.first; k < leaf_b.first + leaf_b.count; ++k) {
+              ++counted.work().triangle_tests;
+              earliest.ask(a, b, {a.tree.primitives[i], b.tree.primitives[k]});
+            }
+          }
+          return bvh::Walk::Continue;
+        });
+    return earliest.first();
+  });
+}
+
+std::optional<MeshFirstContact> first_self_contact(const MeshPath& path,
+                                                   const FirstContactSettings& settings,
+                                                   Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<MeshFirstContact> {
+    narrowphase::check_settings(settings);
+    CountedWork counted(work);
+    const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
+    const bvh::NodeOverlap separation(mesh.tree.nodes, mesh.tree.nodes);
+    EarliestContact earliest(settings);
+    bvh::traverse_self(mesh.tree, CountedSeparation(separation, counted.work()),
+                       [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+                         const bool is_same = &leaf_a == &leaf_b;
+                         for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count;
+                              ++i) {
+                           for (std::uint32_t k = is_same ? i + 1 : leaf_b.first;
+                                k < leaf_b.first + leaf_b.count; ++k) {
+                             ++counted.work().triangle_tests;
+                             const auto [low, high] =
+                                 std::minmax(mesh.tree.primitives[i], mesh.tree.primitives[k]);
+                             earliest.ask_of_one_mesh(mesh, {low, high});
+                           }
+                         }
+                         return bvh::Walk::Continue;
+                       });
+    return earliest.first();
+  });
+}
+
+}  // namespace graze

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/mesh_path.h>
+
+#include <vector>
+
+namespace graze {
+
+/// Bits of what a triangle owns: corner k, and the edge from corner k to the next.
+constexpr std::uint8_t corner_bit(std::uint32_t k) {
+  return static_cast<std::uint8_t>(1u << k);
+}
+constexpr std::uint8_t edge_bit(std::uint32_t k) {
+  return static_cast<std::uint8_t>(8u << k);
+}
+
+struct MeshPath::Data {
+  Mesh start;
+  Mesh end;
+  bvh::Tree tree;                   ///< over what the triangles sweep
+  Aabb bounds;                      ///< of all that
+  std::vector<std::uint8_t> owned;  ///< of each triangle: features that no earlier one has
+};
+
+/// What queries see.
+struct MeshPathAccess {
+  static const MeshPath::Data& data(const MeshPath& path) { return *path.data_; }
+  using Data = MeshPath::Data;
+};
+
+}  // namespace graze

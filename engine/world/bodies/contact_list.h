@@ -1,0 +1,73 @@
+#pragma once
+
+// Contacts of pairs in one list. Private to engine/world.
+
+#include <graze/engine/world/world.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// Contacts of pairs, kept from update to update and written over: of a manifold only the contacts
+/// that there are, mostly one or two of four.
+class ContactList {
+ public:
+  void clear() {
+    count_ = 0;
+    is_ascending_ = true;
+  }
+  void add(const BodyPair& pair, const Manifold& manifold) {
+    if (count_ == list_.size()) list_.emplace_back();
+    if (count_ != 0 && !(last_ < pair)) is_ascending_ = false;
+    last_ = pair;
+    write(pair, manifold, list_[count_++]);
+    if (count_ < list_.size()) fetch(list_[count_]);
+  }
+
+  /// Counts the contacts of another list in, behind all that are there. Returns the first of the
+  /// places that put() has to write them to.
+  std::size_t make_room_for(const ContactList& part) {
+    const std::size_t place = count_;
+    if (part.count_ == 0) return place;
+    is_ascending_ &= part.is_ascending_ && (count_ == 0 || last_ < part.list_[0].pair);
+    last_ = part.last_;
+    count_ += part.count_;
+    if (list_.size() < count_) list_.resize(count_);
+    return place;
+  }
+  /// Room for the contacts of so many pairs, which put() has to write in ascending order.
+  void make_room(std::size_t pairs) {
+    count_ = pairs;
+    is_ascending_ = true;
+    if (list_.size() < count_) list_.resize(count_);
+  }
+  /// Several threads may write to different places at once.
+  void put(std::size_t place, const BodyContact& contact) {
+    write(contact.pair, contact.manifold, list_[place]);
+  }
+
+  std::span<const BodyContact> all() const { return {list_.data(), count_}; }
+  bool is_ascending() const { return is_ascending_; }
+
+ private:
+  static void write(const BodyPair& pair, const Manifold& manifold, BodyContact& contact) {
+    contact.pair = pair;
+    contact.manifold = manifold;
+  }
+  /// Fetches the memory that the next manifold is written to, if it has one contact.
+  static void fetch(const BodyContact& next) {
+    __builtin_prefetch(&next, 1);
+    constexpr std::ptrdiff_t kLine = 64;
+    for (std::ptrdiff_t at = kLine; at < 4 * kLine; at += kLine)
+      __builtin_prefetch(reinterpret_cast<const char*>(&next) + at, 1);
+  }
+
+  std::vector<BodyContact> list_;
+  std::size_t count_ = 0;
+  BodyPair last_;
+  bool is_ascending_ = true;
+};
+
+}  // namespace graze

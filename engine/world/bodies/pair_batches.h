@@ -1,0 +1,160 @@
+#pragma once
+
+// Questions about pairs that threads share. Private to engine/world.
+
+#include <graze/bvh/box_set/store/workers.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/bodies/body_motion.h>
+#include <graze/engine/world/bodies/pair_news.h>
+#include <graze/engine/world/shapes/shape_work.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace graze {
+
+/// What a pair was found to be, before the world takes note of it.
+struct PairAnswer {
+  enum class Kind : std::uint8_t {
+    Asleep,     ///< not tested, as neither body is awake
+    Apart,      ///< tested
+    Near,       ///< tested: within their margin, and not touching
+    Touching,   ///< tested
+    ForCaller,  ///< only the caller's thread may test it
+  };
+
+  KnownGap known_gap = {};
+  Kind kind = Kind::Asleep;
+  bool has_measured = false;  ///< whether the gap was measured to know that
+
+  bool is_near() const { return kind == Kind::Near || kind == Kind::Touching; }
+};
+
+/// Pairs that one thread asks, one after the other, and what there is to tell of them.
+struct alignas(64) PairBatch {
+  std::uint32_t first = 0;  ///< its first pair
+  std::uint32_t end = 0;
+  bool has_mark = false;  ///< whether a body has the mark that UnbuiltTrees speaks of
+  NewsPlace place = {};
+  PairNews news;
+};
+
+/// Pairs in batches, which threads take in turn. Batches do not depend on how many threads there
+/// are. What is asked changes nothing: answers wait until all are there, so that the world can take
+/// note of them in the order of the pairs. All memory is kept from update to update.
+class PairBatches {
+ public:
+  void clear() {
+    count_ = 0;
+    pairs_ = 0;
+    cost_ = 0;
+    open_cost_ = kBatchCost;
+    has_pairs_for_caller_ = false;
+  }
+
+  /// One more pair, that takes as long as so many tests of two boxes, about; 0: only the caller's
+  /// thread may test it.
+  void add(std::uint32_t cost) {
+    if (open_cost_ >= kBatchCost) begin_batch();
+    ++pairs_;
+    open_cost_ += cost;
+    cost_ += cost;
+    has_pairs_for_caller_ |= cost == 0;
+  }
+
+  /// Whether the pairs added take long enough for more than one thread.
+  bool are_worth_sharing() const { return cost_ >= kWorthSharing; }
+
+  /// Sets the answers of all pairs to `ask(i, batch)`, which several threads call at once, and
+  /// which adds to the batch's news. If a call throws, the pairs before that one have their
+  /// answers, as they have with one thread; check() throws what it threw.
+  template <typename Ask>
+  void ask_all(const bvh::Workers& workers, std::size_t threads, const Ask& ask) {
+    begin_asking();
+    // Pool threads ask as the user of the caller's thread computes.
+    const std::uint64_t users_word = bvh::users_control_word();
+    workers.for_each(std::min(threads, count_), [&](std::size_t) {
+      bvh::in_users_arithmetic(users_word,
+                               [&] { bvh::in_standard_arithmetic([&] { ask_in_turn(ask); }); });
+    });
+  }
+
+  std::span<PairBatch> batches() { return {batches_.data(), count_}; }
+  const PairAnswer& answer(std::uint32_t pair) const { return answers_[pair]; }
+
+  /// Whether all pairs have been asked.
+  bool are_all_answered() const {
+    return !has_pairs_for_caller_ && failed_.load(std::memory_order_relaxed) == kNone;
+  }
+
+  /// Throws what the question about the pair threw, if it is the first that did.
+  void check(std::uint32_t pair) {
+    if (pair != failed_.load(std::memory_order_relaxed)) return;
+    std::rethrow_exception(std::exchange(failure_, nullptr));
+  }
+
+  /// Makes room for the news of all batches behind those that are there. What throws leaves those
+  /// about what began and ended as they were.
+  void make_room_in(PairNews& all);
+  /// Likewise for the contacts alone.
+  void make_room_in(ContactList& all);
+
+ private:
+  static constexpr std::uint32_t kBatchCost = 32, kWorthSharing = 64;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  void begin_batch();
+  void begin_asking();
+  void note_failure(std::uint32_t pair);
+
+  /// Takes batches until there are none, or only such as follow a pair that threw. They are taken
+  /// in ascending order: those before it are asked to their end.
+  template <typename Ask>
+  void ask_in_turn(const Ask& ask) {
+    for (;;) {
+      const std::size_t index = next_.fetch_add(1, std::memory_order_relaxed);
+      if (index >= count_) return;
+      PairBatch& batch = batches_[index];
+      if (batch.first > failed_.load(std::memory_order_relaxed)) return;
+      ask_batch(ask, batch);
+    }
+  }
+
+  template <typename Ask>
+  void ask_batch(const Ask& ask, PairBatch& batch) {
+    batch.news.clear();
+    batch.has_mark = false;
+    const ShapeWorkScope counting(batch.news.work.shapes);
+    std::uint32_t pair = batch.first;
+    try {
+      for (; pair < batch.end; ++pair)
+        answers_[pair] = ask(pair, batch);
+    } catch (...) {
+      note_failure(pair);
+    }
+  }
+
+  std::vector<PairBatch> batches_;  ///< the first `count_`
+  std::size_t count_ = 0;
+  std::uint32_t pairs_ = 0;
+  std::uint32_t open_cost_ = kBatchCost;  ///< of the last batch
+  std::uint64_t cost_ = 0;                ///< of all
+  bool has_pairs_for_caller_ = false;
+  std::vector<PairAnswer> answers_;
+  std::atomic<std::size_t> next_ = 0;          ///< the batch that nobody has taken yet
+  std::atomic<std::uint32_t> failed_ = kNone;  ///< the first pair whose question threw
+  std::mutex failing_;
+  std::exception_ptr failure_;
+};
+
+/// Writes what a batch has to tell to its place in all news, in which there is room.
+void put_news(const PairBatch& batch, PairNews& all);
+void put_contacts(const PairBatch& batch, ContactList& all);
+
+}  // namespace graze

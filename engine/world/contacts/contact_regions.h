@@ -1,0 +1,85 @@
+#pragma once
+
+// The regions in which a convex body and a mesh meet, each with its way out. Private to
+// engine/world.
+
+#include <graze/engine/world/contacts/clearance.h>
+#include <graze/engine/world/contacts/local_parting.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// A triangle that a body touches, and how the body leaves it.
+struct TouchedTriangle {
+  LocalParting parting;
+  narrowphase::Core triangle;
+  std::uint32_t direction = 0;  ///< number of the direction of the way out
+  std::uint32_t region = 0;
+};
+
+/// Directions are one if the sine between them is below about 1e-6.
+inline bool is_one_direction(const narrowphase::Vec3& s, const narrowphase::Vec3& t) {
+  return dot(s, t) > 1 - 5e-13;
+}
+
+/// The member that speaks for a region: the deepest face, or where no face counts the deepest of
+/// all. Directions that count as one differ by as much as makes others a little deeper.
+const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members);
+
+/// Finds out which of the touched triangles are in the way, and how they hang together. Law 15: the
+/// triangles are looked at in the order of their depth. What a body no longer touches once it has
+/// taken all ways out so far, by the least translation that does, is no contact: so the wall below
+/// a rim that a box rests on says nothing. Triangles that are left by one direction and share
+/// corners are a region.
+class ContactRegions {
+ public:
+  /// Leaves of `touched` those that are in the way, and numbers their directions.
+  /// `is_apart(translation, triangle)` says whether the body, moved by the translation, is apart
+  /// from the triangle; `size` is the body's.
+  template <typename IsApart>
+  void select(std::vector<TouchedTriangle>& touched, double size, IsApart&& is_apart) {
+    start(touched, size);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+      TouchedTriangle& next = touched[i];
+      const narrowphase::Exit& exit = next.parting.exit;
+      if (clearance_.satisfies(exit)) {
+        if (!is_known(exit.direction)) continue;
+      } else if (kept > 0 && is_apart(clearance_.translation(), next.triangle)) {
+        continue;
+      } else {
+        clearance_.add(exit);
+      }
+      next.direction = number_of(exit.direction);
+      if (kept != i) touched[kept] = next;
+      ++kept;
+    }
+    touched.resize(kept);
+  }
+
+  /// Numbers the regions, and returns how many there are: triangles of one direction that hang
+  /// together by corners. Those of a region follow each other, ascending by depth.
+  std::uint32_t connect(std::vector<TouchedTriangle>& touched, const FacingFeatures& features);
+
+ private:
+  struct CornerOf {
+    std::uint32_t direction;
+    std::uint32_t vertex;
+    std::uint32_t member;
+  };
+
+  void start(std::vector<TouchedTriangle>& touched, double size);
+  bool is_known(const narrowphase::Vec3& direction) const;
+  std::uint32_t number_of(const narrowphase::Vec3& direction);
+  std::uint32_t root_of(std::uint32_t member);
+
+  Clearance clearance_;
+  std::vector<narrowphase::Vec3> directions_;
+  std::vector<CornerOf> corners_;
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace graze

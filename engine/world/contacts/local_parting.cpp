@@ -1,0 +1,93 @@
+#include <graze/engine/world/contacts/local_parting.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace graze {
+
+using narrowphase::Core;
+using narrowphase::CornerExits;
+using narrowphase::DirectionArc;
+using narrowphase::Exit;
+using narrowphase::Vec3;
+
+namespace {
+
+// Of ways that are as long to this share the one of the larger feature is taken.
+constexpr double kSameDepth = 1e-9;
+
+// A way is surely too long if bounds say so by so many times what makes ways as long.
+constexpr double kSureTimes = 4;
+
+}  // namespace
+
+Vec3 LocalPartings::normal_of(const Core& triangle) {
+  const Vec3* corner = triangle.corner;
+  return unit_or(cross(corner[1] - corner[0], corner[2] - corner[0]), {0, 0, 1});
+}
+
+LocalParting LocalPartings::of(std::uint32_t index, const Core& triangle) const {
+  const Vec3 normal = normal_of(triangle);
+  return of(index, triangle, normal, support(core_, -normal));
+}
+
+LocalParting LocalPartings::of(std::uint32_t index, const Core& triangle, const Vec3& normal,
+                               const Vec3& deepest) const {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  return below(kNoLimit, index, triangle, normal, deepest)
+      .value_or(LocalParting{index, {normal, kNoLimit}});
+}
+
+std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t index,
+                                                 const Core& triangle, const Vec3& normal,
+                                                 const Vec3& deepest) const {
+  LocalParting least{index, {normal, dot(normal, triangle.corner[0] - deepest) + core_.radius}};
+  // With t the depth, r how far within an edge the deepest point is and p the angle of a direction
+  // to the normal, the way along it is at least t cos(p) + r sin(p): no less than t up to 127
+  // degrees if r is 2 t. Corners lie beyond two edges.
+  const double face_depth = least.exit.depth;
+  const double enough = 2 * face_depth;
+  double within[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 along = triangle.corner[(k + 1) % 3] - triangle.corner[k];
+    within[k] = dot(unit_or(cross(along, normal), normal), triangle.corner[k] - deepest);
+  }
+  const double same = kSameDepth * (core_.bounding_radius + core_.radius);
+  // Ways that are nearly as long as one below the limit have a say in which one is taken.
+  const double too_long = limit + kSureTimes * same;
+  bool is_complete = true;
+  const auto offer = [&](const Exit& exit, LeftFeature feature, int which) {
+    if (exit.depth < least.exit.depth - same) least = {index, exit, feature, which};
+  };
+  for (int k = 0; k < 3; ++k) {
+    if (within[k] >= enough) continue;
+    const std::optional<DirectionArc> arc = features_.arc(index, k, triangle, normal);
+    if (!arc) continue;
+    // The deepest point alone says that much: least at the ends of the arc.
+    const double at_end =
+        (face_depth - core_.radius) * arc->cosine + within[k] * arc->sine + core_.radius;
+    const double at_least = std::min(at_end, face_depth);
+    if (!(at_least < least.exit.depth - same)) continue;
+    Exit exit{{}, at_least};
+    if (at_least < too_long)
+      exit = least_on_arc(core_, triangle.corner[k], *arc, deepest, too_long);
+    if (exit.depth < too_long) {
+      offer(exit, LeftFeature::Edge, k);
+    } else {
+      is_complete = false;
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (std::min(within[k], within[(k + 2) % 3]) >= enough) continue;
+    CornerExits exits(core_, triangle.corner[k]);
+    while (const std::optional<Exit> exit = exits.next(least.exit.depth - same)) {
+      // The corner of a flat face has nothing ahead of it behind the face, either.
+      if (dot(exit->direction, normal) > 0 && features_.corner_faces(index, k, exit->direction))
+        offer(*exit, LeftFeature::Corner, k);
+    }
+  }
+  if (!is_complete && !(least.exit.depth < limit)) return std::nullopt;
+  return least;
+}
+
+}  // namespace graze

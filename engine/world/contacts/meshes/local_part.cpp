@@ -1,0 +1,123 @@
+#include <graze/engine/world/contacts/meshes/local_part.h>
+
+#include <algorithm>
+
+namespace graze {
+
+using narrowphase::Vec3;
+
+void LocalPart::start(const InnerSurface& surface, const PieceIndex& index, std::uint32_t piece,
+                      std::uint32_t triangle, InnerSide side, double reach) {
+  surface_ = &surface, index_ = &index;
+  is_of_a_ = side == InnerSide::OfA;
+  reach_ = reach, goes_on_ = false;
+  part_.clear(), curve_point_.clear();
+  part_.at = surface.part(piece).at;
+  ++round_;
+  point_round_.resize(std::max(point_round_.size(), index.point_count()));
+  vertex_round_.resize(std::max(vertex_round_.size(), surface.vertex_count()));
+  std::uint32_t last = 0xffffffffu;
+  for (const std::uint32_t i : index.on_triangle(triangle, !is_of_a_)) {
+    const MeshCrossing& crossing = index.crossings()[i];
+    const std::uint32_t own = is_of_a_ ? crossing.pair.a : crossing.pair.b;
+    if (own != last) add_inside(last = own, {}, -1);
+  }
+}
+
+void LocalPart::add_curve_point(std::uint32_t point, const Vec3& at) {
+  if (point_round_[point] == round_) return;
+  point_round_[point] = round_;
+  part_.add(at - part_.at, InnerPart::kNoVertex, false);
+  curve_point_.push_back(point);
+}
+
+void LocalPart::add_vertex(std::uint32_t vertex) {
+  if (vertex_round_[vertex] == round_) return;
+  vertex_round_[vertex] = round_;
+  part_.add(surface_->placed(vertex) - part_.at, vertex, false);
+  curve_point_.push_back(0);
+}
+
+/// Adds what of a triangle is inside, as far as it lies beyond a height in a direction.
+void LocalPart::add_inside(std::uint32_t own_triangle, const Vec3& direction, double above) {
+  const auto is_above = [&](const Vec3& point) { return dot(point - part_.at, direction) > above; };
+  bool is_all_inside = true;
+  for (const std::uint32_t vertex : surface_->corners(own_triangle)) {
+    if (!surface_->is_inside(vertex)) {
+      is_all_inside = false;
+    } else if (vertex_round_[vertex] != round_ && is_above(surface_->placed(vertex))) {
+      add_vertex(vertex);
+    }
+  }
+  // Whatever goes through such a triangle does so between its corners, and lies no farther.
+  if (is_all_inside) return;
+  for (const std::uint32_t i : index_->on_triangle(own_triangle, is_of_a_)) {
+    const MeshCrossing& crossing = index_->crossings()[i];
+    if (is_above(crossing.from))
+      add_curve_point(crossing.from_number - index_->first_point(), crossing.from);
+    if (is_above(crossing.to))
+      add_curve_point(crossing.to_number - index_->first_point(), crossing.to);
+  }
+}
+
+/// Adds what lies farther inside of the triangles that meet in a point.
+void LocalPart::go_on_inside(std::size_t point, const Vec3& direction) {
+  const double above = dot(part_.points[point], direction);
+  const std::uint32_t vertex = part_.vertex[point];
+  if (vertex == InnerPart::kNoVertex) {
+    for (const std::uint32_t i : index_->in_point(curve_point_[point])) {
+      const TrianglePair& pair = index_->crossings()[i].pair;
+      add_inside(is_of_a_ ? pair.a : pair.b, direction, above);
+    }
+  } else {
+    for (const std::uint32_t triangle : surface_->around(vertex))
+      add_inside(triangle, direction, above);
+  }
+}
+
+/// Whether a triangle that meets a point rises beyond it, where that leads around the other mesh.
+bool LocalPart::rises_outside(std::size_t point, const Vec3& direction) const {
+  const double above =
+      dot(part_.points[point], direction) + InnerSurface::kSameHeight * part_.radius;
+  const auto rises = [&](std::uint32_t triangle) {
+    for (const std::uint32_t corner : surface_->corners(triangle))
+      if (dot(surface_->placed(corner) - part_.at, direction) > above) return true;
+    return false;
+  };
+  const std::uint32_t vertex = part_.vertex[point];
+  if (vertex != InnerPart::kNoVertex) {
+    const std::span<const std::uint32_t> around = surface_->around(vertex);
+    return std::any_of(around.begin(), around.end(), rises);
+  }
+  for (const std::uint32_t i : index_->in_point(curve_point_[point])) {
+    const MeshCrossing& crossing = index_->crossings()[i];
+    const Vec3& left = is_of_a_ ? crossing.normal_b : crossing.normal_a;
+    if (InnerSurface::goes_around(left, direction) &&
+        rises(is_of_a_ ? crossing.pair.a : crossing.pair.b))
+      return true;
+  }
+  return false;
+}
+
+std::size_t LocalPart::grow(const Vec3& direction) {
+  std::size_t best = part_.farthest(direction);
+  double most = dot(part_.points[best], direction);
+  const double end = most + reach_;
+  for (;;) {
+    const std::size_t before = part_.points.size(), last = best;
+    go_on_inside(best, direction);
+    for (std::size_t i = before; i < part_.points.size(); ++i) {
+      const double along = dot(part_.points[i], direction);
+      if (along > most) most = along, best = i;
+    }
+    if (best == last) break;
+    if (most > end) {
+      goes_on_ = true;
+      return best;
+    }
+  }
+  goes_on_ |= rises_outside(best, direction);
+  return best;
+}
+
+}  // namespace graze

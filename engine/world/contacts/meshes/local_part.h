@@ -1,0 +1,54 @@
+#pragma once
+
+// What of one mesh is near a triangle of the other. Private to engine/world.
+
+#include <graze/engine/world/contacts/meshes/inner_surface.h>
+#include <graze/engine/world/contacts/meshes/piece_index.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace graze {
+
+/// The part of a mesh's inner surface that one triangle of the other mesh meets: what lies inside
+/// of the triangles that go through it, and what the surface rises to from there in a direction.
+/// Where a piece wraps around a body, as a thread does, this is what the triangle itself has to be
+/// left by. Memory is kept from one triangle to the next.
+class LocalPart {
+ public:
+  /// About a triangle that crosses in the index's piece; `surface` is the other mesh's. All must
+  /// outlive it. The surface is followed as far as it rises by `reach`.
+  void start(const InnerSurface& surface, const PieceIndex& index, std::uint32_t piece,
+             std::uint32_t triangle, InnerSide side, double reach);
+
+  /// Adds the points to which the surface rises inside without a stop. The number of the farthest
+  /// point.
+  std::size_t grow(const narrowphase::Vec3& direction);
+
+  /// Whether in some direction the surface rose beyond the reach, or went on outside around the
+  /// other mesh: then it has no end near the triangle.
+  bool goes_on() const { return goes_on_; }
+
+  const InnerPart& part() const { return part_; }
+
+ private:
+  void add_curve_point(std::uint32_t point, const narrowphase::Vec3& at);
+  void add_vertex(std::uint32_t vertex);
+  void add_inside(std::uint32_t own_triangle, const narrowphase::Vec3& direction, double above);
+  void go_on_inside(std::size_t point, const narrowphase::Vec3& direction);
+  bool rises_outside(std::size_t point, const narrowphase::Vec3& direction) const;
+
+  const InnerSurface* surface_ = nullptr;
+  const PieceIndex* index_ = nullptr;
+  bool is_of_a_ = false;  ///< whose surface it is
+  double reach_ = 0;
+  bool goes_on_ = false;
+  InnerPart part_;
+  std::vector<std::uint32_t> curve_point_;  ///< of each point of the part that has no vertex
+  std::uint64_t round_ = 0;
+  std::vector<std::uint64_t> point_round_;   ///< when a curve's point was added last
+  std::vector<std::uint64_t> vertex_round_;  ///< when a vertex was
+};
+
+}  // namespace graze

@@ -1,0 +1,81 @@
+#pragma once
+
+// The pieces of what two meshes have in common. Private to engine/world.
+
+#include <graze/engine/world/contacts/meshes/inner_surface.h>
+#include <graze/engine/world/contacts/meshes/mesh_crossings.h>
+#include <graze/engine/world/contacts/meshes/point_numbers.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// What a closed curve encloses, as far as it is flat.
+struct Outline {
+  narrowphase::Vec3 first;  ///< any of its points
+  narrowphase::Vec3 area;
+  narrowphase::Vec3 faces_a;  ///< sums of normals by the lengths of segments
+  narrowphase::Vec3 faces_b;
+  double around = 0;
+
+  /// From A to B: of the area, or where that is too small the mean of the faces'; zero where
+  /// nothing tells.
+  narrowphase::Vec3 normal() const;
+  /// How much the faces of one mesh look to one side: 1 if all do, 0 if they look to all sides
+  /// alike, as those of a thread or of a peg.
+  double together(bool faces_are_a) const;
+};
+
+/// Crossings that bound one connected piece, and what of either mesh lies in it. Memory is kept
+/// from one pair to the next.
+class MeshPieces {
+ public:
+  enum class Found {
+    Nothing,  ///< the two are apart
+    Touches,  ///< in planes, along lines or in points: crossings do not tell
+    Pieces,
+  };
+
+  /// The meshes must outlive it. Points are relative to the origin.
+  Found find(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+             const narrowphase::Vec3& origin, Work& work);
+
+  std::uint32_t count() const { return found_.pieces; }
+  std::span<const MeshCrossing> crossings(std::uint32_t piece) const;
+  const Outline& outline(std::uint32_t piece) const { return outlines_[piece]; }
+  InnerPart& inner_a(std::uint32_t piece) { return inner_a_.part(piece); }
+  InnerPart& inner_b(std::uint32_t piece) { return inner_b_.part(piece); }
+  InnerSurface& surface(InnerSide side) { return side == InnerSide::OfA ? inner_a_ : inner_b_; }
+
+  const Pose& pose_a() const { return mesh_a_->pose; }
+  const Pose& pose_b() const { return mesh_b_->pose; }
+
+  /// What lengths are measured by: how far the pieces reach from the origin.
+  double size();
+
+  /// Removes the pairs whose triangles are apart once A has moved. Pairs that follow each other
+  /// best have the same triangle of A.
+  void remove_apart(std::vector<TrianglePair>& pairs, const narrowphase::Vec3& translation,
+                    Work& work) const;
+
+ private:
+  template <typename NumberOf>
+  void find_outlines(std::uint32_t count, NumberOf&& number_of);
+  void join_holes();
+
+  const PlacedMeshView* mesh_a_ = nullptr;
+  const PlacedMeshView* mesh_b_ = nullptr;
+  narrowphase::Vec3 origin_;
+  MeshCrossings found_;
+  InnerSurface inner_a_, inner_b_;
+  std::vector<Outline> outlines_;  ///< of loops, then of pieces
+  std::vector<std::uint32_t> largest_loop_;
+  std::vector<std::size_t> ends_;  ///< where the crossings of each piece end
+  LoopGroups groups_;
+  PointNumbers numbers_;
+};
+
+}  // namespace graze

@@ -1,0 +1,284 @@
+#include <graze/engine/world/contacts/meshes/mesh_region_points.h>
+#include <graze/narrowphase/convex/core/segments.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace graze {
+namespace {
+
+using narrowphase::Vec3;
+
+// A face that is parallel to the way out, to about 10 degrees, bounds no depth.
+constexpr double kFacing = 0.17;
+
+// So many faces are looked at for the depths of points.
+constexpr std::size_t kMostPlanes = 16;
+
+// Lengths below this share of the region's size do not matter.
+constexpr double kNegligible = 1e-9;
+
+// A depth that lacks less than this share of the region's size is the greatest.
+constexpr double kSameDepth = 1e-9;
+
+/// The axis of a frame that a direction is nearest to, 0 to 5.
+std::uint64_t side_of(const Pose& pose, const Vec3& direction) {
+  const double* m = pose.data();  // column-major 4x4
+  std::uint64_t best = 0;
+  double most = -1;
+  for (std::uint64_t k = 0; k < 3; ++k) {
+    const double along = dot({m[4 * k], m[4 * k + 1], m[4 * k + 2]}, direction);
+    if (std::abs(along) > most) most = std::abs(along), best = 2 * k + (along < 0);
+  }
+  return best;
+}
+
+class RegionPoints {
+  struct Plane {
+    Vec3 normal;
+    Vec3 point;
+    double facing;  ///< cosine of its angle to the way out
+  };
+  /// Where the two meet: points of either mesh, and how deep they are.
+  struct Met {
+    Vec3 a;
+    Vec3 b;
+    double depth;
+  };
+  /// Kept from one region to the next, so that no step of a simulation allocates.
+  struct Scratch {
+    std::vector<Plane> planes;
+    std::vector<Met> met;
+    std::vector<std::uint8_t> is_looked_at;
+  };
+  static Scratch& scratch() {
+    static thread_local Scratch scratch;
+    return scratch;
+  }
+
+ public:
+  RegionPoints(const MeshRegion& region, ContactCandidates& candidates)
+      : region_(region),
+        candidates_(candidates),
+        way_(region.left.parting.exit.direction),
+        depth_(region.left.parting.exit.depth),
+        size_(std::max(region.inner_a->radius, region.inner_b->radius)),
+        planes_(scratch().planes),
+        met_(scratch().met) {}
+
+  void run() {
+    met_.clear();
+    for (const bool is_of_a : {false, true})
+      add_over_faces(is_of_a);
+    drop_doubles();
+    double most = -1;
+    for (const Met& met : met_)
+      most = std::max(most, met.depth);
+    if (met_.empty() || depth_ - most > kSameDepth * size_) add_deepest();
+    keep_ends();
+  }
+
+ private:
+  /// Points of the one mesh over the faces of the other that count.
+  void add_over_faces(bool faces_are_a) {
+    find_planes(faces_are_a);
+    if (planes_.empty()) return;
+    const InnerPart& inner = faces_are_a ? *region_.inner_b : *region_.inner_a;
+    for (std::size_t i = 0; i < inner.points.size(); ++i) {
+      if (inner.vertex[i] == InnerPart::kNoVertex || inner.is_outer[i]) continue;
+      add(inner.points[i] + inner.at, faces_are_a);
+    }
+    // Most ends are those of two crossings.
+    std::vector<std::uint8_t>& is_looked_at = scratch().is_looked_at;
+    std::uint32_t first = 0xffffffffu, last = 0;
+    for (const MeshCrossing& crossing : region_.crossings) {
+      first = std::min({first, crossing.from_number, crossing.to_number});
+      last = std::max({last, crossing.from_number, crossing.to_number});
+    }
+    is_looked_at.assign(last - first + 1, 0);
+    for (const MeshCrossing& crossing : region_.crossings) {
+      const double facing =
+          faces_are_a ? dot(crossing.normal_b, way_) : -dot(crossing.normal_a, way_);
+      if (facing < kFacing) continue;
+      if (!std::exchange(is_looked_at[crossing.from_number - first], true))
+        add(crossing.from, faces_are_a);
+      if (!std::exchange(is_looked_at[crossing.to_number - first], true))
+        add(crossing.to, faces_are_a);
+    }
+  }
+
+  /// The faces of one mesh that points of the other are deep in: those that lie along the face that
+  /// is left, or where an edge is left those nearly at right angles to the way out.
+  void find_planes(bool faces_are_a) {
+    planes_.clear();
+    planes_are_a_ = faces_are_a;
+    const bool is_face = region_.left.parting.feature == LeftFeature::Face;
+    if (is_face && faces_are_a == region_.is_of_a) {
+      planes_.push_back({faces_are_a ? -way_ : way_, region_.left.triangle.corner[0], 1});
+    } else {
+      for (const MeshCrossing& crossing : region_.crossings) {
+        const Vec3& normal = faces_are_a ? crossing.normal_a : crossing.normal_b;
+        const double facing = (faces_are_a ? -1 : 1) * dot(normal, way_);
+        if (facing < kNearlyFacing || planes_.size() == kMostPlanes) continue;
+        if (is_face && !is_one_direction(normal, faces_are_a ? -way_ : way_)) continue;
+        planes_.push_back({normal, (crossing.from + crossing.to) * 0.5, facing});
+      }
+    }
+    is_one_plane_ = true;
+    for (const Plane& plane : planes_) {
+      is_one_plane_ &=
+          length(cross(plane.normal, planes_[0].normal)) <= kNegligible &&
+          std::abs(dot(plane.point - planes_[0].point, planes_[0].normal)) <= kNegligible * size_;
+    }
+  }
+
+  /// How deep a point is behind the face that is nearest to it as seen along the way out.
+  double depth_at(const Vec3& point) const {
+    double least = std::numeric_limits<double>::infinity(), depth = 0;
+    for (const Plane& plane : planes_) {
+      const double behind = dot(plane.point - point, plane.normal) / plane.facing;
+      if (is_one_plane_) return behind;
+      const Vec3 beside = point + way_ * (planes_are_a_ ? -behind : behind) - plane.point;
+      const double square = dot(beside, beside);
+      if (square < least) least = square, depth = behind;
+    }
+    return depth;
+  }
+
+  void add(const Vec3& point, bool faces_are_a) {
+    const double sign = faces_are_a ? -1 : 1;
+    const double depth = depth_at(point);
+    // Where the surfaces go through each other they say nothing that deeper points do not.
+    if (depth < kNegligible * size_ || depth > depth_ + kSameDepth * size_) return;
+    const Vec3 met = point + way_ * (sign * depth);
+    if (faces_are_a) {
+      met_.push_back({met, point, std::max(depth, 0.0)});
+    } else {
+      met_.push_back({point, met, std::max(depth, 0.0)});
+    }
+  }
+
+  /// Where the body that leaves is deepest beyond the feature that it leaves last.
+  void add_deepest() {
+    const InnerPart& inner = region_.is_of_a ? *region_.inner_b : *region_.inner_a;
+    const Vec3 out = region_.is_of_a ? way_ : -way_;
+    const Segment deepest = deepest_of(inner, out);
+    // Seen from the feature, where it is once the two have parted.
+    const Vec3 from = deepest.from - out * depth_, to = deepest.to - out * depth_;
+    const LocalParting& left = region_.left.parting;
+    const Vec3* corner = region_.left.triangle.corner;
+    Vec3 met = from;
+    if (left.feature == LeftFeature::Edge && !region_.is_scattered) {
+      met = nearest_of_segments(from, to, corner[left.which], corner[(left.which + 1) % 3]).point_a;
+    }
+    const Vec3 sunk = met + out * depth_;
+    met_.push_back({region_.is_of_a ? met : sunk, region_.is_of_a ? sunk : met, depth_});
+  }
+
+  /// The farthest points of a part: one, or the ends of an edge.
+  struct Segment {
+    Vec3 from;
+    Vec3 to;
+  };
+  Segment deepest_of(const InnerPart& inner, const Vec3& out) const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vec3& point : inner.points)
+      most = std::max(most, dot(point, out));
+    std::size_t first = inner.points.size(), last = 0;
+    double farthest = -1;
+    for (std::size_t i = 0; i < inner.points.size(); ++i) {
+      if (dot(inner.points[i], out) < most - kNegligible * size_) continue;
+      if (first == inner.points.size()) first = i;
+      const double away = length(inner.points[i] - inner.points[first]);
+      if (away > farthest) farthest = away, last = i;
+    }
+    return {inner.points[first] + inner.at, inner.points[last] + inner.at};
+  }
+
+  /// Leaves the ends in directions that turn with A, and the deepest. The directions are askew to
+  /// A's axes, as edges seldom are. A contact is known by the sides of A and of B that the way out
+  /// leads to and by which end it is, so that it keeps its name while triangles change.
+  void keep_ends() {
+    const std::uint64_t side_a = side_of(region_.pose_a, -way_);
+    const std::uint64_t side_b = side_of(region_.pose_b, -way_);
+    const double* m = region_.pose_a.data();  // column-major 4x4
+    const std::size_t k = side_a / 2;
+    const auto axis = [&](std::size_t i) {
+      return Vec3{m[4 * (i % 3)], m[4 * (i % 3) + 1], m[4 * (i % 3) + 2]};
+    };
+    constexpr double kCosine = 0.95, kSine = 0.31;
+    const Vec3 u = axis(k + 1) * kCosine + axis(k + 2) * kSine;
+    const Vec3 v = axis(k + 2) * kCosine - axis(k + 1) * kSine;
+    const Vec3 directions[kDeepest] = {u, v, u * -1, v * -1};
+    std::array<std::size_t, kDeepest + 1> ends{};
+    for (std::size_t end = 0; end < ends.size(); ++end) {
+      ends[end] = end == kDeepest ? deepest() : last_along(directions[end]);
+      const auto before = ends.begin() + static_cast<std::ptrdiff_t>(end);
+      if (std::find(ends.begin(), before, ends[end]) != before) continue;
+      const Met& kept = met_[ends[end]];
+      candidates_.list.push_back({.point_a = kept.a,
+                                  .point_b = kept.b,
+                                  .normal = -way_,
+                                  .depth = kept.depth,
+                                  .feature_a = side_a << 3 | end,
+                                  .feature_b = side_b});
+    }
+  }
+
+  std::size_t deepest() const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < met_.size(); ++i)
+      if (met_[i].depth > met_[best].depth + kSameDepth * size_) best = i;
+    return best;
+  }
+
+  std::size_t last_along(const Vec3& direction) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < met_.size(); ++i)
+      if (dot(met_[i].a - met_[best].a, direction) > kNegligible * size_) best = i;
+    return best;
+  }
+  static constexpr std::size_t kDeepest = 4;
+
+  /// Points that two crossings share, or that are on both surfaces, are found twice.
+  void drop_doubles() {
+    // Sorted by a coordinate, doubles are near each other.
+    std::sort(met_.begin(), met_.end(), [](const Met& s, const Met& t) {
+      if (s.a.x != t.a.x) return s.a.x < t.a.x;
+      if (s.a.y != t.a.y) return s.a.y < t.a.y;
+      return s.a.z != t.a.z ? s.a.z < t.a.z : s.depth > t.depth;
+    });
+    const double within = kNegligible * size_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < met_.size(); ++i) {
+      bool is_double = false;
+      for (std::size_t j = kept; j-- > 0 && !is_double;) {
+        if (met_[i].a.x - met_[j].a.x > within) break;
+        is_double = largest(met_[i].a - met_[j].a) <= within;
+      }
+      if (!is_double) met_[kept++] = met_[i];
+    }
+    met_.resize(kept);
+  }
+
+  const MeshRegion& region_;
+  ContactCandidates& candidates_;
+  Vec3 way_;  ///< in which A leaves
+  double depth_;
+  double size_;
+  bool is_one_plane_ = true;
+  bool planes_are_a_ = false;
+  std::vector<Plane>& planes_;
+  std::vector<Met>& met_;
+};
+
+}  // namespace
+
+void add_region_points(const MeshRegion& region, ContactCandidates& candidates) {
+  RegionPoints(region, candidates).run();
+}
+
+}  // namespace graze

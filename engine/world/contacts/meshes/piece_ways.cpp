@@ -1,0 +1,330 @@
+#include <graze/engine/world/contacts/meshes/piece_ways.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace graze {
+
+using narrowphase::Core;
+using narrowphase::Exit;
+using narrowphase::Vec3;
+
+namespace {
+
+// So many crossings are few: each of their triangles is looked at.
+constexpr std::size_t kFew = 24;
+
+// Two edges that dip into each other, of two faces each, cross four times, or a little more often
+// where faces are divided.
+constexpr std::size_t kOfTwoEdges = 8;
+
+/// Whether what a part leaves last in a direction is inside: else the way is one of another piece,
+/// or leads round a body that goes on. Law 15's depths are to a twentieth: a shallow way that what
+/// is outside makes longer by less is this piece's. Where an edge leaves an edge both of its ends
+/// are equally far, but for what the search for the way lacks.
+bool is_local(const InnerPart& part, const Vec3& direction, double depth) {
+  constexpr double kSame = 1e-6, kShallow = 1e-4;
+  const double all = dot(part.points[part.farthest(direction)], direction);
+  const double least =
+      all - std::max(kSame * part.radius, std::min(0.05 * depth, kShallow * part.radius));
+  for (std::size_t i = 0; (i = part.next_beyond(direction, least, i)) < part.points.size(); ++i)
+    if (!part.is_outer[i]) return true;
+  return false;
+}
+
+double depth_of(const PieceWay& way) {
+  return way.is_found ? way.touched.parting.exit.depth : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void PieceWays::start(MeshPieces& pieces, FacingFeatures& features_a, FacingFeatures& features_b) {
+  pieces_ = &pieces, features_a_ = &features_a, features_b_ = &features_b;
+  piece_ = kNoPiece;
+  is_left_whole_.assign(pieces.count(), false);
+}
+
+void PieceWays::enter(std::uint32_t piece) {
+  if (piece_ == piece) return;
+  piece_ = piece;
+  looked_.clear(), order_.clear();
+  best_ = {}, best_of_any_ = {};
+  const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
+  // Where the faces of one mesh look to one side, that is the way out of all of the piece.
+  const Outline& outline = pieces_->outline(piece);
+  // Two faces at right angles, as where a box dips an edge in, are 0.7 together.
+  const double most = crossings.size() > kFew ? 0.8 : 0.7;
+  is_wrapped_ =
+      !is_left_whole_[piece] && outline.together(true) < most && outline.together(false) < most;
+  if (is_wrapped_) facets_.start(crossings, surface(true), surface(false));
+}
+
+/// Makes the local part of a triangle of a mesh that wraps around; false if it has none.
+bool PieceWays::start_local(std::uint32_t triangle, bool is_of_a) {
+  if (!is_wrapped_ || facets_.index().on_triangle(triangle, is_of_a).empty()) return false;
+  local_.start(surface(!is_of_a), facets_.index(), piece_, triangle,
+               is_of_a ? InnerSide::OfB : InnerSide::OfA, facets_.facets().back().bound);
+  return true;
+}
+
+/// Triangle and side, with room for a number. A mesh has fewer than 2^31 triangles.
+static std::uint64_t key_of(std::uint32_t triangle, bool is_of_a) {
+  return (std::uint64_t{triangle} << 1 | is_of_a) << 32;
+}
+
+bool PieceWays::is_looked_at(std::uint32_t triangle, bool is_of_a) const {
+  const std::uint64_t key = key_of(triangle, is_of_a);
+  const auto at = std::lower_bound(order_.begin(), order_.end(), key);
+  return at != order_.end() && *at >> 32 == key >> 32;
+}
+
+PieceWays::Looked& PieceWays::look_at(std::uint32_t triangle, bool is_of_a) {
+  const std::uint64_t key = key_of(triangle, is_of_a);
+  const auto at = std::lower_bound(order_.begin(), order_.end(), key);
+  if (at != order_.end() && *at >> 32 == key >> 32) return looked_[static_cast<std::uint32_t>(*at)];
+  order_.insert(at, key | looked_.size());
+  Looked& looked = looked_.emplace_back();
+  looked.way.is_of_a = is_of_a;
+  Core& core = looked.way.touched.triangle;
+  core = features(is_of_a).placed_triangle(triangle);
+  looked.way.touched.parting.triangle = triangle;
+  looked.is_known = FacingFeatures::is_sliver(core);
+  if (looked.is_known) return looked;
+  looked.normal = LocalPartings::normal_of(core);
+  find_below(depth_of(best_), looked);
+  if (!looked.is_known) return looked;
+  if (depth_of(looked.way) < depth_of(best_of_any_)) best_of_any_ = looked.way;
+  if (looked.way.is_local && depth_of(looked.way) < depth_of(best_)) best_ = looked.way;
+  return looked;
+}
+
+/// Finds out how a triangle is left if that may be by less than the limit.
+void PieceWays::find_below(double limit, Looked& looked) {
+  if (looked.is_known || looked.at_least >= limit) return;
+  const bool is_of_a = looked.way.is_of_a;
+  looked.way.is_partial = start_local(looked.way.touched.parting.triangle, is_of_a);
+  if (looked.way.is_partial) {
+    find_with(local_, limit, looked);
+    if (looked.way.is_found) widen(looked.way, looked.normal);
+    return;
+  }
+  InnerSurface& leaving = surface(!is_of_a);
+  struct Whole {
+    InnerSurface& surface;
+    std::uint32_t piece;
+    const InnerPart& part() const { return surface.part(piece); }
+    std::size_t grow(const Vec3& direction) { return surface.grow(piece, direction); }
+    bool goes_on() const { return false; }
+  };
+  find_with(Whole{leaving, piece_}, limit, looked);
+  leaving.shrink(piece_);
+}
+
+/// What is about one triangle stands for all of the piece if nothing of that is deeper, and if the
+/// surface is flat where it faces that way at all: a facet of a round one does not.
+void PieceWays::widen(PieceWay& way, const Vec3& normal) {
+  constexpr double kAsDeep = 0.05;     // law 15's depths are to a twentieth
+  constexpr double kFacesSoToo = 0.9;  // a cosine
+  Exit& exit = way.touched.parting.exit;
+  const Vec3 out = way.is_of_a ? exit.direction : -exit.direction;
+  const InnerPart& about = local_.part();
+  const InnerPart& whole = surface(!way.is_of_a).part(piece_);
+  const double deeper =
+      dot(whole.points[whole.farthest(out)], out) - dot(about.points[about.farthest(out)], out);
+  if (deeper > kAsDeep * exit.depth) return;
+  for (const MeshCrossing& crossing : facets_.index().crossings()) {
+    const Vec3& other = way.is_of_a ? crossing.normal_a : crossing.normal_b;
+    if (dot(other, normal) > kFacesSoToo && !is_one_direction(other, normal)) return;
+  }
+  exit.depth += std::max(deeper, 0.0);
+  way.is_partial = false;
+}
+
+/// The part grows in the direction of the way that was found until it reaches no farther: then that
+/// is one for all that hangs together with the part.
+template <typename Part>
+void PieceWays::find_with(Part&& leaving, double limit, Looked& looked) {
+  PieceWay& way = looked.way;
+  LocalParting& parting = way.touched.parting;
+  const InnerPart& part = leaving.part();
+  leaving.grow(-looked.normal);
+  for (std::size_t points = 0; points != part.points.size() && !leaving.goes_on();) {
+    points = part.points.size();
+    const Core body = part.core();
+    const std::optional<LocalParting> found =
+        LocalPartings(body, features(way.is_of_a))
+            .below(limit, parting.triangle, way.touched.triangle, looked.normal,
+                   part.at + part.points[part.farthest(-looked.normal)]);
+    if (!found) {
+      looked.at_least = limit;
+      return;
+    }
+    parting = *found;
+    if (parting.feature == LeftFeature::Face) break;  // along the normal nothing is farther
+    leaving.grow(-parting.exit.direction);
+  }
+  looked.is_known = true;
+  if (leaving.goes_on()) return;
+  Exit& exit = parting.exit;
+  exit.depth = std::max(exit.depth, 0.0);
+  way.is_found = true;
+  way.is_local = is_local(part, -exit.direction, exit.depth);
+  if (way.is_of_a) exit.direction = -exit.direction;
+}
+
+PieceWay PieceWays::shortest(std::uint32_t piece) {
+  enter(piece);
+  if (is_wrapped_) {
+    const PieceWay best = shortest_facet(nullptr);
+    if (best.is_found) return best;
+    is_left_whole_[piece] = true, piece_ = kNoPiece;
+    enter(piece);
+  }
+  const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
+  if (crossings.size() <= kFew) {
+    for (const MeshCrossing& crossing : crossings)
+      look_at(crossing.pair.a, true), look_at(crossing.pair.b, false);
+  }
+  descend(piece, -pieces_->outline(piece).normal());
+  if (crossings.size() > kFew) {
+    // The other part may grow behind a face that seemed to be the best. So the next best is looked
+    // at, as far as it seems shorter than the best so far.
+    constexpr int kMostFaces = 8;
+    int faces = 0;
+    while ((faces < kMostFaces || !best_.is_found) && look_at_best_face(piece))
+      ++faces;
+    descend(piece, {});
+  }
+  return best_.is_found ? best_ : best_of_any_;
+}
+
+/// From a way on, or from the best so far if it is zero.
+void PieceWays::descend(std::uint32_t piece, Vec3 way) {
+  constexpr int kMostSteps = 8;
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (largest(way) == 0) way = best_.touched.parting.exit.direction;
+    if (largest(way) == 0) return;
+    const double before = depth_of(best_);
+    look_about(piece, -way, true);
+    look_about(piece, way, false);
+    if (!(depth_of(best_) < before)) return;
+    way = {};
+  }
+}
+
+/// Looks at the triangles about the point of a mesh that is farthest in a direction.
+void PieceWays::look_about(std::uint32_t piece, const Vec3& direction, bool is_of_a) {
+  InnerSurface& own = surface(is_of_a);
+  const std::size_t at = own.grow(piece, direction);
+  const std::uint32_t vertex = own.part(piece).vertex[at];
+  own.shrink(piece);
+  if (vertex == InnerPart::kNoVertex) {
+    own.for_each_at(piece, at, [&](std::uint32_t triangle) { look_at(triangle, is_of_a); });
+    return;
+  }
+  for (const std::uint32_t triangle : features(is_of_a).fan(vertex))
+    look_at(triangle, is_of_a);
+}
+
+/// Of the triangles that cross and have not been looked at, the one that seems to be left soonest
+/// along its own normal. False if none seems to be left sooner than by the best way so far.
+bool PieceWays::look_at_best_face(std::uint32_t piece) {
+  double least = depth_of(best_);
+  bool is_found = false;
+  std::uint32_t best = 0;
+  bool best_is_of_a = false;
+  std::size_t worst_a = 0, worst_b = 0;
+  const auto offer = [&](std::uint32_t triangle, bool is_of_a, const Vec3& normal,
+                         const Vec3& point) {
+    const InnerPart& other = surface(!is_of_a).part(piece);
+    const double height = dot(normal, point - other.at);
+    // What showed that the last face is worse mostly does so for this one.
+    std::size_t& worst = is_of_a ? worst_b : worst_a;
+    if (height - dot(normal, other.points[worst]) >= least) return;
+    worst = other.farthest(-normal);
+    const double depth = std::max(0.0, height - dot(normal, other.points[worst]));
+    if (depth >= least || is_looked_at(triangle, is_of_a)) return;
+    least = depth, best = triangle, best_is_of_a = is_of_a, is_found = true;
+  };
+  for (const MeshCrossing& crossing : pieces_->crossings(piece)) {
+    offer(crossing.pair.a, true, crossing.normal_a, crossing.from);
+    offer(crossing.pair.b, false, crossing.normal_b, crossing.from);
+  }
+  if (is_found) look_at(best, best_is_of_a);
+  return is_found;
+}
+
+PieceWay PieceWays::shortest_of(std::uint32_t piece, std::span<const TrianglePair> pairs,
+                                const Clearance& clearance) {
+  enter(piece);
+  if (is_wrapped_) {
+    facets_.leave(pairs);
+    return shortest_facet(&clearance);
+  }
+  PieceWay best;
+  for (const TrianglePair& pair : pairs) {
+    for (const bool is_of_a : {true, false}) {
+      Looked& looked = look_at(is_of_a ? pair.a : pair.b, is_of_a);
+      find_below(depth_of(best), looked);
+      const PieceWay& way = looked.way;
+      if (way.is_local && depth_of(way) < depth_of(best) &&
+          !clearance.satisfies(way.touched.parting.exit))
+        best = way;
+    }
+  }
+  return best;
+}
+
+/// The shortest way of a facet that is still met, in the order of their bounds. A pair is parted,
+/// too, where a clearance satisfies the way of one of its triangles but for a twentieth (law 15):
+/// facets of a round surface differ by less.
+PieceWay PieceWays::shortest_facet(const Clearance* clearance) {
+  PieceWay best;
+  const std::span<const PieceFacets::Facet> facets = facets_.facets();
+  for (std::size_t n = 0; n < facets.size() && facets[n].bound < depth_of(best); ++n) {
+    if (facets[n].pairs_left == 0) continue;
+    Looked& looked = look_at(facets[n].triangle, facets[n].is_of_a);
+    find_below(depth_of(best), looked);
+    const PieceWay& way = looked.way;
+    if (!looked.is_known || !way.is_local) continue;
+    Exit enough = way.touched.parting.exit;
+    enough.depth *= kEnoughOfFacet;
+    if (clearance != nullptr && clearance->satisfies(enough)) {
+      facets_.part(n);
+    } else if (depth_of(way) < depth_of(best)) {
+      best = way;
+    }
+  }
+  return best;
+}
+
+void PieceWays::add_contacts(std::uint32_t piece, const PieceWay& way,
+                             ContactCandidates& candidates) {
+  enter(piece);
+  const std::span<const MeshCrossing> crossings = pieces_->crossings(piece);
+  MeshRegion region{
+      .left = way.touched,
+      .is_of_a = way.is_of_a,
+      .crossings = crossings,
+      .inner_a = &pieces_->inner_a(piece),
+      .inner_b = &pieces_->inner_b(piece),
+      .is_scattered = way.is_partial || (is_wrapped_ && crossings.size() > kOfTwoEdges),
+      .pose_a = pieces_->pose_a(),
+      .pose_b = pieces_->pose_b()};
+  const std::uint32_t triangle = way.touched.parting.triangle;
+  static const InnerPart kNone;
+  if (way.is_partial && start_local(triangle, way.is_of_a)) {
+    const Vec3& direction = way.touched.parting.exit.direction;
+    local_.grow(way.is_of_a ? direction : -direction);
+    on_face_.clear();
+    for (const std::uint32_t i : facets_.index().on_triangle(triangle, way.is_of_a))
+      on_face_.push_back(facets_.index().crossings()[i]);
+    region.crossings = on_face_;
+    region.inner_a = way.is_of_a ? &kNone : &local_.part();
+    region.inner_b = way.is_of_a ? &local_.part() : &kNone;
+  }
+  add_region_points(region, candidates);
+}
+
+}  // namespace graze

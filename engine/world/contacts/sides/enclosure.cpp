@@ -1,0 +1,195 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/data/orientation.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/world/contacts/local_parting.h>
+#include <graze/engine/world/contacts/sides/enclosure.h>
+#include <graze/engine/world/contacts/triangle_candidates.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/mesh_descent.h>
+#include <graze/engine/world/shapes/pair_input.h>
+#include <graze/engine/world/shapes/placed_core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace graze {
+
+using narrowphase::Core;
+using narrowphase::Vec3;
+
+namespace {
+
+// Lengths below this share of the body's size or of the scale are none.
+constexpr double kNegligible = 1e-9;
+
+void refuse(const Mesh& mesh, const TriangleEdge& edge, const std::string& why) {
+  const TriangleIndices& triangle = mesh.triangles()[edge.triangle];
+  const auto corner = [&](int k) {
+    return std::to_string(triangle[static_cast<std::size_t>(k % 3)]);
+  };
+  throw MeshError(why + ": the edge from vertex " + corner(edge.k) + " to vertex " +
+                      corner(edge.k + 1) + " of triangle " + std::to_string(edge.triangle),
+                  {.element = "triangle", .index = edge.triangle});
+}
+
+}  // namespace
+
+void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
+  const std::string begin = std::string(what) + ": ";
+  const bool has_thickness = sides.sides == Sides::OneSided;
+  if (has_thickness ? !(std::isfinite(sides.thickness) && sides.thickness > 0)
+                    : sides.thickness != 0) {
+    throw InputError(begin + "the thickness is " + std::to_string(sides.thickness) +
+                     ", but must be " + (has_thickness ? "finite and above 0" : "0"));
+  }
+  if (sides.sides == Sides::Surface) return;
+  const Mesh* mesh = shape == nullptr ? nullptr : shape->as<Mesh>();
+  if (mesh == nullptr) throw InputError(begin + "only meshes have sides");
+  const Orientation& orientation = orientation_of(*mesh);
+  if (sides.sides == Sides::Solid) {
+    if (orientation.unpaired)
+      refuse(*mesh, *orientation.unpaired,
+             begin + "a solid needs as many triangles one way as the other at each edge");
+  } else if (orientation.turned) {
+    refuse(*mesh, *orientation.turned,
+           begin + "one side needs triangles that go on from each other at each edge");
+  }
+}
+
+bool Enclosure::holds() const {
+  if (body_.shape.kind() == ShapeKind::HalfSpace) return false;  // no finite way leads out
+  switch (sides_.sides) {
+    case Sides::Surface:
+      return false;
+    case Sides::Solid:
+      return is_inside();
+    case Sides::OneSided:
+      return is_behind();
+  }
+  return false;
+}
+
+/// The surfaces share no point: of each connected part one point tells.
+bool Enclosure::is_inside() const {
+  if (const Mesh* body = body_.shape.as<Mesh>()) {
+    const std::span<const std::uint32_t> of_parts = body->component_vertices();
+    return std::any_of(of_parts.begin(), of_parts.end(), [&](std::uint32_t vertex) {
+      return contains(mesh_, narrowphase::place(body_.pose, body->vertices()[vertex]), &work_);
+    });
+  }
+  const Eigen::Vector3d origin = middle_of(body_.shape, body_.pose);
+  const Core core = core_of(body_.shape, body_.pose, origin);
+  return contains(mesh_, to_eigen(support(core, {0, 0, 1}) + to_vec3(origin)), &work_);
+}
+
+/// By the sum of the normals about the point of the mesh that is nearest.
+bool Enclosure::is_behind() const {
+  const ShapeDistance nearest = distance(body_, {mesh_.mesh, mesh_.pose}, &work_);
+  if (nearest.distance > sides_.thickness) return false;
+  const Vec3 to_body = to_vec3(nearest.point_a) - to_vec3(nearest.point_b);
+  const double size = largest(to_vec3(nearest.point_b)) + nearest.distance;
+  const TriangleList around =
+      find_triangles(mesh_, Sphere{nearest.point_b, std::max(kNegligible * size, 0x1p-1000)});
+  Vec3 front{0, 0, 0};
+  for (const std::uint32_t index : around.triangles) {
+    const Triangle placed = narrowphase::place(mesh_.pose, mesh_.mesh.triangle(index));
+    front = front + LocalPartings::normal_of(core_of(placed, nearest.point_b));
+  }
+  return dot(front, to_body) < 0;
+}
+
+Core Enclosure::core(const Eigen::Vector3d& origin, std::vector<Vec3>& points) const {
+  const Mesh* body = body_.shape.as<Mesh>();
+  if (body == nullptr) return core_of(body_.shape, body_.pose, origin);
+  Core core;
+  core.kind = narrowphase::CoreKind::Points;
+  points.clear();
+  for (const Eigen::Vector3d& vertex : body->vertices()) {
+    points.push_back(to_vec3(narrowphase::place(body_.pose, vertex)) - to_vec3(origin));
+    core.bounding_radius = std::max(core.bounding_radius, length(points.back()));
+  }
+  core.points = points.data(), core.point_count = points.size();
+  return core;
+}
+
+/// The ways out through triangles.
+class Enclosure::Exits {
+ public:
+  Exits(const Core& core, const PlacedMeshView& mesh, const Eigen::Vector3d& origin)
+      : core_(core),
+        features_(mesh, to_vec3(origin)),
+        partings_(core, features_),
+        allowance_(kNegligible * (core.bounding_radius + core.radius)) {}
+
+  /// The way through the triangle, if it leads out there: past a face where the body's last point
+  /// leaves the face or a flat one next to it.
+  std::optional<narrowphase::Exit> through(std::uint32_t index, const Core& triangle) const {
+    if (FacingFeatures::is_sliver(triangle)) return std::nullopt;
+    const LocalParting parting = partings_.of(index, triangle);
+    const narrowphase::Exit& exit = parting.exit;
+    if (!(exit.depth > 0)) return std::nullopt;
+    if (parting.feature == LeftFeature::Face) {
+      const Vec3 last = rounded_support(core_, -exit.direction);
+      if (!features_.flat_triangle(index, triangle, last + exit.direction * exit.depth))
+        return std::nullopt;
+    }
+    return exit;
+  }
+
+  /// Whether the triangle, which is no sliver, is left by the same way.
+  bool leads(std::uint32_t index, const Core& triangle, const narrowphase::Exit& way) const {
+    const narrowphase::Exit exit = partings_.of(index, triangle).exit;
+    return is_one_direction(exit.direction, way.direction) &&
+           std::abs(exit.depth - way.depth) <= allowance_;
+  }
+
+ private:
+  const Core& core_;
+  FacingFeatures features_;
+  LocalPartings partings_;
+  double allowance_;
+};
+
+void Enclosure::add(ContactCandidates& candidates) const {
+  static thread_local std::vector<Vec3> points;  // no pair is looked at within another
+  candidates.origin = middle_of(body_.shape, body_.pose);
+  const Core core = this->core(candidates.origin, points);
+  MeshDescent descent(mesh_, core, candidates.origin, work_);
+  const Exits exits(core, mesh_, candidates.origin);
+  narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
+  std::uint32_t nearest = 0;
+  double nearest_distance = std::numeric_limits<double>::infinity();
+  const auto limit = [&] {
+    return sides_.sides == Sides::OneSided ? std::min(best.depth, sides_.thickness) : best.depth;
+  };
+  descent.for_each_within(limit, [&](std::uint32_t index) {
+    const Core triangle = descent.triangle(index);
+    const double distance = gap_of_sets(core, triangle, nearest_distance).distance;
+    ++work_.convex_tests;
+    if (distance < nearest_distance) nearest_distance = distance, nearest = index;
+    const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
+    if (exit && exit->depth < best.depth) best = *exit;
+    return bvh::Walk::Continue;
+  });
+  TriangleCandidates found(core, mesh_, candidates, work_);
+  const double last = best.depth;
+  if (std::isfinite(last)) {
+    descent.for_each_within([&] { return last; },
+                            [&](std::uint32_t index) {
+                              const Core triangle = descent.triangle(index);
+                              if (FacingFeatures::is_sliver(triangle)) return bvh::Walk::Continue;
+                              if (exits.leads(index, triangle, best)) found.offer(index, triangle);
+                              return bvh::Walk::Continue;
+                            });
+  } else {
+    found.offer(nearest, descent.triangle(nearest));
+  }
+  found.finish();
+}
+
+}  // namespace graze

@@ -1,0 +1,65 @@
+#pragma once
+
+// The contact candidates of a convex shape and a mesh. Private to engine/world.
+
+#include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/contacts/contact_regions.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// Of the triangles of a mesh that the shape touches: first each is added, then finish() finds the
+/// regions and their contacts. Slivers count where nothing else is touched, each by how it parts
+/// from the shape soonest.
+class TriangleCandidates {
+ public:
+  /// The core is grown by the candidates' margin.
+  TriangleCandidates(const narrowphase::Core& core, const PlacedMeshView& mesh,
+                     ContactCandidates& candidates, Work& work);
+
+  /// A triangle that the shape may touch.
+  void add(std::uint32_t index, const narrowphase::Core& triangle);
+  /// A triangle that it touches.
+  void offer(std::uint32_t index, const narrowphase::Core& triangle);
+
+  bool has_touched() const { return !s_.touched.empty() || !s_.slivers.empty(); }
+
+  void finish();
+
+ private:
+  /// Kept from one pair to the next, so that no step of a simulation allocates.
+  struct Scratch {
+    std::vector<TouchedTriangle> touched, slivers, all;
+    std::vector<std::uint32_t> held;  ///< vertices of the faces of a region, ascending
+    ContactRegions regions;
+  };
+  static Scratch& scratch();
+
+  narrowphase::Core bare() const;
+  bool is_behind(const narrowphase::Core& triangle) const;
+  void part_from_slivers();
+  void add_region(std::span<const TouchedTriangle> members);
+  void add_over_face(const TouchedTriangle& face, const narrowphase::Parting& parting);
+  void add_near_faces(const TouchedTriangle& member);
+  void add_member(const TouchedTriangle& member);
+  bool add_deepest(const TouchedTriangle& member);
+  void add_nearest(const TouchedTriangle& member);
+  void add_beside(const TouchedTriangle& member);
+  void add_alone(const TouchedTriangle& member);
+  void take(std::uint64_t of_mesh);
+  void drop_doubles(std::size_t first);
+  bool is_held(std::uint32_t vertex) const;
+  bool is_on_shape(const narrowphase::Vec3& point) const;
+
+  const narrowphase::Core& core_;
+  ContactCandidates& candidates_;
+  FacingFeatures features_;
+  LocalPartings partings_;
+  Work& work_;
+  Scratch& s_;
+};
+
+}  // namespace graze

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <graze/engine/world/shape.h>
+
+#include "samples/simulation/mass_properties.h"
+
+namespace graze::samples {
+
+/// Of a solid of one density, in the shape's own frame: by formulas, for a hull and a mesh by the
+/// sum over its surface. Throws InputError for a half-space, which has no mass, and as
+/// mass_properties() of a mesh does.
+MassProperties mass_properties(const Shape& shape, double kilograms_per_cubic_metre);
+
+/// The greatest distance of the shape's points from one, metres, or somewhat more: its corners, or
+/// those of a box around it. Throws InputError for a half-space.
+double reach_from(const Shape& shape, const Eigen::Vector3d& point);
+
+}  // namespace graze::samples

@@ -1,0 +1,60 @@
+// What scenes are made of: masses by formulas beside those of fine meshes, and bodies that spin.
+
+#include <gtest/gtest.h>
+
+#include <graze/bvh/error.h>
+
+#include "samples/simulation/integrator.h"
+#include "samples/simulation/scenes/parts.h"
+#include "samples/simulation/shape_mass.h"
+
+namespace graze::samples {
+namespace {
+
+const Shape kSolids[] = {Box{{0.1, 0.2, 0.3}}, Sphere{{0.1, 0, 0.2}, 0.3},
+                         Capsule{0.1, 0.2},    Cylinder{0.2, 0.3},
+                         Cone{0.2, 0.3},       Ellipsoid{{0, 0.1, 0}, {0.1, 0.2, 0.3}},
+                         drum(0.3, 0.2)};
+
+TEST(ShapeMass, IsThatOfTheMeshOfItsSurface) {
+  for (const Shape& shape : kSolids) {
+    SCOPED_TRACE(name_of(shape.kind()));
+    const Mesh surface = surface_of(shape, {.sectors = 400, .rings = 200});
+    EXPECT_TRUE(surface.topology().is_closed);
+    const MassProperties by_formula = mass_properties(shape, 700);
+    const MassProperties by_mesh = mass_properties(surface, 700);
+    EXPECT_NEAR(by_formula.mass, by_mesh.mass, 3e-4 * by_mesh.mass);
+    EXPECT_LT((by_formula.centre - by_mesh.centre).norm(), 1e-4);
+    EXPECT_LT((by_formula.inertia - by_mesh.inertia).norm(), 1e-3 * by_mesh.inertia.norm());
+    EXPECT_TRUE((by_formula.inertia * by_formula.inverse_inertia).isIdentity(1e-9));
+    for (const Eigen::Vector3d& vertex : surface.vertices())
+      EXPECT_LE((vertex - by_formula.centre).norm(),
+                reach_from(shape, by_formula.centre) * (1 + 1e-12));
+  }
+  EXPECT_THROW(mass_properties(Shape(HalfSpace{{0, 0, 1}}), 1), InputError);
+  EXPECT_THROW(surface_of(HalfSpace{{0, 0, 1}}), InputError);
+  EXPECT_THROW(reach_from(HalfSpace{{0, 0, 1}}, {0, 0, 0}), InputError);
+}
+
+TEST(Integrator, ATumblingBodyGainsNoEnergyAndKeepsMostOfIt) {
+  const MassProperties mass = mass_properties(Shape(Box{{0.3, 0.1, 0.2}}), 1000);
+  RigidBody body{.id = {},
+                 .mass = &mass,
+                 .at = {0, 0, 0},
+                 .turn = Eigen::Quaterniond::Identity(),
+                 .spin = {0.1, 0.2, 3},  // about the axis between the least and the greatest
+                 .reach = 0.4};
+  const double first = body.kinetic_energy();
+  double before = first;
+  for (int i = 0; i < 2000; ++i) {
+    precess(body, 1.0 / 600);
+    advance(body, 1.0 / 600);
+    EXPECT_LT(body.kinetic_energy(), before * (1 + 1e-6));
+    before = body.kinetic_energy();
+  }
+  EXPECT_GT(before, 0.9 * first);
+  EXPECT_GT((body.spin - Eigen::Vector3d(0.1, 0.2, 3)).norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace graze::samples
