@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+namespace graze {
+
+/// A stretch of time from `first` to `first + 2^level` of a grid.
+struct TimeCell {
+  std::uint64_t first;
+  std::uint32_t level;
+
+  std::uint64_t length() const { return std::uint64_t{1} << level; }
+  std::uint64_t last() const { return first + length(); }
+  bool is_finest() const { return level == 0; }
+  TimeCell earlier() const { return {first, level - 1}; }
+  TimeCell later() const { return {first + length() / 2, level - 1}; }
+};
+
+/// The times k / 2^depth, which doubles have exactly.
+class TimeGrid {
+ public:
+  explicit TimeGrid(std::uint32_t depth)
+      : depth_(depth), step_(1 / static_cast<double>(std::uint64_t{1} << depth)) {}
+
+  std::uint64_t end() const { return std::uint64_t{1} << depth_; }
+  TimeCell whole() const { return {0, depth_}; }
+  double time(std::uint64_t k) const { return static_cast<double>(k) * step_; }
+  double span(const TimeCell& cell) const { return time(cell.length()); }
+
+ private:
+  std::uint32_t depth_;
+  double step_;
+};
+
+}  // namespace graze
