@@ -15,15 +15,14 @@ namespace graze {
 /// the grid at which two triangles are as near as the limit.
 class ContactWalk {
  public:
-  /// When a walk ends before all is known.
-  enum class End { AtFirst, AtAll };
+  /// Whether a walk ends at any such time, or when it knows the first.
+  enum class End { AtAny, AtFirst };
 
-  ContactWalk(MovingPair& pair, std::uint64_t budget, Work& work)
-      : pair_(pair), low_(pair.grid().end()), budget_(budget), work_(work) {}
+  ContactWalk(MovingPair& pair, End end, std::uint64_t budget, Work& work)
+      : pair_(pair), end_(end), low_(pair.grid().end()), budget_(budget), work_(work) {}
 
-  /// With End::AtAll, the first such time; with End::AtFirst any, once one is known. The end of the
-  /// grid if there is none: then all is further apart at all times.
-  std::uint64_t run(End end);
+  /// Such a time. The end of the grid if there is none: then all is further apart at all times.
+  std::uint64_t run();
 
   /// Whether the budget ended first, and the time is that up to which all was proved.
   bool is_out_of_budget() const { return is_out_of_budget_; }
@@ -34,19 +33,32 @@ class ContactWalk {
     std::uint32_t a;
     std::uint32_t b;
     TimeCell cell;
+    bool has_direction;  ///< whether there is one that may keep them apart
+    ApartDirection direction;
+  };
+
+  /// Two triangles in one, with what kept them apart before and after.
+  struct DirectedCell {
+    TimeCell cell;
+    bool has_direction;
+    ApartDirection direction;
   };
 
   void visit(const Visit& visit);
-  void open(const Visit& visit, const MetricBox& box_a, const MetricBox& box_b, double radius_a,
-            double radius_b);
+  void open(const Visit& visit, const TimeSpan& span, const BodyBox& box_a, const BodyBox& box_b);
   void visit_leaves(const Visit& visit);
-  void decide(TrianglePair pair, TimeCell cell);
-  bool is_near(TrianglePair pair, std::uint64_t time, ApartDirection& direction);
-  bool are_apart(TrianglePair pair, const TimeCell& cell, const ApartDirection& direction,
-                 double bulges);
+  void decide(TrianglePair of_bodies, const DirectedCell& whole);
+  void find_near(std::uint64_t time);
+
+  /// What of a cell is still to be proved.
+  TimeSpan before_low(const TimeCell& cell) const;
+
+  /// One test of the budget; false if there is none.
   bool spend();
 
   MovingPair& pair_;
+  End end_;
+  bool is_narrowed_ = false;
   bvh::TraversalStack<Visit, 256> open_;
   std::uint64_t low_;
   std::uint64_t unproved_ = ~std::uint64_t{0};  ///< where the budget ended, the first time left

@@ -27,17 +27,8 @@ constexpr double kStretch = 1 + 0x1p-18;
 // What is lost where squares underflow.
 constexpr double kLeast = 0x1p-500;
 
-/// How far the point of the body is from the axis, but for rounding.
-double distance_from_axis(const RigidMotion& motion, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d placed = narrowphase::place(motion.start(), point);
-  const double* p = placed.data();
-  const double* c = motion.centre().data();
-  const double* a = motion.axis().data();
-  const double q[3] = {p[0] - c[0], p[1] - c[1], p[2] - c[2]};
-  const double x = q[1] * a[2] - q[2] * a[1];
-  const double y = q[2] * a[0] - q[0] * a[2];
-  const double z = q[0] * a[1] - q[1] * a[0];
-  return std::sqrt((x * x + y * y) + z * z);
+double length_of(const double (&v)[3]) {
+  return std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
 }
 
 }  // namespace
@@ -47,37 +38,67 @@ MovingBody::MovingBody(const Mesh& of_mesh, const RigidMotion& in_motion, const 
     : mesh(of_mesh),
       motion(in_motion),
       tree((check_reach(in_motion, of_mesh.bounds(), what), tree_of(of_mesh, &work))),
+      boxes(obb_skin_of(of_mesh, &work)),
       unit(tree.frame.unit()),
       turned(std::abs(in_motion.angle())),
       radius(0),
       rounding(0x1p-43 * (sum_of_sizes(of_mesh.bounds()) + sum_of_lengths(in_motion))) {
+  if (turned == 0) return;
   const Aabb& bounds = mesh.bounds();
-  MetricBox around;
+  double centre[3], half[3];
   for (int i = 0; i < 3; ++i) {
     const double min = bounds.min.data()[i], max = bounds.max.data()[i];
-    around.centre[i] = (min / 2 + max / 2) - tree.frame.centre[i];
-    around.half[i] = max / 2 - min / 2;
+    centre[i] = min / 2 + max / 2;
+    half[i] = max / 2 - min / 2;
   }
-  radius = radius_of(around);
+  radius = with_rounding(distance_from_axis(centre) + length_of(half));
   rounding += 0x1p-51 * turned * radius;
 }
 
-double MovingBody::radius_of(const MetricBox& box) const {
-  if (turned == 0) return 0;
-  const double(&h)[3] = box.half;
-  const double* o = tree.frame.centre;
-  const double away = distance_from_axis(
-      motion, {o[0] + box.centre[0], o[1] + box.centre[1], o[2] + box.centre[2]});
-  const double reach = std::sqrt((h[0] * h[0] + h[1] * h[1]) + h[2] * h[2]);
-  return (away + reach) * kStretch + rounding + kLeast;
+double MovingBody::distance_from_axis(const double* point) const {
+  const Eigen::Vector3d placed = narrowphase::place(motion.start(), {point[0], point[1], point[2]});
+  const double* p = placed.data();
+  const double* c = motion.centre().data();
+  const double* a = motion.axis().data();
+  const double q[3] = {p[0] - c[0], p[1] - c[1], p[2] - c[2]};
+  const double across[3] = {q[1] * a[2] - q[2] * a[1], q[2] * a[0] - q[0] * a[2],
+                            q[0] * a[1] - q[1] * a[0]};
+  return length_of(across);
 }
 
-double MovingBody::radius_of(const Triangle& triangle) const {
-  if (turned == 0) return 0;
-  const double away = std::max(
-      distance_from_axis(motion, triangle.a),
-      std::max(distance_from_axis(motion, triangle.b), distance_from_axis(motion, triangle.c)));
-  return away * kStretch + rounding + kLeast;
+double MovingBody::with_rounding(double of_radius) const {
+  return of_radius * kStretch + rounding + kLeast;
+}
+
+BodyBox MovingBody::box(std::uint32_t node) const {
+  const bvh::FloatObb& from = boxes[node];
+  BodyBox box;
+  for (int i = 0; i < 3; ++i) {
+    box.centre[i] = tree.frame.centre[i] + static_cast<double>(from.centre[i]) * unit;
+    box.half[i] = static_cast<double>(from.half[i]) * unit;
+    for (int k = 0; k < 3; ++k)
+      box.axes[i][k] = static_cast<double>(from.axes[i][k]);
+  }
+  // Axes are known up to kAxisError in each component, of a direction whose 1-norm is at most 1.74.
+  box.axes_error = 2 * bvh::FloatObb::kAxisError * (box.half[0] + box.half[1] + box.half[2]);
+  box.radius =
+      turned == 0 ? 0 : with_rounding(distance_from_axis(box.centre) + length_of(box.half));
+  return box;
+}
+
+BodyTriangle MovingBody::triangle(std::uint32_t index) const {
+  const std::span<const Eigen::Vector3d> vertices = mesh.vertices();
+  const TriangleIndices& t = mesh.triangles()[index];
+  BodyTriangle triangle;
+  double away = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double* p = vertices[t[i]].data();
+    for (int k = 0; k < 3; ++k)
+      triangle.corners[i][k] = p[k];
+    if (turned != 0) away = std::max(away, distance_from_axis(p));
+  }
+  triangle.radius = turned == 0 ? 0 : with_rounding(away);
+  return triangle;
 }
 
 }  // namespace graze

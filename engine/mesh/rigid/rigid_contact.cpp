@@ -74,8 +74,8 @@ RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, cons
     check_settings(settings);
     MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
     const TimeGrid& grid = query.pair.grid();
-    ContactWalk walk(query.pair, settings.budget, counted.work());
-    const std::uint64_t low = walk.run(ContactWalk::End::AtAll);
+    ContactWalk walk(query.pair, ContactWalk::End::AtFirst, settings.budget, counted.work());
+    const std::uint64_t low = walk.run();
     if (low == grid.end()) return {RigidStatus::Free, 1, 1, false};
     if (walk.is_out_of_budget()) return {RigidStatus::Close, grid.time(low), 1, true};
     if (const auto high = query.find_hit(low))
@@ -90,8 +90,8 @@ bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b
     CountedWork counted(work);
     check_settings(settings);
     MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
-    ContactWalk walk(query.pair, settings.budget, counted.work());
-    return walk.run(ContactWalk::End::AtFirst) == query.pair.grid().end();
+    ContactWalk walk(query.pair, ContactWalk::End::AtAny, settings.budget, counted.work());
+    return walk.run() == query.pair.grid().end();
   });
 }
 
@@ -103,8 +103,8 @@ std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a,
     check_settings(settings);
     MotionQuery query(mesh_a, motion_a, mesh_b, motion_b, settings, counted.work());
     const TimeGrid& grid = query.pair.grid();
-    ContactWalk walk(query.pair, settings.budget, counted.work());
-    const std::uint64_t low = walk.run(ContactWalk::End::AtAll);
+    ContactWalk walk(query.pair, ContactWalk::End::AtFirst, settings.budget, counted.work());
+    const std::uint64_t low = walk.run();
     if (low == grid.end()) return 1;
     if (low == 0) return std::nullopt;
     return grid.time(low - 1);

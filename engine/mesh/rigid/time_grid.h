@@ -4,6 +4,12 @@
 
 namespace graze {
 
+/// Two times of a grid, the ends of a stretch.
+struct TimeSpan {
+  std::uint64_t first;
+  std::uint64_t last;
+};
+
 /// A stretch of time from `first` to `first + 2^level` of a grid.
 struct TimeCell {
   std::uint64_t first;
@@ -12,8 +18,9 @@ struct TimeCell {
   std::uint64_t length() const { return std::uint64_t{1} << level; }
   std::uint64_t last() const { return first + length(); }
   bool is_finest() const { return level == 0; }
+  std::uint64_t middle() const { return first + length() / 2; }
   TimeCell earlier() const { return {first, level - 1}; }
-  TimeCell later() const { return {first + length() / 2, level - 1}; }
+  TimeCell later() const { return {middle(), level - 1}; }
 };
 
 /// The times k / 2^depth, which doubles have exactly.
@@ -25,7 +32,7 @@ class TimeGrid {
   std::uint64_t end() const { return std::uint64_t{1} << depth_; }
   TimeCell whole() const { return {0, depth_}; }
   double time(std::uint64_t k) const { return static_cast<double>(k) * step_; }
-  double span(const TimeCell& cell) const { return time(cell.length()); }
+  double length(const TimeSpan& span) const { return time(span.last - span.first); }
 
  private:
   std::uint32_t depth_;
