@@ -1,4 +1,4 @@
-#include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/rigid/box_direction.h>
 #include <graze/engine/mesh/rigid/contact_walk.h>
 #include <graze/engine/mesh/rigid/keeps_apart.h>
@@ -7,6 +7,12 @@
 #include <algorithm>
 
 namespace graze {
+namespace {
+
+/// Of the time that is left: what is nearer to a contact than that is for the walk to look at.
+constexpr std::uint64_t kNarrowEnough = 1 << 14;
+
+}  // namespace
 
 std::uint64_t ContactWalk::run() {
   open_.push({0, 0, pair_.grid().whole(), false, {}});
@@ -30,19 +36,17 @@ TimeSpan ContactWalk::before_low(const TimeCell& cell) const {
 void ContactWalk::find_near(std::uint64_t time) {
   low_ = time;
   if (end_ == End::AtAny || is_narrowed_) return;
-  // Both meshes as they are at a few times: what is later than the least of these need not be
-  // looked at, and most often it is the answer.
+  // Both meshes are asked at a few times whether they meet: what is later than such a contact need
+  // not be looked at, and most often a few steps before it is the answer. Without this what hits
+  // takes twice as long, and three times with distances in place of a yes or no.
   is_narrowed_ = true;
-  const auto is_near = [&](std::uint64_t k) {
-    const PlacedBodies& placed = pair_.at(k);
-    return within({pair_.a().mesh, placed.pose_a}, {pair_.b().mesh, placed.pose_b}, pair_.limit(),
-                  {}, &work_);
-  };
   std::uint64_t before = 0;
-  if (low_ > 0 && is_near(before)) low_ = before;
-  while (low_ > before + 1) {
+  while (low_ > before + 1 + before / kNarrowEnough) {
     const std::uint64_t middle = before + (low_ - before) / 2;
-    (is_near(middle) ? low_ : before) = middle;
+    const PlacedBodies& placed = pair_.at(middle);
+    const bool is_hit =
+        intersects({pair_.a().mesh, placed.pose_a}, {pair_.b().mesh, placed.pose_b}, &work_);
+    (is_hit ? low_ : before) = middle;
   }
 }
 
