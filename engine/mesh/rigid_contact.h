@@ -1,11 +1,14 @@
 #pragma once
 
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/work.h>
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace graze {
 
@@ -66,5 +69,17 @@ bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b
 std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                                 const RigidMotion& motion_b,
                                 const RigidContactSettings& settings = {}, Work* work = nullptr);
+
+/// What first_contact() and is_free() answer for each of many motions of B, edges of a roadmap say,
+/// in their order, on all threads. What has to be built is built once. They throw as these do,
+/// before the first answer where a motion is to blame, which the error names by its index.
+std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& motion_a,
+                                        const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
+                                        const RigidContactSettings& settings = {},
+                                        const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+                          std::span<const RigidMotion> motions_b,
+                          const RigidContactSettings& settings = {},
+                          const BatchSettings& batch = {}, Work* work = nullptr);
 
 }  // namespace graze

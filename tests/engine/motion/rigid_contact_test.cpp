@@ -3,12 +3,15 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/pose_text.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <vector>
 
@@ -211,7 +214,8 @@ TEST(Law14Contact, ThinPartsThatPassQuicklyAreSeen) {
 TEST(Law14Contact, ABudgetEndsInCloseAndIsSound) {
   const Mesh a = tests::make_torus(1, 0.25, 24, 12);
   const RigidMotion rest(Pose::Identity());
-  const RigidMotion motion(tests::at(3), {.centre = {3, 0, 0}, .shift = {-3, 0, 0}, .axis = {1, 1, 0}, .angle = 2});
+  const RigidMotion motion(
+      tests::at(3), {.centre = {3, 0, 0}, .shift = {-3, 0, 0}, .axis = {1, 1, 0}, .angle = 2});
   const RigidContact all = first_contact(a, rest, a, motion);
   ASSERT_EQ(all.status, RigidStatus::Hit);
   for (std::uint64_t budget = 0; budget < 3000; budget = budget * 2 + 1) {
@@ -221,6 +225,53 @@ TEST(Law14Contact, ABudgetEndsInCloseAndIsSound) {
     EXPECT_FALSE(is_free(a, rest, a, motion, {.budget = budget}));
   }
   EXPECT_TRUE(first_contact(a, rest, a, motion, {.budget = 0}).is_out_of_budget);
+}
+
+TEST(Law14Threads, BatchesAnswerAsEachMotionAlone) {
+  RandomSource source(1420);
+  const Mesh a = tests::make_torus(1, 0.25, 24, 12);
+  const Mesh b = tests::random_soup({.count = 20, .extent = 0.5}, source);
+  const RigidMotion motion_a = random_motion(source, 0.1, 1);
+  std::vector<RigidMotion> motions;
+  for (int i = 0; i < 60; ++i)
+    motions.push_back(random_motion(source, 2, 3));
+  for (const int threads : {0, 1, 2}) {
+    Work work;
+    const std::vector<RigidContact> found =
+        first_contact(a, motion_a, b, motions, {}, {.threads = threads}, &work);
+    const std::vector<bool> free = is_free(a, motion_a, b, motions, {}, {.threads = threads});
+    ASSERT_EQ(found.size(), motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      EXPECT_EQ(found[i], first_contact(a, motion_a, b, motions[i]));
+      EXPECT_EQ(free[i], found[i].status == RigidStatus::Free);
+    }
+    EXPECT_GT(work.volume_tests, 0u);
+  }
+  motions[7] = RigidMotion(Pose::Identity(), {.shift = {1e200, 0, 0}});
+  try {
+    first_contact(a, motion_a, b, motions);
+    FAIL();
+  } catch (const PoseError& error) {
+    EXPECT_EQ(error.place().index, 7u);
+  }
+  EXPECT_THROW(is_free(a, motion_a, b, {}, {}, {.threads = -1}), InputError);
+}
+
+TEST(Law14Order, TrianglesAndVerticesInAnotherOrderChangeNothing) {
+  RandomSource source(1421);
+  for (int i = 0; i < 20; ++i) {
+    const Mesh a = tests::random_soup({.count = 40, .extent = 0.6}, source);
+    const Mesh b = tests::random_soup({.count = 30, .extent = 0.5}, source);
+    std::vector<TriangleIndices> triangles(a.triangles().begin(), a.triangles().end());
+    std::reverse(triangles.begin(), triangles.end());
+    for (TriangleIndices& t : triangles)
+      std::swap(t[0], t[2]);
+    const Mesh reordered(a.vertices(), triangles);
+    const RigidMotion motion_a = random_motion(source, 1.5, 2);
+    const RigidMotion motion_b = random_motion(source, 1.5, 4);
+    EXPECT_EQ(first_contact(a, motion_a, b, motion_b),
+              first_contact(reordered, motion_a, b, motion_b));
+  }
 }
 
 TEST(Law14Door, QueriesRefuseWhatTheyCannotAnswer) {
@@ -233,6 +284,47 @@ TEST(Law14Door, QueriesRefuseWhatTheyCannotAnswer) {
   const RigidMotion far(Pose::Identity(), {.shift = {1e200, 0, 0}});
   EXPECT_THROW(first_contact(box, rest, box, far), PoseError);
   EXPECT_THROW(last_free(box, far, box, rest), PoseError);
+}
+
+/// The bundled gears roll over a pitch, each about its own axis, with the backlash that their page
+/// states: 0.04 mm on either side, on a pitch circle of 19 mm.
+TEST(Law14Bundled, GearsRollOverAPitchAndBindAtTheirBacklash) {
+  const std::filesystem::path data = GRAZE_DATA_DIR;
+  const Mesh gear = load_mesh(data / "meshes/gear.ply");
+  const Mesh pinion = load_mesh(data / "meshes/pinion.off");
+  const Pose start = load_poses(data / "poses/gear-pinion.mesh.txt").front();
+  const double pitch = 2 * kHalfTurn / 31;
+  const auto turned = [&](double angle) {
+    return RigidMotion(start, {.centre = start.translation(), .angle = angle});
+  };
+  const RigidMotion rolls(Pose::Identity(), {.angle = -pitch});
+  EXPECT_TRUE(is_free(gear, rolls, pinion, turned(pitch * 31 / 19)));
+  EXPECT_FALSE(is_free(gear, rolls, pinion, turned(pitch * 31 / 19 * 1.2)));
+  const RigidContact bound =
+      first_contact(gear, RigidMotion(Pose::Identity()), pinion, turned(0.1), {.tolerance = 1e-8});
+  EXPECT_EQ(bound.status, RigidStatus::Hit);
+  EXPECT_NEAR(0.1 * bound.high, 0.04e-3 / 19e-3, 0.00025);
+  EXPECT_NEAR(bound.low, bound.high, 1e-5);
+}
+
+/// With the lead that it has the nut turns freely; with a fifth more it binds when that has used up
+/// the play along the axis, 0.042 mm across flanks that stand at 30 degrees.
+TEST(Law14Bundled, ANutBindsWhenItsLeadIsOff) {
+  const std::filesystem::path data = GRAZE_DATA_DIR;
+  const Mesh bolt = load_mesh(data / "meshes/bolt.obj");
+  const Mesh nut = load_mesh(data / "meshes/nut.stl");
+  const std::vector<Pose> turning = load_poses(data / "poses/bolt-nut.turning.txt");
+  const RigidMotion rest(Pose::Identity());
+  const Eigen::Vector3d axis = RigidMotion::between(turning[0], turning[1]).axis();
+  const auto turned = [&](double lead, double turns) {
+    return RigidMotion::screw(turning[0],
+                              {.axis = axis, .angle = 2 * kHalfTurn * turns, .pitch = lead});
+  };
+  EXPECT_TRUE(is_free(bolt, rest, nut, turned(1.25e-3, 0.45)));
+  const RigidContact bound = first_contact(bolt, rest, nut, turned(1.5e-3, 0.45));
+  EXPECT_EQ(bound.status, RigidStatus::Hit);
+  const double play = 0.042e-3 / std::cos(kHalfTurn / 6);
+  EXPECT_NEAR(0.25e-3 * 0.45 * bound.high, play, 0.05 * play);
 }
 
 }  // namespace
