@@ -34,6 +34,7 @@
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/rigid_certificate.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/separation.h>

@@ -13,6 +13,7 @@
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/voxel_grid.h>
@@ -57,6 +58,7 @@ std::ostream& operator<<(std::ostream& out, const TriangleDistance& distance);
 std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit);
 std::ostream& operator<<(std::ostream& out, const FirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact);
+std::ostream& operator<<(std::ostream& out, const RigidContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);

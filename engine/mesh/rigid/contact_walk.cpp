@@ -75,6 +75,7 @@ void ContactWalk::visit(const Visit& visit) {
     is_proved = next.has_direction && is_apart();
   }
   work_.volume_rejections += is_proved;
+  if (is_proved && record_ != nullptr) record_->add_plane(next.direction.n);
   if (!is_proved) open(next, span, a, b);
 }
 
@@ -95,12 +96,15 @@ void ContactWalk::open(const Visit& visit, const TimeSpan& span, const BodyBox& 
   if (is_fast && !visit.cell.is_finest()) {
     one.cell = visit.cell.earlier();
     other.cell = visit.cell.later();
+    if (record_ != nullptr) record_->halve_time();
   } else if (size_a > size_b) {
     one.a = a.first;
     other.a = a.first + 1;
+    if (record_ != nullptr) record_->divide_a(a.first);
   } else {
     one.b = b.first;
     other.b = b.first + 1;
+    if (record_ != nullptr) record_->divide_b(b.first);
   }
   open_.push(other);
   open_.push(one);
@@ -111,7 +115,9 @@ void ContactWalk::visit_leaves(const Visit& visit) {
   const bvh::Node& a = tree_a.nodes[visit.a];
   const bvh::Node& b = tree_b.nodes[visit.b];
   for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
+    if (record_ != nullptr && i + 1 < a.first + a.count) record_->divide_a_after(1);
     for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
+      if (record_ != nullptr && j + 1 < b.first + b.count) record_->divide_b_after(1);
       decide({tree_a.primitives[i], tree_b.primitives[j]},
              {visit.cell, visit.has_direction, visit.direction});
     }
@@ -134,8 +140,7 @@ void ContactWalk::decide(TrianglePair of_bodies, const DirectedCell& whole) {
     }
     const TimeSpan span = before_low(cell);
     Apart answer = next.has_direction ? triangles.ask(span, next.direction) : Apart::Unsure;
-    if (answer == Apart::Unsure || cell.is_finest()) {
-      if (answer == Apart::Always) continue;
+    if (answer == Apart::Unsure || (cell.is_finest() && answer == Apart::AtEnds)) {
       next.has_direction = true;
       const std::uint64_t middle = span.first + (span.last - span.first) / 2;
       if (triangles.is_near(middle, next.direction)) {
@@ -145,7 +150,11 @@ void ContactWalk::decide(TrianglePair of_bodies, const DirectedCell& whole) {
         answer = triangles.ask(span, next.direction);
       }
     }
-    if (cell.is_finest() || answer == Apart::Always) continue;
+    if (cell.is_finest() || answer == Apart::Always) {
+      if (record_ != nullptr) record_->add_plane(next.direction.n);
+      continue;
+    }
+    if (record_ != nullptr) record_->halve_time();
     open.push({cell.later(), next.has_direction, next.direction});
     open.push({cell.earlier(), next.has_direction, next.direction});
   }

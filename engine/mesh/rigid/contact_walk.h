@@ -3,6 +3,7 @@
 // Private to engine/mesh/rigid.
 
 #include <graze/bvh/traverse/traversal.h>
+#include <graze/engine/mesh/rigid/freedom_record.h>
 #include <graze/engine/mesh/rigid/moving_pair.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/work.h>
@@ -20,6 +21,9 @@ class ContactWalk {
 
   ContactWalk(MovingPair& pair, End end, std::uint64_t budget, Work& work)
       : pair_(pair), end_(end), low_(pair.grid().end()), budget_(budget), work_(work) {}
+
+  /// Has the walk tell each of its steps to `record`, which outlives it.
+  void record_in(FreedomRecord& record) { record_ = &record; }
 
   /// Such a time. The end of the grid if there is none: then all is further apart at all times.
   std::uint64_t run();
@@ -64,6 +68,7 @@ class ContactWalk {
   std::uint64_t unproved_ = ~std::uint64_t{0};  ///< where the budget ended, the first time left
   std::uint64_t budget_;
   bool is_out_of_budget_ = false;
+  FreedomRecord* record_ = nullptr;
   Work& work_;
 };
 

@@ -21,7 +21,7 @@ TurnValues turn_values(double angle);
 /// The angle of the unit vector (cosine, sine), both at least 0: within 2^-49 of its own.
 double angle_of(const SineCosine& unit);
 
-/// How far sines and cosines are off at most.
-inline constexpr double kTurnBound = 0x1p-51;
+/// How far sines, cosines and versines are off at most.
+inline constexpr double kTurnBound = 0x1p-50;
 
 }  // namespace graze

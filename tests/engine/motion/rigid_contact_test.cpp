@@ -7,12 +7,14 @@
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/pose_text.h>
+#include <graze/engine/print.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 #include <vector>
 
 #include "tests/shapes/formula_meshes.h"
@@ -272,6 +274,18 @@ TEST(Law14Order, TrianglesAndVerticesInAnotherOrderChangeNothing) {
     EXPECT_EQ(first_contact(a, motion_a, b, motion_b),
               first_contact(reordered, motion_a, b, motion_b));
   }
+}
+
+TEST(RigidContact, IsPrintedInWords) {
+  const auto text = [](const RigidContact& contact) {
+    std::ostringstream out;
+    out << contact;
+    return out.str();
+  };
+  EXPECT_EQ(text({RigidStatus::Free, 1, 1, false}), "free");
+  EXPECT_EQ(text({RigidStatus::Hit, 0.5, 0.75, false}), "free up to 0.5, hit at 0.75");
+  EXPECT_EQ(text({RigidStatus::Close, 0.5, 1, false}), "free up to 0.5, then close");
+  EXPECT_EQ(text({RigidStatus::Close, 0.5, 1, true}), "free up to 0.5, out of budget");
 }
 
 TEST(Law14Door, QueriesRefuseWhatTheyCannotAnswer) {
