@@ -49,6 +49,12 @@ int main() {
   const graze::RigidMotion thrown = graze::RigidMotion::from_velocities(
       examples::at(0, 0, 2), {.linear = {0, 0, 1}, .angular = {0, 3, 0}, .duration = 2});
 
+  // Shapes as well: a ball that falls half a metre onto a floor.
+  const graze::RigidMotion falls(examples::at(0, 0, 1), {.shift = {0, 0, -1}});
+  const graze::RigidContact landed =
+      graze::first_contact(graze::HalfSpace{{0, 0, 1}}, rest, graze::Sphere{{0, 0, 0}, 0.5}, falls);
+  expect(landed.status == graze::RigidStatus::Hit && landed.low <= 0.5, "halfway, never late");
+
   // Edges of a roadmap, on all threads.
   const std::vector<graze::RigidMotion> edges{screw, slide, turned, thrown};
   const std::vector<bool> free = graze::is_free(cube, rest, cube, edges);

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/engine/mesh/nearest/distance_parts.h>
 #include <graze/engine/mesh/placing/placement_check.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 
@@ -62,6 +63,12 @@ Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis) {
   return unit;
 }
 
+const RigidContactSettings& check_settings(const RigidContactSettings& settings) {
+  check_clearance(settings.clearance);
+  if (settings.tolerance >= 0 && std::isfinite(settings.tolerance)) return settings;
+  throw InputError("tolerance: " + std::to_string(settings.tolerance) + " is not a distance");
+}
+
 double sum_of_lengths(const RigidMotion& motion) {
   const double origin = sum_of_sizes(motion.start().data() + 12);
   const double apart = origin + sum_of_sizes(motion.centre().data());
@@ -79,7 +86,7 @@ void check_reach(const RigidMotion& motion) {
 void check_reach(const RigidMotion& motion, const Aabb& bounds, const char* what) {
   if (sum_of_lengths(motion) + sum_of_sizes(bounds) < kLongest) return;
   throw PoseError(std::string(what) +
-                  ": coordinates of the mesh, or squares of them, could overflow");
+                  ": coordinates of the body, or squares of them, could overflow");
 }
 
 }  // namespace graze

@@ -3,6 +3,7 @@
 // The door of motions (laws 10 and 14). Private to engine/mesh/rigid.
 
 #include <graze/bvh/aabb.h>
+#include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 
 namespace graze {
@@ -16,6 +17,9 @@ void check_angle(double angle);
 
 /// The axis with a length of 1. Throws InputError.
 Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis);
+
+/// Throws InputError for a clearance or a tolerance that is no distance; returns the settings.
+const RigidContactSettings& check_settings(const RigidContactSettings& settings);
 
 /// All lengths that a motion is made of, added up, metres: no coordinate of the body's origin is
 /// larger at any t. The distance of a centre counts as far as turning about it moves something.

@@ -3,6 +3,7 @@
 // Private to engine/mesh/rigid.
 
 #include <graze/engine/mesh/rigid/contact_walk.h>
+#include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/moving_pair.h>
 #include <graze/engine/mesh/rigid_contact.h>
 
@@ -21,14 +22,11 @@ struct MotionQuery {
               const RigidMotion& motion_b, const RigidContactSettings& of_settings, Work& of_work)
       : a(mesh_a, motion_a, "motion of mesh A", of_work),
         b(mesh_b, motion_b, "motion of mesh B", of_work),
-        pair(a, b, checked(of_settings)),
+        pair(a, b, check_settings(of_settings)),
         settings(of_settings),
         work(of_work) {}
 
   ContactWalk walk(ContactWalk::End end) { return {pair, end, settings.budget, work}; }
-
- private:
-  static const RigidContactSettings& checked(const RigidContactSettings& settings);
 };
 
 }  // namespace graze

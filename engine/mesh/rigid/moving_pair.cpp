@@ -21,14 +21,6 @@ double relative_shift(const RigidMotion& a, const RigidMotion& b) {
   return std::sqrt(dot(d, d)) * (1 + 0x1p-40) + 0x1p-500;
 }
 
-/// The fewest halvings after which nothing moves by more than a quarter of the tolerance.
-std::uint32_t depth_of(double displacement, double tolerance) {
-  std::uint32_t depth = 0;
-  for (double step = displacement; step > tolerance / 4; step /= 2)
-    ++depth;
-  return depth;
-}
-
 }  // namespace
 
 MovingPair::MovingPair(const MovingBody& a, const MovingBody& b,
@@ -41,7 +33,7 @@ MovingPair::MovingPair(const MovingBody& a, const MovingBody& b,
   const double most = shift_ + (a.turned * a.radius + b.turned * b.radius);
   const double tolerance = std::max({settings.tolerance, 64 * rounding_, 0x1p-44 * most});
   limit_ = settings.clearance + tolerance;
-  grid_ = TimeGrid(depth_of(most, tolerance));
+  grid_ = TimeGrid::for_steps(most, tolerance / 4);
   for (PlacedBodies& placed : placed_)
     placed.time = kNever;
 }

@@ -1,14 +1,10 @@
-#include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance.h>
-#include <graze/engine/mesh/nearest/distance_parts.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/rigid/first_hit.h>
 #include <graze/engine/mesh/rigid/motion_query.h>
 #include <graze/engine/mesh/rigid_contact.h>
-
-#include <cmath>
-#include <string>
 
 namespace graze {
 namespace {
@@ -21,33 +17,7 @@ bool is_hit(MotionQuery& query, std::uint64_t k) {
   return within(placed_a, placed_b, query.settings.clearance, {}, &query.work);
 }
 
-/// A time from `low` on with a contact, if doubled steps come upon one.
-std::optional<std::uint64_t> find_hit(MotionQuery& query, std::uint64_t low) {
-  if (is_hit(query, low)) return low;
-  const std::uint64_t end = query.pair.grid().end();
-  std::uint64_t before = low;
-  for (std::uint64_t step = 1; before < end; step *= 2) {
-    std::uint64_t after = std::min(low + step, end);
-    if (!is_hit(query, after)) {
-      before = after;
-      continue;
-    }
-    while (after - before > 1) {
-      const std::uint64_t middle = before + (after - before) / 2;
-      (is_hit(query, middle) ? after : before) = middle;
-    }
-    return after;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-const RigidContactSettings& MotionQuery::checked(const RigidContactSettings& settings) {
-  check_clearance(settings.clearance);
-  if (settings.tolerance >= 0 && std::isfinite(settings.tolerance)) return settings;
-  throw InputError("tolerance: " + std::to_string(settings.tolerance) + " is not a distance");
-}
 
 RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings,
@@ -60,7 +30,8 @@ RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, cons
     const std::uint64_t low = walk.run();
     if (low == grid.end()) return {RigidStatus::Free, 1, 1, false};
     if (walk.is_out_of_budget()) return {RigidStatus::Close, grid.time(low), 1, true};
-    if (const auto high = find_hit(query, low))
+    const auto is_hit_at = [&](std::uint64_t k) { return is_hit(query, k); };
+    if (const auto high = first_hit(low, grid.end(), is_hit_at))
       return {RigidStatus::Hit, grid.time(low), grid.time(*high), false};
     return {RigidStatus::Close, grid.time(low), 1, false};
   });

@@ -29,8 +29,17 @@ class TimeGrid {
   explicit TimeGrid(std::uint32_t depth)
       : depth_(depth), step_(1 / static_cast<double>(std::uint64_t{1} << depth)) {}
 
+  /// The coarsest in whose steps nothing moves further than `most`, of what goes so far in all.
+  static TimeGrid for_steps(double displacement, double most) {
+    std::uint32_t depth = 0;
+    for (double step = displacement; step > most; step /= 2)
+      ++depth;
+    return TimeGrid(depth);
+  }
+
   std::uint64_t end() const { return std::uint64_t{1} << depth_; }
   TimeCell whole() const { return {0, depth_}; }
+  double step() const { return step_; }
   double time(std::uint64_t k) const { return static_cast<double>(k) * step_; }
   double length(const TimeSpan& span) const { return time(span.last - span.first); }
 
