@@ -124,6 +124,15 @@ TEST(Law14Certificate, OfAnotherMotionOrMeshItProvesWhatItAcceptsOrIsRefused) {
   }
   EXPECT_GT(refused, 50);
   EXPECT_LT(refused, 200);
+  // At the start all are where the certificate has them.
+  const Mesh box = tests::make_box({0.5, 0.5, 0.5});
+  const RigidMotion apart(tests::at(3));
+  const auto at_rest = certify_free(box, scene.rest, box, apart);
+  ASSERT_TRUE(at_rest && proves_freedom(*at_rest, box, scene.rest, box, apart));
+  const RigidMotion comes(tests::at(3), {.shift = {-3, 0, 0}});
+  EXPECT_FALSE(proves_freedom(*at_rest, box, scene.rest, box, comes));
+  const RigidMotion turns(tests::at(3), {.angle = std::acos(-1)});
+  EXPECT_FALSE(proves_freedom(*at_rest, box, scene.rest, box, turns));
   const Mesh longer = tests::make_box({0.75, 0.25, 0.125});
   EXPECT_FALSE(proves_freedom(*certificate, scene.ring, scene.rest, longer, scene.motion));
   EXPECT_FALSE(proves_freedom(*certificate, scene.rod, scene.rest, scene.ring, scene.motion));
