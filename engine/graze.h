@@ -54,6 +54,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
+#include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/touch.h>

@@ -6,6 +6,7 @@
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze::narrowphase {
 namespace {
@@ -94,6 +95,14 @@ std::optional<Sign> triple_filter(Step p, Step q, Step r) {
   }
   if (!is_in_range(size) || !is_in_range(vr.size())) return std::nullopt;
   return sure_sign(dot(cross(vp, vq), vr), kTripleBound * (size * vr.size()));
+}
+
+RoundedTriple rounded_triple(Step p, Step q, Step r) {
+  const Vector vp(p), vq(q), vr(r);
+  const double size = vp.size() * vq.size();
+  if (!is_in_range(size) || !is_in_range(vr.size()))
+    return {0, std::numeric_limits<double>::infinity()};
+  return {dot(cross(vp, vq), vr), kTripleBound * (size * vr.size())};
 }
 
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s) {

@@ -26,6 +26,13 @@ Sign sign_of_dot(Step p, Step q);
 std::optional<Sign> triple_filter(Step p, Step q, Step r);
 Sign sign_of_triple(Step p, Step q, Step r);
 
+/// (p x q) . r, rounded, off by at most `bound`, which is infinite where nothing is known.
+struct RoundedTriple {
+  double value;
+  double bound;
+};
+RoundedTriple rounded_triple(Step p, Step q, Step r);
+
 /// The sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);
 Sign sign_of_cross_products(Step p, Step q, Step r, Step s);
