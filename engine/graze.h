@@ -23,6 +23,7 @@
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_path.h>

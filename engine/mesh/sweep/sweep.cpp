@@ -18,12 +18,14 @@ double quarter_of_largest(const PlacedMeshView& placed) {
   return largest;
 }
 
-// Of n.d with |d| = 1, whose components are exact, 4 u of the size of n cover three roundings.
+// Of n.d, the components of d being at most 1 in size and exact, 4 u of the size of n cover three
+// roundings.
 constexpr double kAlongBound = 4 * kUnitRoundoff;
 
-// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s = |p - q| is below
-// 2 sqrt(3) < 4, so that s (n.d) is below 48 u.
-constexpr double kAcrossBound = 48 * kUnitRoundoff;
+// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s |d| = |p - q| is
+// below 2 sqrt(3), and |d| is at least 1/2: s is below 4 sqrt(3) < 7, so that s (n.d) is below 84
+// u.
+constexpr double kAcrossBound = 96 * kUnitRoundoff;
 
 // The product with an inverse of positive numbers: the difference, the inverse and the product
 // round.

@@ -1,9 +1,10 @@
 #pragma once
 
-// B moves along a direction and A stays: at how large a translation can they still meet? Weak
-// duality answers, rigorously: if p of A meets q of B moved by s d, then p - q = s d, and for every
-// vector n at all s (n.d) = n.(p - q), which is at most the largest n.(p - q) there is. So each n
-// bounds s, whatever its own rounding, and a few well chosen ones bound it tightly.
+// B moves along a direction d and A stays: at how large a translation can they still meet, and from
+// how small a one on? Weak duality answers, rigorously: if p of A meets q of B moved by s d, then
+// p - q = s d, and for every vector n at all s (n.d) = n.(p - q), which is at most the largest
+// n.(p - q) there is. So each n bounds s, whatever its own rounding, and a few well chosen ones
+// bound it tightly. The size of d is from 1/2 to 2.
 
 #include <graze/engine/mesh/placed_mesh.h>
 
