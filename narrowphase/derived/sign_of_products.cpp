@@ -105,6 +105,13 @@ RoundedTriple rounded_triple(Step p, Step q, Step r) {
   return {dot(cross(vp, vq), vr), kTripleBound * (size * vr.size())};
 }
 
+double triple_bound(double largest_of_p, Step q, double largest_of_r) {
+  const double size = largest_of_p * Vector(q).size();
+  if (!is_in_range(size) || !is_in_range(largest_of_r))
+    return std::numeric_limits<double>::infinity();
+  return kTripleBound * (size * largest_of_r);
+}
+
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s) {
   const Vector vp(p), vq(q), vr(r), vs(s);
   if (vp.size() == 0 || vq.size() == 0 || vr.size() == 0 || vs.size() == 0) return Sign::Zero;

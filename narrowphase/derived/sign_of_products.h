@@ -33,6 +33,10 @@ struct RoundedTriple {
 };
 RoundedTriple rounded_triple(Step p, Step q, Step r);
 
+/// What such a product is off by at most if no component of p and r is larger than that; infinite
+/// where nothing is known.
+double triple_bound(double largest_of_p, Step q, double largest_of_r);
+
 /// The sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);
 Sign sign_of_cross_products(Step p, Step q, Step r, Step s);

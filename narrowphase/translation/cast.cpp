@@ -20,9 +20,9 @@ std::optional<FirstContact> cast_of(const Triangle& triangle_a, const Triangle& 
     if (settings.start == StartContact::IsLeft && !crosses_from_start(pair)) return std::nullopt;
     return FirstContact{0, true};
   }
-  const std::optional<Meeting> meeting = first_meeting(pair);
-  if (!meeting) return std::nullopt;
-  return FirstContact{rounded_down(TimeQuotient(pair, *meeting)), false};
+  const std::optional<TimedMeeting> first = first_meeting(pair);
+  if (!first) return std::nullopt;
+  return FirstContact{rounded_down(TimeQuotient(pair, first->meeting)), false};
 }
 
 }  // namespace

@@ -13,14 +13,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// One double on, which is more than what one operation rounds off.
-double below(double value) {
-  return std::nextafter(value, -kInfinity);
-}
-double above(double value) {
-  return std::nextafter(value, kInfinity);
-}
-
 /// Numerator and divisor as integers, the divisor positive. A difference of coordinates has at most
 /// 2099 bits, a product of three as a sum of six 6300: two of these multiplied fit (BigInteger).
 struct ExactTime {
@@ -107,15 +99,23 @@ TimeQuotient::TimeQuotient(const TranslatedPair& pair, const Meeting& meeting)
   }
 }
 
+// Each operation is followed by one step to the next double, which is more than it rounds off.
 TimeBounds bounds_of(const TimeQuotient& time) {
   const RoundedTriple numerator = rounded_triple(time.p, time.q, time.w);
   const RoundedTriple divisor = rounded_triple(time.p, time.q, time.d);
   const double size = std::abs(divisor.value);
-  const double least = below(size - divisor.bound);
-  if (!(least > 0)) return {0, kInfinity};
+  if (!(size - divisor.bound > 0) || numerator.bound == kInfinity) return {0, kInfinity};
+  const double least = previous_double(size - divisor.bound);
+  const double most = next_double(size + divisor.bound);
   const double value = divisor.value < 0 ? -numerator.value : numerator.value;
-  const double low = below(below(value - numerator.bound) / above(size + divisor.bound));
-  return {std::max(0.0, low), above(above(value + numerator.bound) / least)};
+  TimeBounds bounds{0, kInfinity};
+  if (value - numerator.bound > 0) {
+    const double low = previous_double(value - numerator.bound) / most;
+    if (low > 0) bounds.low = previous_double(low);
+  }
+  const double high = next_double(std::max(0.0, value + numerator.bound)) / least;
+  if (high < kInfinity) bounds.high = next_double(high);
+  return bounds;
 }
 
 Sign sign_of(const TimeQuotient& time) {

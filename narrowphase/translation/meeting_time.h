@@ -19,12 +19,6 @@ struct TimeQuotient {
   TimeQuotient(const TranslatedPair& pair, const Meeting& meeting);
 };
 
-/// No more and no less than a time that is not negative, in rounded arithmetic.
-struct TimeBounds {
-  double low;
-  double high;
-};
-
 TimeBounds bounds_of(const TimeQuotient& time);
 
 /// A time that is not negative, for comparisons. What it was made of must outlive it.
@@ -33,6 +27,8 @@ struct MeetingTime {
   TimeBounds bounds;
 
   explicit MeetingTime(const TimeQuotient& time) : quotient(time), bounds(bounds_of(time)) {}
+  MeetingTime(const TranslatedPair& pair, const TimedMeeting& timed)
+      : quotient(pair, timed.meeting), bounds(timed.bounds) {}
 };
 
 /// The sign of a time, and of s - t. Exact.

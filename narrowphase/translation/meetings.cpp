@@ -7,6 +7,9 @@
 #include <graze/narrowphase/translation/axes.h>
 #include <graze/narrowphase/translation/meeting_time.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace graze::narrowphase {
 namespace {
 
@@ -17,14 +20,6 @@ bool are_against(Sign s, Sign t) {
 /// On which sides of the edges of one triangle the corners of another are, seen along d.
 struct CornerSides {
   Sign sign[3][3];  ///< of a corner, of an edge
-
-  CornerSides(const Corners<double>& corners, const Corners<double>& triangle, Step d) {
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k)
-        sign[i][k] = sign_of_triple({corners.point[i], triangle.point[k]},
-                                    {corners.point[i], triangle.point[(k + 1) % 3]}, d);
-    }
-  }
 
   bool is_beside(int corner) const {
     const Sign* s = sign[corner];
@@ -41,13 +36,76 @@ struct CornerSides {
   }
 };
 
+/// All eighteen of them. With w from a corner of one to the corners p and q of the other, the side
+/// is the sign of (w_p x w_q) . d = (w_q x d) . w_p: nine differences and their products with d
+/// serve all.
+class SidesOfAll {
+ public:
+  explicit SidesOfAll(const TranslatedPair& pair) : d_{kZeroPoint, pair.displacement} {
+    double size = 0;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        offset_[i][k] = Offset(pair.b.point[k], pair.a.point[i]);
+        size = std::max(size, offset_[i][k].size());
+        across_[i][k] = cross(offset_[i][k], pair.displacement);
+      }
+    }
+    bound_ = triple_bound(size, d_, size);
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int edge = 0; edge < 3; ++edge) {
+        const int next = (edge + 1) % 3;
+        // From A's corners to B's both offsets are the other way round, which changes no sign.
+        of_b.sign[corner][edge] =
+            sign_of(dot(across_[next][corner], offset_[edge][corner]), pair.b.point[corner],
+                    pair.a.point[edge], pair.a.point[next]);
+        of_a.sign[corner][edge] =
+            sign_of(dot(across_[corner][next], offset_[corner][edge]), pair.a.point[corner],
+                    pair.b.point[edge], pair.b.point[next]);
+      }
+    }
+  }
+
+  CornerSides of_a;  ///< of A's corners
+  CornerSides of_b;
+
+ private:
+  struct Offset {
+    double x, y, z;
+
+    Offset() = default;
+    Offset(const double* from, const double* to)
+        : x(to[0] - from[0]), y(to[1] - from[1]), z(to[2] - from[2]) {}
+    double size() const { return std::max(std::max(std::abs(x), std::abs(y)), std::abs(z)); }
+  };
+  static Offset cross(const Offset& w, const double* d) {
+    Offset across;
+    across.x = w.y * d[2] - w.z * d[1];
+    across.y = w.z * d[0] - w.x * d[2];
+    across.z = w.x * d[1] - w.y * d[0];
+    return across;
+  }
+  static double dot(const Offset& a, const Offset& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+  Sign sign_of(double value, const double* corner, const double* p, const double* q) const {
+    if (value > bound_) return Sign::Positive;
+    if (value < -bound_) return Sign::Negative;
+    return sign_of_triple({corner, p}, {corner, q}, d_);
+  }
+
+  Step d_;
+  Offset offset_[3][3];  ///< from a corner of B to one of A: [of A][of B]
+  Offset across_[3][3];  ///< that x d
+  double bound_;
+};
+
 class Meetings {
  public:
   explicit Meetings(const TranslatedPair& pair)
       : pair_(pair),
         d_{kZeroPoint, pair.displacement},
-        sides_a_(pair.a, pair.b, d_),
-        sides_b_(pair.b, pair.a, d_) {}
+        sides_(pair),
+        sides_a_(sides_.of_a),
+        sides_b_(sides_.of_b) {}
 
   /// False if they are at negative times.
   bool find() {
@@ -131,8 +189,9 @@ class Meetings {
 
   const TranslatedPair& pair_;
   Step d_;
-  CornerSides sides_a_;  ///< of A's corners
-  CornerSides sides_b_;
+  SidesOfAll sides_;
+  const CornerSides& sides_a_;  ///< of A's corners
+  const CornerSides& sides_b_;
   std::optional<Meeting> first_;
   std::optional<MeetingTime> time_;
   bool is_before_ = false;
@@ -140,12 +199,12 @@ class Meetings {
 
 }  // namespace
 
-std::optional<Meeting> first_meeting(const TranslatedPair& pair) {
+std::optional<TimedMeeting> first_meeting(const TranslatedPair& pair) {
   const double* d = pair.displacement;
   if (d[0] == 0 && d[1] == 0 && d[2] == 0) return std::nullopt;
   Meetings meetings(pair);
   if (!meetings.find() || is_above_one(meetings.time())) return std::nullopt;
-  return meetings.first();
+  return TimedMeeting{meetings.first(), meetings.time().bounds};
 }
 
 }  // namespace graze::narrowphase

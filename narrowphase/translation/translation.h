@@ -41,10 +41,21 @@ struct Meeting {
   int axis;  ///< of the last three: one along which their time can be told
 };
 
+/// No more and no less than a time that is not negative, in rounded arithmetic.
+struct TimeBounds {
+  double low;
+  double high;
+};
+
+struct TimedMeeting {
+  Meeting meeting;
+  TimeBounds bounds;
+};
+
 /// The first meeting in (0, 1] of triangles that are apart at t = 0; of those at one time that of
 /// the lowest corner of A and the triangle of B, then of the triangle of A and a corner of B, then
 /// of edges. Exact.
-std::optional<Meeting> first_meeting(const TranslatedPair& pair);
+std::optional<TimedMeeting> first_meeting(const TranslatedPair& pair);
 
 /// Whether the insides of triangles in different planes share a point at t = 0, or at all times
 /// directly after it (crosses()). Exact.

@@ -13,13 +13,16 @@ class EarliestMeeting {
   EarliestMeeting(const double* displacement, StartContact start)
       : displacement_(displacement), start_(start) {}
 
-  /// Of triangles that may meet at t = 0.
-  void ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b, Work& work);
-  /// Of triangles that are apart at t = 0.
-  void ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
+  /// Of triangles that may meet at t = 0. True if they are the earliest so far.
+  bool ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b, Work& work);
+  /// Of triangles that are apart at t = 0, likewise.
+  bool ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
 
   /// No less than the earliest time that has been found, or 1.
   double limit() const { return limit_; }
+
+  /// Roughly across what meets first so far; zero if that is at t = 0.
+  void rough_normal(double (&normal)[3]) const;
 
   std::optional<MeshCast> result() const;
 
@@ -29,7 +32,7 @@ class EarliestMeeting {
     TrianglePair pair;
     Triangle a;
     Triangle b;
-    std::optional<narrowphase::Meeting> meeting;  ///< none if it is at t = 0
+    std::optional<narrowphase::TimedMeeting> first;  ///< none if it is at t = 0
   };
   narrowphase::TranslatedPair translated(const Triangle& a, const Triangle& b) const {
     return {a, b, displacement_};

@@ -3,8 +3,10 @@
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/sweep/cast_directions.h>
+#include <graze/engine/mesh/sweep/cast_nodes.h>
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
-#include <graze/engine/mesh/sweep/swept_nodes.h>
+
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/translation/displacement.h>
 
@@ -47,15 +49,17 @@ class CastWalk {
  public:
   CastWalk(const PlacedMeshView& a, const PlacedMeshView& b, const contacts::SweepUnits& units,
            const SweptWay& way, EarliestMeeting& earliest, Work& work)
-      : a_(a),
-        b_(b),
-        tree_a_(tree_of(a.mesh, &work)),
+      : tree_a_(tree_of(a.mesh, &work)),
         tree_b_(tree_of(b.mesh, &work)),
-        swept_(a, b, units, way.direction),
         way_(way),
         earliest_(earliest),
         work_(work),
-        limit_(way.at(earliest.limit())) {}
+        limit_(way.at(earliest.limit())),
+        unit_a_(tree_a_.frame.unit() * units.per_metre),
+        unit_b_(tree_b_.frame.unit() * units.per_metre),
+        directions_(a, b, units, way.direction),
+        nodes_a_(contacts::CastDirections::Side::A, a, tree_a_, directions_),
+        nodes_b_(contacts::CastDirections::Side::B, b, tree_b_, directions_) {}
 
   void run() {
     const Waiting root = waiting(0, 0);
@@ -65,8 +69,9 @@ class CastWalk {
       if (pair.bound > limit_) continue;
       const bvh::Node &a = tree_a_.nodes[pair.a], &b = tree_b_.nodes[pair.b];
       if (a.is_leaf() && b.is_leaf()) {
-        ask_leaves(a, b, pair.bound);
-      } else if (b.is_leaf() || (!a.is_leaf() && swept_.size_a(a.box) >= swept_.size_b(b.box))) {
+        ask_leaves(pair.a, pair.b);
+      } else if (b.is_leaf() ||
+                 (!a.is_leaf() && half_size(a.box) * unit_a_ >= half_size(b.box) * unit_b_)) {
         open(waiting(a.first, pair.b), waiting(a.first + 1, pair.b));
       } else {
         open(waiting(pair.a, b.first), waiting(pair.a, b.first + 1));
@@ -84,9 +89,17 @@ class CastWalk {
     double bound;
   };
 
+  static double half_size(const bvh::FloatBox& box) {
+    double size = 0;
+    for (int k = 0; k < 3; ++k)
+      size += double{box.max[k]} - box.min[k];
+    return size;
+  }
+
   Waiting waiting(std::uint32_t a, std::uint32_t b) {
     ++work_.volume_tests;
-    const double bound = swept_.first_contact(tree_a_.nodes[a].box, tree_b_.nodes[b].box, limit_);
+    const double bound =
+        directions_.first_contact(nodes_a_.span_of(a), nodes_b_.span_of(b), limit_);
     work_.volume_rejections += bound == kNever;
     return {a, b, bound};
   }
@@ -97,33 +110,45 @@ class CastWalk {
     if (near.bound != kNever) open_.push(near);
   }
 
-  void ask_leaves(const bvh::Node& leaf_a, const bvh::Node& leaf_b, double bound) {
-    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-      const std::uint32_t of_a = tree_a_.primitives[i];
-      const Triangle a = narrowphase::place(a_.pose, a_.mesh.triangle(of_a));
-      for (std::uint32_t k = leaf_b.first; k < leaf_b.first + leaf_b.count; ++k) {
-        const std::uint32_t of_b = tree_b_.primitives[k];
-        const Triangle b = narrowphase::place(b_.pose, b_.mesh.triangle(of_b));
+  void ask_leaves(std::uint32_t node_a, std::uint32_t node_b) {
+    const bvh::Node &leaf_a = tree_a_.nodes[node_a], &leaf_b = tree_b_.nodes[node_b];
+    const contacts::CastNodes::Leaf &in_a = nodes_a_.leaf(node_a), &in_b = nodes_b_.leaf(node_b);
+    bool is_sooner = false;
+    for (std::uint32_t i = 0; i < leaf_a.count; ++i) {
+      for (std::uint32_t k = 0; k < leaf_b.count; ++k) {
+        const double bound = directions_.first_contact(in_a.span[i], in_b.span[k], limit_);
+        ++work_.filter_tests;
+        if (bound == kNever) continue;
         ++work_.triangle_tests;
-        if (bound > 0) {
-          earliest_.ask_later({of_a, of_b}, a, b);
-        } else {
-          earliest_.ask_from_start({of_a, of_b}, a, b, work_);
-        }
+        const TrianglePair pair{tree_a_.primitives[leaf_a.first + i],
+                                tree_b_.primitives[leaf_b.first + k]};
+        const bool is_first =
+            bound > 0 ? earliest_.ask_later(pair, in_a.triangle[i], in_b.triangle[k])
+                      : earliest_.ask_from_start(pair, in_a.triangle[i], in_b.triangle[k], work_);
+        if (!is_first) continue;
+        is_sooner = true;
+        limit_ = way_.at(earliest_.limit());
       }
     }
-    limit_ = way_.at(earliest_.limit());
+    if (!is_sooner) return;
+    double normal[3];
+    earliest_.rough_normal(normal);
+    if (!directions_.take_normal(normal)) return;
+    nodes_a_.forget();
+    nodes_b_.forget();
   }
 
-  const PlacedMeshView& a_;
-  const PlacedMeshView& b_;
   const bvh::Tree& tree_a_;
   const bvh::Tree& tree_b_;
-  contacts::SweptNodes swept_;
   const SweptWay& way_;
   EarliestMeeting& earliest_;
   Work& work_;
   double limit_;
+  double unit_a_;
+  double unit_b_;
+  contacts::CastDirections directions_;
+  contacts::CastNodes nodes_a_;
+  contacts::CastNodes nodes_b_;
   bvh::TraversalStack<Waiting, 256> open_;
 };
 

@@ -78,28 +78,20 @@ SweptNodes::SweptNodes(const PlacedMeshView& a, const PlacedMeshView& b, const S
   }
 }
 
-SweptNodes::Middle::Middle(const bvh::FloatBox& box) {
+SweptNodes::Extent SweptNodes::extent(const bvh::FloatBox& box,
+                                      const std::array<Scale, kDirections>& scale) const {
+  double middle[3];
+  double half[3];
   for (int k = 0; k < 3; ++k) {
     middle[k] = 0.5 * (double{box.max[k]} + box.min[k]);
     half[k] = 0.5 * (double{box.max[k]} - box.min[k]);
   }
-}
-
-SweptNodes::Span SweptNodes::along(const Scale& n, const Middle& box) {
-  const double* middle = box.middle;
-  const double* half = box.half;
-  return {(n[0] * middle[0] + n[1] * middle[1]) + n[2] * middle[2],
-          (std::abs(n[0]) * half[0] + std::abs(n[1]) * half[1]) + std::abs(n[2]) * half[2]};
-}
-
-SweptNodes::Extent SweptNodes::extent(const bvh::FloatBox& box,
-                                      const std::array<Scale, kDirections>& scale) const {
-  const Middle middle(box);
   Extent extent;
   for (std::size_t i = 0; i < count_; ++i) {
-    const Span span = along(scale[i], middle);
-    extent.middle[i] = span.middle;
-    extent.half[i] = span.half;
+    const Scale& n = scale[i];
+    extent.middle[i] = (n[0] * middle[0] + n[1] * middle[1]) + n[2] * middle[2];
+    extent.half[i] =
+        (std::abs(n[0]) * half[0] + std::abs(n[1]) * half[1]) + std::abs(n[2]) * half[2];
   }
   return extent;
 }
@@ -124,31 +116,6 @@ double SweptNodes::last_contact(const Extent& a, const Extent& b, double enough)
     if (upper <= enough) return upper;
   }
   return upper;
-}
-
-double SweptNodes::first_contact(const bvh::FloatBox& box_a, const bvh::FloatBox& box_b,
-                                 double limit) const {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  const Middle middle_a(box_a), middle_b(box_b);
-  double lower = 0;
-  double upper = kNever;
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Direction& n = directions_[i];
-    const Span a = along(scale_a_[i], middle_a), b = along(scale_b_[i], middle_b);
-    const double middle = (a.middle - b.middle) + n.between;
-    const double half = (a.half + b.half) + n.margin;
-    const double low = middle - half;
-    const double high = middle + half;
-    if (n.across >= 0) {
-      if (high < -n.across || low > n.across) return kNever;
-      continue;
-    }
-    if (high < 0) return kNever;
-    upper = std::min(upper, high * n.up);
-    lower = std::max(lower, low * n.down);
-    if (lower > upper || lower > limit) return kNever;
-  }
-  return lower;
 }
 
 double SweptNodes::size_a(const bvh::FloatBox& box) const {

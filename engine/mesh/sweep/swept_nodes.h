@@ -20,7 +20,6 @@ class SweptNodes {
     std::array<double, kDirections> half;
   };
 
-  /// The largest component of the direction is from 1/2 to 1 in size; or all are 0.
   SweptNodes(const PlacedMeshView& a, const PlacedMeshView& b, const SweepUnits& units,
              const double (&direction)[3]);
 
@@ -30,10 +29,6 @@ class SweptNodes {
   /// No less than the largest translation at which something in box `a` meets something in box `b`;
   /// negative if there is none. Once it is known to be `enough` or less, any value that is.
   double last_contact(const Extent& a, const Extent& b, double enough) const;
-
-  /// No more than the least translation, 0 or more, at which something in box `a` meets something
-  /// in box `b`; infinite if there is none, or once it is known to be above `limit`.
-  double first_contact(const bvh::FloatBox& a, const bvh::FloatBox& b, double limit) const;
 
   /// To choose the larger one of two boxes, whichever trees they are of.
   double size_a(const bvh::FloatBox& box) const;
@@ -60,20 +55,6 @@ class SweptNodes {
     double axis[3][3];
     double unit;
   };
-
-  /// A box by its middle and its halves, in its tree's frame.
-  struct Middle {
-    explicit Middle(const bvh::FloatBox& box);
-
-    double middle[3];
-    double half[3];
-  };
-  /// That along a vector.
-  struct Span {
-    double middle;
-    double half;
-  };
-  static Span along(const Scale& n, const Middle& box);
 
   void add(const double (&n)[3], const double (&d)[3], const Frame& a, const Frame& b);
   Extent extent(const bvh::FloatBox& box, const std::array<Scale, kDirections>& scale) const;
