@@ -37,6 +37,7 @@
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>

@@ -71,9 +71,26 @@ CastDirections::Frame::Frame(const PlacedMeshView& placed, const SweepUnits& uni
   unit = frame.unit() * units.per_metre;
 }
 
+/// Its corners are all that is asked of it.
+CastDirections::Frame::Frame(const Aabb& box, const SweepUnits& units) : axis{}, unit(0) {
+  for (int k = 0; k < 3; ++k) {
+    const double low = box.min.data()[k] * units.per_metre;
+    const double high = box.max.data()[k] * units.per_metre;
+    centre[k] = 0.5 * (low + high);
+  }
+}
+
 CastDirections::CastDirections(const PlacedMeshView& a, const PlacedMeshView& b,
                                const SweepUnits& units, const double (&direction)[3])
-    : per_metre_(units.per_metre), a_(a, units), b_(b, units) {
+    : CastDirections(Frame(a, units), Frame(b, units), units, direction) {}
+
+CastDirections::CastDirections(const PlacedMeshView& a, const Aabb& b, const SweepUnits& units,
+                               const double (&direction)[3])
+    : CastDirections(Frame(a, units), Frame(b, units), units, direction) {}
+
+CastDirections::CastDirections(const Frame& a, const Frame& b, const SweepUnits& units,
+                               const double (&direction)[3])
+    : per_metre_(units.per_metre), a_(a), b_(b) {
   std::copy(direction, direction + 3, direction_);
   // Across the component of d that is largest there is an axis that is not along d.
   int least = 0;
@@ -136,24 +153,24 @@ CastDirections::Span CastDirections::of_box(Side side, const bvh::FloatBox& box)
   return span;
 }
 
-CastDirections::Span CastDirections::of_triangle(Side side, const Triangle& placed) const {
-  const double* corners[3] = {placed.a.data(), placed.b.data(), placed.c.data()};
+CastDirections::Span CastDirections::of_points(
+    Side side, std::span<const Eigen::Vector3d* const> points) const {
   const double* centre = frame(side).centre;
-  TwoLanes place[3][3];
-  for (int i = 0; i < 3; ++i) {
+  TwoLanes low[kPairs], high[kPairs];
+  for (std::size_t at = 0; at < points.size(); ++at) {
+    TwoLanes p[3];
     for (int k = 0; k < 3; ++k)
-      place[i][k] = both(corners[i][k] * per_metre_ - centre[k]);
+      p[k] = both(points[at]->data()[k] * per_metre_ - centre[k]);
+    for (int i = 0; i < kPairs; ++i) {
+      const TwoLanes value = (vectors_.x[i] * p[0] + vectors_.y[i] * p[1]) + vectors_.z[i] * p[2];
+      low[i] = at == 0 ? value : smaller(low[i], value);
+      high[i] = at == 0 ? value : larger(high[i], value);
+    }
   }
   Span span;
   for (int i = 0; i < kPairs; ++i) {
-    const auto along = [&](const TwoLanes(&p)[3]) {
-      return (vectors_.x[i] * p[0] + vectors_.y[i] * p[1]) + vectors_.z[i] * p[2];
-    };
-    const TwoLanes first = along(place[0]), second = along(place[1]), third = along(place[2]);
-    const TwoLanes low = smaller(smaller(first, second), third);
-    const TwoLanes high = larger(larger(first, second), third);
-    span.middle[i] = both(0.5) * (low + high);
-    span.half[i] = both(0.5) * (high - low);
+    span.middle[i] = both(0.5) * (low[i] + high[i]);
+    span.half[i] = both(0.5) * (high[i] - low[i]);
   }
   return span;
 }

@@ -4,6 +4,8 @@
 #include <graze/engine/mesh/sweep/sweep.h>
 #include <graze/narrowphase/lanes/two_lanes.h>
 
+#include <span>
+
 namespace graze::contacts {
 
 /// Bounds from below how far B goes along d until it meets A, by six vectors for all boxes and
@@ -24,9 +26,16 @@ class CastDirections {
   /// Of a direction whose largest component is from 1/2 to 1 in size, or of none.
   CastDirections(const PlacedMeshView& a, const PlacedMeshView& b, const SweepUnits& units,
                  const double (&direction)[3]);
+  /// Of a mesh and a box in space.
+  CastDirections(const PlacedMeshView& a, const Aabb& b, const SweepUnits& units,
+                 const double (&direction)[3]);
 
   Span of_box(Side side, const bvh::FloatBox& box) const;
-  Span of_triangle(Side side, const Triangle& placed) const;
+  Span of_points(Side side, std::span<const Eigen::Vector3d* const> points) const;
+  Span of_triangle(Side side, const Triangle& placed) const {
+    const Eigen::Vector3d* const corners[3] = {&placed.a, &placed.b, &placed.c};
+    return of_points(side, corners);
+  }
   /// Of two things of one mesh together.
   static Span around(const Span& s, const Span& t);
 
@@ -42,6 +51,7 @@ class CastDirections {
   /// A tree's frame, placed, in the units of the sweep.
   struct Frame {
     Frame(const PlacedMeshView& placed, const SweepUnits& units);
+    Frame(const Aabb& box, const SweepUnits& units);
 
     double centre[3];
     double axis[3][3];
@@ -62,6 +72,8 @@ class CastDirections {
   };
 
   const Frame& frame(Side side) const { return side == Side::A ? a_ : b_; }
+  CastDirections(const Frame& a, const Frame& b, const SweepUnits& units,
+                 const double (&direction)[3]);
   void set(int at, const double (&n)[3]);
 
   double per_metre_;

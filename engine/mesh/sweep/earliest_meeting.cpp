@@ -1,5 +1,4 @@
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
-#include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>
@@ -44,12 +43,15 @@ void name_features(const Meeting& meeting, MeshCast& cast) {
 
 bool EarliestMeeting::ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b,
                                      Work& work) {
-  const bool is_found_at_start = found_ && !found_->first;
-  if (is_found_at_start && found_->pair < pair) return false;
   const narrowphase::Decision decision = narrowphase::decide(a, b);
   work.exact_tests += decision.stage == narrowphase::Stage::Exact;
   if (!decision.is_hit) return ask_later(pair, a, b);
   if (start_ == StartContact::IsLeft && !crosses_from_start(translated(a, b))) return false;
+  return take_at_start(pair, a, b);
+}
+
+bool EarliestMeeting::take_at_start(TrianglePair pair, const Triangle& a, const Triangle& b) {
+  if (found_ && !found_->first && found_->pair < pair) return false;
   take({pair, a, b, std::nullopt}, 0);
   return true;
 }
@@ -96,9 +98,8 @@ void EarliestMeeting::take(const Found& found, double limit) {
 std::optional<MeshCast> EarliestMeeting::result() const {
   if (!found_) return std::nullopt;
   const TranslatedPair pair = translated(found_->a, found_->b);
-  MeshCast cast{0, true, found_->pair, MeetingFeatures::Crossing, 0, 0, {}, {}};
+  MeshCast cast{0, true, found_->pair, MeetingFeatures::Crossing, 0, 0, {0, 0, 0}, {}};
   if (!found_->first) {
-    cast.point = intersection(found_->a, found_->b).corner[0];
     cast.normal = normal_at_start(pair);
     return cast;
   }

@@ -15,6 +15,8 @@ class EarliestMeeting {
 
   /// Of triangles that may meet at t = 0. True if they are the earliest so far.
   bool ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b, Work& work);
+  /// Of triangles of which it is known that they count as meeting at t = 0, likewise.
+  bool take_at_start(TrianglePair pair, const Triangle& a, const Triangle& b);
   /// Of triangles that are apart at t = 0, likewise.
   bool ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
 
@@ -24,6 +26,7 @@ class EarliestMeeting {
   /// Roughly across what meets first so far; zero if that is at t = 0.
   void rough_normal(double (&normal)[3]) const;
 
+  /// At t = 0 the point is left to others.
   std::optional<MeshCast> result() const;
 
  private:

@@ -6,9 +6,11 @@
 #include <graze/engine/mesh/sweep/cast_directions.h>
 #include <graze/engine/mesh/sweep/cast_nodes.h>
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
+#include <graze/engine/mesh/sweep/swept_way.h>
 
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/translation/displacement.h>
+#include <graze/narrowphase/triangle_intersection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,31 +18,6 @@
 
 namespace graze {
 namespace {
-
-/// A displacement as a sweep takes it: its direction d, with a largest component from 1/2 to 1 in
-/// size, scaled by a power of two, so that the translation at a time is s d for s = t 2^exponent in
-/// units of the sweep. A component that underflows is off by less than 2^-1074, while s is below 7:
-/// the margins cover that.
-struct SweptWay {
-  double direction[3] = {0, 0, 0};
-  int exponent = 0;
-
-  SweptWay(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units) {
-    const double* d = displacement.data();
-    const double largest = std::max(std::abs(d[0]), std::max(std::abs(d[1]), std::abs(d[2])));
-    if (largest == 0) return;
-    const int own = std::ilogb(largest) + 1;
-    for (int k = 0; k < 3; ++k)
-      direction[k] = std::ldexp(d[k], -own);
-    exponent = own - std::ilogb(units.metres);
-  }
-
-  /// No less than s at a time that is no later.
-  double at(double time) const {
-    if (time == 0) return 0;
-    return std::nextafter(std::ldexp(time, exponent), std::numeric_limits<double>::infinity());
-  }
-};
 
 /// Depth first, the pair of nodes that can meet sooner before the other. What is found bounds what
 /// is still looked at; of pairs that may meet as soon all are, as times decide exactly and then
@@ -167,7 +144,14 @@ std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView&
     const SweptWay way(displacement, units);
     EarliestMeeting earliest(displacement.data(), settings.start);
     CastWalk(mesh_a, mesh_b, units, way, earliest, counted.work()).run();
-    return earliest.result();
+    std::optional<MeshCast> met = earliest.result();
+    if (met && met->is_at_start) {
+      const auto placed = [](const PlacedMeshView& mesh, std::uint32_t index) {
+        return narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
+      };
+      met->point = intersection(placed(mesh_a, met->pair.a), placed(mesh_b, met->pair.b)).corner[0];
+    }
+    return met;
   });
 }
 

@@ -18,6 +18,15 @@ double quarter_of_largest(const PlacedMeshView& placed) {
   return largest;
 }
 
+double quarter_of_largest(const Aabb& box) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    largest = std::max(largest, std::abs(0.25 * box.min.data()[k]));
+    largest = std::max(largest, std::abs(0.25 * box.max.data()[k]));
+  }
+  return largest;
+}
+
 // Of n.d, the components of d being at most 1 in size and exact, 4 u of the size of n cover three
 // roundings.
 constexpr double kAlongBound = 4 * kUnitRoundoff;
@@ -34,11 +43,16 @@ constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
 }  // namespace
 
-SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b) {
-  const double quarter = quarter_of_largest(a) + quarter_of_largest(b);
+SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b)
+    : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(const PlacedMeshView& a, const Aabb& b)
+    : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(double quarter) {
   int exponent = kSmallestExponent;
   if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);
-  if (exponent > 1023) throw PoseError("sweep of mesh B: its coordinates could overflow");
+  if (exponent > 1023) throw PoseError("sweep of B: its coordinates could overflow");
   metres = std::ldexp(1.0, exponent);
   per_metre = 1 / metres;
 }

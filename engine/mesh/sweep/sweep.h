@@ -17,9 +17,13 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 /// What a sweep is measured in: coordinates times `per_metre`, a power of two, are below 1 in size.
 struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
+  SweepUnits(const PlacedMeshView& a, const Aabb& b);
 
   double per_metre;
   double metres;  ///< of one unit
+
+ private:
+  explicit SweepUnits(double quarter);
 };
 
 /// Products with smaller vectors could underflow; they say nothing.

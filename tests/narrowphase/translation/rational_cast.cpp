@@ -56,24 +56,31 @@ bool is_zero(const IntegerVector& v) {
 /// What all normals leave of the times.
 class Times {
  public:
-  Times(const Triangle& a, const Triangle& b, const Eigen::Vector3d& d) {
+  /// Of the hulls of some corners, with edges from some of them to others.
+  using Corners = std::vector<Eigen::Vector3d>;
+  using Edges = std::vector<std::array<std::size_t, 2>>;
+  Times(const Corners& a, const Edges& edges_a, const Corners& b, const Edges& edges_b,
+        const Eigen::Vector3d& d) {
     Units units;
-    for (const Eigen::Vector3d* p : {&a.a, &a.b, &a.c, &b.a, &b.b, &b.c, &d})
-      units.include(*p);
-    direction_ = units.of(d);
-    std::vector<IntegerVector> edges;
-    const IntegerVector of_a[3] = {units.of(a.a), units.of(a.b), units.of(a.c)};
-    const IntegerVector of_b[3] = {units.of(b.a), units.of(b.b), units.of(b.c)};
-    for (int i = 0; i < 3; ++i) {
-      edges.push_back(minus(of_a[(i + 1) % 3], of_a[i]));
-      edges.push_back(minus(of_b[(i + 1) % 3], of_b[i]));
-      for (int k = 0; k < 3; ++k)
-        differences_.push_back(minus(of_a[i], of_b[k]));
+    for (const Corners* corners : {&a, &b}) {
+      for (const Eigen::Vector3d& p : *corners)
+        units.include(p);
     }
+    units.include(d);
+    direction_ = units.of(d);
+    for (const Eigen::Vector3d& p : a) {
+      for (const Eigen::Vector3d& q : b)
+        differences_.push_back(minus(units.of(p), units.of(q)));
+    }
+    std::vector<IntegerVector> edges;
+    for (const auto& [from, to] : edges_a)
+      edges.push_back(minus(units.of(a[to]), units.of(a[from])));
+    for (const auto& [from, to] : edges_b)
+      edges.push_back(minus(units.of(b[to]), units.of(b[from])));
     const std::size_t count = edges.size();
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       IntegerVector axis{0, 0, 0};
-      axis[static_cast<std::size_t>(k)] = 1;
+      axis[k] = 1;
       ask(axis);
       edges.push_back(axis);
     }
@@ -135,9 +142,11 @@ double floor_of(const mpq_class& time) {
   return value;
 }
 
-RationalCast rational_cast(const Triangle& a, const Triangle& b, const Eigen::Vector3d& d,
-                           StartContact start) {
-  const Times times(a, b, d);
+namespace {
+
+const Times::Edges kEdges{{0, 1}, {1, 2}, {2, 0}};
+
+RationalCast answer(const Times& times, StartContact start) {
   if (times.are_none()) return {};
   if (times.have_zero()) {
     if (start == StartContact::IsLeft && !times.cross_from_start()) return {};
@@ -145,6 +154,22 @@ RationalCast rational_cast(const Triangle& a, const Triangle& b, const Eigen::Ve
   }
   if (times.low() <= 0 || times.low() > 1) return {};
   return {FirstContact{floor_of(times.low()), false}, times.low()};
+}
+
+}  // namespace
+
+RationalCast rational_cast(const Triangle& a, const Triangle& b, const Eigen::Vector3d& d,
+                           StartContact start) {
+  return answer(Times({a.a, a.b, a.c}, kEdges, {b.a, b.b, b.c}, kEdges, d), start);
+}
+
+RationalCast rational_cast(const Triangle& a, const Aabb& box, const Eigen::Vector3d& d) {
+  Times::Corners corners;
+  for (int i = 0; i < 8; ++i)
+    corners.emplace_back((i & 1 ? box.max : box.min).x(), (i & 2 ? box.max : box.min).y(),
+                         (i & 4 ? box.max : box.min).z());
+  return answer(Times({a.a, a.b, a.c}, kEdges, corners, {{0, 1}, {0, 2}, {0, 4}}, d),
+                StartContact::Counts);
 }
 
 std::string text_of(const Eigen::Vector3d& point) {

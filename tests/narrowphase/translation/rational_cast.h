@@ -5,6 +5,7 @@
 // lowest <= n . x <= highest, over the differences of corners, for all n across two of their edges
 // or one of these and an axis, and for the axes.
 
+#include <graze/bvh/aabb.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/triangle.h>
 
@@ -22,6 +23,9 @@ struct RationalCast {
 
 RationalCast rational_cast(const Triangle& a, const Triangle& b, const Eigen::Vector3d& d,
                            StartContact start);
+
+/// Of a solid box; a contact at the start counts.
+RationalCast rational_cast(const Triangle& a, const Aabb& box, const Eigen::Vector3d& d);
 
 /// The largest double that is not above a number in [0, 1].
 double floor_of(const mpq_class& time);
