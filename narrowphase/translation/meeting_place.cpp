@@ -12,7 +12,7 @@ namespace {
 /// A pair in integers. Coordinates times a determinant are of degree four (BigInteger).
 class ExactPair {
  public:
-  explicit ExactPair(const TranslatedPair& pair) : pair_(pair), unit_({}) {
+  explicit ExactPair(const TranslatedPair& pair) : unit_({}) {
     for (int i = 0; i < 3; ++i) {
       unit_.include(pair.a.point[i], 3);
       unit_.include(pair.b.point[i], 3);
@@ -48,7 +48,6 @@ class ExactPair {
   }
 
  private:
-  const TranslatedPair& pair_;
   CommonUnit unit_;
   BigVector d_;
 };

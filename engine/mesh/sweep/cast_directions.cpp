@@ -131,9 +131,10 @@ void CastDirections::set(int at, const double (&n)[3]) {
   limits_.between[pair][lane] = sense * dot(n, between);
   limits_.margin[pair][lane] = says ? kMargin * size : 0;
   const SweepScale scale(sense * along, size);
-  const bool is_across = !says || scale.across >= 0;
-  limits_.least_high[pair][lane] = says ? (is_across ? -scale.across : 0) : -kInfinity;
-  limits_.most_low[pair][lane] = says && is_across ? scale.across : kInfinity;
+  const double across = 2 * scale.across;  // |d| is at least 1/2
+  const bool is_across = !says || across >= 0;
+  limits_.least_high[pair][lane] = says ? (is_across ? -across : 0) : -kInfinity;
+  limits_.most_low[pair][lane] = says && is_across ? across : kInfinity;
   limits_.down[pair][lane] = is_across ? 0 : scale.down;
 }
 

@@ -32,9 +32,8 @@ double quarter_of_largest(const Aabb& box) {
 constexpr double kAlongBound = 4 * kUnitRoundoff;
 
 // What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s |d| = |p - q| is
-// below 2 sqrt(3), and |d| is at least 1/2: s is below 4 sqrt(3) < 7, so that s (n.d) is below 84
-// u.
-constexpr double kAcrossBound = 96 * kUnitRoundoff;
+// below 2 sqrt(3) < 4, so that s (n.d) is below 48 u for |d| = 1.
+constexpr double kAcrossBound = 48 * kUnitRoundoff;
 
 // The product with an inverse of positive numbers: the difference, the inverse and the product
 // round.

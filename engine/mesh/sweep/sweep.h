@@ -4,7 +4,7 @@
 // how small a one on? Weak duality answers, rigorously: if p of A meets q of B moved by s d, then
 // p - q = s d, and for every vector n at all s (n.d) = n.(p - q), which is at most the largest
 // n.(p - q) there is. So each n bounds s, whatever its own rounding, and a few well chosen ones
-// bound it tightly. The size of d is from 1/2 to 2.
+// bound it tightly.
 
 #include <graze/engine/mesh/placed_mesh.h>
 
@@ -32,11 +32,12 @@ inline bool says_something(double size_of_n) {
 }
 
 /// What bounds of n.(p - q) are multiplied by to bound the translation, for n.d = `along` >= 0 and
-/// `size`, the sum of the absolute components of n.
+/// `size`, the sum of the absolute components of n; no component of d is above 1 in size.
 struct SweepScale {
   SweepScale(double along, double size);
 
-  double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this
+  double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this,
+                  ///< for |d| = 1
   double up;      ///< else: for an upper bound that is not negative
   double down;    ///< and for a lower one that is positive
 };
