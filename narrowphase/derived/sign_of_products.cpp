@@ -97,12 +97,16 @@ std::optional<Sign> triple_filter(Step p, Step q, Step r) {
   return sure_sign(dot(cross(vp, vq), vr), kTripleBound * (size * vr.size()));
 }
 
-RoundedTriple rounded_triple(Step p, Step q, Step r) {
-  const Vector vp(p), vq(q), vr(r);
+std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, Step s) {
+  const Vector vp(p), vq(q);
+  const Vector across = cross(vp, vq);
   const double size = vp.size() * vq.size();
-  if (!is_in_range(size) || !is_in_range(vr.size()))
-    return {0, std::numeric_limits<double>::infinity()};
-  return {dot(cross(vp, vq), vr), kTripleBound * (size * vr.size())};
+  const auto with = [&](const Vector& v) -> RoundedTriple {
+    if (!is_in_range(size) || !is_in_range(v.size()))
+      return {0, std::numeric_limits<double>::infinity()};
+    return {dot(across, v), kTripleBound * (size * v.size())};
+  };
+  return {with(Vector(r)), with(Vector(s))};
 }
 
 double triple_bound(double largest_of_p, Step q, double largest_of_r) {

@@ -101,8 +101,7 @@ TimeQuotient::TimeQuotient(const TranslatedPair& pair, const Meeting& meeting)
 
 // Each operation is followed by one step to the next double, which is more than it rounds off.
 TimeBounds bounds_of(const TimeQuotient& time) {
-  const RoundedTriple numerator = rounded_triple(time.p, time.q, time.w);
-  const RoundedTriple divisor = rounded_triple(time.p, time.q, time.d);
+  const auto [numerator, divisor] = rounded_triples(time.p, time.q, time.w, time.d);
   const double size = std::abs(divisor.value);
   if (!(size - divisor.bound > 0) || numerator.bound == kInfinity) return {0, kInfinity};
   const double least = previous_double(size - divisor.bound);

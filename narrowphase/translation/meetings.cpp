@@ -38,10 +38,10 @@ struct CornerSides {
 
 /// All eighteen of them. With w from a corner of one to the corners p and q of the other, the side
 /// is the sign of (w_p x w_q) . d = (w_q x d) . w_p: nine differences and their products with d
-/// serve all.
+/// serve all. What is surely beyond an edge is told before any sign is asked exactly.
 class SidesOfAll {
  public:
-  explicit SidesOfAll(const TranslatedPair& pair) : d_{kZeroPoint, pair.displacement} {
+  explicit SidesOfAll(const TranslatedPair& pair) : pair_(pair), d_{kZeroPoint, pair.displacement} {
     double size = 0;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
@@ -51,18 +51,23 @@ class SidesOfAll {
       }
     }
     bound_ = triple_bound(size, d_, size);
-    for (int corner = 0; corner < 3; ++corner) {
-      for (int edge = 0; edge < 3; ++edge) {
-        const int next = (edge + 1) % 3;
-        // From A's corners to B's both offsets are the other way round, which changes no sign.
-        of_b.sign[corner][edge] =
-            sign_of(dot(across_[next][corner], offset_[edge][corner]), pair.b.point[corner],
-                    pair.a.point[edge], pair.a.point[next]);
-        of_a.sign[corner][edge] =
-            sign_of(dot(across_[corner][next], offset_[corner][edge]), pair.a.point[corner],
-                    pair.b.point[edge], pair.b.point[next]);
-      }
-    }
+  }
+
+  /// False if one triangle is surely beyond an edge of the other: then nothing is told.
+  bool tell() {
+    // From A's corners to B's both offsets are the other way round, which changes no sign.
+    const auto of_b_value = [&](int corner, int edge) {
+      return dot(across_[(edge + 1) % 3][corner], offset_[edge][corner]);
+    };
+    const auto of_a_value = [&](int corner, int edge) {
+      return dot(across_[corner][(edge + 1) % 3], offset_[corner][edge]);
+    };
+    double values_b[3][3], values_a[3][3];
+    if (are_beyond_an_edge(of_b_value, values_b) || are_beyond_an_edge(of_a_value, values_a))
+      return false;
+    tell_signs(pair_.b, pair_.a, values_b, of_b);
+    tell_signs(pair_.a, pair_.b, values_a, of_a);
+    return true;
   }
 
   CornerSides of_a;  ///< of A's corners
@@ -86,12 +91,42 @@ class SidesOfAll {
   }
   static double dot(const Offset& a, const Offset& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  Sign sign_of(double value, const double* corner, const double* p, const double* q) const {
-    if (value > bound_) return Sign::Positive;
-    if (value < -bound_) return Sign::Negative;
-    return sign_of_triple({corner, p}, {corner, q}, d_);
+  /// Computes the values of all corners. Those of one corner add up to the determinant of two edges
+  /// and d, whose sign all have within the triangle; their sum is off by three bounds and its own
+  /// rounding, which is less than another.
+  template <typename ValueOf>
+  bool are_beyond_an_edge(const ValueOf& value_of, double (&values)[3][3]) const {
+    for (int corner = 0; corner < 3; ++corner) {
+      for (int edge = 0; edge < 3; ++edge)
+        values[corner][edge] = value_of(corner, edge);
+    }
+    const double turn = (values[0][0] + values[0][1]) + values[0][2];
+    if (!(std::abs(turn) > 4 * bound_)) return false;
+    const double sense = turn > 0 ? 1 : -1;
+    for (int edge = 0; edge < 3; ++edge) {
+      if (sense * values[0][edge] < -bound_ && sense * values[1][edge] < -bound_ &&
+          sense * values[2][edge] < -bound_)
+        return true;
+    }
+    return false;
   }
 
+  void tell_signs(const Corners<double>& corners, const Corners<double>& triangle,
+                  const double (&values)[3][3], CornerSides& sides) const {
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const double value = values[i][k];
+        if (std::abs(value) > bound_) {
+          sides.sign[i][k] = value > 0 ? Sign::Positive : Sign::Negative;
+        } else {
+          sides.sign[i][k] = sign_of_triple({corners.point[i], triangle.point[k]},
+                                            {corners.point[i], triangle.point[(k + 1) % 3]}, d_);
+        }
+      }
+    }
+  }
+
+  const TranslatedPair& pair_;
   Step d_;
   Offset offset_[3][3];  ///< from a corner of B to one of A: [of A][of B]
   Offset across_[3][3];  ///< that x d
@@ -107,8 +142,9 @@ class Meetings {
         sides_a_(sides_.of_a),
         sides_b_(sides_.of_b) {}
 
-  /// False if they are at negative times.
+  /// False if there are none, or all are at negative times.
   bool find() {
+    if (!sides_.tell()) return false;
     for (int i = 0; i < 3; ++i) {
       if (!sides_a_.is_beside(i)) take_corner_of_a(i);
     }

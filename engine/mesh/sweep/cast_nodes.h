@@ -40,8 +40,8 @@ class CastNodes {
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
-  static constexpr std::uint32_t kNodes = 256;
-  static constexpr std::uint32_t kLeaves = 64;
+  static constexpr std::uint32_t kNodes = 512;
+  static constexpr std::uint32_t kLeaves = 128;
 
   Side side_;
   const PlacedMeshView& placed_;
