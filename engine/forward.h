@@ -47,6 +47,7 @@ struct TriangleSettings;
 struct VolumeQuerySettings;
 struct VoxelSettings;
 
+struct MeshCast;
 struct MeshContact;
 struct MeshContacts;
 struct FirstContact;
@@ -59,6 +60,7 @@ struct TriangleDistance;
 struct TriangleList;
 struct TrianglePair;
 struct TrianglePairs;
+struct VolumeCast;
 struct Voxel;
 struct VoxelGrid;
 struct Voxels;
