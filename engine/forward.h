@@ -49,6 +49,7 @@ struct TriangleSettings;
 struct VolumeQuerySettings;
 struct VoxelSettings;
 
+struct MeshCast;
 struct MeshContact;
 struct MeshContacts;
 struct FirstContact;
@@ -63,6 +64,7 @@ struct TriangleDistance;
 struct TriangleList;
 struct TrianglePair;
 struct TrianglePairs;
+struct VolumeCast;
 struct Voxel;
 struct VoxelGrid;
 struct Voxels;

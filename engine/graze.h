@@ -23,6 +23,7 @@
 #include <graze/engine/mesh/interior.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_path.h>
@@ -39,6 +40,7 @@
 #include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/mesh/voxels.h>
@@ -58,6 +60,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
+#include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/touch.h>

@@ -10,12 +10,14 @@
 #include <graze/bvh/ray.h>
 #include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/distance.h>
+#include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/voxel_grid.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/ids.h>
@@ -59,6 +61,8 @@ std::ostream& operator<<(std::ostream& out, const TriangleRayHit& hit);
 std::ostream& operator<<(std::ostream& out, const FirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const RigidContact& contact);
+std::ostream& operator<<(std::ostream& out, const MeshCast& cast);
+std::ostream& operator<<(std::ostream& out, const VolumeCast& cast);
 std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);

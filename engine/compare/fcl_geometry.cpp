@@ -9,6 +9,7 @@
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/sphere.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <vector>
 
@@ -49,7 +50,7 @@ FclGeometry converted(const HalfSpace& s) {
 }
 
 FclGeometry converted(const ConvexHull& s) {
-  const narrowphase::Hull& hull = s.data();
+  const narrowphase::Hull& hull = data_of(s);
   auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
   for (const auto& c : hull.corners)
     vertices->emplace_back(c.x, c.y, c.z);

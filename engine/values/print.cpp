@@ -159,6 +159,15 @@ std::ostream& operator<<(std::ostream& out, const RigidContact& contact) {
   return out << Text("free up to ", contact.low)
              << (contact.is_out_of_budget ? ", out of budget" : ", then close");
 }
+std::ostream& operator<<(std::ostream& out, const MeshCast& cast) {
+  return out << FirstContact{cast.time, cast.is_at_start} << Text(", triangles ") << cast.pair
+             << Text(", point ", cast.point, ", normal ", cast.normal);
+}
+std::ostream& operator<<(std::ostream& out, const VolumeCast& cast) {
+  return out << FirstContact{cast.time, cast.is_at_start}
+             << Text(", triangle ", cast.triangle, ", point ", cast.point, ", normal ",
+                     cast.normal);
+}
 std::ostream& operator<<(std::ostream& out, const MeshDistance& gap) {
   return out << Text("distance ", gap.distance, " from ", gap.point_a, " to ", gap.point_b,
                      ", triangles ")

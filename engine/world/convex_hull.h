@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -31,10 +32,15 @@ class ConvexHull {
   /// the middle of its box, of one plane lie in one face.
   std::size_t face_count() const;
 
-  /// What the narrow phase reads.
-  const narrowphase::Hull& data() const { return *hull_; }
+  /// Its facets, exactly: triangles of corners are one only where they lie in one plane to the last
+  /// bit.
+  std::size_t facet_count() const;
+  /// The vertices of a facet, counter-clockwise from outside. Valid as long as the hull or a copy
+  /// is. Throws std::out_of_range for an index that is not below facet_count().
+  std::span<const std::uint32_t> facet(std::size_t index) const;
 
  private:
+  friend struct ConvexHullAccess;
   std::shared_ptr<const narrowphase::Hull> hull_;
 };
 

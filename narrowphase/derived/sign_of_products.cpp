@@ -6,6 +6,7 @@
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze::narrowphase {
 namespace {
@@ -94,6 +95,25 @@ std::optional<Sign> triple_filter(Step p, Step q, Step r) {
   }
   if (!is_in_range(size) || !is_in_range(vr.size())) return std::nullopt;
   return sure_sign(dot(cross(vp, vq), vr), kTripleBound * (size * vr.size()));
+}
+
+std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, Step s) {
+  const Vector vp(p), vq(q);
+  const Vector across = cross(vp, vq);
+  const double size = vp.size() * vq.size();
+  const auto with = [&](const Vector& v) -> RoundedTriple {
+    if (!is_in_range(size) || !is_in_range(v.size()))
+      return {0, std::numeric_limits<double>::infinity()};
+    return {dot(across, v), kTripleBound * (size * v.size())};
+  };
+  return {with(Vector(r)), with(Vector(s))};
+}
+
+double triple_bound(double largest_of_p, Step q, double largest_of_r) {
+  const double size = largest_of_p * Vector(q).size();
+  if (!is_in_range(size) || !is_in_range(largest_of_r))
+    return std::numeric_limits<double>::infinity();
+  return kTripleBound * (size * largest_of_r);
 }
 
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s) {

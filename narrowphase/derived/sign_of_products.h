@@ -5,6 +5,7 @@
 
 #include <graze/narrowphase/predicates/predicates.h>
 #include <optional>
+#include <utility>
 
 namespace graze::narrowphase {
 
@@ -25,6 +26,18 @@ Sign sign_of_dot(Step p, Step q);
 /// The sign of (p x q) . r.
 std::optional<Sign> triple_filter(Step p, Step q, Step r);
 Sign sign_of_triple(Step p, Step q, Step r);
+
+/// A product, rounded, off by at most `bound`, which is infinite where nothing is known.
+struct RoundedTriple {
+  double value;
+  double bound;
+};
+/// (p x q) . r and (p x q) . s.
+std::pair<RoundedTriple, RoundedTriple> rounded_triples(Step p, Step q, Step r, Step s);
+
+/// What such a product is off by at most if no component of p and r is larger than that; infinite
+/// where nothing is known.
+double triple_bound(double largest_of_p, Step q, double largest_of_r);
 
 /// The sign of (p x q) . (r x s).
 std::optional<Sign> crosses_filter(Step p, Step q, Step r, Step s);

@@ -10,7 +10,7 @@ Polynomial derivative(const Polynomial& f) {
     result.coefficient[i - 1] = f.coefficient[i] * power;
     power = power + one;
   }
-  result.settle(f.degree);
+  result.take(f.degree);
   return result;
 }
 
@@ -19,7 +19,7 @@ Polynomial product(const LinearPath& a, const LinearPath& b) {
   result.coefficient[0] = a.start * b.start;
   result.coefficient[1] = a.start * b.change + a.change * b.start;
   result.coefficient[2] = a.change * b.change;
-  result.settle(3);
+  result.take(3);
   return result;
 }
 
@@ -30,7 +30,7 @@ Polynomial difference_of_products(const LinearPath& a, const LinearPath& b, cons
   result.coefficient[1] =
       (a.start * b.change + a.change * b.start) - (c.start * d.change + c.change * d.start);
   result.coefficient[2] = a.change * b.change - c.change * d.change;
-  result.settle(3);
+  result.take(3);
   return result;
 }
 
@@ -51,7 +51,7 @@ Polynomial triple(const ExactPaths& paths, Offset a, Offset b, Offset c) {
       result.coefficient[i + 1] = result.coefficient[i + 1] + n * along.change;
     }
   }
-  result.settle(4);
+  result.take(4);
   return result;
 }
 

@@ -14,8 +14,8 @@ struct IntegerPolynomial {
   Integer coefficient[4];  ///< that of t^i at place i; those above the degree are zero
   int degree = -1;
 
-  /// Takes `count` coefficients, of which the highest may be zero.
-  void settle(int count) {
+  /// Makes `count` coefficients, of which the highest may be zero, those of the polynomial.
+  void take(int count) {
     degree = count - 1;
     while (degree >= 0 && coefficient[degree].is_zero())
       --degree;

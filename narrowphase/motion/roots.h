@@ -192,7 +192,7 @@ IntegerPolynomial<Integer> line(const Integer& slope, const Integer& offset) {
   IntegerPolynomial<Integer> f;
   f.coefficient[0] = offset;
   f.coefficient[1] = slope;
-  f.settle(2);
+  f.take(2);
   return f;
 }
 

@@ -26,11 +26,12 @@ class AabbList {
   /// A view for tests against spheres; the list must outlive it unchanged.
   AabbArray view() const;
 
-  /// Minimum x, y, z, maximum x, y, z.
-  const narrowphase::VolumeRows<6>& rows() const { return rows_; }
-
  private:
-  narrowphase::VolumeRows<6> rows_;
+  friend void intersects(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> hits);
+  friend void intersects(const AabbList& boxes_a, const AabbList& boxes_b,
+                         std::span<std::uint8_t> hits);
+
+  narrowphase::VolumeRows<6> rows_;  ///< minimum x, y, z, maximum x, y, z
 };
 
 // Many tests at once, a SIMD width at a time on whatever SIMD the CPU has: hits[i] becomes 1 or 0,

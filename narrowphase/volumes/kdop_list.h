@@ -22,11 +22,12 @@ class KDopList {
 
   void clear() { rows_.clear(); }
 
-  /// Nine minima, nine maxima.
-  const narrowphase::VolumeRows<18>& rows() const { return rows_; }
-
  private:
-  narrowphase::VolumeRows<18> rows_;
+  friend void intersects(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint8_t> hits);
+  friend void intersects(const KDopList& kdops_a, const KDopList& kdops_b,
+                         std::span<std::uint8_t> hits);
+
+  narrowphase::VolumeRows<18> rows_;  ///< nine minima, nine maxima
 };
 
 // Many tests at once, as in aabb_list.h; the answers are those of intersects() for two k-DOPs.

@@ -23,11 +23,12 @@ class ObbList {
 
   void clear() { rows_.clear(); }
 
-  /// In the order of narrowphase::ObbRow.
-  const narrowphase::VolumeRows<narrowphase::kObbRows>& rows() const { return rows_; }
-
  private:
-  narrowphase::VolumeRows<narrowphase::kObbRows> rows_;
+  friend void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hits);
+  friend void intersects(const ObbList& boxes_a, const ObbList& boxes_b,
+                         std::span<std::uint8_t> hits);
+
+  narrowphase::VolumeRows<narrowphase::kObbRows> rows_;  ///< in the order of narrowphase::ObbRow
 };
 
 // Many tests at once, as in aabb_list.h; the answers are bit for bit those of intersects() for two

@@ -13,6 +13,8 @@ int main() {
   points.push_back(Eigen::Vector3d(0.5, 0.5, 0.5));  // inside: no corner of the hull
   const graze::ConvexHull hull(points);
   expect(hull.vertex_count() == 8 && hull.face_count() == 6, "the hull of a cube is a cube");
+  expect(hull.facet_count() == 6 && hull.facet(0).size() == 4,
+         "its facets are squares of vertices");
   for (std::size_t i = 0; i < hull.vertex_count(); ++i)
     expect(hull.vertex(i).cwiseAbs().maxCoeff() <= 1 + 1e-12, "its corners are points of ours");
   expect(graze::intersects({hull}, {hull, at(1, 0, 0)}), "hulls are shapes");

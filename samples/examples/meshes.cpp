@@ -4,6 +4,7 @@
 
 #include "samples/examples/example.h"
 
+using examples::at;
 using examples::expect;
 
 int main() {
@@ -63,4 +64,16 @@ int main() {
   expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
          "it holds both meshes, and a tree");
   expect(!graze::first_self_contact(growing), "and no part of it meets another");
+
+  // A mesh that goes straight as it is: along two metres down, from one metre above.
+  const std::optional<graze::MeshCast> landed =
+      graze::cast({cube}, {cube, at(0, 0, 2)}, Eigen::Vector3d(0, 0, -2));
+  expect(landed && landed->time == 0.5 && landed->normal.z() == 1, "it lands on the other's top");
+  const Eigen::Vector3d up(0, 0, 1);
+  expect(graze::cast({cube}, {cube, at(0, 0, 1)}, up)->is_at_start, "what rests there touches");
+  expect(!graze::cast({cube}, {cube, at(0, 0, 1)}, up, {.start = graze::StartContact::IsLeft}),
+         "which a policy leaves out, so that it may leave");
+  const std::optional<graze::VolumeCast> dropped =
+      graze::cast({cube}, graze::Aabb{{-0.1, -0.1, 1.5}, {0.1, 0.1, 2}}, Eigen::Vector3d(0, 0, -4));
+  expect(dropped && dropped->time == 0.125 && dropped->point.z() == 1, "a box that goes down");
 }

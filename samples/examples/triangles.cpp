@@ -57,6 +57,10 @@ int main() {
   const graze::TrianglePath panel{bar.a, bar.b, falling};
   expect(graze::first_contact(panel, floor)->time == 0.25, "two triangles: the vertex comes first");
 
+  // And when one goes straight as it is.
+  const std::optional<graze::FirstContact> landed = graze::cast(flat, above, {0, 0, -8});
+  expect(landed && landed->time == 0.25, "a quarter of eight metres");
+
   const std::optional<graze::TriangleRayHit> hit =
       graze::cast_ray(flat, graze::Ray{{0.25, 0.25, 3}, {0, 0, -1}});
   expect(hit && hit->distance == 3 && hit->normal.z() == 1, "a ray from above");

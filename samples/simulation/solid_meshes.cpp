@@ -1,7 +1,6 @@
 #include "samples/simulation/solid_meshes.h"
 
 #include <graze/bvh/error.h>
-#include <graze/narrowphase/convex/core/hull.h>
 
 #include <cmath>
 #include <map>
@@ -113,12 +112,11 @@ Profile ball(double radius, double apart, int rings) {
 }
 
 Mesh hull_surface(const ConvexHull& hull) {
-  const narrowphase::Hull& data = hull.data();
   Growing solid;
   for (std::size_t i = 0; i < hull.vertex_count(); ++i)
     solid.add(hull.vertex(i));
-  for (const narrowphase::Hull::Face& face : data.faces)
-    solid.add_polygon({data.loops.data() + face.first, face.count});
+  for (std::size_t i = 0; i < hull.facet_count(); ++i)
+    solid.add_polygon(hull.facet(i));
   return solid.mesh();
 }
 

@@ -2,6 +2,7 @@
 // are its defaults, but for the one that asks for time and changes no answer (slack_of).
 
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
 #include <coal/BVH/BVH_model.h>
@@ -219,7 +220,7 @@ struct MakeGeometry {
   }
   Geometry operator()(const Mesh& s) const { return coal_mesh(s); }
   Geometry operator()(const ConvexHull& s) const {
-    const narrowphase::Hull& hull = s.data();
+    const narrowphase::Hull& hull = data_of(s);
     auto points = std::make_shared<Points>();
     for (const auto& c : hull.corners)
       points->emplace_back(c.x, c.y, c.z);
@@ -243,7 +244,7 @@ Eigen::Vector3d centre_of(const Shape& shape) {
   if (const auto* egg = shape.as<Ellipsoid>()) return egg->centre;
   const auto* hull = shape.as<ConvexHull>();
   if (hull == nullptr) return {0, 0, 0};
-  const narrowphase::Vec3& middle = hull->data().middle;
+  const narrowphase::Vec3& middle = data_of(*hull).middle;
   return {middle.x, middle.y, middle.z};
 }
 

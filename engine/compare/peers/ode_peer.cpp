@@ -3,6 +3,7 @@
 // ask.
 
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
 #include <ode/ode.h>
@@ -161,7 +162,7 @@ class OdeShape {
       mesh_ = std::make_unique<OdeMesh>(*mesh);
       mesh_->measure_angles();
     } else if (const auto* hull = shape.as<ConvexHull>()) {
-      hull_ = std::make_unique<OdeHull>(hull->data());
+      hull_ = std::make_unique<OdeHull>(data_of(*hull));
       centre_ = hull_->middle;
       geom_ =
           dCreateConvex(nullptr, hull_->planes.data(),

@@ -24,7 +24,7 @@ class VertexNumbers {
 
   /// Whether the vertex had no number before, and has this one now.
   bool add(std::uint32_t vertex, std::uint32_t number) {
-    Place& place = places_[place_of(vertex)];
+    Entry& place = places_[place_of(vertex)];
     if (place.number != kNone) return false;
     place = {vertex, number};
     if (2 * ++count_ > places_.size()) grow();
@@ -32,7 +32,7 @@ class VertexNumbers {
   }
 
  private:
-  struct Place {
+  struct Entry {
     std::uint32_t vertex = 0;
     std::uint32_t number = kNone;
   };
@@ -48,14 +48,14 @@ class VertexNumbers {
   }
 
   void grow() {
-    std::vector<Place> old(2 * places_.size());
+    std::vector<Entry> old(2 * places_.size());
     old.swap(places_);
-    for (const Place& place : old) {
+    for (const Entry& place : old) {
       if (place.number != kNone) places_[place_of(place.vertex)] = place;
     }
   }
 
-  std::vector<Place> places_;
+  std::vector<Entry> places_;
   std::size_t count_ = 0;
 };
 

@@ -9,15 +9,15 @@
 namespace graze {
 namespace {
 
-/// All that lies beyond the point on its way, rounded outward.
-bvh::FloatBox box_along(const Way& way, const bvh::LocalFrame& frame,
+/// All that lies beyond the point on its ray, rounded outward.
+bvh::FloatBox box_along(const AxisRay& direction, const bvh::LocalFrame& frame,
                         const Eigen::Vector3d& point) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   bvh::FloatBox box = frame.to_local({point, point});
-  if (way.side == narrowphase::LineCrossing::Above) {
-    box.max[way.axis] = kInfinity;
+  if (direction.side == narrowphase::LineCrossing::Above) {
+    box.max[direction.axis] = kInfinity;
   } else {
-    box.min[way.axis] = -kInfinity;
+    box.min[direction.axis] = -kInfinity;
   }
   return box;
 }
@@ -34,13 +34,13 @@ void check_closed(const Mesh& mesh, const char* what) {
 
 bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work) {
   const bvh::Tree& tree = tree_of(mesh, &work);
-  const Way way = way_out(mesh.bounds(), point);
-  const bvh::FloatBox box = box_along(way, tree.frame, point);
+  const AxisRay direction = shortest_ray(mesh.bounds(), point);
+  const bvh::FloatBox box = box_along(direction, tree.frame, point);
   const auto is_apart = [&](std::uint32_t node) {
     return !bvh::overlap(tree.nodes[node].box, box);
   };
   const auto triangle_at = [&](std::uint32_t index) { return mesh.triangle(index); };
-  return is_crossed_oddly(tree, is_apart, triangle_at, point, way, work);
+  return is_crossed_oddly(tree, is_apart, triangle_at, point, direction, work);
 }
 
 }  // namespace graze

@@ -11,32 +11,32 @@
 
 namespace graze {
 
-/// An axis and a side of it: the way out of a mesh's bounds.
-struct Way {
+/// The ray of a point along an axis, to one side.
+struct AxisRay {
   int axis;
   narrowphase::LineCrossing side;
 };
 
-/// The shortest way out. Any would do: in a closed mesh the numbers of crossings above and below a
-/// point are both odd or both even, along every axis.
-inline Way way_out(const Aabb& bounds, const Eigen::Vector3d& point) {
+/// The one that leaves the bounds soonest. Any would do: in a closed mesh the numbers of crossings
+/// above and below a point are both odd or both even, along every axis.
+inline AxisRay shortest_ray(const Aabb& bounds, const Eigen::Vector3d& point) {
   using narrowphase::LineCrossing;
-  Way way{0, LineCrossing::Above};
+  AxisRay direction{0, LineCrossing::Above};
   double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const double up = bounds.max.data()[k] - point.data()[k];
     const double down = point.data()[k] - bounds.min.data()[k];
-    if (up < shortest) way = {k, LineCrossing::Above}, shortest = up;
-    if (down < shortest) way = {k, LineCrossing::Below}, shortest = down;
+    if (up < shortest) direction = {k, LineCrossing::Above}, shortest = up;
+    if (down < shortest) direction = {k, LineCrossing::Below}, shortest = down;
   }
-  return way;
+  return direction;
 }
 
-/// Whether an odd number of the triangles `triangle_at(index)` cross the moved point's way. No node
+/// Whether an odd number of the triangles `triangle_at(index)` cross the moved point's ray. No node
 /// for which `is_apart(node)` speaks may hold one that does.
 template <typename Apart, typename TriangleAt>
 bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, TriangleAt&& triangle_at,
-                      const Eigen::Vector3d& point, const Way& way, Work& work) {
+                      const Eigen::Vector3d& point, const AxisRay& direction, Work& work) {
   ++work.points_tested;
   const auto is_counted_apart = [&](std::uint32_t node) {
     ++work.volume_tests;
@@ -48,7 +48,9 @@ bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, TriangleAt&& tria
   const auto count_leaf = [&](const bvh::Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const Triangle triangle = triangle_at(tree.primitives[i]);
-      is_odd ^= narrowphase::cross_axis_line(triangle, point.data(), way.axis) == way.side;
+      const narrowphase::LineCrossing crossing =
+          narrowphase::cross_axis_line(triangle, point.data(), direction.axis);
+      is_odd ^= crossing == direction.side;
     }
     return bvh::Walk::Continue;
   };

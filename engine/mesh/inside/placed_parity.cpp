@@ -57,13 +57,13 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
   return is_inside;
 }
 
-/// The point and all beyond it on its way, as far as the bounds.
-Aabb ray_from(const Eigen::Vector3d& point, const Way& way, const Aabb& bounds) {
+/// The point and all beyond it on its ray, as far as the bounds.
+Aabb ray_from(const Eigen::Vector3d& point, const AxisRay& direction, const Aabb& bounds) {
   Aabb ray{point, point};
-  if (way.side == LineCrossing::Above) {
-    ray.max.data()[way.axis] = bounds.max.data()[way.axis];
+  if (direction.side == LineCrossing::Above) {
+    ray.max.data()[direction.axis] = bounds.max.data()[direction.axis];
   } else {
-    ray.min.data()[way.axis] = bounds.min.data()[way.axis];
+    ray.min.data()[direction.axis] = bounds.min.data()[direction.axis];
   }
   return ray;
 }
@@ -86,14 +86,14 @@ struct FramedRay {
 
 template <typename TriangleAt>
 bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, TriangleAt&& triangle_at,
-                  const Eigen::Vector3d& point, const Way& way, Work& work) {
+                  const Eigen::Vector3d& point, const AxisRay& direction, Work& work) {
   const bvh::Tree& tree = tree_of(placed.mesh, &work);
   const bvh::RelativeFrame relative = relative_frame(
       {placed.pose, rotation_deviation(placed.pose), tree.frame, placed.mesh.bounds()},
       {ray.pose, ray.deviation, ray.frame, ray.bounds});
   const bvh::NodeSeparation separation(relative, tree.nodes, {&ray.node, 1});
   const auto is_apart = [&](std::uint32_t node) { return separation.are_apart(node, 0); };
-  return is_crossed_oddly(tree, is_apart, triangle_at, point, way, work);
+  return is_crossed_oddly(tree, is_apart, triangle_at, point, direction, work);
 }
 
 }  // namespace
@@ -102,12 +102,12 @@ bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d
                              Work& work) {
   const Aabb bounds = placed_bounds(placed);
   if (!is_within(bounds, point)) return false;
-  const Way way = way_out(bounds, point);
-  const FramedRay ray(ray_from(point, way, bounds), Pose::Identity());
+  const AxisRay direction = shortest_ray(bounds, point);
+  const FramedRay ray(ray_from(point, direction, bounds), Pose::Identity());
   const auto triangle_at = [&](std::uint32_t index) {
     return narrowphase::place(placed.pose, placed.mesh.triangle(index));
   };
-  return is_odd_along(placed, ray, triangle_at, point, way, work);
+  return is_odd_along(placed, ray, triangle_at, point, direction, work);
 }
 
 // The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.
@@ -116,19 +116,19 @@ bool is_moved_centre_enclosed(const PlacedMeshView& placed, const Obb& box, Work
   const Aabb bounds = placed_bounds(placed);
   double reach = 0;
   for (int i = 0; i < 3; ++i) {
-    const double way = std::max(std::abs(bounds.min.data()[i] - m[12 + i]),
-                                std::abs(bounds.max.data()[i] - m[12 + i]));
-    reach = std::min(reach + 1.01 * way, kLargest);
+    const double offset = std::max(std::abs(bounds.min.data()[i] - m[12 + i]),
+                                   std::abs(bounds.max.data()[i] - m[12 + i]));
+    reach = std::min(reach + 1.01 * offset, kLargest);
   }
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  const Way way{0, LineCrossing::Above};
+  const AxisRay direction{0, LineCrossing::Above};
   const Eigen::Vector3d end(reach, 0, 0);
   const FramedRay ray({-end, end}, box.pose);
   const auto triangle_at = [&](std::uint32_t index) {
     return narrowphase::into_frame(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
                                    box.pose);
   };
-  return is_odd_along(placed, ray, triangle_at, origin, way, work);
+  return is_odd_along(placed, ray, triangle_at, origin, direction, work);
 }
 
 }  // namespace graze

@@ -100,19 +100,19 @@ class PairCache {
   CachedMesh a_;
   CachedMesh b_;
 
-  struct Place {
+  struct NumberedPose {
     alignas(64) Pose pose = Pose::Identity();
     std::uint64_t number = 0;
   };
-  static Place place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
-  static CachedMesh::DisplacementBound displacement_from(const Place& before,
+  static NumberedPose place_of(const CachedMesh& mesh) { return {mesh.pose(), mesh.pose_number()}; }
+  static CachedMesh::DisplacementBound displacement_from(const NumberedPose& before,
                                                          const CachedMesh& mesh) {
     return before.number == mesh.pose_number() ? CachedMesh::DisplacementBound()
                                                : mesh.displacement_from(before.pose);
   }
 
-  Place gap_place_a_;
-  Place gap_place_b_;
+  NumberedPose gap_place_a_;
+  NumberedPose gap_place_b_;
   double gap_ = -1;  ///< metres, in the two poses above; below 0: unknown
 
   double rotation_[3][3];  ///< of B in A, in common units, at the last follow()

@@ -18,11 +18,21 @@ double quarter_of_largest(const PlacedMeshView& placed) {
   return largest;
 }
 
-// Of n.d with |d| = 1, whose components are exact, 4 u of the size of n cover three roundings.
+double quarter_of_largest(const Aabb& box) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    largest = std::max(largest, std::abs(0.25 * box.min.data()[k]));
+    largest = std::max(largest, std::abs(0.25 * box.max.data()[k]));
+  }
+  return largest;
+}
+
+// Of n.d, the components of d being at most 1 in size and exact, 4 u of the size of n cover three
+// roundings.
 constexpr double kAlongBound = 4 * kUnitRoundoff;
 
-// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s = |p - q| is below
-// 2 sqrt(3) < 4, so that s (n.d) is below 48 u.
+// What is noted as across has n.d up to 8 u, off by 4 u. While triangles meet, s |d| = |p - q| is
+// below 2 sqrt(3) < 4, so that s (n.d) is below 48 u for |d| = 1.
 constexpr double kAcrossBound = 48 * kUnitRoundoff;
 
 // The product with an inverse of positive numbers: the difference, the inverse and the product
@@ -32,11 +42,16 @@ constexpr double kDown = 1 - 8 * kUnitRoundoff;
 
 }  // namespace
 
-SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b) {
-  const double quarter = quarter_of_largest(a) + quarter_of_largest(b);
+SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b)
+    : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(const PlacedMeshView& a, const Aabb& b)
+    : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(double quarter) {
   int exponent = kSmallestExponent;
   if (quarter > 0) exponent = std::max(std::ilogb(quarter) + 3, exponent);
-  if (exponent > 1023) throw PoseError("sweep of mesh B: its coordinates could overflow");
+  if (exponent > 1023) throw PoseError("sweep of B: its coordinates could overflow");
   metres = std::ldexp(1.0, exponent);
   per_metre = 1 / metres;
 }

@@ -1,9 +1,10 @@
 #pragma once
 
-// B moves along a direction and A stays: at how large a translation can they still meet? Weak
-// duality answers, rigorously: if p of A meets q of B moved by s d, then p - q = s d, and for every
-// vector n at all s (n.d) = n.(p - q), which is at most the largest n.(p - q) there is. So each n
-// bounds s, whatever its own rounding, and a few well chosen ones bound it tightly.
+// B moves along a direction d and A stays: at how large a translation can they still meet, and from
+// how small a one on? Weak duality answers, rigorously: if p of A meets q of B moved by s d, then
+// p - q = s d, and for every vector n at all s (n.d) = n.(p - q), which is at most the largest
+// n.(p - q) there is. So each n bounds s, whatever its own rounding, and a few well chosen ones
+// bound it tightly.
 
 #include <graze/engine/mesh/placed_mesh.h>
 
@@ -16,9 +17,13 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 /// What a sweep is measured in: coordinates times `per_metre`, a power of two, are below 1 in size.
 struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
+  SweepUnits(const PlacedMeshView& a, const Aabb& b);
 
   double per_metre;
   double metres;  ///< of one unit
+
+ private:
+  explicit SweepUnits(double quarter);
 };
 
 /// Products with smaller vectors could underflow; they say nothing.
@@ -27,11 +32,12 @@ inline bool says_something(double size_of_n) {
 }
 
 /// What bounds of n.(p - q) are multiplied by to bound the translation, for n.d = `along` >= 0 and
-/// `size`, the sum of the absolute components of n.
+/// `size`, the sum of the absolute components of n; no component of d is above 1 in size.
 struct SweepScale {
   SweepScale(double along, double size);
 
-  double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this
+  double across;  ///< not negative if n is hardly along the motion: n.(p - q) must be 0 to this,
+                  ///< for |d| = 1
   double up;      ///< else: for an upper bound that is not negative
   double down;    ///< and for a lower one that is positive
 };

@@ -77,4 +77,13 @@ std::size_t ConvexHull::face_count() const {
   return hull_->contact_faces.size();
 }
 
+std::size_t ConvexHull::facet_count() const {
+  return hull_->faces.size();
+}
+
+std::span<const std::uint32_t> ConvexHull::facet(std::size_t index) const {
+  const narrowphase::Hull::Face& face = hull_->faces.at(index);
+  return {hull_->loops.data() + face.first, face.count};
+}
+
 }  // namespace graze

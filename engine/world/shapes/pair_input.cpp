@@ -1,4 +1,5 @@
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/core/hull.h>
@@ -53,8 +54,8 @@ struct NumbersOf {
     return by_centre != 0 ? by_centre : order(s.semi_axes.data(), o.semi_axes.data(), 3);
   }
   int operator()(const ConvexHull& s) const {
-    const narrowphase::Hull& h = s.data();
-    const narrowphase::Hull& o = std::get<ConvexHull>(other).data();
+    const narrowphase::Hull& h = data_of(s);
+    const narrowphase::Hull& o = data_of(std::get<ConvexHull>(other));
     const int by_middle = order(&h.middle.x, &o.middle.x, 3);
     if (by_middle != 0) return by_middle;
     const std::size_t count = std::min(h.corners.size(), o.corners.size());

@@ -1,4 +1,5 @@
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
@@ -60,7 +61,7 @@ class CoreOf {
     return core;
   }
   Core operator()(const ConvexHull& hull) const {
-    const narrowphase::Hull& data = hull.data();
+    const narrowphase::Hull& data = data_of(hull);
     Core core = at(CoreKind::Points, data.bounding_radius);
     core.hull = &data;
     core.points = data.corners.data();
@@ -98,7 +99,7 @@ Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose) {
   if (const auto* ellipsoid = shape.as<Ellipsoid>())
     return narrowphase::place(pose, ellipsoid->centre);
   if (const auto* hull = shape.as<ConvexHull>())
-    return narrowphase::place(pose, to_eigen(hull->data().middle));
+    return narrowphase::place(pose, to_eigen(data_of(*hull).middle));
   const double* m = pose.data();
   return {m[12], m[13], m[14]};
 }

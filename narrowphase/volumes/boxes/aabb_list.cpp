@@ -41,7 +41,7 @@ void intersects(const Aabb& box, const AabbList& boxes, std::span<std::uint8_t> 
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_hits(hits, boxes.size());
-    narrowphase::find_overlaps(row_of(box), boxes.rows().rows(), hits.size(), hits.data());
+    narrowphase::find_overlaps(row_of(box), boxes.rows_.rows(), hits.size(), hits.data());
   });
 }
 
@@ -49,7 +49,7 @@ void intersects(const AabbList& boxes_a, const AabbList& boxes_b, std::span<std:
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
     narrowphase::check_hits(hits, boxes_a.size());
-    narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
+    narrowphase::find_overlaps(boxes_a.rows_.rows(), boxes_b.rows_.rows(), hits.size(),
                                hits.data());
   });
 }

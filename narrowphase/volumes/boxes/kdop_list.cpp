@@ -41,7 +41,7 @@ void intersects(const KDop<18>& kdop, const KDopList& kdops, std::span<std::uint
   bvh::in_standard_arithmetic([&] {
     bvh::check_kdop(kdop, "k-DOP");
     narrowphase::check_hits(hits, kdops.size());
-    narrowphase::find_overlaps(row_of(kdop), kdops.rows().rows(), hits.size(), hits.data());
+    narrowphase::find_overlaps(row_of(kdop), kdops.rows_.rows(), hits.size(), hits.data());
   });
 }
 
@@ -49,7 +49,7 @@ void intersects(const KDopList& kdops_a, const KDopList& kdops_b, std::span<std:
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(kdops_a.size(), kdops_b.size(), "k-DOPs");
     narrowphase::check_hits(hits, kdops_a.size());
-    narrowphase::find_overlaps(kdops_a.rows().rows(), kdops_b.rows().rows(), hits.size(),
+    narrowphase::find_overlaps(kdops_a.rows_.rows(), kdops_b.rows_.rows(), hits.size(),
                                hits.data());
   });
 }

@@ -25,7 +25,7 @@ void intersects(const Obb& box, const ObbList& boxes, std::span<std::uint8_t> hi
   bvh::in_standard_arithmetic([&] {
     bvh::check_box(box, "box");
     narrowphase::check_hits(hits, boxes.size());
-    narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows().rows(), hits.size(),
+    narrowphase::find_overlaps(narrowphase::row_of(box), boxes.rows_.rows(), hits.size(),
                                hits.data());
   });
 }
@@ -34,7 +34,7 @@ void intersects(const ObbList& boxes_a, const ObbList& boxes_b, std::span<std::u
   bvh::in_standard_arithmetic([&] {
     narrowphase::check_pairs(boxes_a.size(), boxes_b.size(), "boxes");
     narrowphase::check_hits(hits, boxes_a.size());
-    narrowphase::find_overlaps(boxes_a.rows().rows(), boxes_b.rows().rows(), hits.size(),
+    narrowphase::find_overlaps(boxes_a.rows_.rows(), boxes_b.rows_.rows(), hits.size(),
                                hits.data());
   });
 }

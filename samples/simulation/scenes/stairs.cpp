@@ -45,7 +45,7 @@ Pose on_step(int step, double from_riser, double up, double y) {
   return at({kTread * (step + 1) - from_riser, y, kRise * (step + 1) + up});
 }
 
-void put(Scene& scene, const std::string& name, const Shape& shape, const Pose& pose) {
+void put_body(Scene& scene, const std::string& name, const Shape& shape, const Pose& pose) {
   scene.bodies.push_back({.name = name, .shape = shape, .pose = pose, .friction = 0.9});
 }
 
@@ -59,15 +59,15 @@ std::vector<Scene> stairs(Surface surface, Extent extent) {
   const int rows = extent == Extent::Small ? 1 : 3;
   for (int row = 0; row < rows; ++row) {
     const double y = 0.6 * (row - 0.5 * (rows - 1));
-    put(laden, "box", as(surface, Box{{0.1, 0.2, 0.1}}), on_step(0, 0.3, 0.1, y));
-    put(laden, "drum", as(surface, drum(0.2, 0.1)), on_step(1, 0.25, 0.1, y));
-    put(laden, "cylinder", as(surface, Cylinder{0.15, 0.2}), on_step(2, 0.25, 0.2, y));
+    put_body(laden, "box", as(surface, Box{{0.1, 0.2, 0.1}}), on_step(0, 0.3, 0.1, y));
+    put_body(laden, "drum", as(surface, drum(0.2, 0.1)), on_step(1, 0.25, 0.1, y));
+    put_body(laden, "cylinder", as(surface, Cylinder{0.15, 0.2}), on_step(2, 0.25, 0.2, y));
     // Its axis lies along the step, its -x faces down, and the riser touches another side: 24
     // sectors have facets at every right angle.
     const double flat = surface == Surface::Analytic ? 1 : std::cos(std::numbers::pi / 24);
     Pose lying = on_step(0, 0.06 * flat, 0.06 * flat, y);
     lying.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-    put(laden, "roll", as(surface, Cylinder{0.06, 0.25}), lying);
+    put_body(laden, "roll", as(surface, Cylinder{0.06, 0.25}), lying);
   }
   Scene& leaning = scenes.emplace_back(Scene{
       .name = std::string("stairs.plank.") + name_of(surface), .bodies = {floor_of(surface)}});
@@ -75,8 +75,8 @@ std::vector<Scene> stairs(Surface surface, Extent extent) {
   const double slope = std::atan2(kRise, kTread);
   const Vector3d up(-std::sin(slope), 0, std::cos(slope));
   const Vector3d middle_edge(kTread * (kSteps - 1) / 2.0, 0, kRise * (kSteps + 1) / 2.0);
-  put(leaning, "plank", as(surface, Box{{1.1, 0.2, 0.03}}, {.cells = 3}),
-      at(middle_edge + 0.03 * up, -slope, Vector3d::UnitY()));
+  put_body(leaning, "plank", as(surface, Box{{1.1, 0.2, 0.03}}, {.cells = 3}),
+           at(middle_edge + 0.03 * up, -slope, Vector3d::UnitY()));
   if (extent == Extent::Large) {
     for (Scene& scene : scenes)
       scene.steps = 3000;

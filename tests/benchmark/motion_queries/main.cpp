@@ -11,6 +11,7 @@
 #include "tests/benchmark/common/median.h"
 #include "tests/benchmark/common/processor_name.h"
 #include "tests/benchmark/common/thread_clock.h"
+#include "tests/benchmark/motion_queries/mesh_casts.h"
 #include "tests/benchmark/motion_queries/queries.h"
 #include "tests/narrowphase/motion/rational_contact.h"
 
@@ -20,6 +21,7 @@ namespace {
 struct Options {
   int queries = 1000;
   int refereed = 100;
+  int casts = 400;
   int repetitions = 5;
   std::string folder;
   std::string output = "motion_queries.json";
@@ -114,6 +116,7 @@ void run(const Options& options) {
                                 {"wrong", score.wrong},
                                 {"late", score.late}});
   }
+  document["casts"] = measure_mesh_casts(options.casts, options.repetitions);
   std::ofstream(options.output) << document.dump(2) << "\n";
 }
 
@@ -126,6 +129,7 @@ int main(int argc, char** argv) {
   app.add_option("--queries", options.queries, "queries a set")->check(CLI::PositiveNumber);
   app.add_option("--refereed", options.refereed, "queries a set that rational arithmetic answers")
       ->check(CLI::PositiveNumber);
+  app.add_option("--casts", options.casts, "casts a pair of meshes")->check(CLI::PositiveNumber);
   app.add_option("--repetitions", options.repetitions, "rounds, of which medians are taken")
       ->check(CLI::PositiveNumber);
   app.add_option("--folder", options.folder, "sample queries in files, in place of those made here")

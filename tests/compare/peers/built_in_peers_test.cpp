@@ -7,6 +7,7 @@
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 #include <cmath>
@@ -168,9 +169,9 @@ TEST(PeerProtocol, HullsAndHalfSpacesComeBackBitForBit) {
     const Shape hull = ConvexHull(points);
     if (shape_text(hull)) {
       ++hulls;
-      const auto& a = hull.as<ConvexHull>()->data();
+      const auto& a = data_of(*hull.as<ConvexHull>());
       const Shape back = read_back(hull);
-      const auto& b = back.as<ConvexHull>()->data();
+      const auto& b = data_of(*back.as<ConvexHull>());
       ASSERT_EQ(a.corners.size(), b.corners.size());
       for (std::size_t k = 0; k < a.corners.size(); ++k) {
         EXPECT_EQ(a.corners[k].x, b.corners[k].x);

@@ -7,6 +7,7 @@
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_path.h>
@@ -161,6 +162,9 @@ Digest on_the_way(const Mesh& a, const Mesh& b) {
     digest << met.has_value();
     if (met) digest << met->time << met->pair.a << met->pair.b;
   }
+  const auto cast_down = cast({a}, {b, near()}, Eigen::Vector3d(0.1, 0.2, -3));
+  digest << cast_down.has_value();
+  if (cast_down) digest << cast_down->time << cast_down->pair.a << cast_down->pair.b;
   return digest;
 }
 

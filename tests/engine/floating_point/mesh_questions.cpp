@@ -135,6 +135,10 @@ void ask_paths(const Inputs& in, Words& words) {
   for (const StartContact start : {StartContact::Counts, StartContact::IsLeft}) {
     add_contact(words, first_contact(path, rest, {.start = start}));
     add_contact(words, first_self_contact(path, {.start = start}));
+    const auto met = cast({meshes.a, in.pose_a}, {meshes.b, in.pose_b},
+                          Eigen::Vector3d(0.3, -0.2, 0.7), {.start = start});
+    words.add(met.has_value());
+    if (met) words.add(met->time), words.add(met->point), words.add(met->normal);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 
@@ -192,7 +193,7 @@ TEST(HullQuery, FacesForContactsBoundTheHull) {
     HullOfSet hull(n, source);
     if (truth_of(hull.points).facets().empty()) continue;
     const ConvexHull built(hull.points);
-    const narrowphase::Hull& data = built.data();
+    const narrowphase::Hull& data = data_of(built);
     ASSERT_FALSE(data.contact_faces.empty());
     for (const auto* faces : {&data.faces, &data.contact_faces}) {
       const bool is_exact = faces == &data.faces;

@@ -1,6 +1,7 @@
 #include "tests/engine/world/random_shapes.h"
 
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <graze/narrowphase/triangle_distance.h>
 
@@ -102,7 +103,7 @@ double outside_by(const Shape& shape, const Pose& pose, const Vector3d& point) {
   if (const auto* s = shape.as<Ellipsoid>()) {
     return outside_of_ellipsoid(s->semi_axes, p - s->centre);
   }
-  if (const auto* s = shape.as<ConvexHull>()) return outside_of_planes(s->data(), p);
+  if (const auto* s = shape.as<ConvexHull>()) return outside_of_planes(data_of(*s), p);
   if (const auto* s = shape.as<HalfSpace>()) return s->normal.dot(p) - s->offset;
   return outside_of_mesh(*shape.as<Mesh>(), p);
 }

@@ -2,6 +2,7 @@
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
 
@@ -78,8 +79,17 @@ TEST(ConvexHull, ACubeOfLatticePointsHasEightCornersAndSixFaces) {
   const ConvexHull hull(points);
   EXPECT_EQ(hull.vertex_count(), 8u);
   EXPECT_EQ(hull.face_count(), 6u);
-  for (const auto& face : hull.data().faces)
-    EXPECT_EQ(face.count, 4u);
+  ASSERT_EQ(hull.facet_count(), 6u);
+  for (std::size_t i = 0; i < hull.facet_count(); ++i) {
+    const std::span<const std::uint32_t> facet = hull.facet(i);
+    ASSERT_EQ(facet.size(), 4u);
+    const Vector3d normal = (hull.vertex(facet[1]) - hull.vertex(facet[0]))
+                                .cross(hull.vertex(facet[2]) - hull.vertex(facet[1]));
+    for (const std::uint32_t corner : facet)
+      EXPECT_EQ(normal.dot(hull.vertex(corner) - hull.vertex(facet[0])), 0);
+    EXPECT_GT(normal.dot(hull.vertex(facet[0]) - Vector3d(2, 2, 2)), 0) << "seen from outside";
+  }
+  EXPECT_THROW(hull.facet(6), std::out_of_range);
 }
 
 TEST(ConvexHull, HoldsItsPointsAndSatisfiesEuler) {
@@ -93,7 +103,7 @@ TEST(ConvexHull, HoldsItsPointsAndSatisfiesEuler) {
     const Shape shape{ConvexHull(points)};
     for (const Vector3d& p : points)
       ASSERT_LE(tests::outside_by(shape, Pose::Identity(), p), 1e-14) << n;
-    const narrowphase::Hull& hull = shape.as<ConvexHull>()->data();
+    const narrowphase::Hull& hull = data_of(*shape.as<ConvexHull>());
     ASSERT_EQ(hull.corners.size() + hull.faces.size(), hull.loops.size() / 2 + 2) << n;
   }
 }

@@ -1,5 +1,6 @@
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <graze/narrowphase/triangle_distance.h>
 
@@ -76,7 +77,7 @@ struct Outside {
     return ratio > 1 ? q.norm() * (1 - 1 / ratio) : (ratio - 1) * s.semi_axes.minCoeff();
   }
   double operator()(const ConvexHull& s) const {
-    const narrowphase::Hull& hull = s.data();
+    const narrowphase::Hull& hull = data_of(s);
     double most = -kInfinity;
     for (const auto& face : hull.faces) {
       const narrowphase::Vec3 v = hull.corners[hull.loops[face.first]] + hull.middle;

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/compare/peers/process/shape_points.h>
+#include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
 #include <algorithm>
@@ -74,8 +75,8 @@ bool is_same(const HalfSpace& a, const HalfSpace& b) {
 }  // namespace
 
 std::optional<std::vector<Eigen::Vector3d>> points_of(const ConvexHull& hull) {
-  const Vec3& middle = hull.data().middle;
-  const std::vector<Vec3>& corners = hull.data().corners;
+  const Vec3& middle = data_of(hull).middle;
+  const std::vector<Vec3>& corners = data_of(hull).corners;
   const AxisSources x(corners, &Vec3::x, middle.x);
   const AxisSources y(corners, &Vec3::y, middle.y);
   const AxisSources z(corners, &Vec3::z, middle.z);
@@ -84,7 +85,7 @@ std::optional<std::vector<Eigen::Vector3d>> points_of(const ConvexHull& hull) {
   for (const Vec3& corner : corners)
     points.emplace_back(x.of(corner.x), y.of(corner.y), z.of(corner.z));
   try {
-    if (is_same(ConvexHull(points).data(), hull.data())) return points;
+    if (is_same(data_of(ConvexHull(points)), data_of(hull))) return points;
   } catch (const Error&) {  // rounding has made it flat
   }
   return std::nullopt;

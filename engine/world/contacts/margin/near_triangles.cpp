@@ -80,7 +80,7 @@ void NearTriangles::grow_known() {
   const double margin = candidates_.margin;
   std::size_t first = 0;
   for (std::uint32_t region = 0; region < candidates_.ends.size(); ++region) {
-    Way way{candidates_.list[first].normal, 0};
+    RegionWay way{candidates_.list[first].normal, 0};
     for (std::size_t i = first; i < candidates_.ends[region]; ++i) {
       ContactPoint touch = candidates_.list[i];
       touch.depth += margin;
@@ -158,7 +158,7 @@ bool NearTriangles::is_local(const NearPair& pair, const Vec3& normal, double ne
 }
 
 std::uint32_t NearTriangles::region_of(const Vec3& normal) {
-  const auto at = std::find_if(s_.ways.begin(), s_.ways.end(), [&](const Way& way) {
+  const auto at = std::find_if(s_.ways.begin(), s_.ways.end(), [&](const RegionWay& way) {
     return is_one_direction(way.normal, normal);
   });
   if (at == s_.ways.end()) {
@@ -184,7 +184,7 @@ void NearTriangles::add_faces(const NearPair& pair) {
   Core grown = pair.of_a;
   grown.radius = candidates_.margin;
   for (std::uint32_t region = 0; region < s_.ways.size(); ++region) {
-    const Way& way = s_.ways[region];
+    const RegionWay& way = s_.ways[region];
     if (dot(pair.normal_a, way.normal) < kNearlyFacing ||
         -dot(pair.normal_b, way.normal) < kNearlyFacing)
       continue;

@@ -32,7 +32,7 @@ class NearTriangles {
     narrowphase::Vec3 point_a, point_b;  ///< nearest to each other
     double distance;
   };
-  struct Way {
+  struct RegionWay {
     narrowphase::Vec3 normal;
     double depth;  ///< of A grown: the greatest of a point
   };
@@ -43,7 +43,7 @@ class NearTriangles {
   /// Kept from one pair to the next, so that no step of a simulation allocates.
   struct Scratch {
     std::vector<NearPair> pairs;
-    std::vector<Way> ways;
+    std::vector<RegionWay> ways;
     std::vector<Touch> touches;
   };
   static Scratch& scratch();

@@ -20,7 +20,9 @@ void LocalPart::start(const InnerSurface& surface, const PieceIndex& index, std:
   for (const std::uint32_t i : index.on_triangle(triangle, !is_of_a_)) {
     const MeshCrossing& crossing = index.crossings()[i];
     const std::uint32_t own = is_of_a_ ? crossing.pair.a : crossing.pair.b;
-    if (own != last) add_inside(last = own, {}, -1);
+    if (own == last) continue;
+    last = own;
+    if (!add_corners(own, {}, -1)) add_ends(index.on_triangle_of(i, is_of_a_), {}, -1);
   }
 }
 
@@ -38,20 +40,27 @@ void LocalPart::add_vertex(std::uint32_t vertex) {
   curve_point_.push_back(0);
 }
 
-/// Adds what of a triangle is inside, as far as it lies beyond a height in a direction.
-void LocalPart::add_inside(std::uint32_t own_triangle, const Vec3& direction, double above) {
-  const auto is_above = [&](const Vec3& point) { return dot(point - part_.at, direction) > above; };
+/// Adds the corners of a triangle that are inside, as far as they lie beyond a height in a
+/// direction. Whether all are inside: then whatever goes through the triangle does so between them,
+/// and lies no farther.
+bool LocalPart::add_corners(std::uint32_t own_triangle, const Vec3& direction, double above) {
   bool is_all_inside = true;
   for (const std::uint32_t vertex : surface_->corners(own_triangle)) {
     if (!surface_->is_inside(vertex)) {
       is_all_inside = false;
-    } else if (vertex_round_[vertex] != round_ && is_above(surface_->placed(vertex))) {
+    } else if (vertex_round_[vertex] != round_ &&
+               dot(surface_->placed(vertex) - part_.at, direction) > above) {
       add_vertex(vertex);
     }
   }
-  // Whatever goes through such a triangle does so between its corners, and lies no farther.
-  if (is_all_inside) return;
-  for (const std::uint32_t i : index_->on_triangle(own_triangle, is_of_a_)) {
+  return is_all_inside;
+}
+
+/// Adds the ends of crossings likewise.
+void LocalPart::add_ends(std::span<const std::uint32_t> crossings, const Vec3& direction,
+                         double above) {
+  const auto is_above = [&](const Vec3& point) { return dot(point - part_.at, direction) > above; };
+  for (const std::uint32_t i : crossings) {
     const MeshCrossing& crossing = index_->crossings()[i];
     if (is_above(crossing.from))
       add_curve_point(crossing.from_number - index_->first_point(), crossing.from);
@@ -65,13 +74,19 @@ void LocalPart::go_on_inside(std::size_t point, const Vec3& direction) {
   const double above = dot(part_.points[point], direction);
   const std::uint32_t vertex = part_.vertex[point];
   if (vertex == InnerPart::kNoVertex) {
+    std::uint32_t last = 0xffffffffu;
     for (const std::uint32_t i : index_->in_point(curve_point_[point])) {
       const TrianglePair& pair = index_->crossings()[i].pair;
-      add_inside(is_of_a_ ? pair.a : pair.b, direction, above);
+      const std::uint32_t own = is_of_a_ ? pair.a : pair.b;
+      if (own == last) continue;
+      last = own;
+      if (!add_corners(own, direction, above))
+        add_ends(index_->on_triangle_of(i, is_of_a_), direction, above);
     }
   } else {
     for (const std::uint32_t triangle : surface_->around(vertex))
-      add_inside(triangle, direction, above);
+      if (!add_corners(triangle, direction, above))
+        add_ends(index_->on_triangle(triangle, is_of_a_), direction, above);
   }
 }
 

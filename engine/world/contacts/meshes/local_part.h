@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace graze {
@@ -35,7 +36,9 @@ class LocalPart {
  private:
   void add_curve_point(std::uint32_t point, const narrowphase::Vec3& at);
   void add_vertex(std::uint32_t vertex);
-  void add_inside(std::uint32_t own_triangle, const narrowphase::Vec3& direction, double above);
+  bool add_corners(std::uint32_t own_triangle, const narrowphase::Vec3& direction, double above);
+  void add_ends(std::span<const std::uint32_t> crossings, const narrowphase::Vec3& direction,
+                double above);
   void go_on_inside(std::size_t point, const narrowphase::Vec3& direction);
   bool rises_outside(std::size_t point, const narrowphase::Vec3& direction) const;
 

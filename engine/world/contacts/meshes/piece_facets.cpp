@@ -34,7 +34,7 @@ void PieceFacets::find_facets(const InnerSurface& other, bool of_a) {
     const Vec3& normal = of_a ? crossing.normal_a : crossing.normal_b;
     const std::uint32_t partner = of_a ? crossing.pair.b : crossing.pair.a;
     double& lowest = lowest_[i];
-    for (const std::uint32_t on : index_.on_triangle(partner, !of_a))
+    for (const std::uint32_t on : index_.on_triangle_of(i, !of_a))
       lowest = std::min({lowest, dot(normal, crossings[on].from - crossing.from),
                          dot(normal, crossings[on].to - crossing.from)});
     for (const std::uint32_t vertex : other.corners(partner))
@@ -42,9 +42,9 @@ void PieceFacets::find_facets(const InnerSurface& other, bool of_a) {
         lowest = std::min(lowest, dot(normal, other.placed(vertex) - crossing.from));
   }
   for (std::uint32_t i = 0; i < crossings.size(); ++i) {
-    const std::uint32_t triangle = of_a ? crossings[i].pair.a : crossings[i].pair.b;
-    const std::span<const std::uint32_t> on_it = index_.on_triangle(triangle, of_a);
+    const std::span<const std::uint32_t> on_it = index_.on_triangle_of(i, of_a);
     if (on_it.front() != i) continue;
+    const std::uint32_t triangle = of_a ? crossings[i].pair.a : crossings[i].pair.b;
     double lowest = 0;
     for (const std::uint32_t on : on_it)
       lowest = std::min(lowest, lowest_[on]);

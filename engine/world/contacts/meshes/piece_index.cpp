@@ -7,13 +7,15 @@ namespace graze {
 
 void PieceIndex::start(std::span<const MeshCrossing> crossings) {
   crossings_ = crossings;
-  by_a_.resize(crossings.size());
-  std::iota(by_a_.begin(), by_a_.end(), 0u);
-  by_b_ = by_a_;
-  std::sort(by_b_.begin(), by_b_.end(), [&](std::uint32_t s, std::uint32_t t) {
+  std::vector<std::uint32_t>&by_a = orders_[true].crossings, &by_b = orders_[false].crossings;
+  by_a.resize(crossings.size());
+  std::iota(by_a.begin(), by_a.end(), 0u);
+  by_b = by_a;
+  std::sort(by_b.begin(), by_b.end(), [&](std::uint32_t s, std::uint32_t t) {
     return crossings[s].pair.b != crossings[t].pair.b ? crossings[s].pair.b < crossings[t].pair.b
                                                       : s < t;
   });
+  find_runs(true), find_runs(false);
   std::uint32_t points = 0;
   for (const MeshCrossing& each : crossings)
     points = std::max({points, each.from_number, each.to_number});
@@ -36,18 +38,27 @@ void PieceIndex::start(std::span<const MeshCrossing> crossings) {
   first_in_point_[0] = 0;
 }
 
+void PieceIndex::find_runs(bool is_of_a) {
+  Order& order = orders_[is_of_a];
+  order.first.resize(crossings_.size()), order.last.resize(crossings_.size());
+  std::uint32_t first = 0;
+  for (std::uint32_t place = 0; place < order.crossings.size(); ++place) {
+    const std::uint32_t crossing = order.crossings[place];
+    if (triangle_of(crossing, is_of_a) != triangle_of(order.crossings[first], is_of_a))
+      first = place;
+    order.first[crossing] = first;
+    order.last[first] = place + 1;
+  }
+}
+
 std::span<const std::uint32_t> PieceIndex::on_triangle(std::uint32_t triangle, bool is_of_a) const {
-  const std::vector<std::uint32_t>& order = is_of_a ? by_a_ : by_b_;
-  const auto of = [&](std::uint32_t i) {
-    return is_of_a ? crossings_[i].pair.a : crossings_[i].pair.b;
-  };
-  const auto first =
-      std::lower_bound(order.begin(), order.end(), triangle,
-                       [&](std::uint32_t i, std::uint32_t value) { return of(i) < value; });
-  auto last = first;
-  while (last != order.end() && of(*last) == triangle)
-    ++last;
-  return {first, last};
+  const std::vector<std::uint32_t>& order = orders_[is_of_a].crossings;
+  const auto at = std::lower_bound(order.begin(), order.end(), triangle,
+                                   [&](std::uint32_t crossing, std::uint32_t value) {
+                                     return triangle_of(crossing, is_of_a) < value;
+                                   });
+  if (at == order.end() || triangle_of(*at, is_of_a) != triangle) return {};
+  return on_triangle_of(*at, is_of_a);
 }
 
 std::span<const std::uint32_t> PieceIndex::in_point(std::uint32_t point) const {

@@ -20,6 +20,12 @@ class PieceIndex {
 
   std::span<const MeshCrossing> crossings() const { return crossings_; }
   std::span<const std::uint32_t> on_triangle(std::uint32_t triangle, bool is_of_a) const;
+  /// On the triangle of A or B of a crossing.
+  std::span<const std::uint32_t> on_triangle_of(std::uint32_t crossing, bool is_of_a) const {
+    const Order& order = orders_[is_of_a];
+    const std::uint32_t first = order.first[crossing];
+    return std::span(order.crossings).subspan(first, order.last[first] - first);
+  }
   /// Points are numbered from that of the piece's first crossing on.
   std::span<const std::uint32_t> in_point(std::uint32_t point) const;
 
@@ -27,8 +33,19 @@ class PieceIndex {
   std::size_t point_count() const { return first_in_point_.size() - 1; }
 
  private:
+  /// By the triangles of one mesh.
+  struct Order {
+    std::vector<std::uint32_t> crossings;
+    std::vector<std::uint32_t> first;  ///< of each crossing, where those of its triangle begin
+    std::vector<std::uint32_t> last;   ///< where those that begin at a place end
+  };
+  std::uint32_t triangle_of(std::uint32_t crossing, bool is_of_a) const {
+    return is_of_a ? crossings_[crossing].pair.a : crossings_[crossing].pair.b;
+  }
+  void find_runs(bool is_of_a);
+
   std::span<const MeshCrossing> crossings_;
-  std::vector<std::uint32_t> by_a_, by_b_;
+  Order orders_[2];                            ///< by the triangles of B, and of A
   std::vector<std::uint32_t> in_points_;       ///< crossings, point by point
   std::vector<std::uint32_t> first_in_point_;  ///< for each point, and one more
 };

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <graze/engine/mesh/mesh_cast.h>
+#include <graze/narrowphase/translation/meeting_time.h>
+
+#include <optional>
+
+namespace graze {
+
+/// The earliest meeting of the pairs of triangles that it is told of. Times are compared exactly.
+class EarliestMeeting {
+ public:
+  EarliestMeeting(const double* displacement, StartContact start)
+      : displacement_(displacement), start_(start) {}
+
+  /// Of triangles that may meet at t = 0. True if they are the earliest so far.
+  bool ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b, Work& work);
+  /// Of triangles of which it is known that they count as meeting at t = 0, likewise.
+  bool take_at_start(TrianglePair pair, const Triangle& a, const Triangle& b);
+  /// Of triangles that are apart at t = 0, likewise.
+  bool ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
+
+  /// No less than the earliest time that has been found, or 1.
+  double limit() const { return limit_; }
+
+  /// Roughly across what meets first so far; zero if that is at t = 0.
+  void rough_normal(double (&normal)[3]) const;
+
+  /// At t = 0 the point is left to others.
+  std::optional<MeshCast> result() const;
+
+ private:
+  /// What was found, with the triangles that it is about.
+  struct Found {
+    TrianglePair pair;
+    Triangle a;
+    Triangle b;
+    std::optional<narrowphase::TimedMeeting> first;  ///< none if it is at t = 0
+  };
+  narrowphase::TranslatedPair translated(const Triangle& a, const Triangle& b) const {
+    return {a, b, displacement_};
+  }
+  void take(const Found& found, double limit);
+
+  const double* displacement_;
+  StartContact start_;
+  std::optional<Found> found_;
+  double limit_ = 1;
+};
+
+}  // namespace graze

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <graze/engine/mesh/sweep/sweep.h>
+
+namespace graze {
+
+/// A displacement as a sweep takes it: its direction d, with a largest component from 1/2 to 1 in
+/// size, scaled by a power of two, so that the translation at a time is s d for s = t 2^exponent in
+/// units of the sweep. A component that underflows is off by less than 2^-1074, while s is below 7:
+/// the margins cover that.
+struct SweptWay {
+  SweptWay(const Eigen::Vector3d& displacement, const contacts::SweepUnits& units);
+
+  double direction[3] = {0, 0, 0};
+  int exponent = 0;
+
+  /// No less than s at a time that is no later.
+  double at(double time) const;
+};
+
+}  // namespace graze

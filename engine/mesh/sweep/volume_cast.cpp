@@ -1,0 +1,191 @@
+// A box that does not meet a triangle at t = 0 meets it first with its surface, which is twelve
+// triangles with corners that are doubles.
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/traverse/traverse_nearest.h>
+#include <graze/bvh/value/checks.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/sweep/cast_directions.h>
+#include <graze/engine/mesh/sweep/cast_nodes.h>
+#include <graze/engine/mesh/sweep/earliest_meeting.h>
+#include <graze/engine/mesh/sweep/swept_way.h>
+#include <graze/engine/mesh/volume_cast.h>
+#include <graze/narrowphase/translation/displacement.h>
+#include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/triangle_intersection.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace graze {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kFaces = 12;
+
+/// The surface of a box.
+struct BoxSurface {
+  std::array<Eigen::Vector3d, 8> corner;  ///< bit k of a number says: the larger of coordinate k
+  std::array<Triangle, kFaces> triangle;
+
+  explicit BoxSurface(const Aabb& box) {
+    for (unsigned i = 0; i < 8; ++i) {
+      for (unsigned k = 0; k < 3; ++k)
+        corner[i].data()[k] = ((i >> k & 1) != 0 ? box.max : box.min).data()[k];
+    }
+    std::uint32_t at = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned own = 1u << axis, next = 1u << (axis + 1) % 3, last = 1u << (axis + 2) % 3;
+      for (const unsigned first : {0u, own}) {
+        triangle[at++] = {corner[first], corner[first | next], corner[first | next | last]};
+        triangle[at++] = {corner[first], corner[first | last], corner[first | next | last]};
+      }
+    }
+  }
+};
+
+/// Along the directions of a cast: all of it, and each triangle.
+struct BoxSpans {
+  contacts::CastDirections::Span all;
+  std::array<contacts::CastDirections::Span, kFaces> triangle;
+
+  BoxSpans(const BoxSurface& surface, const contacts::CastDirections& directions) {
+    using Side = contacts::CastDirections::Side;
+    std::array<const Eigen::Vector3d*, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+      corners[i] = &surface.corner[i];
+    all = directions.of_points(Side::B, corners);
+    for (std::uint32_t i = 0; i < kFaces; ++i)
+      triangle[i] = directions.of_triangle(Side::B, surface.triangle[i]);
+  }
+};
+
+/// A walk over the mesh's tree, for traverse_nearest().
+class BoxCast {
+ public:
+  BoxCast(const PlacedMeshView& mesh, const Aabb& box, const contacts::SweepUnits& units,
+          const SweptWay& way, EarliestMeeting& earliest, Work& work)
+      : tree_(tree_of(mesh.mesh, &work)),
+        box_(box),
+        surface_(box),
+        way_(way),
+        earliest_(earliest),
+        work_(work),
+        limit_(way.at(earliest.limit())),
+        directions_(mesh, box, units, way.direction),
+        nodes_(contacts::CastDirections::Side::A, mesh, tree_, directions_),
+        spans_(surface_, directions_) {}
+
+  void run() {
+    bvh::traverse_nearest(tree_, *this, [&](const bvh::Node& leaf) {
+      ask_leaf(static_cast<std::uint32_t>(&leaf - tree_.nodes.data()));
+      return bvh::Walk::Continue;
+    });
+  }
+
+  double of(std::uint32_t node) {
+    ++work_.volume_tests;
+    const double bound = directions_.first_contact(nodes_.span_of(node), spans_.all, limit_);
+    work_.volume_rejections += bound == kNever;
+    return bound;
+  }
+  static bool is_missed(double bound) { return bound == kNever; }
+  bool is_beyond(double bound) const { return bound > limit_; }
+
+ private:
+  void ask_leaf(std::uint32_t node) {
+    const bvh::Node& leaf = tree_.nodes[node];
+    const contacts::CastNodes::Leaf& in_leaf = nodes_.leaf(node);
+    bool is_sooner = false;
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const double bound = directions_.first_contact(in_leaf.span[i], spans_.all, limit_);
+      if (bound == kNever) continue;
+      const bool is_first =
+          ask(tree_.primitives[leaf.first + i], in_leaf.triangle[i], in_leaf.span[i], bound);
+      if (is_first) limit_ = way_.at(earliest_.limit());
+      is_sooner = is_sooner || is_first;
+    }
+    if (!is_sooner) return;
+    double normal[3];
+    earliest_.rough_normal(normal);
+    if (!directions_.take_normal(normal)) return;
+    nodes_.forget();
+    spans_ = BoxSpans(surface_, directions_);
+  }
+
+  bool ask(std::uint32_t index, const Triangle& a, const contacts::CastDirections::Span& span,
+           double bound) {
+    ++work_.triangle_tests;
+    if (bound <= 0) {
+      const narrowphase::Decision decision = narrowphase::decide(a, box_);
+      work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+      if (decision.is_hit) return earliest_.take_at_start({index, 0}, a, surface_.triangle[0]);
+    }
+    bool is_first = false;
+    for (std::uint32_t k = 0; k < kFaces; ++k) {
+      if (directions_.first_contact(span, spans_.triangle[k], limit_) == kNever) continue;
+      if (earliest_.ask_later({index, k}, a, surface_.triangle[k])) is_first = true;
+    }
+    return is_first;
+  }
+
+  const bvh::Tree& tree_;
+  const Aabb& box_;
+  BoxSurface surface_;
+  const SweptWay& way_;
+  EarliestMeeting& earliest_;
+  Work& work_;
+  double limit_;
+  contacts::CastDirections directions_;
+  contacts::CastNodes nodes_;
+  BoxSpans spans_;
+};
+
+bool is_inside(const Eigen::Vector3d& p, const Aabb& box) {
+  for (int k = 0; k < 3; ++k) {
+    const double x = p.data()[k];
+    if (x < box.min.data()[k] || x > box.max.data()[k]) return false;
+  }
+  return true;
+}
+
+/// Of a triangle that meets the box: one of its corners, or a point of a face.
+Eigen::Vector3d common_point(const Triangle& triangle, const Aabb& box) {
+  for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) {
+    if (is_inside(*corner, box)) return *corner;
+  }
+  for (const Triangle& face : BoxSurface(box).triangle) {
+    const TriangleIntersection common = intersection(triangle, face);
+    if (common.count > 0) return common.corner[0];
+  }
+  return triangle.a;
+}
+
+}  // namespace
+
+std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Aabb& box,
+                               const Eigen::Vector3d& displacement, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<VolumeCast> {
+    CountedWork counted(work);
+    bvh::check_box(box, "box");
+    check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
+    narrowphase::check_displacement(displacement);
+    const contacts::SweepUnits units(mesh, box);
+    const SweptWay way(displacement, units);
+    EarliestMeeting earliest(displacement.data(), StartContact::Counts);
+    BoxCast(mesh, box, units, way, earliest, counted.work()).run();
+    const std::optional<MeshCast> met = earliest.result();
+    if (!met) return std::nullopt;
+    VolumeCast result{met->time, met->is_at_start, met->pair.a, met->point, met->normal};
+    if (met->is_at_start) {
+      const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(met->pair.a));
+      result.point = common_point(placed, box);
+    }
+    return result;
+  });
+}
+
+}  // namespace graze
