@@ -7,6 +7,11 @@
 
 namespace graze {
 
+/// Of vectors of three components.
+inline double dot_product(const double* a, const double* b) {
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
 /// Where a part begins and ends along a direction.
 struct Extent {
   double low;
@@ -24,10 +29,9 @@ struct BodyBox {
   Extent along(const double (&m)[3]) const {
     double reach = axes_error;
     for (int i = 0; i < 3; ++i) {
-      const double(&axis)[3] = axes[i];
-      reach += std::abs((m[0] * axis[0] + m[1] * axis[1]) + m[2] * axis[2]) * half[i];
+      reach += std::abs(dot_product(m, axes[i])) * half[i];
     }
-    const double middle = (m[0] * centre[0] + m[1] * centre[1]) + m[2] * centre[2];
+    const double middle = dot_product(m, centre);
     return {middle - reach, middle + reach};
   }
 
@@ -42,8 +46,7 @@ struct BodyTriangle {
   Extent along(const double (&m)[3]) const {
     double at[3];
     for (int i = 0; i < 3; ++i) {
-      const double(&p)[3] = corners[i];
-      at[i] = (m[0] * p[0] + m[1] * p[1]) + m[2] * p[2];
+      at[i] = dot_product(m, corners[i]);
     }
     return {std::min(at[0], std::min(at[1], at[2])), std::max(at[0], std::max(at[1], at[2]))};
   }

@@ -29,10 +29,6 @@ struct BestAxis {
   }
 };
 
-double dot(const double* a, const double* b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 /// Both boxes along the axes of the first.
 struct BoxesAlongA {
   double rotation[3][3];
@@ -44,14 +40,15 @@ struct BoxesAlongA {
     for (int i = 0; i < 3; ++i) {
       const double(&row)[3] = placed.rotation[i];
       between[i] =
-          (dot(placed.pose_a.data() + 4 * i, placed.between) + dot(row, b.centre)) - a.centre[i];
+          (dot_product(placed.pose_a.data() + 4 * i, placed.between) + dot_product(row, b.centre)) -
+          a.centre[i];
       for (int j = 0; j < 3; ++j)
-        turned[j][i] = dot(row, b.axes[j]);
+        turned[j][i] = dot_product(row, b.axes[j]);
     }
     for (int i = 0; i < 3; ++i) {
-      offset[i] = dot(a.axes[i], between);
+      offset[i] = dot_product(a.axes[i], between);
       for (int j = 0; j < 3; ++j) {
-        rotation[i][j] = dot(a.axes[i], turned[j]);
+        rotation[i][j] = dot_product(a.axes[i], turned[j]);
         size[i][j] = std::abs(rotation[i][j]);
       }
     }
@@ -76,7 +73,7 @@ void set_direction(const PlacedBodies& placed, const BodyBox& box_a, const BodyB
     const int l = (k + 1) % 3, m = (k + 2) % 3;
     n[k] = best.j < 0 ? a[k] : best.i < 0 ? b[k] : a[l] * b[m] - a[m] * b[l];
   }
-  const double scale = (best.along < 0 ? -1 : 1) / std::sqrt(dot(n, n));
+  const double scale = (best.along < 0 ? -1 : 1) / std::sqrt(dot_product(n, n));
   for (double& x : n)
     x *= scale;
 }

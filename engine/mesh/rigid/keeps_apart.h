@@ -23,10 +23,8 @@ struct SeenDirection {
 
   SeenDirection(const PlacedBodies& placed, const double (&n)[3]) {
     for (int i = 0; i < 3; ++i) {
-      const double* a = placed.pose_a.data() + 4 * i;
-      const double* b = placed.pose_b.data() + 4 * i;
-      in_a[i] = (n[0] * a[0] + n[1] * a[1]) + n[2] * a[2];
-      in_b[i] = (n[0] * b[0] + n[1] * b[1]) + n[2] * b[2];
+      in_a[i] = dot_product(n, placed.pose_a.data() + 4 * i);
+      in_b[i] = dot_product(n, placed.pose_b.data() + 4 * i);
     }
   }
 };
@@ -35,10 +33,8 @@ struct SeenDirection {
 template <typename Part>
 double gap_along(const PlacedBodies& placed, const ApartDirection& direction, const Part& a,
                  const Part& b) {
-  const double(&n)[3] = direction.n;
-  const double(&d)[3] = placed.between;
-  const SeenDirection seen(placed, n);
-  return ((n[0] * d[0] + n[1] * d[1]) + n[2] * d[2]) +
+  const SeenDirection seen(placed, direction.n);
+  return dot_product(direction.n, placed.between) +
          (b.along(seen.in_b).low - a.along(seen.in_a).high);
 }
 
@@ -57,20 +53,17 @@ double bulge(MovingPair& pair, const TimeSpan& span, const ApartDirection& direc
   double most_a = 0, most_b = 0;  // of n . q of A, and of -(n . q) of B
   const auto across = [&](const RigidMotion& motion, double(&n)[3]) {
     const double* axis = motion.axis().data();
-    const double(&d)[3] = direction.n;
-    const double along = (d[0] * axis[0] + d[1] * axis[1]) + d[2] * axis[2];
+    const double along = dot_product(direction.n, axis);
     for (int i = 0; i < 3; ++i)
-      n[i] = d[i] - along * axis[i];
+      n[i] = direction.n[i] - along * axis[i];
   };
   double n_a[3], n_b[3];
   across(pair.a().motion, n_a);
   across(pair.b().motion, n_b);
   for (const std::uint64_t time : {span.first, span.last}) {
     const PlacedBodies& placed = pair.at(time);
-    const double(&p)[3] = placed.arm_a;
-    const double(&q)[3] = placed.arm_b;
-    const double arm_a = (n_a[0] * p[0] + n_a[1] * p[1]) + n_a[2] * p[2];
-    const double arm_b = (n_b[0] * q[0] + n_b[1] * q[1]) + n_b[2] * q[2];
+    const double arm_a = dot_product(n_a, placed.arm_a);
+    const double arm_b = dot_product(n_b, placed.arm_b);
     most_a = std::max(most_a, arm_a + a.along(SeenDirection(placed, n_a).in_a).high);
     most_b = std::max(most_b, -(arm_b + b.along(SeenDirection(placed, n_b).in_b).low));
   }

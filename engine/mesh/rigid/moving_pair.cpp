@@ -9,16 +9,12 @@ namespace {
 
 constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
-double dot(const double* a, const double* b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 /// How far the centres of both bodies move against each other.
 double relative_shift(const RigidMotion& a, const RigidMotion& b) {
   double d[3];
   for (int i = 0; i < 3; ++i)
     d[i] = b.shift().data()[i] - a.shift().data()[i];
-  return std::sqrt(dot(d, d)) * (1 + 0x1p-40) + 0x1p-500;
+  return std::sqrt(dot_product(d, d)) * (1 + 0x1p-40) + 0x1p-500;
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ const PlacedBodies& MovingPair::at(std::uint64_t time) {
     placed.arm_a[i] = m[12 + i] - (a_.motion.centre().data()[i] + t * a_.motion.shift().data()[i]);
     placed.arm_b[i] = n[12 + i] - (b_.motion.centre().data()[i] + t * b_.motion.shift().data()[i]);
     for (int j = 0; j < 3; ++j)
-      placed.rotation[i][j] = dot(m + 4 * i, n + 4 * j);
+      placed.rotation[i][j] = dot_product(m + 4 * i, n + 4 * j);
   }
   return placed;
 }
