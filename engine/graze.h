@@ -34,10 +34,10 @@
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/query_settings.h>
-#include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/rigid_certificate.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
+#include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_cast.h>

@@ -152,13 +152,6 @@ std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact) {
   return out << FirstContact{contact.time, contact.is_at_start} << Text(", triangles ")
              << contact.pair;
 }
-std::ostream& operator<<(std::ostream& out, const RigidContact& contact) {
-  if (contact.status == RigidStatus::Free) return out << "free";
-  if (contact.status == RigidStatus::Hit)
-    return out << Text("free up to ", contact.low, ", hit at ", contact.high);
-  return out << Text("free up to ", contact.low)
-             << (contact.is_out_of_budget ? ", out of budget" : ", then close");
-}
 std::ostream& operator<<(std::ostream& out, const MeshCast& cast) {
   return out << FirstContact{cast.time, cast.is_at_start} << Text(", triangles ") << cast.pair
              << Text(", point ", cast.point, ", normal ", cast.normal);
@@ -167,6 +160,13 @@ std::ostream& operator<<(std::ostream& out, const VolumeCast& cast) {
   return out << FirstContact{cast.time, cast.is_at_start}
              << Text(", triangle ", cast.triangle, ", point ", cast.point, ", normal ",
                      cast.normal);
+}
+std::ostream& operator<<(std::ostream& out, const RigidContact& contact) {
+  if (contact.status == RigidStatus::Free) return out << "free";
+  if (contact.status == RigidStatus::Hit)
+    return out << Text("free up to ", contact.low, ", hit at ", contact.high);
+  return out << Text("free up to ", contact.low)
+             << (contact.is_out_of_budget ? ", out of budget" : ", then close");
 }
 std::ostream& operator<<(std::ostream& out, const MeshDistance& gap) {
   return out << Text("distance ", gap.distance, " from ", gap.point_a, " to ", gap.point_b,
