@@ -48,7 +48,8 @@ std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMo
 /// clearance for every real t from 0 to 1, placed by law 1 in the poses of the motions or in real
 /// arithmetic. It looks at no tree and at nothing that is computed elsewhere: one function in
 /// interval arithmetic (rigid/freedom_check.cpp). Whatever it accepts is so, whoever made it; any
-/// certificate may be refused, of certify_free()'s those of motions of many thousand turns. Refuses
+/// certificate may be refused, of certify_free()'s those of motions of many thousand turns, or of
+/// triangles ten thousand million times as large as the tolerance. Refuses
 /// with false what is broken in any way; throws nothing of its own.
 bool proves_freedom(const FreedomCertificate& certificate, const Mesh& mesh_a,
                     const RigidMotion& motion_a, const Mesh& mesh_b, const RigidMotion& motion_b);

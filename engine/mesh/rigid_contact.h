@@ -51,10 +51,10 @@ struct RigidContact {
 /// poses RigidMotion::at() rounded and vertices placed by law 1. `low` is the least k / 2^m at
 /// which the distance is not above clearance and tolerance, m being such that nothing moves by more
 /// than a quarter of the tolerance in a step; so it depends on no tree and no order, and swapping A
-/// and B changes nothing. From there on contacts are looked for at 1, 2, 4, ... steps, and the
-/// first that is found is narrowed to one step; a shorter touch than it took to come there may be
-/// missed, which is Close. Throws InputError for a clearance or tolerance that is not a distance,
-/// and PoseError for motions that take a mesh too far away.
+/// and B changes nothing, unless a budget ends. From there on contacts are looked for at 1, 2, 4,
+/// ... steps, and the first that is found is narrowed to one step; a shorter touch than it took to
+/// come there may be missed, which is Close. Throws InputError for a clearance or tolerance that is
+/// not a distance, and PoseError for motions that take a mesh too far away.
 RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings = {},
                            Work* work = nullptr);
