@@ -142,6 +142,35 @@ void ask_paths(const Inputs& in, Words& words) {
   }
 }
 
+void add_contact(Words& words, const RigidContact& found) {
+  words.add(std::uint64_t{static_cast<unsigned>(found.status)});
+  words.add(found.low), words.add(found.high);
+}
+
+void ask_rigid_motions(const Inputs& in, Words& words) {
+  const Meshes meshes(in);
+  const RigidMotion rest(in.pose_a);
+  const RigidMotion motions[] = {
+      RigidMotion::between(in.pose_b, in.pose_a), RigidMotion::screw_between(in.pose_b, in.pose_a),
+      RigidMotion::screw(in.pose_b, {.axis = {1, 2, 3}, .angle = 0.7, .pitch = 0.1}),
+      RigidMotion::from_velocities(in.pose_b, {.linear = {0.1, 0, 0}, .angular = {0, 0.3, 0.1}})};
+  const RigidContactSettings settings{.budget = 10000};
+  for (const RigidMotion& motion : motions) {
+    for (int i = 0; i < 3; ++i)
+      words.add(Eigen::Vector3d(motion.at(0.7).matrix().col(i + 1).head<3>()));
+    add_contact(words, first_contact(meshes.a, rest, meshes.b, motion, settings));
+    const auto last = last_free(meshes.a, rest, meshes.b, motion, settings);
+    words.add(last.value_or(-1));
+    const auto proof = certify_free(meshes.a, rest, meshes.b, motion, settings);
+    words.add(proof.has_value());
+    if (proof) words.add(proves_freedom(*proof, meshes.a, rest, meshes.b, motion));
+    add_contact(words, first_contact(Shape(Sphere{{0, 0, 0}, 0.1}), rest, Shape(meshes.b), motion,
+                                     settings));
+  }
+  for (const bool is : is_free(meshes.a, rest, meshes.b, motions, settings))
+    words.add(is);
+}
+
 void ask_rays(const Inputs& in, Words& words) {
   const Meshes meshes(in);
   if (const auto hit = cast_ray({meshes.a, in.pose_a}, in.ray)) add_hit(words, *hit);
@@ -255,6 +284,7 @@ std::vector<Question> mesh_questions(int threads) {
       {"volumes around a mesh", ask_for_fits},
       {"a mesh that bends", ask_bent},
       {"meshes whose vertices move", ask_paths},
+      {"meshes that move and turn", ask_rigid_motions},
       {"rays at a mesh", ask_rays},
       batches(threads),
       voxels(threads),
