@@ -25,6 +25,7 @@ Examples:
   graze info bolt.obj nut.stl
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
   graze contacts bolt.obj nut.stl --separate
+  graze motion bolt.obj nut.stl --path poses.txt --json
   graze voxels bolt.obj --resolution 200 -o voxels.ply
   graze simulate scene.json --contacts
   graze compare bolt.obj nut.stl --grazing 100 --report out.html
@@ -35,7 +36,7 @@ Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengt
 Exit codes:
   0  an answer was given, whatever it is
   1  with --check, compare or replay: exact arithmetic found an answer of graze to be wrong, or one that
-     replay --fail-on names
+     replay --fail-on names; with verify: what the file holds is no proof
   2  bad input, with one line on stderr
   130  compare --resume was interrupted; stderr says how to go on)";
 
@@ -87,6 +88,8 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_info_command(program, action);
   add_pair_command(program, action);
   add_contacts_command(program, action);
+  add_motion_command(program, action);
+  add_verify_command(program, action);
   add_voxels_command(program, action);
   add_simulate_command(program, action);
   add_replay_command(program, action);

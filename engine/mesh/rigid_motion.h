@@ -66,7 +66,7 @@ class RigidMotion {
   const Pose& start() const { return start_; }
   const Eigen::Vector3d& centre() const { return centre_; }
   const Eigen::Vector3d& shift() const { return shift_; }
-  const Eigen::Vector3d& axis() const { return axis_; }  ///< of length 1, but for rounding
+  const Eigen::Vector3d& axis() const { return axis_; }  ///< of length 1 but for 2^-50
   double angle() const { return angle_; }
 
   /// The pose at t, from 0 to 1: with Q the rotation by fl(t angle) about the axis, R that of the

@@ -19,6 +19,12 @@ void add_pair_command(CLI::App& program, Action& action);
 /// Adds `graze contacts`. Parsing it sets `action`.
 void add_contacts_command(CLI::App& program, Action& action);
 
+/// Adds `graze motion`. Parsing it sets `action`.
+void add_motion_command(CLI::App& program, Action& action);
+
+/// Adds `graze verify`. Parsing it sets `action`.
+void add_verify_command(CLI::App& program, Action& action);
+
 /// Adds `graze voxels`. Parsing it sets `action`.
 void add_voxels_command(CLI::App& program, Action& action);
 
@@ -39,9 +45,9 @@ void add_compare_command(CLI::App& program, Action& action,
 /// Adds `graze replay`. Parsing it sets `action`.
 void add_replay_command(CLI::App& program, Action& action);
 
-/// Rewrites `--pose-a` and `--pose-b` with the arguments that follow, be it one with 12 numbers or
-/// 12 with one each, as a single argument `--pose-a=...`: a parser of options then cannot take
-/// negative numbers for options, nor meshes for numbers.
+/// Rewrites options that take a pose, or a screw, with the arguments that follow, be it one with
+/// all numbers or one for each, as a single argument `--pose-a=...`: a parser of options then
+/// cannot take negative numbers for options, nor meshes for numbers.
 std::vector<std::string> join_pose_arguments(const std::vector<std::string>& arguments);
 
 }  // namespace graze::cli

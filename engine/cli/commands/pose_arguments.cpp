@@ -19,14 +19,23 @@ bool begins_like_number(std::string_view text) {
   return !text.empty() && is_digit(text.front());
 }
 
-/// How many arguments from `first` on belong to a pose option.
-std::size_t count_pose_arguments(const std::vector<std::string>& arguments, std::size_t first) {
+/// How many numbers an option takes; 0 for all that take none, or one.
+std::size_t numbers_of(std::string_view option) {
+  constexpr std::size_t kScrewNumbers = 8;
+  for (const std::string_view pose : {"--pose-a", "--pose-b", "--from", "--to"})
+    if (option == pose) return kPoseNumbers;
+  return option == "--screw" ? kScrewNumbers : 0;
+}
+
+/// How many arguments from `first` on belong to an option that takes so many numbers.
+std::size_t count_numbers(const std::vector<std::string>& arguments, std::size_t first,
+                          std::size_t most) {
   if (first == arguments.size()) return 0;
   const std::string& text = arguments[first];
   if (!begins_like_number(text)) return text.starts_with('-') ? 0 : 1;
   if (text.find_first_of(" \t\n,") != text.npos) return 1;
   std::size_t count = 1;
-  while (count < kPoseNumbers && first + count < arguments.size() &&
+  while (count < most && first + count < arguments.size() &&
          begins_like_number(arguments[first + count])) {
     ++count;
   }
@@ -44,8 +53,9 @@ std::vector<std::string> join_pose_arguments(const std::vector<std::string>& arg
       break;
     }
     joined.push_back(arguments[i]);
-    if (arguments[i] != "--pose-a" && arguments[i] != "--pose-b") continue;
-    const std::size_t count = count_pose_arguments(arguments, i + 1);
+    const std::size_t numbers = numbers_of(arguments[i]);
+    if (numbers == 0) continue;
+    const std::size_t count = count_numbers(arguments, i + 1, numbers);
     for (std::size_t k = 1; k <= count; ++k)
       joined.back() += (k == 1 ? "=" : " ") + arguments[i + k];
     i += count;

@@ -13,7 +13,7 @@ double fraction_of_grid(const VoxelsReport& report) {
   return static_cast<double>(report.voxels) / static_cast<double>(report.grid.size());
 }
 
-void append(std::string& text, std::string_view name, const std::string& value) {
+void append_field(std::string& text, std::string_view name, const std::string& value) {
   fmt::format_to(std::back_inserter(text), "  {:<22}  {}\n", name, value);
 }
 
@@ -52,16 +52,18 @@ std::string to_json(const VoxelsReport& report) {
 std::string to_text(const VoxelsReport& report) {
   const VoxelGrid& grid = report.grid;
   std::string text = mesh_io::printable(report.file) + "\n";
-  append(text, "grid", fmt::format("{} x {} x {}", grid.counts[0], grid.counts[1], grid.counts[2]));
-  append(text, "voxel edge (m)", fmt::format("{}", grid.edge));
-  append(text, "origin (m)",
-         fmt::format("{} {} {}", grid.origin.x(), grid.origin.y(), grid.origin.z()));
-  append(text, "voxels", fmt::format("{} ({})", report.voxels, name_of(report.fill)));
-  append(text, "of the grid", fmt::format("{:.4g} %", 100 * fraction_of_grid(report)));
-  append(text, "triangle tests",
-         fmt::format("{}, {} of them exact", report.work.triangle_tests, report.work.exact_tests));
-  append(text, "time to find (ms)", fmt::format("{:.1f}", report.find_time.count() * 1000));
-  append(text, "time to write (ms)", fmt::format("{:.1f}", report.write_time.count() * 1000));
+  append_field(text, "grid",
+               fmt::format("{} x {} x {}", grid.counts[0], grid.counts[1], grid.counts[2]));
+  append_field(text, "voxel edge (m)", fmt::format("{}", grid.edge));
+  append_field(text, "origin (m)",
+               fmt::format("{} {} {}", grid.origin.x(), grid.origin.y(), grid.origin.z()));
+  append_field(text, "voxels", fmt::format("{} ({})", report.voxels, name_of(report.fill)));
+  append_field(text, "of the grid", fmt::format("{:.4g} %", 100 * fraction_of_grid(report)));
+  append_field(
+      text, "triangle tests",
+      fmt::format("{}, {} of them exact", report.work.triangle_tests, report.work.exact_tests));
+  append_field(text, "time to find (ms)", fmt::format("{:.1f}", report.find_time.count() * 1000));
+  append_field(text, "time to write (ms)", fmt::format("{:.1f}", report.write_time.count() * 1000));
   return text;
 }
 

@@ -1,12 +1,10 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/files/number_list.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/pose_text.h>
 
-#include <fast_float/fast_float.h>
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -15,7 +13,6 @@ namespace graze {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\n\r\v\f";
-constexpr std::string_view kSeparators = " \t\n\r\v\f,";
 
 /// Room for 12 numbers with every digit that a double can have. A longer line is no pose, and is
 /// not worth the memory.
@@ -29,57 +26,18 @@ constexpr std::size_t kMaxLineLength = 1 << 16;
   throw PoseError(name + ": " + why, {.file = name});
 }
 
-/// The fields of a line: runs of what is neither blank nor comma. A comma stands between two
-/// fields.
-std::vector<std::string_view> split(std::string_view text, const std::string& place) {
-  std::vector<std::string_view> fields;
-  bool is_comma_open = true;  // a comma here would have no field before it
-  while (!(text = text.substr(std::min(text.find_first_not_of(kBlanks), text.size()))).empty()) {
-    if (text.front() == ',') {
-      if (is_comma_open) fail(place, "a comma without a number before it");
-      is_comma_open = true;
-      text.remove_prefix(1);
-      continue;
-    }
-    const std::size_t length = std::min(text.find_first_of(kSeparators), text.size());
-    fields.push_back(text.substr(0, length));
-    text.remove_prefix(length);
-    is_comma_open = false;
-  }
-  if (is_comma_open && !fields.empty()) fail(place, "a comma without a number after it");
-  return fields;
-}
-
-double parse_number(std::string_view field, std::size_t number, const std::string& place) {
-  // A plus sign is how some programs print numbers, though from_chars() refuses it.
-  const bool has_plus = field.size() > 1 && field[0] == '+' && field[1] != '-';
-  const char* const begin = field.data() + (has_plus ? 1 : 0);
-  const char* const end = field.data() + field.size();
-  double value = 0;
-  const auto result = fast_float::from_chars(begin, end, value);
-  const auto refuse = [&](const char* why) {
-    fail(place, "number " + std::to_string(number) + ": " + mesh_io::quoted(field) + why);
-  };
-  if (result.ec == std::errc::invalid_argument || result.ptr != end) refuse(" is not a number");
-  if (!std::isfinite(value)) refuse(" is not finite");
-  return value;
-}
-
 }  // namespace
 
 Pose parse_pose(std::string_view text, const std::string& place) {
   return bvh::in_standard_arithmetic([&]() -> Pose {
-    const std::vector<std::string_view> fields = split(text, place);
-    Pose pose = Pose::Identity();
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const double value = parse_number(fields[i], i + 1, place);
-      if (i >= kPoseNumbers) continue;
-      pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = value;
-    }
-    if (fields.size() != kPoseNumbers) {
-      fail(place, std::to_string(fields.size()) + (fields.size() == 1 ? " number" : " numbers") +
+    const std::vector<double> numbers = files::parse_numbers(text, place);
+    if (numbers.size() != kPoseNumbers) {
+      fail(place, std::to_string(numbers.size()) + (numbers.size() == 1 ? " number" : " numbers") +
                       ", a pose has " + std::to_string(kPoseNumbers));
     }
+    Pose pose = Pose::Identity();
+    for (std::size_t i = 0; i < kPoseNumbers; ++i)
+      pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) = numbers[i];
     check_rigid(pose, place.c_str());
     return pose;
   });

@@ -50,6 +50,11 @@ Eigen::Vector3d unit_axis(const Eigen::Vector3d& axis) {
   const double* a = axis.data();
   const double size = std::max(std::abs(a[0]), std::max(std::abs(a[1]), std::abs(a[2])));
   if (size == 0) throw InputError("axis of a motion: it has no direction");
+  // An axis of length 1 but for rounding stays as it is, so that a motion made from the numbers of
+  // another is the same. With u = 2^-53: what follows divides by a root that is off by 2.5 u and
+  // rounds once more, so that its squares add up to 1 but for 7 u, and their sum is rounded thrice.
+  constexpr double kOfLengthOne = 0x1.8p-50;  // 12 u
+  if (std::abs(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1) <= kOfLengthOne) return axis;
   // Squares neither overflow nor underflow; a power of two is exact.
   const int exponent = -std::ilogb(size);
   double scaled[3];

@@ -124,6 +124,25 @@ TEST(Law14Pose, ScrewsAndVelocitiesAreWhatTheySay) {
   EXPECT_FALSE(RigidMotion(start) == RigidMotion(start, {.angle = 1}));
 }
 
+/// Who keeps a motion as numbers gets the same one back.
+TEST(Law14Pose, AMotionIsWhatItsNumbersMake) {
+  RandomSource source(77);
+  for (int n = 0; n < 20000; ++n) {
+    const Vector3d axis =
+        source.vector(-1, 1).cwiseProduct(Vector3d(1, n % 3 == 0 ? 1e-3 : 1, n % 7 == 0 ? 0 : 1));
+    const RigidMotion motion(Pose::Identity(), {.centre = source.vector(-1, 1),
+                                                .shift = source.vector(-1, 1),
+                                                .axis = axis,
+                                                .angle = source.uniform(-9, 9)});
+    ASSERT_NEAR(motion.axis().norm(), 1, 0x1p-50) << n;
+    ASSERT_EQ(motion, RigidMotion(motion.start(), {.centre = motion.centre(),
+                                                   .shift = motion.shift(),
+                                                   .axis = motion.axis(),
+                                                   .angle = motion.angle()}))
+        << n;
+  }
+}
+
 TEST(Law14Door, WhatIsNoMotionIsRefused) {
   const Pose start = Pose::Identity();
   EXPECT_THROW(RigidMotion(start, {.axis = {0, 0, 0}}), InputError);

@@ -1,0 +1,160 @@
+#include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/motion/certificate_file.h>
+#include <graze/engine/cli/motion/motion_arguments.h>
+#include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/output/progress.h>
+#include <graze/engine/cli/reports/motion_report.h>
+#include <graze/engine/files/output_file.h>
+#include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/pose_text.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <string>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kMotionFooter = R"(
+A stays, B goes from one pose to another while t goes from 0 to 1: its origin straight, and it turns
+steadily the short way round (--to); or along and about one line (--as-screw); or by any number of
+turns (--screw). Poses are 12 numbers as for graze pair, lengths metres, angles radians. A path is a
+file with a pose a line, and each stretch between two of them is a motion.
+
+Each motion has one of three answers.
+  free   further apart than the clearance at every t: proved
+  hit    free up to "low", and at "high" the surfaces meet, or are within the clearance: a witness
+         that anybody can check, in the pose of B that --json prints as "pose_b", else null
+  close  free up to "low", where they are nearer than the tolerance, and no contact was proved; or
+         the budget of tests ended there
+"low" is never later than the first contact.
+
+With --json each answer is one line:
+  {"motion":0,"answer":"hit","low":0.25,"high":0.2500001,"out_of_budget":false,"pose_b":[12 numbers],
+   "work":{...}}
+--certificate writes the proof that a motion is free, and adds "certificate":FILE; graze verify checks
+it. What is not free has none, and no file is written.
+
+Examples:
+  graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.00875" --screw "0 0 0  0 0 1  2.83 0.0015"
+  graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.03" --to "1 0 0 0  0 1 0 0  0 0 1 0.05" --certificate c.json
+  graze motion bolt.obj nut.stl --path poses.txt --clearance 1e-5 --json
+
+Exit codes:
+  0  an answer was given, whatever it is
+  2  bad input, with one line on stderr and nothing on stdout)";
+
+struct MotionOptions {
+  std::string mesh_a;
+  std::string mesh_b;
+  std::string pose_a;
+  MotionArguments motion;
+  RigidContactSettings settings;
+  std::string certificate;
+  bool is_json = false;
+  bool has_progress = false;
+};
+
+void check_file(const MotionOptions& options) {
+  if (options.certificate.empty()) return;
+  if (!options.motion.path.empty())
+    throw UsageError("--certificate and --path exclude each other: a proof is about one motion");
+  const FilePlace output = {"--certificate", options.certificate};
+  const std::array<FilePlace, 2> inputs = {
+      {{"the first mesh", options.mesh_a}, {"the second mesh", options.mesh_b}}};
+  check_outputs({&output, 1}, inputs);
+}
+
+/// As the certificate names it: from its own folder on.
+std::filesystem::path seen_from(const std::string& certificate, const std::string& mesh) {
+  const std::filesystem::path folder = std::filesystem::absolute(certificate).parent_path();
+  return std::filesystem::proximate(std::filesystem::absolute(mesh), folder);
+}
+
+/// Writes the proof, if there is one. The name of the file, or nothing.
+std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
+                        const RigidMotion& motion_a, const Mesh& mesh_b,
+                        const RigidMotion& motion_b, Work& work) {
+  const std::optional<FreedomCertificate> proof =
+      certify_free(mesh_a, motion_a, mesh_b, motion_b, options.settings, &work);
+  if (!proof) return {};
+  files::write_file(
+      options.certificate,
+      to_json(CertificateFile{.mesh_a = seen_from(options.certificate, options.mesh_a),
+                              .mesh_b = seen_from(options.certificate, options.mesh_b),
+                              .motion_a = motion_a,
+                              .motion_b = motion_b,
+                              .certificate = *proof}));
+  return options.certificate;
+}
+
+ExitCode run_motion(const MotionOptions& options, Output& output) {
+  check_file(options);
+  const RigidMotion rest(options.pose_a.empty() ? Pose::Identity()
+                                                : parse_pose(options.pose_a, "--pose-a"));
+  const std::vector<RigidMotion> motions = read_motions(options.motion);
+  const Mesh mesh_a = load_mesh(options.mesh_a);
+  const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
+  Progress progress("motions:", motions.size(), {.is_forced = options.has_progress});
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    MotionAnswer answer;
+    answer.number = i;
+    answer.contact =
+        first_contact(mesh_a, rest, mesh_b, motions[i], options.settings, &answer.work);
+    if (answer.contact.status == RigidStatus::Hit)
+      answer.pose_b = motions[i].at(answer.contact.high);
+    if (!options.certificate.empty() && answer.contact.status == RigidStatus::Free)
+      answer.certificate = write_proof(options, mesh_a, rest, mesh_b, motions[i], answer.work);
+    if (i == 0 && !options.is_json) output.write(motion_header());
+    output.write(options.is_json ? to_json(answer) : to_text(answer));
+    progress.update(i + 1);
+  }
+  return ExitCode::Answered;
+}
+
+}  // namespace
+
+void add_motion_command(CLI::App& program, Action& action) {
+  auto options = std::make_shared<MotionOptions>();
+  CLI::App* command = program.add_subcommand("motion", "When a moving mesh first meets another");
+  command->add_option("A", options->mesh_a, "mesh that stays: .obj, .stl, .ply or .off")
+      ->required();
+  command->add_option("B", options->mesh_b, "mesh that moves")->required();
+  command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
+  MotionArguments& motion = options->motion;
+  command->add_option("--from", motion.from, "pose of B at t = 0 (default: identity)")
+      ->type_name("P");
+  command->add_option("--to", motion.to, "pose of B at t = 1")->type_name("P");
+  command
+      ->add_option("--screw", motion.screw,
+                   "instead: a point, an axis, an angle, and a pitch for each turn: 8 numbers")
+      ->type_name("S");
+  command->add_option("--path", motion.path, "instead: a file with a pose of B a line")
+      ->type_name("FILE");
+  command->add_flag("--as-screw", motion.is_screwed, "from pose to pose along and about one line");
+  RigidContactSettings& settings = options->settings;
+  command
+      ->add_option("--clearance", settings.clearance, "metres by which to stay apart (default: 0)")
+      ->type_name("M")
+      ->check(finite_number(Sign::NotNegative));
+  command->add_option("--tolerance", settings.tolerance, "metres (default: 1e-6)")
+      ->type_name("M")
+      ->check(finite_number(Sign::NotNegative));
+  command->add_option("--budget", settings.budget, "at most so many tests a motion")
+      ->type_name("N")
+      ->check(whole_number(1, std::uint64_t{1} << 53));
+  command->add_option("--certificate", options->certificate, "where to write the proof")
+      ->type_name("FILE")
+      ->check(file_name());
+  command->add_flag("--json", options->is_json, "one JSON object a motion");
+  command->add_flag("--progress", options->has_progress,
+                    "report progress on stderr even if it is no terminal");
+  command->footer(kMotionFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) { return run_motion(*options, output); };
+  });
+}
+
+}  // namespace graze::cli
