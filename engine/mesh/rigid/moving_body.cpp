@@ -1,8 +1,9 @@
 // What is computed of a placed vertex, with u = 2^-53 and S the sum of the sizes of the mesh's
 // bounds and of the lengths of its motion:
-//   - entries of Q - 1 are off by 44 u: 8 u for versines and for sines, 4 u for products, and an axis
-//     is of length 1 but for 6 u, which counts twice, for entries of at most 2. Those of Q R by 84 u,
-//     and so a vertex by 84 u S, and as much by the translation;
+//   - entries of Q - 1 are off by 44 u: 8 u for versines and for sines, 4 u for products, and an
+//   axis
+//     is of length 1 but for 6 u, which counts twice, for entries of at most 2. Those of Q R by 84
+//     u, and so a vertex by 84 u S, and as much by the translation;
 //   - law 1 rounds 8 u S, a gap of boxes along a direction 20 u S, a distance (law 7) 16 u S.
 // Added up and along a direction, of 1-norm 1.74 at most, that is less than 400 u S of 1024 u S.
 // The product of t and the angle is off by u of it, which turns the body: less than 2^-53 turned
