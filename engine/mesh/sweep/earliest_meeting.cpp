@@ -43,6 +43,7 @@ void name_features(const Meeting& meeting, MeshCast& cast) {
 
 bool EarliestMeeting::ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b,
                                      Work& work) {
+  if (found_ && !found_->first && found_->pair < pair) return false;
   const narrowphase::Decision decision = narrowphase::decide(a, b);
   work.exact_tests += decision.stage == narrowphase::Stage::Exact;
   if (!decision.is_hit) return ask_later(pair, a, b);
