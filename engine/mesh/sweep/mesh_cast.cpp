@@ -34,9 +34,9 @@ class CastWalk {
         limit_(way.at(earliest.limit())),
         unit_a_(tree_a_.frame.unit() * units.per_metre),
         unit_b_(tree_b_.frame.unit() * units.per_metre),
-        directions_(a, b, units, way.direction),
-        nodes_a_(contacts::CastDirections::Side::A, a, tree_a_, directions_),
-        nodes_b_(contacts::CastDirections::Side::B, b, tree_b_, directions_) {}
+        directions_({a}, {b}, units, way.direction),
+        nodes_a_(contacts::CastDirections::Side::A, {a}, tree_a_, directions_),
+        nodes_b_(contacts::CastDirections::Side::B, {b}, tree_b_, directions_) {}
 
   void run() {
     const Waiting root = waiting(0, 0);
