@@ -34,6 +34,9 @@
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/query_settings.h>
+#include <graze/engine/mesh/rigid_certificate.h>
+#include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
@@ -53,6 +56,7 @@
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>

@@ -14,6 +14,7 @@
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/mesh/volume_cast.h>
@@ -61,6 +62,7 @@ std::ostream& operator<<(std::ostream& out, const FirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshFirstContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshCast& cast);
 std::ostream& operator<<(std::ostream& out, const VolumeCast& cast);
+std::ostream& operator<<(std::ostream& out, const RigidContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);

@@ -161,6 +161,13 @@ std::ostream& operator<<(std::ostream& out, const VolumeCast& cast) {
              << Text(", triangle ", cast.triangle, ", point ", cast.point, ", normal ",
                      cast.normal);
 }
+std::ostream& operator<<(std::ostream& out, const RigidContact& contact) {
+  if (contact.status == RigidStatus::Free) return out << "free";
+  if (contact.status == RigidStatus::Hit)
+    return out << Text("free up to ", contact.low, ", hit at ", contact.high);
+  return out << Text("free up to ", contact.low)
+             << (contact.is_out_of_budget ? ", out of budget" : ", then close");
+}
 std::ostream& operator<<(std::ostream& out, const MeshDistance& gap) {
   return out << Text("distance ", gap.distance, " from ", gap.point_a, " to ", gap.point_b,
                      ", triangles ")

@@ -47,6 +47,11 @@ TEST_F(ReadmePrograms, OfTheTour) {
   EXPECT_EQ(still, hit);
   EXPECT_TRUE(bent_hits);
   EXPECT_EQ(first.has_value() && first->is_at_start, graze::intersects({bolt}, {nut}));
+  EXPECT_TRUE(drop.has_value() && drop->is_at_start);  // as both poses say
+  EXPECT_FALSE(is_clear);
+  EXPECT_EQ(met.status, graze::RigidStatus::Hit);
+  EXPECT_EQ(met.high, 0);
+  EXPECT_FALSE(proof.has_value());
   EXPECT_FALSE(pairs.empty());
   EXPECT_FALSE(curves.empty());
   EXPECT_FALSE(contacts.empty());
@@ -91,6 +96,8 @@ TEST_F(ReadmePrograms, OfTwoMeshes) {
   EXPECT_FALSE(hits.front());
   EXPECT_TRUE(hits.back());
   EXPECT_GT(warnings, 0);
+  EXPECT_EQ(met.status, graze::RigidStatus::Hit);
+  EXPECT_FALSE(is_clear);
 }
 
 /// True so many times.

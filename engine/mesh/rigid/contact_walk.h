@@ -1,0 +1,75 @@
+#pragma once
+
+// Private to engine/mesh/rigid.
+
+#include <graze/bvh/traverse/traversal.h>
+#include <graze/engine/mesh/rigid/freedom_record.h>
+#include <graze/engine/mesh/rigid/moving_pair.h>
+#include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/work.h>
+
+#include <cstdint>
+
+namespace graze {
+
+/// Walks pairs of nodes, each with a stretch of time of its own, and looks for the first time of
+/// the grid at which two triangles are as near as the limit.
+class ContactWalk {
+ public:
+  /// Whether a walk ends at any such time, or when it knows the first.
+  enum class End { AtAny, AtFirst };
+
+  ContactWalk(MovingPair& pair, End end, std::uint64_t budget, Work& work)
+      : pair_(pair), end_(end), low_(pair.grid().end()), budget_(budget), work_(work) {}
+
+  /// Has the walk tell each of its steps to `record`, which outlives it.
+  void record_in(FreedomRecord& record) { record_ = &record; }
+
+  /// Such a time. The end of the grid if there is none: then all is further apart at all times.
+  std::uint64_t run();
+
+  /// Whether the budget ended first, and the time is that up to which all was proved.
+  bool is_out_of_budget() const { return is_out_of_budget_; }
+
+ private:
+  /// Two nodes in a stretch of time.
+  struct Visit {
+    std::uint32_t a;
+    std::uint32_t b;
+    TimeCell cell;
+    bool has_direction;  ///< whether there is one that may keep them apart
+    ApartDirection direction;
+  };
+
+  /// Two triangles in one, with what kept them apart before and after.
+  struct DirectedCell {
+    TimeCell cell;
+    bool has_direction;
+    ApartDirection direction;
+  };
+
+  void visit(const Visit& visit);
+  void open(const Visit& visit, const TimeSpan& span, const BodyBox& box_a, const BodyBox& box_b);
+  void visit_leaves(const Visit& visit);
+  void decide(TrianglePair of_bodies, const DirectedCell& whole);
+  void find_near(std::uint64_t time);
+
+  /// What of a cell is still to be proved.
+  TimeSpan before_low(const TimeCell& cell) const;
+
+  /// One test of the budget; false if there is none.
+  bool spend();
+
+  MovingPair& pair_;
+  End end_;
+  bool is_narrowed_ = false;
+  bvh::TraversalStack<Visit, 256> open_;
+  std::uint64_t low_;
+  std::uint64_t unproved_ = ~std::uint64_t{0};  ///< where the budget ended, the first time left
+  std::uint64_t budget_;
+  bool is_out_of_budget_ = false;
+  FreedomRecord* record_ = nullptr;
+  Work& work_;
+};
+
+}  // namespace graze

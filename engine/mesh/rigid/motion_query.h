@@ -1,0 +1,32 @@
+#pragma once
+
+// Private to engine/mesh/rigid.
+
+#include <graze/engine/mesh/rigid/contact_walk.h>
+#include <graze/engine/mesh/rigid/motion_checks.h>
+#include <graze/engine/mesh/rigid/moving_pair.h>
+#include <graze/engine/mesh/rigid_contact.h>
+
+namespace graze {
+
+/// What all questions about two motions begin with.
+struct MotionQuery {
+  MovingBody a;
+  MovingBody b;
+  MovingPair pair;
+  const RigidContactSettings& settings;
+  Work& work;
+
+  /// Throws InputError for settings that are none, PoseError for motions that lead too far away.
+  MotionQuery(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+              const RigidMotion& motion_b, const RigidContactSettings& of_settings, Work& of_work)
+      : a(mesh_a, motion_a, "motion of mesh A", of_work),
+        b(mesh_b, motion_b, "motion of mesh B", of_work),
+        pair(a, b, check_settings(of_settings)),
+        settings(of_settings),
+        work(of_work) {}
+
+  ContactWalk walk(ContactWalk::End end) { return {pair, end, settings.budget, work}; }
+};
+
+}  // namespace graze

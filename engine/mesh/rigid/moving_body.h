@@ -1,0 +1,40 @@
+#pragma once
+
+// Private to engine/mesh/rigid.
+
+#include <graze/bvh/skins/float_volumes.h>
+#include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/rigid/body_parts.h>
+#include <graze/engine/mesh/rigid_motion.h>
+#include <graze/engine/work.h>
+
+#include <span>
+
+namespace graze {
+
+/// A mesh that moves, with what bounds how far it gets. All bounds are upward.
+struct MovingBody {
+  /// Throws PoseError, which begins with `what`. Builds the tree and its boxes if nobody has.
+  MovingBody(const Mesh& of_mesh, const RigidMotion& in_motion, const char* what, Work& work);
+
+  const Mesh& mesh;
+  const RigidMotion& motion;
+  const bvh::Tree& tree;
+  std::span<const bvh::FloatObb> boxes;  ///< one for each node
+  double unit;                           ///< metres for each of the tree's
+  double turned;                         ///< the size of the angle
+  double radius;                         ///< of all vertices about the axis, metres
+  double rounding;  ///< of all that is computed of a placed vertex, metres, along any direction
+
+  /// The box of a node, with how far from the axis its points are at most.
+  BodyBox box(std::uint32_t node) const;
+
+  BodyTriangle triangle(std::uint32_t index) const;
+
+ private:
+  double distance_from_axis(const double* point) const;
+  double with_rounding(double radius) const;
+};
+
+}  // namespace graze

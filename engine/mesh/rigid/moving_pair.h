@@ -1,0 +1,72 @@
+#pragma once
+
+// Private to engine/mesh/rigid.
+
+#include <graze/engine/mesh/rigid/moving_body.h>
+#include <graze/engine/mesh/rigid/time_grid.h>
+#include <graze/engine/mesh/rigid_contact.h>
+
+#include <array>
+#include <cstdint>
+
+namespace graze {
+
+/// A direction of length 1, but for rounding, in the common frame, from A to B.
+struct ApartDirection {
+  double n[3];
+};
+
+/// Both bodies at one time.
+struct PlacedBodies {
+  std::uint64_t time;  ///< as of TimeGrid; ~0 for none
+  Pose pose_a;
+  Pose pose_b;
+  double between[3];      ///< from where the origin of A is to that of B
+  double arm_a[3];        ///< from the centre of A's motion, where it is, to the origin of A
+  double arm_b[3];        ///< likewise
+  double rotation[3][3];  ///< of B in A
+};
+
+/// Two bodies in motion, a grid of times that suits them, and where they are then.
+class MovingPair {
+ public:
+  MovingPair(const MovingBody& a, const MovingBody& b, const RigidContactSettings& settings);
+
+  const MovingBody& a() const { return a_; }
+  const MovingBody& b() const { return b_; }
+  const TimeGrid& grid() const { return grid_; }
+
+  /// Distances up to it are too near: clearance and tolerance.
+  double limit() const { return limit_; }
+
+  /// A gap along a direction above it is, beyond all rounding, a distance above the limit.
+  /// Directions are of length 1 but for a few roundings.
+  double sure_limit() const { return limit_ * (1 + 0x1p-40) + rounding_; }
+
+  /// Of both bodies, metres.
+  double rounding() const { return rounding_; }
+
+  /// The bodies at a time of the grid; the reference outlives the next call, and no other.
+  const PlacedBodies& at(std::uint64_t time);
+
+  /// How far two points, one of each body, at most so far from its axis, move against each other in
+  /// the span, metres.
+  double displacement(const TimeSpan& span, double radius_a, double radius_b) const {
+    return grid_.length(span) * (shift_ + (a_.turned * radius_a + b_.turned * radius_b));
+  }
+
+ private:
+  PlacedBodies& place_of(std::uint64_t time);
+
+  const MovingBody& a_;
+  const MovingBody& b_;
+  double shift_;  ///< how far the centres move against each other
+  double rounding_;
+  double limit_;
+  TimeGrid grid_;
+  static constexpr std::size_t kKept = 64;
+  std::array<PlacedBodies, kKept> placed_;
+  std::size_t recent_ = 0;  ///< the place that was asked for last
+};
+
+}  // namespace graze

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <graze/engine/mesh/rigid_contact.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace graze {
+
+/// One step of a proof. A proof is about all triangles of both meshes from t = 0 to 1 at first;
+/// each step either proves what it is about, or divides it in two, of which the next steps are
+/// about the first, and what follows them about the second.
+struct FreedomStep {
+  /// What a step does.
+  enum class Kind : std::uint8_t {
+    Plane,      ///< planes across `normal` keep the parts of both apart all the time
+    HalveTime,  ///< the earlier half, then the later
+    DivideA,    ///< the first `count` triangles of A, then the rest
+    DivideB     ///< likewise of B
+  };
+  Kind kind;
+  std::uint32_t count;     ///< for DivideA and DivideB, else 0
+  Eigen::Vector3d normal;  ///< for Plane, from A to B, of any length, else 0
+
+  bool operator==(const FreedomStep&) const = default;
+};
+
+/// A proof that two meshes in rigid motion stay further apart than a clearance: plain numbers,
+/// which can be kept, sent and checked by whoever trusts none of graze but proves_freedom().
+struct FreedomCertificate {
+  double clearance;                    ///< metres
+  std::vector<std::uint32_t> order_a;  ///< A's triangles, each once: parts are stretches of this
+  std::vector<std::uint32_t> order_b;  ///< likewise
+  std::vector<FreedomStep> steps;      ///< in the order above
+
+  bool operator==(const FreedomCertificate&) const = default;
+};
+
+/// The proof for what is_free(), nothing where it says no. Takes 40 bytes a step, of which there
+/// are up to two for each pair of boxes or triangles that is tested.
+std::optional<FreedomCertificate> certify_free(const Mesh& mesh_a, const RigidMotion& motion_a,
+                                               const Mesh& mesh_b, const RigidMotion& motion_b,
+                                               const RigidContactSettings& settings = {},
+                                               Work* work = nullptr);
+
+/// Whether a certificate proves that these meshes in these motions stay further apart than its
+/// clearance for every real t from 0 to 1, placed by law 1 in the poses of the motions or in real
+/// arithmetic. It looks at no tree and at nothing that is computed elsewhere: one function in
+/// interval arithmetic (rigid/freedom_check.cpp). Whatever it accepts is so, whoever made it; any
+/// certificate may be refused, of certify_free()'s those of motions of many thousand turns. Refuses
+/// with false what is broken in any way; throws nothing of its own.
+bool proves_freedom(const FreedomCertificate& certificate, const Mesh& mesh_a,
+                    const RigidMotion& motion_a, const Mesh& mesh_b, const RigidMotion& motion_b);
+
+}  // namespace graze

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/query_settings.h>
+#include <graze/engine/mesh/rigid_motion.h>
+#include <graze/engine/work.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// What first_contact() of two rigid motions can be told.
+struct RigidContactSettings {
+  double clearance = 0;  ///< metres: what is not further apart counts as a hit
+  /// Metres beyond the clearance: what comes so near is not called free. At least 2^-37 of all
+  /// lengths that bodies and motions are made of, and 2^-44 of how far they move, take its place
+  /// where it is less: nothing finer could be proved in doubles.
+  double tolerance = 1e-6;
+  /// How many pairs of boxes and of triangles are tested at most. Never a time: what comes out is
+  /// the same on every machine.
+  std::uint64_t budget = std::uint64_t{1} << 24;
+};
+
+/// What is known of two rigid motions.
+enum class RigidStatus {
+  Free,  ///< further apart than the clearance at all times from 0 to 1: proved
+  Hit,   ///< a contact is proved
+  Close  ///< nearer than the tolerance beyond the clearance, and no contact is proved
+};
+
+/// When two rigid motions meet first.
+struct RigidContact {
+  RigidStatus status;
+  /// Further apart than the clearance at all times below it: never later than the first contact. 1
+  /// for what is free; else the first time of a grid at which distance() is not above clearance and
+  /// tolerance, or at which the budget ended.
+  double low;
+  /// A witness: at this time intersects() says yes of both poses, or within() where there is a
+  /// clearance. 1 where there is none.
+  double high;
+  bool is_out_of_budget;  ///< low is where the search ended, whatever lies there
+
+  bool operator==(const RigidContact&) const = default;
+};
+
+/// When the surfaces of two meshes in rigid motion meet first (law 14), conservatively: what is
+/// called free is free for every real t, in real arithmetic on the motions' numbers and for the
+/// poses RigidMotion::at() rounded and vertices placed by law 1. `low` is the least k / 2^m at
+/// which the distance is not above clearance and tolerance, m being such that nothing moves by more
+/// than a quarter of the tolerance in a step; so it depends on no tree and no order, and swapping A
+/// and B changes nothing. From there on contacts are looked for at 1, 2, 4, ... steps, and the
+/// first that is found is narrowed to one step; a shorter touch than it took to come there may be
+/// missed, which is Close. Throws InputError for a clearance or tolerance that is not a distance,
+/// and PoseError for motions that take a mesh too far away.
+RigidContact first_contact(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+                           const RigidMotion& motion_b, const RigidContactSettings& settings = {},
+                           Work* work = nullptr);
+
+/// Whether first_contact() says Free. Stops at the first pair of triangles that comes too near.
+bool is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+             const RigidMotion& motion_b, const RigidContactSettings& settings = {},
+             Work* work = nullptr);
+
+/// The last time of the same grid up to which all is free, with the tolerance, 1 if that is so to
+/// the end; nothing if the meshes are too near at the start.
+std::optional<double> last_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+                                const RigidMotion& motion_b,
+                                const RigidContactSettings& settings = {}, Work* work = nullptr);
+
+/// What first_contact() and is_free() answer for each of many motions of B, edges of a roadmap say,
+/// in their order, on all threads. What has to be built is built once. They throw as these do,
+/// before the first answer where a motion is to blame, which the error names by its index.
+std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& motion_a,
+                                        const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
+                                        const RigidContactSettings& settings = {},
+                                        const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const Mesh& mesh_b,
+                          std::span<const RigidMotion> motions_b,
+                          const RigidContactSettings& settings = {},
+                          const BatchSettings& batch = {}, Work* work = nullptr);
+
+}  // namespace graze
