@@ -108,14 +108,19 @@ CastDirections::CastDirections(const Frame& a, const Frame& b, const SweepUnits&
   }
   double axis[3] = {0, 0, 0};
   axis[least] = 1;
-  const Vector across = unit(cross(direction, axis));
-  const Vector other = unit(cross(direction, across.at));
+  Vector across = unit(cross(direction, axis));
+  Vector other = unit(cross(direction, across.at));
+  if (direction[(least + 1) % 3] == 0 && direction[(least + 2) % 3] == 0) {
+    // Nothing moves: all is across.
+    across = {{1, 0, 0}};
+    other = {{0, 1, 0}};
+  }
   set(0, direction);
   set(1, across.at);
   set(2, other.at);
   set(3, sum(across, other, 1).at);
   set(4, sum(across, other, -1).at);
-  set(5, {0, 0, 0});
+  set(5, cross(across.at, other.at).at);
 }
 
 /// A vector of size 0 says nothing: nothing is beside it, and all is from 0 on.

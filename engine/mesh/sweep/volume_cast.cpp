@@ -122,7 +122,10 @@ class BoxCast {
     if (bound <= 0) {
       const narrowphase::Decision decision = narrowphase::decide(a, box_);
       work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
-      if (decision.is_hit) return earliest_.take_at_start({index, 0}, a, surface_.triangle[0]);
+      if (decision.is_hit) {
+        earliest_.ask_at_start({index, 0}, a, surface_.triangle[0]);
+        return true;
+      }
     }
     bool is_first = false;
     for (std::uint32_t k = 0; k < kFaces; ++k) {
