@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/aabb.h>
+#include <graze/bvh/obb.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
 
@@ -34,6 +35,14 @@ struct VolumeCast {
 /// displacement that is not finite and for an invalid box, PoseError as intersects() does, and
 /// where coordinates are so large that sums of them could overflow.
 std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Aabb& box,
+                               const Eigen::Vector3d& displacement, Work* work = nullptr);
+
+/// Likewise of an oriented box, in its frame at t = 0: placed vertices go into it by law 3, and so
+/// does the displacement, `(R_0i d_x + R_1i d_y) + R_2i d_z`, each operation rounded to double. Of
+/// the results the answer is exact; the point and the normal go back by the box's pose, rounded,
+/// and as far as that is a rotation. Throws InputError also for a displacement that overflows on
+/// its way.
+std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Obb& box,
                                const Eigen::Vector3d& displacement, Work* work = nullptr);
 
 }  // namespace graze

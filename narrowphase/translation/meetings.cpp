@@ -168,9 +168,8 @@ class Meetings {
     if (!sides_a_.is_in_plane(corner)) return take({Meeting::Kind::VertexFace, corner, 0, 0});
     for (int edge = 0; edge < 3; ++edge) {
       take_in_plane(pair_.a.point[corner], pair_.b, edge,
-                    {Meeting::Kind::VertexOnEdge, corner, edge, 0}, [&](int end) {
-                      return Meeting{Meeting::Kind::VertexVertex, corner, end, 0};
-                    });
+                    {Meeting::Kind::VertexOnEdge, corner, edge, 0},
+                    {Meeting::Kind::VertexVertex, corner, edge, 0});
     }
   }
 
@@ -178,18 +177,17 @@ class Meetings {
     if (!sides_b_.is_in_plane(corner)) return take({Meeting::Kind::FaceVertex, 0, corner, 0});
     for (int edge = 0; edge < 3; ++edge) {
       take_in_plane(pair_.b.point[corner], pair_.a, edge,
-                    {Meeting::Kind::EdgeWithVertex, edge, corner, 0}, [&](int end) {
-                      return Meeting{Meeting::Kind::VertexVertex, end, corner, 0};
-                    });
+                    {Meeting::Kind::EdgeWithVertex, edge, corner, 0},
+                    {Meeting::Kind::VertexVertex, edge, corner, 0});
     }
   }
 
   /// A corner, and an edge in one plane with it and d: seen along d the corner is in the edge if
   /// the ends are not on one side of it. Both sides are multiples of one vector across d. Where
-  /// both are zero, all is on one line along d, on which ends come before what is between.
-  template <typename WithEnd>
+  /// both are zero, all is on one line along d, on which ends come before what is between; of the
+  /// two that where the edge begins is enough, as the other one is where the next edge begins.
   void take_in_plane(const double* corner, const Corners<double>& triangle, int edge,
-                     Meeting with_edge, const WithEnd& with_end) {
+                     Meeting with_edge, Meeting with_corner) {
     const int next = (edge + 1) % 3;
     bool is_on_line = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -201,12 +199,9 @@ class Meetings {
       with_edge.axis = axis;
     }
     if (!is_on_line) return take(with_edge);
-    for (const int end : {edge, next}) {
-      Meeting meeting = with_end(end);
-      while (pair_.displacement[meeting.axis] == 0)
-        ++meeting.axis;
-      take(meeting);
-    }
+    while (pair_.displacement[with_corner.axis] == 0)
+      ++with_corner.axis;
+    take(with_corner);
   }
 
   /// Times are all of one sign, for triangles that are apart at t = 0.

@@ -76,4 +76,7 @@ int main() {
   const std::optional<graze::VolumeCast> dropped =
       graze::cast({cube}, graze::Aabb{{-0.1, -0.1, 1.5}, {0.1, 0.1, 2}}, Eigen::Vector3d(0, 0, -4));
   expect(dropped && dropped->time == 0.125 && dropped->point.z() == 1, "a box that goes down");
+  expect(graze::cast({cube}, graze::Obb{at(0, 0, 3), {1, 1, 1}}, Eigen::Vector3d(0, 0, -4))->time ==
+             0.25,
+         "or one with axes of its own");
 }

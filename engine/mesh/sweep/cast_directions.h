@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/bvh/value/float_box.h>
+#include <graze/engine/mesh/sweep/framed_mesh.h>
 #include <graze/engine/mesh/sweep/sweep.h>
 #include <graze/narrowphase/lanes/two_lanes.h>
 
@@ -24,10 +25,10 @@ class CastDirections {
   };
 
   /// Of a direction whose largest component is from 1/2 to 1 in size, or of none.
-  CastDirections(const PlacedMeshView& a, const PlacedMeshView& b, const SweepUnits& units,
+  CastDirections(const FramedMesh& a, const FramedMesh& b, const SweepUnits& units,
                  const double (&direction)[3]);
-  /// Of a mesh and a box in space.
-  CastDirections(const PlacedMeshView& a, const Aabb& b, const SweepUnits& units,
+  /// Of a mesh and a box in the frame of the mesh.
+  CastDirections(const FramedMesh& a, const Aabb& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
   Span of_box(Side side, const bvh::FloatBox& box) const;
@@ -50,12 +51,13 @@ class CastDirections {
  private:
   /// A tree's frame, placed, in the units of the sweep.
   struct Frame {
-    Frame(const PlacedMeshView& placed, const SweepUnits& units);
+    Frame(const FramedMesh& mesh, const SweepUnits& units);
     Frame(const Aabb& box, const SweepUnits& units);
 
     double centre[3];
     double axis[3][3];
     double unit;
+    double margin;
   };
   /// What two vectors make of three coordinates.
   struct Rows {

@@ -1,4 +1,3 @@
-#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/cast_nodes.h>
 
 namespace graze::contacts {
@@ -25,8 +24,7 @@ const CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
   leaf_at_[at] = node;
   const bvh::Node& of_tree = tree_.nodes[node];
   for (std::uint32_t i = 0; i < of_tree.count; ++i) {
-    const Triangle own = placed_.mesh.triangle(tree_.primitives[of_tree.first + i]);
-    leaf_[at].triangle[i] = narrowphase::place(placed_.pose, own);
+    leaf_[at].triangle[i] = mesh_.triangle(tree_.primitives[of_tree.first + i]);
     leaf_[at].span[i] = directions_.of_triangle(side_, leaf_[at].triangle[i]);
   }
   return leaf_[at];

@@ -21,9 +21,9 @@ class CastNodes {
     std::array<Span, 4> span;
   };
 
-  CastNodes(Side side, const PlacedMeshView& placed, const bvh::Tree& tree,
+  CastNodes(Side side, const FramedMesh& mesh, const bvh::Tree& tree,
             const CastDirections& directions)
-      : side_(side), placed_(placed), tree_(tree), directions_(directions) {
+      : side_(side), mesh_(mesh), tree_(tree), directions_(directions) {
     forget();
   }
 
@@ -44,7 +44,7 @@ class CastNodes {
   static constexpr std::uint32_t kLeaves = 128;
 
   Side side_;
-  const PlacedMeshView& placed_;
+  FramedMesh mesh_;
   const bvh::Tree& tree_;
   const CastDirections& directions_;
   std::array<std::uint32_t, kNodes> node_at_;

@@ -1,5 +1,4 @@
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
-#include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,23 +40,14 @@ void name_features(const Meeting& meeting, MeshCast& cast) {
 
 }  // namespace
 
-bool EarliestMeeting::ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b,
-                                     Work& work) {
-  const narrowphase::Decision decision = narrowphase::decide(a, b);
-  work.exact_tests += decision.stage == narrowphase::Stage::Exact;
-  if (!decision.is_hit) return ask_later(pair, a, b);
-  if (start_ == StartContact::IsLeft && !crosses_from_start(translated(a, b))) return false;
-  return take_at_start(pair, a, b);
-}
-
-bool EarliestMeeting::take_at_start(TrianglePair pair, const Triangle& a, const Triangle& b) {
-  if (found_ && !found_->first && found_->pair < pair) return false;
+void EarliestMeeting::ask_at_start(TrianglePair pair, const Triangle& a, const Triangle& b) {
+  if (is_at_start() && found_->pair < pair) return;
+  if (start_ == StartContact::IsLeft && !crosses_from_start(translated(a, b))) return;
   take({pair, a, b, std::nullopt}, 0);
-  return true;
 }
 
 bool EarliestMeeting::ask_later(TrianglePair pair, const Triangle& a, const Triangle& b) {
-  if (found_ && !found_->first) return false;
+  if (is_at_start()) return false;
   const TranslatedPair translated_pair = translated(a, b);
   const std::optional<TimedMeeting> first = first_meeting(translated_pair);
   if (!first || first->bounds.low > limit_) return false;

@@ -13,13 +13,12 @@ class EarliestMeeting {
   EarliestMeeting(const double* displacement, StartContact start)
       : displacement_(displacement), start_(start) {}
 
-  /// Of triangles that may meet at t = 0. True if they are the earliest so far.
-  bool ask_from_start(TrianglePair pair, const Triangle& a, const Triangle& b, Work& work);
-  /// Of triangles of which it is known that they count as meeting at t = 0, likewise.
-  bool take_at_start(TrianglePair pair, const Triangle& a, const Triangle& b);
-  /// Of triangles that are apart at t = 0, likewise.
+  /// Of triangles that meet at t = 0.
+  void ask_at_start(TrianglePair pair, const Triangle& a, const Triangle& b);
+  /// Of triangles that are apart at t = 0. True if they are the earliest so far.
   bool ask_later(TrianglePair pair, const Triangle& a, const Triangle& b);
 
+  bool is_at_start() const { return found_ && !found_->first; }
   /// No less than the earliest time that has been found, or 1.
   double limit() const { return limit_; }
 

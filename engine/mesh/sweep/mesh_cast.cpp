@@ -2,15 +2,17 @@
 #include <graze/bvh/traverse/traversal.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/query/candidates.h>
 #include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/query/wide_query.h>
 #include <graze/engine/mesh/sweep/cast_directions.h>
 #include <graze/engine/mesh/sweep/cast_nodes.h>
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
 #include <graze/engine/mesh/sweep/swept_way.h>
-
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/triangle_intersection.h>
+#include <graze/narrowphase/triangle_triangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,24 +21,44 @@
 namespace graze {
 namespace {
 
-/// Depth first, the pair of nodes that can meet sooner before the other. What is found bounds what
-/// is still looked at; of pairs that may meet as soon all are, as times decide exactly and then
-/// indices.
+Triangle placed_triangle(const PlacedMeshView& mesh, std::uint32_t index) {
+  return narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
+}
+
+/// What meets before anything moves.
+void ask_start(const PlacedMeshView& a, const PlacedMeshView& b, EarliestMeeting& earliest,
+               Work& work) {
+  const WideQuery query(a, b, work);
+  if (query.are_far_apart(work)) return;
+  bvh::WidePairWalk walk = query.walk();
+  Candidates candidates(Touch::Include, work);
+  query.decide_all(walk, candidates, [&](TrianglePair pair) {
+    earliest.ask_at_start(pair, placed_triangle(a, pair.a), placed_triangle(b, pair.b));
+    return bvh::Walk::Continue;
+  });
+  add_counts(walk.counts(), work);
+}
+
+/// What meets later, of what is apart at t = 0: where a policy leaves contacts out, some of it may
+/// not be. Depth first, the pair of nodes that can meet sooner before the other. What is found
+/// bounds what is still looked at; of pairs that may meet as soon all are, as times decide exactly
+/// and then indices.
 class CastWalk {
  public:
   CastWalk(const PlacedMeshView& a, const PlacedMeshView& b, const contacts::SweepUnits& units,
-           const SweptWay& way, EarliestMeeting& earliest, Work& work)
+           const SweptWay& way, StartContact start, EarliestMeeting& earliest, Work& work)
       : tree_a_(tree_of(a.mesh, &work)),
         tree_b_(tree_of(b.mesh, &work)),
+        may_touch_(start == StartContact::IsLeft),
         way_(way),
         earliest_(earliest),
         work_(work),
         limit_(way.at(earliest.limit())),
         unit_a_(tree_a_.frame.unit() * units.per_metre),
         unit_b_(tree_b_.frame.unit() * units.per_metre),
-        directions_(a, b, units, way.direction),
-        nodes_a_(contacts::CastDirections::Side::A, a, tree_a_, directions_),
-        nodes_b_(contacts::CastDirections::Side::B, b, tree_b_, directions_) {}
+        directions_({a}, {b}, units, way.direction),
+        nodes_a_(contacts::CastDirections::Side::A, {a}, tree_a_, directions_),
+        nodes_b_(contacts::CastDirections::Side::B, {b}, tree_b_, directions_) {}
 
   void run() {
     const Waiting root = waiting(0, 0);
@@ -99,9 +121,8 @@ class CastWalk {
         ++work_.triangle_tests;
         const TrianglePair pair{tree_a_.primitives[leaf_a.first + i],
                                 tree_b_.primitives[leaf_b.first + k]};
-        const bool is_first =
-            bound > 0 ? earliest_.ask_later(pair, in_a.triangle[i], in_b.triangle[k])
-                      : earliest_.ask_from_start(pair, in_a.triangle[i], in_b.triangle[k], work_);
+        if (may_touch_ && bound <= 0 && do_meet(in_a.triangle[i], in_b.triangle[k])) continue;
+        const bool is_first = earliest_.ask_later(pair, in_a.triangle[i], in_b.triangle[k]);
         if (!is_first) continue;
         is_sooner = true;
         limit_ = way_.at(earliest_.limit());
@@ -115,8 +136,15 @@ class CastWalk {
     nodes_b_.forget();
   }
 
+  bool do_meet(const Triangle& a, const Triangle& b) {
+    const narrowphase::Decision decision = narrowphase::decide(a, b);
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
+  }
+
   const bvh::Tree& tree_a_;
   const bvh::Tree& tree_b_;
+  bool may_touch_;
   const SweptWay& way_;
   EarliestMeeting& earliest_;
   Work& work_;
@@ -143,13 +171,14 @@ std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView&
     const contacts::SweepUnits units(mesh_a, mesh_b);
     const SweptWay way(displacement, units);
     EarliestMeeting earliest(displacement.data(), settings.start);
-    CastWalk(mesh_a, mesh_b, units, way, earliest, counted.work()).run();
+    ask_start(mesh_a, mesh_b, earliest, counted.work());
+    if (!earliest.is_at_start() && way.is_any())
+      CastWalk(mesh_a, mesh_b, units, way, settings.start, earliest, counted.work()).run();
     std::optional<MeshCast> met = earliest.result();
     if (met && met->is_at_start) {
-      const auto placed = [](const PlacedMeshView& mesh, std::uint32_t index) {
-        return narrowphase::place(mesh.pose, mesh.mesh.triangle(index));
-      };
-      met->point = intersection(placed(mesh_a, met->pair.a), placed(mesh_b, met->pair.b)).corner[0];
+      met->point =
+          intersection(placed_triangle(mesh_a, met->pair.a), placed_triangle(mesh_b, met->pair.b))
+              .corner[0];
     }
     return met;
   });

@@ -3,6 +3,7 @@
 #include <graze/engine/mesh/sweep/sweep.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace graze::contacts {
@@ -27,6 +28,25 @@ double quarter_of_largest(const Aabb& box) {
   return largest;
 }
 
+/// Likewise of each coordinate on the way into a frame: the sums are in the order of law 3, and
+/// rounding is monotone.
+double quarter_of_reach(const PlacedMeshView& placed, const Pose& frame) {
+  const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
+  std::array<double, 3> way = largest_coordinates(placed.pose, placed.mesh.bounds());
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    way[k] = 0.25 * way[k] + 0.25 * std::abs(m[12 + k]);
+    largest = std::max(largest, way[k]);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const double* axis = m + 4 * i;
+    const double reach =
+        (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
+    largest = std::max(largest, reach);
+  }
+  return largest;
+}
+
 // Of n.d, the components of d being at most 1 in size and exact, 4 u of the size of n cover three
 // roundings.
 constexpr double kAlongBound = 4 * kUnitRoundoff;
@@ -47,6 +67,10 @@ SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b)
 
 SweepUnits::SweepUnits(const PlacedMeshView& a, const Aabb& b)
     : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(const PlacedMeshView& a, const Obb& b)
+    : SweepUnits(quarter_of_reach(a, b.pose) +
+                 quarter_of_largest(Aabb{-b.half_extents, b.half_extents})) {}
 
 SweepUnits::SweepUnits(double quarter) {
   int exponent = kSmallestExponent;

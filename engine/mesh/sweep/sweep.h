@@ -6,6 +6,7 @@
 // n.(p - q) there is. So each n bounds s, whatever its own rounding, and a few well chosen ones
 // bound it tightly.
 
+#include <graze/bvh/obb.h>
 #include <graze/engine/mesh/placed_mesh.h>
 
 #include <limits>
@@ -18,6 +19,8 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
   SweepUnits(const PlacedMeshView& a, const Aabb& b);
+  /// In the frame of the box, too (law 3).
+  SweepUnits(const PlacedMeshView& a, const Obb& b);
 
   double per_metre;
   double metres;  ///< of one unit

@@ -14,6 +14,8 @@ struct SweptWay {
   double direction[3] = {0, 0, 0};
   int exponent = 0;
 
+  /// Whether it goes anywhere.
+  bool is_any() const { return direction[0] != 0 || direction[1] != 0 || direction[2] != 0; }
   /// No less than s at a time that is no later.
   double at(double time) const;
 };

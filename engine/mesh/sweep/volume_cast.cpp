@@ -66,9 +66,9 @@ struct BoxSpans {
 /// A walk over the mesh's tree, for traverse_nearest().
 class BoxCast {
  public:
-  BoxCast(const PlacedMeshView& mesh, const Aabb& box, const contacts::SweepUnits& units,
+  BoxCast(const contacts::FramedMesh& mesh, const Aabb& box, const contacts::SweepUnits& units,
           const SweptWay& way, EarliestMeeting& earliest, Work& work)
-      : tree_(tree_of(mesh.mesh, &work)),
+      : tree_(tree_of(mesh.placed.mesh, &work)),
         box_(box),
         surface_(box),
         way_(way),
@@ -122,7 +122,10 @@ class BoxCast {
     if (bound <= 0) {
       const narrowphase::Decision decision = narrowphase::decide(a, box_);
       work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
-      if (decision.is_hit) return earliest_.take_at_start({index, 0}, a, surface_.triangle[0]);
+      if (decision.is_hit) {
+        earliest_.ask_at_start({index, 0}, a, surface_.triangle[0]);
+        return true;
+      }
     }
     bool is_first = false;
     for (std::uint32_t k = 0; k < kFaces; ++k) {
@@ -164,6 +167,47 @@ Eigen::Vector3d common_point(const Triangle& triangle, const Aabb& box) {
   return triangle.a;
 }
 
+/// In the frame of the mesh.
+std::optional<VolumeCast> cast_box(const contacts::FramedMesh& mesh, const Aabb& box,
+                                   const Eigen::Vector3d& displacement,
+                                   const contacts::SweepUnits& units, Work& work) {
+  const SweptWay way(displacement, units);
+  EarliestMeeting earliest(displacement.data(), StartContact::Counts);
+  BoxCast(mesh, box, units, way, earliest, work).run();
+  const std::optional<MeshCast> met = earliest.result();
+  if (!met) return std::nullopt;
+  VolumeCast result{met->time, met->is_at_start, met->pair.a, met->point, met->normal};
+  if (met->is_at_start) result.point = common_point(mesh.triangle(met->pair.a), box);
+  return result;
+}
+
+/// The rotation of law 3, without its translation.
+Eigen::Vector3d turned_into(const Pose& frame, const Eigen::Vector3d& v) {
+  const double* m = frame.data();
+  Eigen::Vector3d turned;
+  for (int i = 0; i < 3; ++i)
+    turned.data()[i] =
+        (m[4 * i] * v.data()[0] + m[4 * i + 1] * v.data()[1]) + m[4 * i + 2] * v.data()[2];
+  return turned;
+}
+
+/// A direction of a frame in space, with length 1; zero stays.
+Eigen::Vector3d unit_in_space(const Pose& frame, const Eigen::Vector3d& n) {
+  const double* m = frame.data();
+  double turned[3];
+  for (int i = 0; i < 3; ++i)
+    turned[i] = (m[i] * n.data()[0] + m[4 + i] * n.data()[1]) + m[8 + i] * n.data()[2];
+  const double length =
+      std::sqrt((turned[0] * turned[0] + turned[1] * turned[1]) + turned[2] * turned[2]);
+  if (length == 0) return n;
+  return {turned[0] / length, turned[1] / length, turned[2] / length};
+}
+
+void check(const PlacedMeshView& mesh, const Eigen::Vector3d& displacement) {
+  check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
+  narrowphase::check_displacement(displacement);
+}
+
 }  // namespace
 
 std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Aabb& box,
@@ -171,20 +215,30 @@ std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Aabb& box,
   return bvh::in_standard_arithmetic([&]() -> std::optional<VolumeCast> {
     CountedWork counted(work);
     bvh::check_box(box, "box");
-    check_placement(mesh.pose, mesh.mesh.bounds(), "pose of the mesh");
-    narrowphase::check_displacement(displacement);
-    const contacts::SweepUnits units(mesh, box);
-    const SweptWay way(displacement, units);
-    EarliestMeeting earliest(displacement.data(), StartContact::Counts);
-    BoxCast(mesh, box, units, way, earliest, counted.work()).run();
-    const std::optional<MeshCast> met = earliest.result();
-    if (!met) return std::nullopt;
-    VolumeCast result{met->time, met->is_at_start, met->pair.a, met->point, met->normal};
-    if (met->is_at_start) {
-      const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(met->pair.a));
-      result.point = common_point(placed, box);
+    check(mesh, displacement);
+    return cast_box({mesh}, box, displacement, contacts::SweepUnits(mesh, box), counted.work());
+  });
+}
+
+std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Obb& box,
+                               const Eigen::Vector3d& displacement, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<VolumeCast> {
+    CountedWork counted(work);
+    bvh::check_box(box, "box");
+    check(mesh, displacement);
+    const Eigen::Vector3d turned = turned_into(box.pose, displacement);
+    narrowphase::check_displacement(turned);
+    Aabb framed;
+    for (int k = 0; k < 3; ++k) {
+      framed.min.data()[k] = -box.half_extents.data()[k];
+      framed.max.data()[k] = box.half_extents.data()[k];
     }
-    return result;
+    std::optional<VolumeCast> met = cast_box({mesh, &box.pose}, framed, turned,
+                                             contacts::SweepUnits(mesh, box), counted.work());
+    if (!met) return std::nullopt;
+    met->point = narrowphase::place(box.pose, met->point);
+    met->normal = unit_in_space(box.pose, met->normal);
+    return met;
   });
 }
 

@@ -4,8 +4,10 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/mesh/volume_query.h>
+#include <graze/narrowphase/triangle_box.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -84,6 +86,47 @@ TEST(Law13Boxes, AreExactOnLattices) {
   }
   EXPECT_GT(later, 10);
   EXPECT_GT(at_start, 2);
+}
+
+TEST(Law13Boxes, OrientedOnesAreExactAfterLaw3) {
+  RandomSource source(137);
+  int later = 0;
+  for (int n = 0; n < 60; ++n) {
+    const PlacedMesh mesh{n % 2 == 0 ? tests::random_soup({.count = 20, .size = 0.3}, source)
+                                     : tests::lattice_soup(10, 2, source),
+                          tests::random_pose(0.5, source)};
+    Pose pose = tests::random_pose(0, source);
+    pose.translation() = source.vector(-4, 4);
+    const Obb box{pose, source.vector(0, 0.5)};
+    const Eigen::Vector3d d =
+        source.uniform(0.5, 2) * (source.vector(-0.7, 0.7) - pose.translation());
+    Eigen::Vector3d turned;
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = pose.linear().col(i);
+      turned[i] = (axis[0] * d[0] + axis[1] * d[1]) + axis[2] * d[2];
+    }
+    ExactBoxCast right;
+    for (std::uint32_t i = 0; i < mesh.mesh.triangles().size(); ++i) {
+      const Triangle framed =
+          narrowphase::into_frame(place(mesh.pose, mesh.mesh.triangle(i)), pose);
+      const auto found =
+          oracle::rational_cast(framed, Aabb{-box.half_extents, box.half_extents}, turned);
+      if (!found.contact) continue;
+      if (!right.cast.contact || found.time < right.cast.time) right = {found, i};
+    }
+    const auto found = cast(mesh, box, d);
+    ASSERT_EQ(found.has_value(), right.cast.contact.has_value()) << n;
+    if (!found) continue;
+    EXPECT_EQ(found->time, right.cast.contact->time) << n;
+    EXPECT_EQ(found->is_at_start, intersects(mesh, box)) << n;
+    EXPECT_EQ(found->triangle, right.triangle) << n;
+    EXPECT_NEAR(found->normal.norm(), 1, 1e-14);
+    const Eigen::Vector3d in_box = pose.inverse() * (found->point - found->time * d);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LE(std::abs(in_box[k]), box.half_extents[k] + 1e-12) << n;
+    later += !found->is_at_start;
+  }
+  EXPECT_GT(later, 10);
 }
 
 TEST(Law13Boxes, AreSolidAndMayBeFlat) {
