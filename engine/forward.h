@@ -84,6 +84,7 @@ class BodyShape;
 class BroadPhase;
 class World;
 class WorldSnapshot;
+struct BodyCast;
 struct BodyContact;
 struct BodyDistance;
 struct BodyRayHit;

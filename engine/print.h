@@ -74,6 +74,7 @@ std::ostream& operator<<(std::ostream& out, const Manifold& manifold);
 std::ostream& operator<<(std::ostream& out, const BodyContact& contact);
 std::ostream& operator<<(std::ostream& out, const BodyDistance& distance);
 std::ostream& operator<<(std::ostream& out, const BodyRayHit& hit);
+std::ostream& operator<<(std::ostream& out, const BodyCast& cast);
 
 /// Only the counters that are not 0.
 std::ostream& operator<<(std::ostream& out, const Work& work);

@@ -209,6 +209,9 @@ std::ostream& operator<<(std::ostream& out, const BodyDistance& found) {
 std::ostream& operator<<(std::ostream& out, const BodyRayHit& found) {
   return out << found.id << Text(": ") << found.hit;
 }
+std::ostream& operator<<(std::ostream& out, const BodyCast& found) {
+  return out << found.id << Text(": ") << found.contact;
+}
 
 std::ostream& operator<<(std::ostream& out, const Work& work) {
   const std::pair<const char*, std::uint64_t> counters[] = {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <graze/bvh/error.h>
+#include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
@@ -122,6 +124,14 @@ struct BodyRayHit {
   RayHit hit;  ///< where the ray meets it first
 
   bool operator==(const BodyRayHit&) const = default;
+};
+
+/// A body that a shape in motion comes to, and when.
+struct BodyCast {
+  BodyId id;             ///< of the body
+  RigidContact contact;  ///< Hit or Close: first_contact() of the shape, A, and the body
+
+  bool operator==(const BodyCast&) const = default;
 };
 
 /// A copy of a world's state, for World::restore().
@@ -265,6 +275,22 @@ class World {
   /// Where it first meets each body that it meets, by distance, then by id. Throws likewise.
   std::vector<BodyRayHit> cast_ray_all(const Ray& ray,
                                        const BodyQuerySettings& settings = {}) const;
+
+  /// The body to which a shape in rigid motion comes first (law 14): that of the least `low` that
+  /// is not Free, of equals the one with the smaller id; nothing if the motion is free of all that
+  /// are asked for. Bodies are as they are now, and rest; one that the shape touches where it
+  /// starts has time 0, and can be left out by a filter. However thin a body, none is missed.
+  /// Throws as first_contact() does, and UnsupportedPairError if the shape comes near one of a
+  /// user's own. A body is asked if its box meets that of all places of the shape, so that a long
+  /// motion that turns is better asked in parts.
+  std::optional<BodyCast> cast(const Shape& shape, const RigidMotion& motion,
+                               const RigidContactSettings& contact = {},
+                               const BodyQuerySettings& settings = {}) const;
+
+  /// All that it comes to, each asked as if it were alone, by `low`, then by id. Throws likewise.
+  std::vector<BodyCast> cast_all(const Shape& shape, const RigidMotion& motion,
+                                 const RigidContactSettings& contact = {},
+                                 const BodyQuerySettings& settings = {}) const;
 
   /// A copy of all there is, and the world as it was. Throws InputError while changes wait for an
   /// update. From a restored world on, all is as it was from there the first time, bit for bit.

@@ -6,7 +6,7 @@
 #include <graze/engine/mesh/rigid/first_hit.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/time_grid.h>
-#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/rigid/moving_shape.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 
@@ -18,55 +18,15 @@
 namespace graze {
 namespace {
 
-// What lengths that are added up here round, and what poses deviate from rotations by, 1e-6.
-constexpr double kStretch = 1 + 0x1p-18;
-
 // Of all lengths: distances of shapes are known to 2^-34 of their scale.
 constexpr double kLeastTolerance = 0x1p-28;
-
-double length_of(const Eigen::Vector3d& v) {
-  return std::sqrt((v.x() * v.x() + v.y() * v.y()) + v.z() * v.z());
-}
-
-/// A shape in motion, with what bounds how far it gets.
-struct MovingShape {
-  const Shape& shape;
-  const RigidMotion& motion;
-  double turned;
-  double lengths;    ///< all that it is made of
-  double reach = 0;  ///< no point is further from the centre of the motion; of a half-space 0
-
-  /// Throws PoseError, which begins with `what`.
-  MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what)
-      : shape(of_shape),
-        motion(in_motion),
-        turned(std::abs(in_motion.angle())),
-        lengths(sum_of_lengths(in_motion)) {
-    if (is_half_space()) {
-      check_reach(motion, {{0, 0, 0}, {0, 0, 0}}, what);
-      lengths += std::abs(std::get<HalfSpace>(shape.value()).offset);
-      return;
-    }
-    const Pose& start = motion.start();
-    const Aabb bounds = bounding_aabb({shape, start});
-    check_reach(motion, bounds, what);
-    const Eigen::Vector3d middle = bounds.min / 2 + bounds.max / 2;
-    reach = (length_of(middle - motion.centre()) + length_of(bounds.max / 2 - bounds.min / 2)) *
-            kStretch;
-    lengths += reach;
-  }
-
-  bool is_half_space() const { return shape.kind() == ShapeKind::HalfSpace; }
-
-  PlacedShape at(double t) const { return {shape, motion.at(t)}; }
-};
 
 /// How far the shape moves, metres, at most, where the other one can be.
 double way_of(const MovingShape& moving, const MovingShape& other) {
   if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.reach;
   const double apart = length_of(moving.motion.centre() - other.motion.centre());
   const double shifts = length_of(moving.motion.shift()) + length_of(other.motion.shift());
-  return moving.turned * ((apart + shifts) + other.reach) * kStretch;
+  return moving.turned * ((apart + shifts) + other.reach) * MovingShape::kStretch;
 }
 
 /// Two shapes, and the times at which they are asked about.
@@ -75,8 +35,8 @@ class ShapeMotion {
   ShapeMotion(const MovingShape& a, const MovingShape& b, const RigidContactSettings& settings,
               Work& work)
       : a_(a), b_(b), clearance_(settings.clearance), budget_(settings.budget), work_(work) {
-    way_ =
-        length_of(b.motion.shift() - a.motion.shift()) * kStretch + (way_of(a, b) + way_of(b, a));
+    way_ = length_of(b.motion.shift() - a.motion.shift()) * MovingShape::kStretch +
+           (way_of(a, b) + way_of(b, a));
     const double least = kLeastTolerance * (a.lengths + b.lengths);
     const double tolerance = std::max({settings.tolerance, least, 0x1p-44 * way_});
     limit_ = clearance_ + tolerance;
@@ -100,7 +60,8 @@ class ShapeMotion {
       const double bound = distance(a, b, &work_).lower_bound;
       if (!(bound > limit_)) return k;
       // In one step they stay further apart than the clearance; in more while the bound lasts.
-      const double steps = (bound - limit_ - rounding_) / (way_ * kStretch) / grid_.step();
+      const double steps =
+          (bound - limit_ - rounding_) / (way_ * MovingShape::kStretch) / grid_.step();
       if (!(steps < static_cast<double>(grid_.end() - k))) return grid_.end();
       k += std::max(std::uint64_t{1}, static_cast<std::uint64_t>(std::max(steps, 0.0)));
     }

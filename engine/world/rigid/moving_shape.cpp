@@ -1,0 +1,55 @@
+#include <graze/engine/mesh/rigid/motion_checks.h>
+#include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace graze {
+
+double length_of(const Eigen::Vector3d& v) {
+  return std::sqrt((v.x() * v.x() + v.y() * v.y()) + v.z() * v.z());
+}
+
+MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what)
+    : shape(of_shape),
+      motion(in_motion),
+      turned(std::abs(in_motion.angle())),
+      lengths(sum_of_lengths(in_motion)) {
+  if (is_half_space()) {
+    check_reach(motion, {{0, 0, 0}, {0, 0, 0}}, what);
+    lengths += std::abs(std::get<HalfSpace>(shape.value()).offset);
+    return;
+  }
+  const Pose& start = motion.start();
+  const Aabb bounds = bounding_aabb({shape, start});
+  check_reach(motion, bounds, what);
+  const Eigen::Vector3d middle = bounds.min / 2 + bounds.max / 2;
+  reach =
+      (length_of(middle - motion.centre()) + length_of(bounds.max / 2 - bounds.min / 2)) * kStretch;
+  lengths += reach;
+}
+
+Aabb swept_bounds(const MovingShape& moving) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  const Eigen::Vector3d all = Eigen::Vector3d::Constant(kLargest);
+  if (moving.is_half_space()) return {-all, all};
+  const RigidMotion& motion = moving.motion;
+  Aabb first, last;
+  if (moving.turned == 0) {
+    first = bounding_aabb({moving.shape, motion.start()});
+    last = {first.min + motion.shift(), first.max + motion.shift()};
+  } else {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(moving.reach);
+    first = {motion.centre() - reach, motion.centre() + reach};
+    last = {first.min + motion.shift(), first.max + motion.shift()};
+  }
+  // What poses are off by where they are rounded, as ShapeMotion has it, and these sums.
+  const Eigen::Vector3d rounding =
+      Eigen::Vector3d::Constant(0x1p-40 * moving.lengths + 0x1p-50 * moving.turned * moving.reach);
+  return {first.min.cwiseMin(last.min) - rounding, first.max.cwiseMax(last.max) + rounding};
+}
+
+}  // namespace graze

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <graze/bvh/aabb.h>
+#include <graze/engine/mesh/rigid_motion.h>
+#include <graze/engine/world/placed_shape.h>
+#include <graze/engine/world/shape.h>
+
+namespace graze {
+
+double length_of(const Eigen::Vector3d& v);
+
+/// A shape in motion, with what bounds how far it gets.
+struct MovingShape {
+  /// What lengths that are added up here round, and what poses deviate from rotations by, 1e-6.
+  static constexpr double kStretch = 1 + 0x1p-18;
+
+  const Shape& shape;
+  const RigidMotion& motion;
+  double turned;
+  double lengths;    ///< all that it is made of
+  double reach = 0;  ///< no point is further from the centre of the motion; of a half-space 0
+
+  /// Both must outlive it. Throws PoseError, which begins with `what`.
+  MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what);
+
+  bool is_half_space() const { return shape.kind() == ShapeKind::HalfSpace; }
+  PlacedShape at(double t) const { return {shape, motion.at(t)}; }
+};
+
+/// A box that holds the shape at every t; for a half-space all that there is.
+Aabb swept_bounds(const MovingShape& moving);
+
+}  // namespace graze
