@@ -72,7 +72,9 @@ TEST(Law14World, AllBodiesAreFoundThatOneByOneAreMet) {
     const RigidContactSettings settings{.clearance = n % 4 == 0 ? 0.05 : 0};
     const std::vector<BodyCast> casts = world.cast_all(shape, motion, settings);
     std::size_t met = 0;
-    for (const auto& [id, body] : bodies) {
+    for (const auto& each : bodies) {
+      const BodyId id = each.first;  // a lambda of clang 14 captures no binding
+      const auto& body = each.second;
       const RigidContact alone =
           first_contact(shape, motion, body.first, RigidMotion(body.second), settings);
       const auto found = std::find_if(casts.begin(), casts.end(),
