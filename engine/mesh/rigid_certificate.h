@@ -19,7 +19,7 @@ struct FreedomStep {
     DivideA,    ///< the first `count` triangles of A, then the rest
     DivideB     ///< likewise of B
   };
-  Kind kind;
+  Kind kind;               ///< what it does
   std::uint32_t count;     ///< for DivideA and DivideB, else 0
   Eigen::Vector3d normal;  ///< for Plane, from A to B, of any length, else 0
 

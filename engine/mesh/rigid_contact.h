@@ -33,7 +33,7 @@ enum class RigidStatus {
 
 /// When two rigid motions meet first.
 struct RigidContact {
-  RigidStatus status;
+  RigidStatus status;  ///< free, met, or neither proved
   /// Further apart than the clearance at all times below it: never later than the first contact. 1
   /// for what is free; else the first time of a grid at which distance() is not above clearance and
   /// tolerance, or at which the budget ended.

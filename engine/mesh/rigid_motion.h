@@ -43,6 +43,7 @@ class RigidMotion {
  public:
   /// At rest.
   explicit RigidMotion(const Pose& pose) : RigidMotion(pose, RigidCourse{}) {}
+  /// From a pose along a course.
   RigidMotion(const Pose& start, const RigidCourse& course);
 
   /// From one pose to another: `body_centre`, a point in the body's frame, goes straight, and the
@@ -59,15 +60,17 @@ class RigidMotion {
   /// of the lengths.
   static RigidMotion screw_between(const Pose& start, const Pose& end);
 
+  /// From a pose along and about a line, by any number of turns.
   static RigidMotion screw(const Pose& start, const Screw& screw);
 
+  /// From a pose with velocities that stay.
   static RigidMotion from_velocities(const Pose& start, const RigidVelocities& velocities);
 
-  const Pose& start() const { return start_; }
-  const Eigen::Vector3d& centre() const { return centre_; }
-  const Eigen::Vector3d& shift() const { return shift_; }
-  const Eigen::Vector3d& axis() const { return axis_; }  ///< of length 1 but for 2^-50
-  double angle() const { return angle_; }
+  const Pose& start() const { return start_; }               ///< at t = 0
+  const Eigen::Vector3d& centre() const { return centre_; }  ///< at t = 0, common frame, metres
+  const Eigen::Vector3d& shift() const { return shift_; }    ///< of the centre, metres
+  const Eigen::Vector3d& axis() const { return axis_; }      ///< of length 1 but for 2^-50
+  double angle() const { return angle_; }                    ///< radians
 
   /// The pose at t, from 0 to 1: with Q the rotation by fl(t angle) about the axis, R that of the
   /// start and o its translation, Q R and o + t shift + (Q - 1)(o - centre), each operation rounded
