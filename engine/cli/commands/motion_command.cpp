@@ -7,6 +7,7 @@
 #include <graze/engine/cli/reports/motion_report.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/pose_text.h>
 
 #include <CLI/CLI.hpp>
@@ -97,6 +98,10 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   const std::vector<RigidMotion> motions = read_motions(options.motion);
   const Mesh mesh_a = load_mesh(options.mesh_a);
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
+  // Before the first answer, so that nothing is printed where a later motion is refused.
+  check_reach(rest, mesh_a.bounds(), "--pose-a");
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    check_reach(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
   Progress progress("motions:", motions.size(), {.is_forced = options.has_progress});
   for (std::size_t i = 0; i < motions.size(); ++i) {
     MotionAnswer answer;

@@ -140,6 +140,9 @@ TEST_F(CliMotion, BadInputIsRefused) {
                  "graze: --certificate and --path exclude each other: a proof is about one motion");
   expect_refusal(with({"--to", "2 0 0 0 0 1 0 0 0 0 1 0"}),
                  "graze: --to: not a rotation, max |R^T R - I| is 3, above 1e-06");
+  write("far.txt", kApart + "\n" + kAbove + "\n1 0 0 1e160 0 1 0 0 0 0 1 0\n");
+  expect_refusal(with({"--path", "far.txt"}),
+                 "graze: motion 1: coordinates of the body, or squares of them, could overflow");
   write("bad.json", "{\"graze_certificate\":2}");
   expect_refusal(
       {"verify", "bad.json"},
