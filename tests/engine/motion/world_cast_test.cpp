@@ -119,6 +119,22 @@ TEST(Law14World, NothingTunnelsHoweverThinTheWall) {
   EXPECT_NEAR(all[1].contact.low, (119.5 - 0.001) / 1000, 1e-8);
 }
 
+/// Beside a body whose box it never meets, by less than the clearance and by more.
+TEST(Law14World, AClearanceReachesBeyondBoxes) {
+  World world(WorldSettings{});
+  const BodyId beside = world.add({Box{{1, 1, 1}}, at(0, 2.03, 0)});
+  const Shape ball = Sphere{{0, 0, 0}, 1};
+  const RigidMotion past(at(-5, 0, 0), {.shift = {10, 0, 0}});
+  EXPECT_FALSE(world.cast(ball, past).has_value());
+  EXPECT_FALSE(world.cast(ball, past, {.clearance = 0.02}).has_value());
+  const std::optional<BodyCast> near = world.cast(ball, past, {.clearance = 0.05});
+  ASSERT_TRUE(near.has_value());
+  EXPECT_EQ(near->id, beside);
+  EXPECT_EQ(near->contact.status, RigidStatus::Hit);
+  // Its centre comes within a radius and the clearance of the edge at x = -1, y = 1.03.
+  EXPECT_NEAR(near->contact.low, (4 - std::sqrt(1.05 * 1.05 - 1.03 * 1.03)) / 10, 1e-6);
+}
+
 TEST(Law14World, FiltersMovesAndTurns) {
   World world(WorldSettings{});
   const BodyId floor = world.add({HalfSpace{{0, 0, 1}, 0}, Pose::Identity()},
