@@ -3,6 +3,8 @@
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
 #include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
 
@@ -58,6 +60,12 @@ class BodyShape {
   /// UnsupportedPairError.
   virtual std::optional<RayHit> cast_ray(const Pose& pose, const Ray& ray) const;
 
+  /// When it meets another, both in motion: see first_contact() of shapes. Asked as touches() is,
+  /// for bodies that are swept (Detection). A shape that does not know says so: Close from 0 on.
+  virtual RigidContact first_contact(const RigidMotion& motion, const BodyShape& other,
+                                     const RigidMotion& other_motion,
+                                     const RigidContactSettings& settings) const;
+
   /// No point of the shape is further than this from its frame's origin, metres; infinite if not
   /// known.
   virtual double bounding_radius() const;
@@ -77,6 +85,13 @@ enum class BodyKind : std::uint8_t {
   Static,     ///< does not move by itself; meets only dynamic bodies
   Kinematic,  ///< is moved by its user, as by rails; meets only dynamic bodies
   Dynamic     ///< is moved by a solver; meets all
+};
+
+/// At which times an update looks at a body.
+enum class Detection : std::uint8_t {
+  Discrete,   ///< where it is now
+  Continuous  ///< where it is now, and on all its way there since the last update: it is swept, so
+              ///< that nothing that it meets is too thin to be found
 };
 
 /// What meeting a body means.

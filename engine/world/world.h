@@ -30,6 +30,8 @@ struct BodySettings {
   /// What of a mesh counts beside its surface: see ManifoldSettings. What is behind it touches
   /// then, in all lists and contacts of the world, not in its queries.
   MeshSides sides = {};
+  /// Whether it is swept. Bodies that are not cost what they cost without any that is.
+  Detection detection = Detection::Discrete;
 };
 
 /// How a World works. What need not be done is left out: each setting that begins with `skip_`
@@ -40,6 +42,7 @@ struct WorldSettings {
   /// (BodyShape::allows_concurrent_calls()). No result depends on it, nor does WorldWork.
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
+  RigidContactSettings sweeps = {};  ///< how first contacts of bodies that are swept are found
 
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
@@ -56,6 +59,24 @@ struct BodyContact {
   bool operator==(const BodyContact&) const = default;
 };
 
+/// Two bodies of which one is swept (Detection) and which are not proved to stay apart from one
+/// update to the next. Times go from 0, the last update, to 1, this one.
+struct BodyFirstContact {
+  BodyPair pair;  ///< as all pairs: sensors too, and as filters say now
+  /// Hit or Close: first_contact() of both in motion. Close from 0 on, out of budget, where a shape
+  /// of a user's own does not know.
+  RigidContact contact;
+  /// Whether they touch at 0: then `low` is 0, and what a solver does with the contacts of the last
+  /// update is all that there is to do.
+  bool touches_at_start;
+  /// At `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two half-spaces and
+  /// for shapes of a user's own.
+  Eigen::Vector3d normal;
+  Eigen::Vector3d point;  ///< at `low`, between the two, in the world's frame; likewise
+
+  bool operator==(const BodyFirstContact&) const = default;
+};
+
 /// What an update did, and what it could leave out.
 struct WorldWork {
   /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
@@ -70,6 +91,9 @@ struct WorldWork {
   std::uint64_t contacts_found = 0;  ///< pairs whose contacts were asked for
   /// Pairs in `moved`, or near, without contacts: the settings ask for none, or one is a sensor.
   std::uint64_t contacts_skipped = 0;
+
+  /// Pairs that were asked for their first contact: the boxes around all places of both met.
+  std::uint64_t pairs_swept = 0;
 
   /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
   /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
@@ -101,6 +125,10 @@ struct WorldUpdate {
   /// two mean the touch.
   std::span<const BodyPair> begun_near;
   std::span<const BodyPair> ended_near;  ///< were within their margin and are not
+
+  /// First contacts of the bodies that are swept and moved, in ascending order of pairs. Whatever
+  /// the bodies do after that is not looked at: who stops a body there moves it, and updates again.
+  std::span<const BodyFirstContact> first_contacts;
 };
 
 /// Which bodies a query of a world is about.
@@ -151,7 +179,7 @@ class WorldSnapshot {
 /// movers and the pairs around them do.
 class World {
  public:
-  /// Without bodies.
+  /// Without bodies. Throws InputError for settings that are none.
   explicit World(const WorldSettings& settings = {});
   ~World();
   World(World&&) noexcept;
@@ -165,10 +193,16 @@ class World {
   /// Takes a body out of the world. This, and all that take the id of one body, throw StaleIdError
   /// for a body that is gone.
   void remove(BodyId id);
-  /// Takes the body to a pose, and wakes it.
+  /// Takes the body to a pose, and wakes it. One that is swept goes there from where it was at the
+  /// last update: its origin straight, and turning the short way (RigidMotion::between()).
   void move(BodyId id, const Pose& pose);
   /// The same of many bodies. Moves all or none: an error names the element that is to blame.
   void move(std::span<const BodyId> ids, std::span<const Pose> poses);
+  /// Takes the body along a motion to its end, at(1), and wakes it: what is swept is swept along
+  /// that motion, others as by move() to that pose. Of one that is swept throws InputError if it
+  /// does not start, to the bit, where the body was at the last update; or where it was added or
+  /// set to be swept since.
+  void move(BodyId id, const RigidMotion& motion);
   /// Gives the body another shape where it is, and wakes it: a mesh that deforms is a new mesh in
   /// each step. Throws as add() does, and leaves the body as it was.
   /// Sides that the settings gave it stay, and must suit the new shape.
@@ -181,6 +215,9 @@ class World {
   void set_role(BodyId id, Role role);
   /// Likewise. Throws InputError for a margin that is negative, infinite or NaN.
   void set_margin(BodyId id, double margin);
+  /// Whether the body is swept from here on: a way that it went before this call is forgotten. So
+  /// to take a body elsewhere without sweeping it, move it, and set Continuous again.
+  void set_detection(BodyId id, Detection detection);
   /// A number that the world keeps and does not read.
   void set_user_data(BodyId id, std::uint64_t data);
 
@@ -221,6 +258,8 @@ class World {
   Role role(BodyId id) const;
   /// As settings or set_margin() said last.
   double margin(BodyId id) const;
+  /// As settings or set_detection() said last.
+  Detection detection(BodyId id) const;
   /// As settings said, while it has the mesh.
   const MeshSides& sides(BodyId id) const;
   /// As settings or set_filter() said last.

@@ -64,6 +64,25 @@ void what_has_a_margin(graze::World& world, graze::BodyId ball) {
   expect(world.update().ended_near.size() == 1, "none without a margin");
 }
 
+/// A body may be so fast that it is behind a wall in the next step.
+void what_is_fast(graze::World& world) {
+  const graze::BodyId bullet = world.add({graze::Sphere{{0, 0, 0}, 0.001}, at(-20, 0, 8)},
+                                         {.detection = graze::Detection::Continuous});
+  const graze::BodyId wall = world.add({graze::Box{{0.001, 1, 1}}, at(-10, 0, 8)});
+  expect(world.detection(bullet) == graze::Detection::Continuous, "it is swept");
+  world.update();
+  world.move(bullet, at(0, 0, 8));
+  const graze::WorldUpdate update = world.update();
+  expect(update.begun.empty() && update.first_contacts.size() == 1, "it met the wall on its way");
+  const graze::BodyFirstContact& met = update.first_contacts[0];
+  expect(met.contact.low < 0.5 && met.contact.low > 0.499 && met.normal.x() > 0.99, "half-way");
+  world.move(bullet, graze::RigidMotion(at(0, 0, 8), {.shift = {0, 30, 0}}));
+  expect(world.update().first_contacts.empty(), "and nothing on another");
+  world.set_detection(bullet, graze::Detection::Discrete);
+  world.remove(bullet);
+  world.remove(wall);
+}
+
 void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) {
   expect(world.find_in_box({{-1, -1, 0.25}, {1, 1, 1}}) == std::vector{ball}, "whose box is there");
   expect(world.find_touching({kBall, at(0, 0, 1)}) == std::vector{ball}, "whom a shape touches");
@@ -95,6 +114,7 @@ int main() {
   what_a_body_is(world, ball);
   world.update();
   what_has_a_margin(world, ball);
+  what_is_fast(world);
   what_is_near(world, floor, ball);
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");

@@ -36,6 +36,17 @@ double motion_bound(const Pose& from, const Pose& to, double bounding_radius) {
   return (std::sqrt(shift) + std::sqrt(turn) * bounding_radius) * (1 + 0x20p-53) + rounding;
 }
 
+// A body that turns the short way, by an angle of at most pi, has turned by chords that grow to the
+// last, which the Frobenius norm is no less than. at(1) differs from `to` by what between() says,
+// and poses between by what they round.
+double way_bound(const Pose& from, const Pose& to, double bounding_radius) {
+  if (bounding_radius == kInfinity) return kInfinity;
+  const double lengths =
+      sum_of_sizes(from.data() + 12) + sum_of_sizes(to.data() + 12) + bounding_radius;
+  return motion_bound(from, to, bounding_radius) +
+         (0x1p-40 * lengths + 4 * kMaxRotationDeviation * bounding_radius);
+}
+
 double longer_path(double path, double motion) {
   return next_up(path + motion);
 }

@@ -21,6 +21,7 @@ void make_room_in(std::vector<T>& of, std::size_t more) {
 struct PairNews {
   std::vector<BodyPair> begun, ended, begun_near, ended_near, moved;
   ContactList contacts;
+  std::vector<BodyFirstContact> first_contacts;
   WorldWork work;
 
   void clear() {
@@ -29,7 +30,7 @@ struct PairNews {
   }
   /// What began and ended stays listed.
   void clear_all_but_changes() {
-    moved.clear(), contacts.clear();
+    moved.clear(), contacts.clear(), first_contacts.clear();
     work = {};
   }
 };

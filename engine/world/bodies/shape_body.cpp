@@ -6,6 +6,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/shapes/pair_input.h>
@@ -188,6 +189,19 @@ class ShapeBody final : public BodyShape {
     return graze::cast_ray({shape_, pose}, ray);
   }
 
+  RigidContact first_contact(const RigidMotion& motion, const BodyShape& other,
+                             const RigidMotion& other_motion,
+                             const RigidContactSettings& settings) const override {
+    return bvh::in_standard_arithmetic([&]() -> RigidContact {
+      const Shape* shape = other.shape();
+      if (shape != nullptr) {
+        return graze::first_contact(shape_, motion, *shape, other_motion, settings, &shape_work());
+      }
+      return bvh::in_users_arithmetic(
+          [&] { return other.first_contact(other_motion, *this, motion, settings); });
+    });
+  }
+
   double bounding_radius() const override { return bounding_radius_; }
 
  private:
@@ -220,6 +234,12 @@ double BodyShape::gap(const Pose& /*pose*/, const BodyShape& /*other*/,
 
 std::optional<RayHit> BodyShape::cast_ray(const Pose& /*pose*/, const Ray& /*ray*/) const {
   throw UnsupportedPairError("cast_ray: a shape of a user's own does not know where rays meet it");
+}
+
+RigidContact BodyShape::first_contact(const RigidMotion& /*motion*/, const BodyShape& /*other*/,
+                                      const RigidMotion& /*other_motion*/,
+                                      const RigidContactSettings& /*settings*/) const {
+  return {.status = RigidStatus::Close, .low = 0, .high = 1, .is_out_of_budget = true};
 }
 
 double BodyShape::bounding_radius() const {

@@ -1,9 +1,9 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
-#include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/mesh/query/threads.h>
+#include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
@@ -24,14 +24,6 @@ const Shape* known_shape(const BodyShape& shape, bool is_users) {
   return ask_shape(is_users, [&] { return shape.shape(); });
 }
 
-/// With that room around it, metres.
-Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
-               const char* what) {
-  Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
-  bvh::check_box(box, what);
-  return room > 0 ? grown(box, room) : box;
-}
-
 /// No more than oneTBB has now: it would warn of those that it cannot give.
 std::size_t threads_of(const WorldSettings& settings) {
   using tbb::global_control;
@@ -40,6 +32,13 @@ std::size_t threads_of(const WorldSettings& settings) {
 }
 
 }  // namespace
+
+Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
+               const char* what) {
+  Aabb box = ask_shape(is_users, [&] { return shape.bounds(pose); });
+  bvh::check_box(box, what);
+  return room > 0 ? grown(box, room) : box;
+}
 
 World::State::State(const WorldSettings& chosen)
     : settings(chosen),
@@ -113,37 +112,6 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
   body_of_box[body.box] = index;
 }
 
-void World::State::begin_move() {
-  boxes_to_move.clear();
-  places.clear();
-  bounding_radii.clear();
-}
-
-/// Puts the body's box into the list of those that move, or throws. All that a move asks of a shape
-/// is asked here, before anything has moved.
-void World::State::prepare_move(BodyId id, const Pose& pose, const char* what) {
-  check_is_free(what);
-  const Bodies::Body& mover = body(id, what);
-  bvh::check_rigid(pose, what);
-  places.push_back(bounds_of(*mover.shape, mover.is_users, pose, mover.room(), what));
-  bounding_radii.push_back(
-      mover.ask([](const BodyShape& shape) { return shape.bounding_radius(); }));
-  boxes_to_move.push_back(broad.id(mover.box));
-}
-
-void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses) {
-  make_room_for_changes(ids.size());
-  broad.move(boxes_to_move, places);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    Bodies::Body& mover = all.bodies[ids[i].index];
-    double& path = all.changes[ids[i].index].path;
-    path = longer_path(path, motion_bound(mover.pose, poses[i], bounding_radii[i]));
-    mover.pose = poses[i];
-    mover.is_awake = true;
-    note_change(ids[i].index);
-  }
-}
-
 /// The mesh that the shape stands for, or nullptr. Asked once, before a body takes the shape, since
 /// a shape of a user's own may throw.
 const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
@@ -180,6 +148,7 @@ void World::State::drop_shape(std::uint32_t index) {
 
 World::World(const WorldSettings& settings) {
   check_threads(settings.threads);
+  check_settings(settings.sweeps);
   state_ = std::make_unique<State>(settings);
 }
 World::~World() = default;
@@ -218,6 +187,8 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     body.user_data = settings.user_data;
     body.margin = settings.margin;
     body.sides = settings.sides;
+    body.detection = settings.detection;
+    if (body.detection == Detection::Continuous) state.movers.add_swept();
     state.note_change(index);
     return state.all.id(index);
   });
@@ -240,39 +211,10 @@ void World::remove(BodyId id) {
     --body.exclusions, --state.all.bodies[other].exclusions;
   }
   state.drop_shape(id.index);
+  state.movers.forget(id.index);
+  if (body.detection == Detection::Continuous) state.movers.remove_swept();
   state.all.ids.free(id.index);
   ++state.removed;
-}
-
-void World::move(BodyId id, const Pose& pose) {
-  bvh::in_standard_arithmetic([&] {
-    state_->begin_move();
-    state_->prepare_move(id, pose, "move");
-    state_->move_prepared({&id, 1}, {&pose, 1});
-  });
-}
-
-void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
-  bvh::in_standard_arithmetic([&] {
-    State& state = *state_;
-    if (ids.size() != poses.size()) {
-      throw InputError("move: " + std::to_string(ids.size()) + " ids, but " +
-                       std::to_string(poses.size()) + " poses");
-    }
-    state.begin_move();
-    std::size_t i = 0;
-    try {
-      for (; i < ids.size(); ++i)
-        state.prepare_move(ids[i], poses[i], "move");
-    } catch (const std::exception&) {
-      const std::string what = "move, element " + std::to_string(i);
-      bvh::at_element("element", i, [&] {
-        state.prepare_move(ids[i], poses[i], what.c_str());  // throws again, with its own name
-      });
-      throw;
-    }
-    state.move_prepared(ids, poses);
-  });
 }
 
 void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {

@@ -32,6 +32,10 @@ double World::margin(BodyId id) const {
   return state_->body(id, "margin").margin;
 }
 
+Detection World::detection(BodyId id) const {
+  return state_->body(id, "detection").detection;
+}
+
 const MeshSides& World::sides(BodyId id) const {
   return state_->body(id, "sides").sides;
 }

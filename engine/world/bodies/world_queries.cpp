@@ -20,19 +20,19 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 // (shape_bounds.cpp).
 constexpr double kDistanceRounding = 0x1p-44;
 
-double width_of(const Aabb& box) {
-  double most = 0;
-  for (int i = 0; i < 3; ++i)
-    most = std::max(most, box.max.data()[i] - box.min.data()[i]);
-  return std::min(most, kLargestLength);
-}
-
 bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
   if (s.distance.distance != t.distance.distance) return s.distance.distance < t.distance.distance;
   return s.id < t.id;
 }
 
 }  // namespace
+
+double width_of(const Aabb& box) {
+  double most = 0;
+  for (int i = 0; i < 3; ++i)
+    most = std::max(most, box.max.data()[i] - box.min.data()[i]);
+  return std::min(most, kLargestLength);
+}
 
 Aabb grown(const Aabb& box, double width) {
   Aabb larger;

@@ -3,6 +3,7 @@
 #include <graze/bvh/box_set/search/pair_index.h>
 #include <graze/bvh/box_set/store/workers.h>
 #include <graze/engine/world/bodies/body_motion.h>
+#include <graze/engine/world/bodies/movers.h>
 #include <graze/engine/world/bodies/pair_batches.h>
 #include <graze/engine/world/bodies/pair_news.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
@@ -12,6 +13,7 @@
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
+#include <exception>
 #include <set>
 
 namespace graze {
@@ -30,6 +32,7 @@ struct Bodies {
     std::uint32_t exclusions = 0;
     BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
+    Detection detection = Detection::Discrete;
     bool is_awake = true;
     bool is_users = false;  ///< whether a user wrote the shape's class
     /// What `question(shape)` says, computed as its author does.
@@ -147,8 +150,15 @@ struct WorldSnapshot::State {
   std::vector<std::uint8_t> states;
 };
 
+/// The box of the shape with room around it, metres, checked.
+Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
+               const char* what);
+
 /// The box with room around it, outward, for all that may be that far away or nearer, metres.
 Aabb grown(const Aabb& box, double width);
+
+/// The longest side, at most kLargestLength.
+double width_of(const Aabb& box);
 
 inline BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
   return {std::min(s, t), std::max(s, t)};
@@ -164,6 +174,19 @@ struct PartnerSearch {
   std::vector<BoxPair> asked;  ///< changed bodies and their partners: as boxes, and then as bodies
   std::vector<std::uint32_t> found;
   std::vector<std::uint32_t> due;  ///< of these, without those that are apart for sure
+};
+
+/// A body and a box around all places where it was since the last update.
+struct SweptBody {
+  std::uint32_t body;
+  bool is_swept;  ///< false of a body that moved far, and stands here so that others are found
+  Aabb box;
+};
+
+/// A part of the pairs that are asked for a first contact.
+struct SweptPart {
+  Work work;
+  std::exception_ptr failure;
 };
 
 /// How many pairs of a part of the list are due, and how many would be but for a known gap.
@@ -197,6 +220,11 @@ struct World::State {
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
   std::vector<double> bounding_radii;
+  Movers movers;
+  std::vector<SweptBody> swept;
+  std::vector<BoxPair> swept_pairs;
+  std::vector<SweptPart> swept_parts;
+  std::vector<std::optional<BodyFirstContact>> swept_answers;  ///< by pair; none for Free
 
   bool is_updating = false;
   /// The last update did not end: something that it asked threw, or it had no memory.
@@ -218,6 +246,7 @@ struct World::State {
   void begin_move();
   void prepare_move(BodyId id, const Pose& pose, const char* what);
   void move_prepared(std::span<const BodyId> ids, std::span<const Pose> poses);
+  void note_way(std::uint32_t index, const Pose& to, double bounding_radius);
   const Mesh* prepared_mesh(const BodyShape& shape, bool is_users) const;
   void take_shape(std::uint32_t index, std::shared_ptr<const BodyShape> shape, const Mesh* mesh);
   void drop_shape(std::uint32_t index);
@@ -228,6 +257,12 @@ struct World::State {
   }
 
   void find_changes();
+  void find_first_contacts();
+  double list_swept();
+  void list_swept_pairs(double others_way);
+  void list_partners_of(std::uint32_t index, const Aabb& box, double others_way);
+  std::optional<BodyFirstContact> ask_swept_pair(BoxPair pair) const;
+  void ask_swept_pairs();
   void list_changes();
   void end_pairs();
   void end_parted_pairs();

@@ -194,13 +194,15 @@ WorldUpdate World::update() {
       const ShapeWorkScope counting(state.news.work.shapes);
       const UpdatingScope updating(state.is_updating, state.is_cut_short);
       state.find_changes();
+      state.find_first_contacts();
       state.list_changes();
       state.all.ids.next_round();
     }
     state.is_cut_short = false;
+    state.movers.clear();
     const PairNews& news = state.news;
-    return {news.begun, news.ended,      news.moved,     state.contacts.all(),
-            news.work,  news.begun_near, news.ended_near};
+    return {news.begun, news.ended,      news.moved,      state.contacts.all(),
+            news.work,  news.begun_near, news.ended_near, news.first_contacts};
   });
 }
 
@@ -224,6 +226,7 @@ void World::restore(const WorldSnapshot& snapshot) {
       const Aabb box = body.ask([&](const BodyShape& shape) { return shape.bounds(body.pose); });
       fresh->insert_box(index, body.room() > 0 ? grown(box, body.room()) : box);
       fresh->all.changes[index].has_unbuilt_tree = fresh->unbuilt.add(body.mesh);
+      if (body.detection == Detection::Continuous) fresh->movers.add_swept();
     }
     fresh->broad.update();
     fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->states);

@@ -9,6 +9,17 @@
 
 namespace graze {
 
+namespace {
+
+/// The radius of a ball that, moved along a point or a segment, makes the shape.
+double rounded_by(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape.value())) return sphere->radius;
+  if (const auto* capsule = std::get_if<Capsule>(&shape.value())) return capsule->radius;
+  return 0;
+}
+
+}  // namespace
+
 double length_of(const Eigen::Vector3d& v) {
   return std::sqrt((v.x() * v.x() + v.y() * v.y()) + v.z() * v.z());
 }
@@ -27,8 +38,12 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
   const Aabb bounds = bounding_aabb({shape, start});
   check_reach(motion, bounds, what);
   const Eigen::Vector3d middle = bounds.min / 2 + bounds.max / 2;
-  reach =
-      (length_of(middle - motion.centre()) + length_of(bounds.max / 2 - bounds.min / 2)) * kStretch;
+  const double apart = length_of(middle - motion.centre());
+  const Eigen::Vector3d half = bounds.max / 2 - bounds.min / 2;
+  const Eigen::Vector3d rounded = Eigen::Vector3d::Constant(rounded_by(shape));
+  reach = (apart + length_of(half)) * kStretch;
+  // What boxes round is a share of `lengths`, for which those who use this leave room.
+  turning_reach = (apart + length_of((half - rounded).cwiseMax(0))) * kStretch;
   lengths += reach;
 }
 

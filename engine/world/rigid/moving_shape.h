@@ -19,6 +19,8 @@ struct MovingShape {
   double turned;
   double lengths;    ///< all that it is made of
   double reach = 0;  ///< no point is further from the centre of the motion; of a half-space 0
+  /// Likewise no point of what turning moves: of a ball its centre, of a capsule its segment.
+  double turning_reach = 0;
 
   /// Both must outlive it. Throws PoseError, which begins with `what`.
   MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what);

@@ -21,9 +21,9 @@ namespace {
 // Of all lengths: distances of shapes are known to 2^-34 of their scale.
 constexpr double kLeastTolerance = 0x1p-28;
 
-/// How far the shape moves, metres, at most, where the other one can be.
-double way_of(const MovingShape& moving, const MovingShape& other) {
-  if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.reach;
+/// How far turning moves a point of the shape, metres, at most, where the other one can be.
+double turning_way_of(const MovingShape& moving, const MovingShape& other) {
+  if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_reach;
   const double apart = length_of(moving.motion.centre() - other.motion.centre());
   const double shifts = length_of(moving.motion.shift()) + length_of(other.motion.shift());
   return moving.turned * ((apart + shifts) + other.reach) * MovingShape::kStretch;
@@ -35,8 +35,9 @@ class ShapeMotion {
   ShapeMotion(const MovingShape& a, const MovingShape& b, const RigidContactSettings& settings,
               Work& work)
       : a_(a), b_(b), clearance_(settings.clearance), budget_(settings.budget), work_(work) {
-    way_ = length_of(b.motion.shift() - a.motion.shift()) * MovingShape::kStretch +
-           (way_of(a, b) + way_of(b, a));
+    shift_ = b.motion.shift() - a.motion.shift();
+    turning_way_ = turning_way_of(a, b) + turning_way_of(b, a);
+    way_ = length_of(shift_) * MovingShape::kStretch + turning_way_;
     const double least = kLeastTolerance * (a.lengths + b.lengths);
     const double tolerance = std::max({settings.tolerance, least, 0x1p-44 * way_});
     limit_ = clearance_ + tolerance;
@@ -57,15 +58,27 @@ class ShapeMotion {
       if (is_out_of_budget_) return k;
       --budget_;
       const PlacedShape a = a_.at(grid_.time(k)), b = b_.at(grid_.time(k));
-      const double bound = distance(a, b, &work_).lower_bound;
+      const ShapeDistance found = distance(a, b, &work_);
+      const double bound = found.lower_bound;
       if (!(bound > limit_)) return k;
       // In one step they stay further apart than the clearance; in more while the bound lasts.
-      const double steps =
-          (bound - limit_ - rounding_) / (way_ * MovingShape::kStretch) / grid_.step();
+      const double steps = (bound - limit_ - rounding_) / closing_way(found.normal) / grid_.step();
       if (!(steps < static_cast<double>(grid_.end() - k))) return grid_.end();
       k += std::max(std::uint64_t{1}, static_cast<std::uint64_t>(std::max(steps, 0.0)));
     }
     return grid_.end();
+  }
+
+  /// How far the two come nearer to each other in all, metres, at most. Of convex shapes the gap
+  /// between two planes at right angles to the normal is the bound (distance()), and what moves
+  /// along these planes does not close it: Mirtich's bound (Impulse-based Dynamic Simulation of
+  /// Rigid Body Systems, 1996, section 2.3). A unit vector is off by less than 2^-50.
+  double closing_way(const Eigen::Vector3d& normal) const {
+    if (!are_convex_) return way_ * MovingShape::kStretch;
+    const double along =
+        normal.x() * shift_.x() + normal.y() * shift_.y() + normal.z() * shift_.z();
+    const double shift = std::max(-along, 0.0) + 0x1p-48 * length_of(shift_);
+    return (shift + turning_way_) * MovingShape::kStretch;
   }
 
   bool is_hit(std::uint64_t k) {
@@ -80,6 +93,9 @@ class ShapeMotion {
   double clearance_;
   std::uint64_t budget_;
   Work& work_;
+  bool are_convex_ = a_.shape.kind() != ShapeKind::Mesh && b_.shape.kind() != ShapeKind::Mesh;
+  Eigen::Vector3d shift_;  ///< of B, less that of A
+  double turning_way_;
   double way_;
   double limit_;
   double rounding_;

@@ -1,0 +1,220 @@
+// When bodies that are swept meet others: between the last update and this one.
+
+#include <graze/bvh/error.h>
+#include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/manifold.h>
+#include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/engine/world/shapes/shape_work.h>
+#include <graze/narrowphase/volumes/aabb_overlap.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+
+namespace graze {
+namespace {
+
+/// Pairs that a thread asks in one go.
+constexpr std::size_t kPart = 4;
+
+constexpr RigidContact kUnknown{
+    .status = RigidStatus::Close, .low = 0, .high = 1, .is_out_of_budget = true};
+
+Aabb everything() {
+  const Eigen::Vector3d all = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
+  return {-all, all};
+}
+
+/// Where two that are near each other meet.
+struct Meeting {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+};
+
+Meeting meeting_of(const PlacedShape& a, const PlacedShape& b) {
+  const ShapeDistance found = distance(a, b, &shape_work());
+  if (found.distance > 0) return {found.normal, found.point_a / 2 + found.point_b / 2};
+  if (pair_method(a.shape.kind(), b.shape.kind()) == PairMethod::Planes) return {};
+  const Manifold contacts = find_contacts(a, b, {}, &shape_work());
+  const ShapeContact* deepest = nullptr;
+  for (const ShapeContact& contact : contacts) {
+    if (deepest == nullptr || contact.depth > deepest->depth) deepest = &contact;
+  }
+  if (deepest == nullptr) return {};
+  return {deepest->normal, deepest->point};
+}
+
+/// A body and its way.
+struct BodyInMotion {
+  const Bodies::Body& body;
+  std::optional<RigidMotion> motion;  ///< none if it cannot be computed
+};
+
+/// None where a pose deviates from a rotation as far as the door lets in: turning it could go too
+/// far.
+BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
+  if (mover != nullptr && mover->motion) return {body, mover->motion};
+  try {
+    return {body, RigidMotion::between(mover == nullptr ? body.pose : mover->before, body.pose)};
+  } catch (const PoseError&) {
+    return {body, std::nullopt};
+  }
+}
+
+/// A box around all places of a body. Of a user's own shape no more is known than how far it
+/// reaches from its origin.
+Aabb swept_box(const BodyInMotion& moving) {
+  if (!moving.motion) return everything();
+  return moving.body.ask([&](const BodyShape& shape) {
+    if (const Shape* known = shape.shape())
+      return swept_bounds(MovingShape(*known, *moving.motion, "sweep"));
+    const double radius = std::max(shape.bounding_radius(), kSmallestLength);
+    if (!(radius <= kLargestLength)) return everything();
+    const Shape ball = Sphere{Eigen::Vector3d::Zero(), radius};
+    return swept_bounds(MovingShape(ball, *moving.motion, "sweep"));
+  });
+}
+
+RigidContact contact_of(const BodyInMotion& a, const BodyInMotion& b,
+                        const RigidContactSettings& settings) {
+  if (!a.motion || !b.motion) return kUnknown;
+  try {
+    return a.body.ask([&](const BodyShape& shape) {
+      return shape.first_contact(*a.motion, *b.body.shape, *b.motion, settings);
+    });
+  } catch (const PoseError&) {
+    return kUnknown;  // so far away that numbers could overflow
+  } catch (const UnsupportedPairError&) {
+    return kUnknown;  // two half-spaces of which one turns
+  }
+}
+
+BodyFirstContact first_contact_of(const BodyPair& pair, const BodyInMotion& a,
+                                  const BodyInMotion& b, const RigidContactSettings& settings) {
+  BodyFirstContact found{.pair = pair,
+                         .contact = contact_of(a, b, settings),
+                         .touches_at_start = false,
+                         .normal = Eigen::Vector3d::Zero(),
+                         .point = Eigen::Vector3d::Zero()};
+  const RigidContact& contact = found.contact;
+  if (contact.status == RigidStatus::Free || !a.motion || !b.motion) return found;
+  if (contact.low == 0) {
+    found.touches_at_start = a.body.ask([&](const BodyShape& shape) {
+      return shape.touches(a.motion->start(), *b.body.shape, b.motion->start());
+    });
+  }
+  const Shape *shape_a = a.body.shape->shape(), *shape_b = b.body.shape->shape();
+  if (shape_a == nullptr || shape_b == nullptr) return found;
+  const Meeting meeting =
+      meeting_of({*shape_a, a.motion->at(contact.low)}, {*shape_b, b.motion->at(contact.low)});
+  found.normal = meeting.normal, found.point = meeting.point;
+  return found;
+}
+
+}  // namespace
+
+void World::State::find_first_contacts() {
+  if (!movers.are_noted()) return;
+  const double others_way = list_swept();
+  list_swept_pairs(others_way);
+  ask_swept_pairs();
+}
+
+/// Lists the bodies that are swept, and others that moved by more than they are wide: few, or these
+/// would not be simulated by such steps. Returns how far any other body came, at most.
+double World::State::list_swept() {
+  swept.clear();
+  const auto is_swept = [&](const Mover& mover) {
+    const Bodies::Body& body = all.bodies[mover.body];
+    return body.detection == Detection::Continuous && body.is_awake;
+  };
+  double others_way = 0;
+  if (std::none_of(movers.list().begin(), movers.list().end(), is_swept)) return others_way;
+  for (Mover& mover : movers.list()) {
+    const Bodies::Body& body = all.bodies[mover.body];
+    mover.is_listed = is_swept(mover) || mover.way > width_of(broad.box(broad.id(body.box)));
+    if (mover.is_listed) {
+      swept.push_back({mover.body, is_swept(mover), swept_box(in_motion(body, &mover))});
+    } else {
+      others_way = std::max(others_way, mover.way);
+    }
+  }
+  return others_way;
+}
+
+/// Those that are listed among themselves, by sweep and prune, and the swept ones with all others,
+/// by the broad phase. A pair whose boxes overlap now has passed all filters, others are asked.
+void World::State::list_swept_pairs(double others_way) {
+  swept_pairs.clear();
+  std::sort(swept.begin(), swept.end(), [](const SweptBody& s, const SweptBody& t) {
+    return s.box.min.x() != t.box.min.x() ? s.box.min.x() < t.box.min.x() : s.body < t.body;
+  });
+  for (std::size_t i = 0; i < swept.size(); ++i) {
+    const SweptBody& s = swept[i];
+    const Aabb box = grown(s.box, settings.sweeps.clearance + settings.sweeps.tolerance);
+    for (std::size_t j = i + 1; j < swept.size() && swept[j].box.min.x() <= box.max.x(); ++j) {
+      if ((s.is_swept || swept[j].is_swept) && intersects(box, swept[j].box))
+        swept_pairs.push_back(ordered_pair(s.body, swept[j].body));
+    }
+    if (s.is_swept) list_partners_of(s.body, box, others_way);
+  }
+  std::sort(swept_pairs.begin(), swept_pairs.end());
+  std::erase_if(swept_pairs, [&](const BoxPair& pair) {
+    return candidates.position(pair) == CandidatePairs::kNowhere && !all.meet(pair.a, pair.b);
+  });
+}
+
+/// Of a swept body with a box around all its places those that are not listed.
+void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double others_way) {
+  partners.clear();
+  broad.find_overlapping(grown(box, others_way), partners);
+  for (const std::uint32_t partner : partners) {
+    const std::uint32_t other = body_of_box[partner];
+    const Mover* mover = movers.find(other);
+    if (other == index || (mover != nullptr && mover->is_listed)) continue;
+    const Aabb now = broad.box(broad.id(partner));
+    if (intersects(box, mover == nullptr ? now : grown(now, mover->way)))
+      swept_pairs.push_back(ordered_pair(index, other));
+  }
+}
+
+std::optional<BodyFirstContact> World::State::ask_swept_pair(BoxPair pair) const {
+  const BodyInMotion a = in_motion(all.bodies[pair.a], movers.find(pair.a));
+  const BodyInMotion b = in_motion(all.bodies[pair.b], movers.find(pair.b));
+  const BodyFirstContact found = first_contact_of(all.id_pair(pair), a, b, settings.sweeps);
+  if (found.contact.status == RigidStatus::Free) return std::nullopt;
+  return found;
+}
+
+/// Shapes of a user's own are asked by the caller's thread.
+void World::State::ask_swept_pairs() {
+  const std::size_t count = swept_pairs.size();
+  news.work.pairs_swept = count;
+  std::vector<std::optional<BodyFirstContact>>& answers = swept_answers;
+  std::vector<SweptPart>& parts = swept_parts;
+  answers.assign(count, std::nullopt);
+  parts.assign((count + kPart - 1) / kPart, {});
+  const auto is_for_caller = [&](BoxPair pair) {
+    return all.bodies[pair.a].is_users || all.bodies[pair.b].is_users;
+  };
+  workers.for_each(parts.size(), [&](std::size_t part) {
+    const ShapeWorkScope counting(parts[part].work);
+    try {
+      for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, count); ++i) {
+        if (!is_for_caller(swept_pairs[i])) answers[i] = ask_swept_pair(swept_pairs[i]);
+      }
+    } catch (...) {
+      parts[part].failure = std::current_exception();
+    }
+  });
+  for (const SweptPart& part : parts) {
+    if (part.failure) std::rethrow_exception(part.failure);
+    news.work.shapes += part.work;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_for_caller(swept_pairs[i])) answers[i] = ask_swept_pair(swept_pairs[i]);
+    if (answers[i]) news.first_contacts.push_back(*answers[i]);
+  }
+}
+
+}  // namespace graze
