@@ -43,6 +43,9 @@ struct WorldSettings {
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
   RigidContactSettings sweeps = {};  ///< how first contacts of bodies that are swept are found
+  /// Metres. A convex body that is swept and touches a mesh slides along those triangles of it that
+  /// it gets no deeper behind than this, beyond how deep it is already: they are not listed again.
+  double sliding_depth = 1e-3;
 
   bool skip_apart = true;         ///< pairs whose gap cannot have closed are not tested
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
@@ -67,7 +70,10 @@ struct BodyFirstContact {
   /// of a user's own does not know.
   RigidContact contact;
   /// Whether they touch at 0: then `low` is 0, and what a solver does with the contacts of the last
-  /// update is all that there is to do.
+  /// update is all that there is to do. A convex body that touches a mesh which does not turn is
+  /// listed with it once more, with the first triangle that it comes to after that and does not
+  /// slide along (WorldSettings::sliding_depth), as a wall is for what lies on the floor beside it;
+  /// two meshes, or convex bodies, that touch at 0 are not.
   bool touches_at_start;
   /// At `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two half-spaces and
   /// for shapes of a user's own.
@@ -126,7 +132,8 @@ struct WorldUpdate {
   std::span<const BodyPair> begun_near;
   std::span<const BodyPair> ended_near;  ///< were within their margin and are not
 
-  /// First contacts of the bodies that are swept and moved, in ascending order of pairs. Whatever
+  /// First contacts of the bodies that are swept and moved, in ascending order of pairs, those of a
+  /// pair by time. Whatever
   /// the bodies do after that is not looked at: who stops a body there moves it, and updates again.
   std::span<const BodyFirstContact> first_contacts;
 };

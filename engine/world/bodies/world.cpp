@@ -149,6 +149,7 @@ void World::State::drop_shape(std::uint32_t index) {
 World::World(const WorldSettings& settings) {
   check_threads(settings.threads);
   check_settings(settings.sweeps);
+  check_margin(settings.sliding_depth, "sliding depth");
   state_ = std::make_unique<State>(settings);
 }
 World::~World() = default;

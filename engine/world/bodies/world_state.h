@@ -183,6 +183,11 @@ struct SweptBody {
   Aabb box;
 };
 
+/// What a pair has to say of its first contact: nothing if it is free.
+struct SweptAnswer {
+  std::optional<BodyFirstContact> first, after_sliding;
+};
+
 /// A part of the pairs that are asked for a first contact.
 struct SweptPart {
   Work work;
@@ -224,7 +229,7 @@ struct World::State {
   std::vector<SweptBody> swept;
   std::vector<BoxPair> swept_pairs;
   std::vector<SweptPart> swept_parts;
-  std::vector<std::optional<BodyFirstContact>> swept_answers;  ///< by pair; none for Free
+  std::vector<SweptAnswer> swept_answers;  ///< by pair
 
   bool is_updating = false;
   /// The last update did not end: something that it asked threw, or it had no memory.
@@ -261,7 +266,7 @@ struct World::State {
   double list_swept();
   void list_swept_pairs(double others_way);
   void list_partners_of(std::uint32_t index, const Aabb& box, double others_way);
-  std::optional<BodyFirstContact> ask_swept_pair(BoxPair pair) const;
+  SweptAnswer ask_swept_pair(BoxPair pair) const;
   void ask_swept_pairs();
   void list_changes();
   void end_pairs();

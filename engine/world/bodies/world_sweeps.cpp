@@ -4,6 +4,7 @@
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/engine/world/rigid/sliding_contact.h>
 #include <graze/engine/world/shapes/shape_work.h>
 #include <graze/narrowphase/volumes/aabb_overlap.h>
 
@@ -50,6 +51,10 @@ struct BodyInMotion {
   std::optional<RigidMotion> motion;  ///< none if it cannot be computed
 };
 
+const Shape* known_shape(const BodyInMotion& moving) {
+  return moving.body.ask([](const BodyShape& shape) { return shape.shape(); });
+}
+
 /// None where a pose deviates from a rotation as far as the door lets in: turning it could go too
 /// far.
 BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
@@ -65,14 +70,18 @@ BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
 /// reaches from its origin.
 Aabb swept_box(const BodyInMotion& moving) {
   if (!moving.motion) return everything();
-  return moving.body.ask([&](const BodyShape& shape) {
-    if (const Shape* known = shape.shape())
+  try {
+    if (const Shape* known = known_shape(moving))
       return swept_bounds(MovingShape(*known, *moving.motion, "sweep"));
-    const double radius = std::max(shape.bounding_radius(), kSmallestLength);
+    const double radius =
+        std::max(moving.body.ask([](const BodyShape& shape) { return shape.bounding_radius(); }),
+                 kSmallestLength);
     if (!(radius <= kLargestLength)) return everything();
     const Shape ball = Sphere{Eigen::Vector3d::Zero(), radius};
     return swept_bounds(MovingShape(ball, *moving.motion, "sweep"));
-  });
+  } catch (const PoseError&) {
+    return everything();  // so far away that numbers could overflow
+  }
 }
 
 RigidContact contact_of(const BodyInMotion& a, const BodyInMotion& b,
@@ -89,26 +98,34 @@ RigidContact contact_of(const BodyInMotion& a, const BodyInMotion& b,
   }
 }
 
-BodyFirstContact first_contact_of(const BodyPair& pair, const BodyInMotion& a,
-                                  const BodyInMotion& b, const RigidContactSettings& settings) {
+/// Adds the first contact of a pair, if there is one, and what comes after it.
+void add_first_contacts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotion& b,
+                        const WorldSettings& settings, SweptAnswer& to) {
   BodyFirstContact found{.pair = pair,
-                         .contact = contact_of(a, b, settings),
+                         .contact = contact_of(a, b, settings.sweeps),
                          .touches_at_start = false,
                          .normal = Eigen::Vector3d::Zero(),
                          .point = Eigen::Vector3d::Zero()};
-  const RigidContact& contact = found.contact;
-  if (contact.status == RigidStatus::Free || !a.motion || !b.motion) return found;
-  if (contact.low == 0) {
+  const double low = found.contact.low;
+  if (found.contact.status == RigidStatus::Free) return;
+  if (a.motion && b.motion && low == 0) {
     found.touches_at_start = a.body.ask([&](const BodyShape& shape) {
       return shape.touches(a.motion->start(), *b.body.shape, b.motion->start());
     });
   }
-  const Shape *shape_a = a.body.shape->shape(), *shape_b = b.body.shape->shape();
-  if (shape_a == nullptr || shape_b == nullptr) return found;
-  const Meeting meeting =
-      meeting_of({*shape_a, a.motion->at(contact.low)}, {*shape_b, b.motion->at(contact.low)});
-  found.normal = meeting.normal, found.point = meeting.point;
-  return found;
+  const Shape* shape_a = known_shape(a);
+  const Shape* shape_b = known_shape(b);
+  const bool are_known = a.motion && b.motion && shape_a != nullptr && shape_b != nullptr;
+  if (are_known) {
+    const Meeting meeting =
+        meeting_of({*shape_a, a.motion->at(low)}, {*shape_b, b.motion->at(low)});
+    found.normal = meeting.normal, found.point = meeting.point;
+  }
+  to.first = found;
+  if (!are_known || !found.touches_at_start) return;
+  const auto next = contact_after_sliding(*shape_a, *a.motion, *shape_b, *b.motion, settings.sweeps,
+                                          settings.sliding_depth, shape_work());
+  if (next) to.after_sliding = {pair, next->contact, false, next->normal, next->point};
 }
 
 }  // namespace
@@ -178,21 +195,20 @@ void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double
   }
 }
 
-std::optional<BodyFirstContact> World::State::ask_swept_pair(BoxPair pair) const {
-  const BodyInMotion a = in_motion(all.bodies[pair.a], movers.find(pair.a));
-  const BodyInMotion b = in_motion(all.bodies[pair.b], movers.find(pair.b));
-  const BodyFirstContact found = first_contact_of(all.id_pair(pair), a, b, settings.sweeps);
-  if (found.contact.status == RigidStatus::Free) return std::nullopt;
-  return found;
+SweptAnswer World::State::ask_swept_pair(BoxPair pair) const {
+  SweptAnswer answer;
+  add_first_contacts(all.id_pair(pair), in_motion(all.bodies[pair.a], movers.find(pair.a)),
+                     in_motion(all.bodies[pair.b], movers.find(pair.b)), settings, answer);
+  return answer;
 }
 
 /// Shapes of a user's own are asked by the caller's thread.
 void World::State::ask_swept_pairs() {
   const std::size_t count = swept_pairs.size();
   news.work.pairs_swept = count;
-  std::vector<std::optional<BodyFirstContact>>& answers = swept_answers;
+  std::vector<SweptAnswer>& answers = swept_answers;
   std::vector<SweptPart>& parts = swept_parts;
-  answers.assign(count, std::nullopt);
+  answers.assign(count, {});
   parts.assign((count + kPart - 1) / kPart, {});
   const auto is_for_caller = [&](BoxPair pair) {
     return all.bodies[pair.a].is_users || all.bodies[pair.b].is_users;
@@ -213,7 +229,8 @@ void World::State::ask_swept_pairs() {
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (is_for_caller(swept_pairs[i])) answers[i] = ask_swept_pair(swept_pairs[i]);
-    if (answers[i]) news.first_contacts.push_back(*answers[i]);
+    if (answers[i].first) news.first_contacts.push_back(*answers[i].first);
+    if (answers[i].after_sliding) news.first_contacts.push_back(*answers[i].after_sliding);
   }
 }
 

@@ -26,6 +26,7 @@ struct MovingShape {
   MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what);
 
   bool is_half_space() const { return shape.kind() == ShapeKind::HalfSpace; }
+  bool is_mesh() const { return shape.kind() == ShapeKind::Mesh; }
   PlacedShape at(double t) const { return {shape, motion.at(t)}; }
 };
 

@@ -6,100 +6,81 @@
 #include <graze/engine/mesh/rigid/first_hit.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/time_grid.h>
-#include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/engine/world/rigid/mesh_approach.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <variant>
 
 namespace graze {
 namespace {
 
-// Of all lengths: distances of shapes are known to 2^-34 of their scale.
-constexpr double kLeastTolerance = 0x1p-28;
-
-/// How far turning moves a point of the shape, metres, at most, where the other one can be.
-double turning_way_of(const MovingShape& moving, const MovingShape& other) {
-  if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_reach;
-  const double apart = length_of(moving.motion.centre() - other.motion.centre());
-  const double shifts = length_of(moving.motion.shift()) + length_of(other.motion.shift());
-  return moving.turned * ((apart + shifts) + other.reach) * MovingShape::kStretch;
-}
-
 /// Two shapes, and the times at which they are asked about.
 class ShapeMotion {
  public:
   ShapeMotion(const MovingShape& a, const MovingShape& b, const RigidContactSettings& settings,
               Work& work)
-      : a_(a), b_(b), clearance_(settings.clearance), budget_(settings.budget), work_(work) {
-    shift_ = b.motion.shift() - a.motion.shift();
-    turning_way_ = turning_way_of(a, b) + turning_way_of(b, a);
-    way_ = length_of(shift_) * MovingShape::kStretch + turning_way_;
-    const double least = kLeastTolerance * (a.lengths + b.lengths);
-    const double tolerance = std::max({settings.tolerance, least, 0x1p-44 * way_});
-    limit_ = clearance_ + tolerance;
-    // Poses are rounded: what turns by many times is off by 2^-51 of its way.
-    rounding_ = 0x1p-40 * (a.lengths + b.lengths) + 0x1p-50 * way_;
-    grid_ = TimeGrid::for_steps(way_, tolerance / 4);
-  }
+      : a_(a),
+        b_(b),
+        approach_(a, b, settings),
+        clearance_(settings.clearance),
+        budget_(settings.budget),
+        work_(work) {}
 
-  const TimeGrid& grid() const { return grid_; }
+  const TimeGrid& grid() const { return approach_.grid; }
   bool is_out_of_budget() const { return is_out_of_budget_; }
 
   /// The first time at which they may be as near as the limit, or where the budget ends; the end of
   /// the grid if there is none.
   std::uint64_t find_low() {
-    std::uint64_t k = 0;
-    while (k < grid_.end()) {
+    if (MeshApproach::is_for(a_, b_)) return find_low_of_mesh(a_, b_, approach_);
+    if (MeshApproach::is_for(b_, a_)) return find_low_of_mesh(b_, a_, approach_.mirrored());
+    const std::uint64_t end = grid().end();
+    for (std::uint64_t k = 0; k < end;) {
       is_out_of_budget_ = budget_ == 0;
       if (is_out_of_budget_) return k;
       --budget_;
-      const PlacedShape a = a_.at(grid_.time(k)), b = b_.at(grid_.time(k));
-      const ShapeDistance found = distance(a, b, &work_);
-      const double bound = found.lower_bound;
-      if (!(bound > limit_)) return k;
-      // In one step they stay further apart than the clearance; in more while the bound lasts.
-      const double steps = (bound - limit_ - rounding_) / closing_way(found.normal) / grid_.step();
-      if (!(steps < static_cast<double>(grid_.end() - k))) return grid_.end();
-      k += std::max(std::uint64_t{1}, static_cast<std::uint64_t>(std::max(steps, 0.0)));
+      const double t = grid().time(k);
+      const ShapeDistance found = distance(a_.at(t), b_.at(t), &work_);
+      const double gap = found.lower_bound;
+      if (!(gap > approach_.limit)) return k;
+      // In one step they stay further apart than the clearance; in more while the gap lasts.
+      k += approach_.steps(gap, closing_way(found.normal), end - k);
     }
-    return grid_.end();
-  }
-
-  /// How far the two come nearer to each other in all, metres, at most. Of convex shapes the gap
-  /// between two planes at right angles to the normal is the bound (distance()), and what moves
-  /// along these planes does not close it: Mirtich's bound (Impulse-based Dynamic Simulation of
-  /// Rigid Body Systems, 1996, section 2.3). A unit vector is off by less than 2^-50.
-  double closing_way(const Eigen::Vector3d& normal) const {
-    if (!are_convex_) return way_ * MovingShape::kStretch;
-    const double along =
-        normal.x() * shift_.x() + normal.y() * shift_.y() + normal.z() * shift_.z();
-    const double shift = std::max(-along, 0.0) + 0x1p-48 * length_of(shift_);
-    return (shift + turning_way_) * MovingShape::kStretch;
+    return end;
   }
 
   bool is_hit(std::uint64_t k) {
-    const PlacedShape a = a_.at(grid_.time(k)), b = b_.at(grid_.time(k));
+    const PlacedShape a = a_.at(grid().time(k)), b = b_.at(grid().time(k));
     if (clearance_ == 0) return intersects(a, b, &work_);
     return distance(a, b, &work_).distance <= clearance_;
   }
 
  private:
+  std::uint64_t find_low_of_mesh(const MovingShape& convex, const MovingShape& mesh,
+                                 const Approach& approach) {
+    MeshApproach to_mesh(convex, mesh, approach, work_);
+    const std::uint64_t low = to_mesh.find_low(budget_);
+    is_out_of_budget_ = to_mesh.is_out_of_budget();
+    return low;
+  }
+
+  /// Of a mesh beside a plane its convex hull counts; of one that turns beside a convex shape which
+  /// of its triangles is near changes, and with it the normal.
+  double closing_way(const Eigen::Vector3d& normal) const {
+    const bool is_plane = a_.is_half_space() || b_.is_half_space();
+    const bool is_mesh = a_.is_mesh() || b_.is_mesh();
+    return is_plane || !is_mesh ? approach_.closing_way(normal) : approach_.way;
+  }
+
   const MovingShape& a_;
   const MovingShape& b_;
+  Approach approach_;
   double clearance_;
   std::uint64_t budget_;
   Work& work_;
-  bool are_convex_ = a_.shape.kind() != ShapeKind::Mesh && b_.shape.kind() != ShapeKind::Mesh;
-  Eigen::Vector3d shift_;  ///< of B, less that of A
-  double turning_way_;
-  double way_;
-  double limit_;
-  double rounding_;
-  TimeGrid grid_{0};
   bool is_out_of_budget_ = false;
 };
 

@@ -73,6 +73,11 @@ class MeshDescent {
   /// A lower bound of the distance between the triangle and the set, metres.
   double triangle_bound(std::uint32_t index) const;
 
+  const bvh::Tree& tree() const { return tree_; }
+  /// The set's box in the tree's units, outward.
+  const double (&min() const)[3] { return min_; }
+  const double (&max() const)[3] { return max_; }
+
  private:
   /// What traverse_nearest() asks.
   template <typename Limit>

@@ -1,0 +1,72 @@
+#pragma once
+
+// A convex shape that comes to a mesh which does not turn. Private to engine/world.
+
+#include <graze/engine/work.h>
+#include <graze/engine/world/rigid/approach.h>
+#include <graze/engine/world/shapes/pair_input.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace graze {
+
+class TreeSweep;
+struct NearTimes;
+
+/// Which triangles count: those that the shape does not touch at 0, and does not slide along. It
+/// slides along a triangle if it never gets deeper than this behind its plane, metres, as seen from
+/// where its middle is at 0.
+struct SlidingRule {
+  double depth;
+};
+
+/// The first time of the grid at which a convex shape may be as near to a triangle of a mesh as the
+/// limit. The tree is walked towards a box around the shape, in all directions in which it turns,
+/// that goes straight: slabs say when that is near a node, and what is near first is walked first.
+/// Each triangle that is left is approached as far as the gap lasts. The motion is that of the
+/// shape less the shift of the mesh, which stays where it is at 0.
+class MeshApproach {
+ public:
+  static bool is_for(const MovingShape& convex, const MovingShape& mesh);
+
+  /// `approach` is that of the shape, A, and the mesh. All must outlive this.
+  MeshApproach(const MovingShape& convex, const MovingShape& mesh, const Approach& approach,
+               Work& work);
+
+  /// The end of the grid if there is none. Where the budget, a number of gaps, ends, when the box
+  /// is near any triangle first.
+  std::uint64_t find_low(std::uint64_t budget, const std::optional<SlidingRule>& rule = {});
+  bool is_out_of_budget() const { return is_out_of_budget_; }
+
+  /// Of the triangle that find_low() found: its index, and how near the shape is to it then. Points
+  /// are in the world, as the mesh is at 0, relative to `origin`.
+  std::uint32_t found() const { return found_; }
+  struct Gap {
+    SetGap gap;
+    Eigen::Vector3d origin;
+  };
+  Gap gap_at(std::uint64_t k, std::uint32_t triangle) const;
+
+ private:
+  struct TimesOfNodes;
+
+  void approach_triangle(std::uint32_t triangle, const NearTimes& times);
+  bool slides_along(std::uint32_t triangle) const;
+  double depth_behind(const Triangle& triangle, double t, const Eigen::Vector3d& normal) const;
+  std::uint64_t step_before(double t) const;
+
+  const MovingShape& convex_;
+  const MovingShape& mesh_;
+  const Mesh& triangles_;
+  const Approach& approach_;
+  Work& work_;
+  RigidMotion relative_;
+  std::optional<SlidingRule> rule_;
+  std::uint64_t budget_ = 0;
+  std::uint64_t low_ = 0;
+  std::uint32_t found_ = 0;
+  bool is_out_of_budget_ = false;
+};
+
+}  // namespace graze
