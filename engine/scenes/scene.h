@@ -19,12 +19,13 @@ struct SceneShape {
 
 /// A body of a scene, and how it moves.
 struct SceneBody {
-  std::string name;                   ///< of its own in the scene
-  std::size_t shape = 0;              ///< index into Scene::shapes
-  Pose pose;                          ///< at time 0
-  BodyKind kind = BodyKind::Dynamic;  ///< as a world takes it
-  Filter filter = {};                 ///< whom it meets
-  BodyPath path = {};                 ///< how it moves by itself
+  std::string name;                           ///< of its own in the scene
+  std::size_t shape = 0;                      ///< index into Scene::shapes
+  Pose pose;                                  ///< at time 0
+  BodyKind kind = BodyKind::Dynamic;          ///< as a world takes it
+  Filter filter = {};                         ///< whom it meets
+  BodyPath path = {};                         ///< how it moves by itself
+  Detection detection = Detection::Discrete;  ///< whether it is swept from step to step
 };
 
 /// Two bodies by their indices, the smaller first.

@@ -18,14 +18,16 @@ struct SimulationSettings {
 /// scene.
 class Simulation {
  public:
-  /// Throws what World::add() throws, and InputError for a step that is negative or not finite. The
-  /// scene must outlive this.
+  /// Throws what World::add() throws, and InputError for a step that is negative or not finite, and
+  /// for one in which a body that is swept turns by half a turn or more. The scene must outlive
+  /// this.
   explicit Simulation(const Scene& scene, const SimulationSettings& settings = {});
 
   /// The first call brings the world to time 0, each later one a step further: it moves the bodies
-  /// that have paths, and updates. Throws PoseError that names body and time if a path leads beyond
-  /// what a world can hold. After whatever is thrown the clock stands, and the next call takes the
-  /// same step. The spans are valid until the next call.
+  /// that have paths, and updates. Those that are swept go from pose to pose as World::move() says:
+  /// a key between two steps is a corner that they cut. Throws PoseError that names body and time
+  /// if a path leads beyond what a world can hold. After whatever is thrown the clock stands, and
+  /// the next call takes the same step. The spans are valid until the next call.
   WorldUpdate advance();
 
   /// Of the last advance(): how many steps from time 0, and the time, the product, rounded once.

@@ -22,14 +22,22 @@ by name.
 --contacts adds where the pairs touch in which something moved: depth and point in metres, and the
 normal, a unit vector from the first body to the second.
 
+Bodies of the scene that are swept ("detection": "continuous") are told whom they met on their way since the
+step before, and when, in seconds; or that they touched already. "came close" is nearer than 1e-6 m, and no
+contact proved.
+
 With --json each step gives one line:
   {"step":0,"time":0,"begun":[["a","b"],...],"ended":[],"touching":1,
    "contacts":[{"a":"a","b":"b","points":[{"depth":...,"normal":[x,y,z],"point":[x,y,z]},...]},...],
    "work":{...}}
-"contacts" is there only with --contacts.
+"contacts" is there only with --contacts. Where bodies are swept there is also
+  "first_contacts":[{"a":"a","b":"b","status":"hit"|"close","time":S,"low":0..1,"high":0..1,
+   "is_out_of_budget":false,"touches_at_start":false,"normal":[x,y,z],"point":[x,y,z]},...]
+with "low" and "high" as shares of the step.
 
 Examples:
   graze simulate data/scenes/shapes.json
+  graze simulate data/scenes/fast.json --json
   graze simulate data/scenes/machine.json --meshes data/meshes --steps 20 --contacts --json
 
 Exit codes:

@@ -6,6 +6,7 @@
 #include <graze/engine/files/source.h>
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <iterator>
 #include <span>
 #include <string>
@@ -45,11 +46,12 @@ std::string json_of(const WorldWork& work) {
   return fmt::format(
       "{{\"shape_tests\":{},\"pairs_filtered\":{},\"pairs_at_rest\":{},\"pairs_asleep\":{},"
       "\"pairs_apart\":{},\"gaps_measured\":{},\"contacts_found\":{},\"contacts_skipped\":{},"
-      "\"trees_built\":{},\"trees_unbuilt\":{},\"convex_failures\":{},\"penetration_failures\":{}}"
+      "\"pairs_swept\":{},\"trees_built\":{},\"trees_unbuilt\":{},\"convex_failures\":{},"
+      "\"penetration_failures\":{}}"
       "}",
       work.shape_tests, work.pairs_filtered, work.pairs_at_rest, work.pairs_asleep,
       work.pairs_apart, work.gaps_measured, work.contacts_found, work.contacts_skipped,
-      work.shapes.trees_built, work.trees_unbuilt, work.shapes.convex_failures,
+      work.pairs_swept, work.shapes.trees_built, work.trees_unbuilt, work.shapes.convex_failures,
       work.shapes.penetration_failures);
 }
 
@@ -70,7 +72,10 @@ SimulateReport::SimulateReport(Output& output, const Scene& scene,
               {"too far", 7},
               {"filtered", 8},
               {"contacts", 8},
-              {"no tree", 7}}) {}
+              {"no tree", 7}}),
+      has_swept_bodies_(std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& body) {
+        return body.detection == Detection::Continuous;
+      })) {}
 
 void SimulateReport::begin() {
   if (!settings_.is_json) output_.write(table_.header());
@@ -80,6 +85,7 @@ void SimulateReport::add(std::size_t step, double time, const WorldUpdate& updat
   touching_ += update.begun.size();
   touching_ -= update.ended.size();
   output_.write(settings_.is_json ? json_of(step, time, update) : text_of(step, time, update));
+  last_time_ = time;
 }
 
 std::string SimulateReport::text_of(std::size_t step, double time,
@@ -96,6 +102,8 @@ std::string SimulateReport::text_of(std::size_t step, double time,
     out += "  begun: " + names.text(pair) + "\n";
   for (const BodyPair& pair : update.ended)
     out += "  ended: " + names.text(pair) + "\n";
+  for (const BodyFirstContact& met : update.first_contacts)
+    out += text_of(met, time);
   for (const BodyContact& each : update.contacts) {
     for (const ShapeContact& c : each.manifold) {
       out += fmt::format(
@@ -108,12 +116,42 @@ std::string SimulateReport::text_of(std::size_t step, double time,
   return out;
 }
 
+std::string SimulateReport::text_of(const BodyFirstContact& met, double time) const {
+  const Names names{scene_};
+  if (met.touches_at_start) return "  touched before: " + names.text(met.pair) + "\n";
+  return fmt::format(
+      "  {}: {}: at {:.6g} s, normal ({:.6g}, {:.6g}, {:.6g}), point ({:.6g}, {:.6g}, {:.6g})\n",
+      met.contact.status == RigidStatus::Hit ? "met" : "came close", names.text(met.pair),
+      time_of(met, time), met.normal.x(), met.normal.y(), met.normal.z(), met.point.x(),
+      met.point.y(), met.point.z());
+}
+
+std::string SimulateReport::json_of(const BodyFirstContact& met, double time) const {
+  const Names names{scene_};
+  return fmt::format(
+      "{{\"a\":{},\"b\":{},\"status\":\"{}\",\"time\":{},\"low\":{},\"high\":{},"
+      "\"is_out_of_budget\":{},\"touches_at_start\":{},\"normal\":{},\"point\":{}}}",
+      names.json(met.pair.a), names.json(met.pair.b),
+      met.contact.status == RigidStatus::Hit ? "hit" : "close", time_of(met, time), met.contact.low,
+      met.contact.high, met.contact.is_out_of_budget, met.touches_at_start, vector_json(met.normal),
+      vector_json(met.point));
+}
+
 std::string SimulateReport::json_of(std::size_t step, double time,
                                     const WorldUpdate& update) const {
   const Names names{scene_};
   std::string line =
       fmt::format("{{\"step\":{},\"time\":{},\"begun\":{},\"ended\":{},\"touching\":{}", step, time,
                   names.json(update.begun), names.json(update.ended), touching_);
+  if (has_swept_bodies_) {
+    line += ",\"first_contacts\":[";
+    const char* separator = "";
+    for (const BodyFirstContact& met : update.first_contacts) {
+      line += separator + json_of(met, time);
+      separator = ",";
+    }
+    line += "]";
+  }
   if (settings_.has_contacts) {
     line += ",\"contacts\":[";
     const char* separator = "";

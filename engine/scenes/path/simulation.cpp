@@ -16,6 +16,15 @@ namespace {
                   error.place());
 }
 
+/// What is swept goes the short way from pose to pose.
+void check_turn(const SceneBody& body, double step) {
+  const auto* path = std::get_if<SteadyPath>(&body.path);
+  if (body.detection == Detection::Discrete || path == nullptr) return;
+  if (std::abs(path->rate) * step < 0.5) return;
+  throw InputError("body \"" + body.name + "\" turns by half a turn or more in a step of " +
+                   std::to_string(step) + " s: it cannot be swept the long way round");
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
@@ -32,8 +41,10 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
       shapes.push_back(share(shape.shape));
     ids_.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) {
-      ids_.push_back(world_.add({shapes[body.shape], pose_at(body, 0)},
-                                {.kind = body.kind, .filter = body.filter}));
+      check_turn(body, step_);
+      ids_.push_back(
+          world_.add({shapes[body.shape], pose_at(body, 0)},
+                     {.kind = body.kind, .filter = body.filter, .detection = body.detection}));
     }
     for (const ScenePair& exclusion : scene.exclusions)
       world_.exclude(ids_[exclusion.a], ids_[exclusion.b]);

@@ -27,6 +27,12 @@ BodyKind read_motion(const JsonCursor& at) {
   at.fail(mesh_io::quoted(at.text()) + " is none of static, kinematic and dynamic");
 }
 
+Detection read_detection(const JsonCursor& at) {
+  if (at.text() == "discrete") return Detection::Discrete;
+  if (at.text() == "continuous") return Detection::Continuous;
+  at.fail(mesh_io::quoted(at.text()) + " is none of discrete and continuous");
+}
+
 std::uint32_t read_bits(const JsonCursor& at) {
   return at.index(std::numeric_limits<std::uint32_t>::max());
 }
@@ -143,7 +149,7 @@ std::size_t NameTable::find(const JsonCursor& at) const {
 
 SceneBody read_body(const JsonCursor& at, const SceneUnits& units, const Scene& scene,
                     const NameTable& shapes) {
-  at.require_keys({"name", "shape", "pose", "motion", "filter", "path"});
+  at.require_keys({"name", "shape", "pose", "motion", "detection", "filter", "path"});
   SceneBody body;
   body.name = at.member("name").text();
   body.shape = shapes.find(at.member("shape"));
@@ -151,6 +157,7 @@ SceneBody read_body(const JsonCursor& at, const SceneUnits& units, const Scene& 
   body.pose = Pose::Identity();
   if (at.has("pose")) body.pose = read_pose(at.member("pose"), units, shape);
   if (at.has("motion")) body.kind = read_motion(at.member("motion"));
+  if (at.has("detection")) body.detection = read_detection(at.member("detection"));
   if (at.has("filter")) body.filter = read_filter(at.member("filter"));
   if (!at.has("path")) return body;
   const JsonCursor path = at.member("path");

@@ -104,6 +104,47 @@ TEST_F(CliSimulate, BundledScenesRun) {
   }
 }
 
+TEST_F(CliSimulate, FastBodiesAreToldWhomTheyMet) {
+  const std::string scene = std::string(GRAZE_DATA_DIR) + "/scenes/fast.json";
+  const CommandResult result = graze({"simulate", scene, "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  std::vector<Json> steps;
+  for (const std::string& line : lines_of(result.out))
+    steps.push_back(Json::parse(line));
+  ASSERT_EQ(steps.size(), 5u);
+  EXPECT_EQ(steps[0]["first_contacts"], Json::array());
+  // At 150 m/s the pellet is 10 m less the pane and itself away at time 0.
+  const Json& met = steps[2]["first_contacts"].at(2);
+  EXPECT_EQ(met["a"], "pane");
+  EXPECT_EQ(met["b"], "pellet");
+  EXPECT_EQ(met["status"], "hit");
+  EXPECT_EQ(met["touches_at_start"], false);
+  EXPECT_NEAR(met["time"].get<double>(), (10 - 0.0025) / 150, 1e-7);
+  EXPECT_EQ(steps[2]["work"]["pairs_swept"], 3);
+  // The die touches the room all the while, and then its wall.
+  const Json &floor = steps[3]["first_contacts"].at(1), &wall = steps[3]["first_contacts"].at(2);
+  EXPECT_EQ(floor["touches_at_start"], true);
+  EXPECT_EQ(wall["a"], "room");
+  EXPECT_EQ(wall["b"], "die");
+  EXPECT_NEAR(wall["normal"].at(0).get<double>(), -1, 1e-9);
+  const std::vector<std::string> lines = lines_of(graze({"simulate", scene}).out);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.starts_with("  met: "); }),
+            3);
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "  touched before: room - die"), lines.end());
+}
+
+TEST_F(CliSimulate, WhatIsSweptTurnsByLessThanHalfATurn) {
+  write("top.json", R"({"graze_scene": 1, "units": {"angle": "turn"}, "step": 0.5,
+ "shapes": [{"name": "top", "cone": {"radius": 1, "half_height": 1}}],
+ "bodies": [{"name": "top", "shape": "top", "detection": "continuous",
+             "path": {"axis": [0, 0, 1], "rate": 1}}]})");
+  expect_refusal({"simulate", "top.json"},
+                 "graze: body \"top\" turns by half a turn or more in a step of 0.500000 s: it "
+                 "cannot be swept the long way round");
+  EXPECT_EQ(graze({"simulate", "top.json", "--dt", "0.25"}).exit_code, 0);
+}
+
 TEST_F(CliSimulate, BadInputIsRefused) {
   write("bad.json", "{\"graze_scene\": 1, \"shapes\": [],\n\"bodies\": [{\"name\": 7}]}");
   expect_refusal({"simulate", "bad.json"},

@@ -62,11 +62,14 @@ TEST_F(HostileScene, KeysAndTypes) {
   EXPECT_EQ(error_of("{\"graze_case\": 1}").substr(0, 35), "s.json:1: unknown key \"graze_case\";");
   EXPECT_EQ(error_of("{\"graze_scene\": 1, \"shapes\": {}, \"bodies\": []}"),
             "s.json:1: /shapes: is an object, not an array");
-  EXPECT_EQ(error_of(with_body(", \"mass\": 1")),
-            "s.json:3: /bodies/0: unknown key \"mass\"; there are name, shape, pose, motion, "
-            "filter, path");
+  EXPECT_EQ(
+      error_of(with_body(", \"mass\": 1")),
+      "s.json:3: /bodies/0: unknown key \"mass\"; there are name, shape, pose, motion, detection, "
+      "filter, path");
   EXPECT_EQ(error_of(with_body(", \"motion\": \"static\",\n\"motion\": \"static\"")),
             "s.json:4: the key \"motion\" stands twice in one object");
+  EXPECT_EQ(error_of(with_body(", \"detection\": \"fast\"")),
+            "s.json:3: /bodies/0/detection: \"fast\" is none of discrete and continuous");
   EXPECT_EQ(error_of(with_body(", \"motion\": \"frozen\"")),
             "s.json:3: /bodies/0/motion: \"frozen\" is none of static, kinematic and dynamic");
   EXPECT_EQ(error_of(with_body("", ", \"steps\": 1e3")),
