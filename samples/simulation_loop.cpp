@@ -1,6 +1,8 @@
-// Bolts and nuts pour into a bin and come to rest: a loop of a small solver around graze::World.
-// simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] [--gltf FILE] [--picture FILE.pov]
-// Exits with 1 if anything fell through the bin, flew out of it or gained energy.
+// Bolts and nuts pour into a bin and come to rest, and a pellet is shot at them that would be
+// through the bin's floor within a step: a loop of a small solver around graze::World.
+// simulation_loop DATA_DIR [--bodies N] [--seconds S] [--shot M/S] [--seed K] [--gltf FILE]
+// [--picture FILE.pov] Exits with 1 if anything fell through the bin, flew out of it or gained
+// energy.
 
 #include <graze/graze.h>
 
@@ -17,6 +19,7 @@
 #include "samples/simulation/contact_solver.h"
 #include "samples/simulation/options.h"
 #include "samples/simulation/pile_files.h"
+#include "samples/simulation/shape_mass.h"
 
 namespace {
 
@@ -39,6 +42,7 @@ constexpr double kSpinDecay = 4;         // 1/s: stands for what rolling costs
 constexpr double kStillSpeed = 0.05;     // m/s of any point: below, a body counts as still
 constexpr double kTimeToSleep = 0.10;    // s that it stays so until it sleeps
 constexpr double kUnseen = 1e-4;         // metres that a body moves before the world is told
+constexpr double kPellet = 0.002;        // metres, its radius
 constexpr double kFramesPerSecond = 30;  // of the animation
 
 struct Totals {
@@ -74,7 +78,7 @@ class Simulation {
     kinds_.reserve(2);  // bodies point into it
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/bolt.obj"), "bolt");
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/nut.stl"), "nut");
-    bodies_.reserve(static_cast<std::size_t>(options.bodies));
+    bodies_.reserve(static_cast<std::size_t>(options.bodies) + 1);
     world_.add({bin_mesh_, graze::Pose::Identity()},
                {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
   }
@@ -88,9 +92,10 @@ class Simulation {
     const int steps = static_cast<int>(std::lround(options_.seconds / settings_.step));
     for (int step = 0; step < steps; ++step) {
       const double time = step * settings_.step;
-      if (bodies_.size() < static_cast<std::size_t>(options_.bodies) &&
-          time * kPoured >= static_cast<double>(bodies_.size())) {
-        pour();
+      if (poured() < static_cast<std::size_t>(options_.bodies)) {
+        if (time * kPoured >= static_cast<double>(poured())) pour();
+      } else if (options_.shot > 0 && !has_pellet()) {
+        shoot();
       }
       advance();
       if (time * kFramesPerSecond >= static_cast<double>(times_.size())) record(time);
@@ -106,6 +111,10 @@ class Simulation {
   double uniform(double from, double to) {
     return from + (to - from) * static_cast<double>(random_() >> 11) * 0x1p-53;
   }
+
+  /// The pellet comes last.
+  std::size_t poured() const { return frames_.size(); }
+  bool has_pellet() const { return bodies_.size() > poured(); }
 
   double top_of_pile() const {
     double top = 0;
@@ -142,6 +151,44 @@ class Simulation {
     frames_.emplace_back();
   }
 
+  /// Adds a pellet above the pile, on its way down. It is swept: in a step it goes further than the
+  /// bin is high and thick.
+  void shoot() {
+    const Vector3d at(0, 0, top_of_pile() + kDrop);
+    RigidBody body{.id = {},
+                   .mass = &pellet_mass_,
+                   .at = at,
+                   .turn = Eigen::Quaterniond::Identity(),
+                   .velocity = Vector3d(0, 0, -options_.shot),
+                   .reach = kPellet};
+    body.id = world_.add({pellet_shape_, body.pose()},
+                         {.user_data = bodies_.size(), .detection = graze::Detection::Continuous});
+    poured_energy_ += energy_of(body);
+    bodies_.push_back(body);
+    seen_.push_back(body);
+    pellet_from_ = at;
+  }
+
+  /// Whether the pellet met anything on its way since the last step, and not there already: then it
+  /// is put where it met the first, so that the solver finds them touching. What was left of the
+  /// step is lost.
+  bool stop_pellet(const graze::WorldUpdate& update) {
+    double first = 2;
+    for (const graze::BodyFirstContact& met : update.first_contacts) {
+      const bool is_hit = met.contact.status == graze::RigidStatus::Hit;
+      if (!met.touches_at_start && is_hit) first = std::min(first, met.contact.high);
+    }
+    if (first > 1) return false;
+    RigidBody& pellet = bodies_.back();
+    pellet.at = pellet_from_ + first * (pellet.at - pellet_from_);
+    seen_.back() = pellet;
+    pellet_from_ = pellet.at;
+    world_.set_detection(pellet.id, graze::Detection::Continuous);  // from where it is put
+    world_.move(pellet.id, pellet.pose());
+    ++pellet_stops_;
+    return true;
+  }
+
   double energy_of(const RigidBody& body) const {
     return body.kinetic_energy() + body.mass->mass * settings_.gravity * body.at.z();
   }
@@ -152,6 +199,7 @@ class Simulation {
     const double middle = core_seconds();
     woken_.clear();
     solver_.take(world_, update, bodies_, woken_);
+    if (stop_pellet(update)) solver_.take(world_, world_.update(), bodies_, woken_);
     for (RigidBody& body : bodies_) {
       if (!body.is_asleep) body.velocity.z() -= settings_.gravity * settings_.step;
     }
@@ -179,6 +227,7 @@ class Simulation {
   /// The world sees what moved by more than a hair; still bodies sleep, those that were hit wake.
   void tell_world() {
     moved_.clear(), poses_.clear();
+    if (has_pellet()) pellet_from_ = seen_.back().at;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       RigidBody& body = bodies_[i];
       if (body.is_asleep) continue;
@@ -229,7 +278,7 @@ class Simulation {
 
   void record(double time) {
     times_.push_back(time);
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    for (std::size_t i = 0; i < frames_.size(); ++i)
       frames_[i].push_back(bodies_[i].pose());
   }
 
@@ -242,7 +291,7 @@ class Simulation {
       is_inside &= body.at.z() > 0 && std::hypot(body.at.x(), body.at.y()) <
                                           graze::samples::inner_radius(size_, body.at.z());
       is_finite &= body.at.allFinite() && body.velocity.allFinite() && body.spin.allFinite();
-      asleep += body.is_asleep;
+      asleep += body.is_asleep && (!has_pellet() || &body != &bodies_.back());
       energy += energy_of(body);
     }
     double deepest = 0;
@@ -255,8 +304,13 @@ class Simulation {
     std::printf(
         "%s: %zu of %d bodies in the bin, %zu at rest; deepest penetration %.3f mm; energy "
         "%.4g J, %.4g J when poured\n",
-        is_right ? "as it must be" : "WRONG, a body left the bin or energy rose", bodies_.size(),
+        is_right ? "as it must be" : "WRONG, a body left the bin or energy rose", poured(),
         options_.bodies, asleep, 1e3 * deepest, energy, poured_energy_);
+    if (has_pellet()) {
+      std::printf(
+          "the pellet came at %.4g m/s, %.0f mm a step, and was stopped %d times on its way\n",
+          options_.shot, 1e3 * options_.shot * settings_.step, pellet_stops_);
+    }
     std::printf("%.2f s simulated in %.2f s, %.2f s of one core: %.2f and %.2f times real time\n",
                 options_.seconds, wall_, core_, options_.seconds / wall_, options_.seconds / core_);
     return is_right ? 0 : 1;
@@ -265,7 +319,7 @@ class Simulation {
  public:
   void write_files() const {
     const bool is_at_rest = std::ranges::all_of(bodies_, &RigidBody::is_asleep);
-    graze::samples::Pile pile{.title = std::to_string(bodies_.size()) + " bolts and nuts " +
+    graze::samples::Pile pile{.title = std::to_string(poured()) + " bolts and nuts " +
                                        (is_at_rest ? "at rest " : "") + "in a bin",
                               .bin = bin_mesh_,
                               .bin_height = size_.height,
@@ -274,7 +328,7 @@ class Simulation {
                               .times = times_};
     for (const Kind& kind : kinds_)
       pile.kinds.push_back({kind.name, kind.mesh});
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
+    for (std::size_t i = 0; i < poured(); ++i)
       pile.bodies.push_back({i % kinds_.size(), bodies_[i].pose(), first_frame_[i], frames_[i]});
     if (!options_.gltf.empty()) write_animation(options_.gltf, pile);
     if (!options_.picture.empty()) write_picture(options_.picture, pile);
@@ -296,6 +350,11 @@ class Simulation {
   std::vector<std::size_t> woken_;
   std::vector<graze::BodyId> moved_;
   std::vector<graze::Pose> poses_;
+  graze::Shape pellet_shape_ = graze::Sphere{Vector3d::Zero(), kPellet};
+  graze::samples::MassProperties pellet_mass_ =
+      graze::samples::mass_properties(pellet_shape_, kSteel);
+  Vector3d pellet_from_ = Vector3d::Zero();  // where it was at the last update
+  int pellet_stops_ = 0;
   Totals totals_;
   double poured_energy_ = 0;
   double wall_ = 0;  // seconds

@@ -28,6 +28,8 @@ std::optional<SimulationOptions> simulation_options(int argc, char** argv) {
       options.bodies = number_of<int>(value).value_or(0);
     } else if (name == "--seconds") {
       options.seconds = number_of<double>(value).value_or(0);
+    } else if (name == "--shot") {
+      options.shot = number_of<double>(value).value_or(-1);
     } else if (name == "--seed") {
       const std::optional<std::uint64_t> seed = number_of<std::uint64_t>(value);
       if (!seed) return std::nullopt;
@@ -41,7 +43,7 @@ std::optional<SimulationOptions> simulation_options(int argc, char** argv) {
     }
   }
   const bool is_sound = options.bodies > 0 && options.bodies <= 100000 && options.seconds > 0 &&
-                        options.seconds <= 1e5;
+                        options.seconds <= 1e5 && options.shot >= 0 && options.shot <= 1e4;
   return is_sound ? std::optional(options) : std::nullopt;
 }
 

@@ -11,13 +11,14 @@ struct SimulationOptions {
   std::filesystem::path data;
   int bodies = 200;
   double seconds = 20;  ///< to simulate
+  double shot = 30;     ///< metres a second: how fast a pellet comes at the end; 0 for none
   std::uint64_t seed = 1;
   std::filesystem::path gltf;  ///< empty for none
   std::filesystem::path picture;
 
   static constexpr const char* kUsage =
-      "simulation_loop DATA_DIR [--bodies N] [--seconds S] [--seed K] [--gltf FILE] "
-      "[--picture FILE.pov]";
+      "simulation_loop DATA_DIR [--bodies N] [--seconds S] [--shot M/S] [--seed K] "
+      "[--gltf FILE] [--picture FILE.pov]";
 };
 
 /// Nothing for a name that is none of these, or a value that is no number or out of range.
