@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace graze {
 
@@ -72,5 +73,17 @@ std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const Mesh
 std::optional<MeshFirstContact> first_self_contact(const MeshPath& path,
                                                    const FirstContactSettings& settings = {},
                                                    Work* work = nullptr);
+
+/// All contacts in a step: of each pair of features that meet when they first do, and of triangles
+/// that cross at t = 0 that they do. Ascending by pairs of triangles, then kinds of features, then
+/// places; a pair of features stands once, with the lowest triangles that have it.
+std::vector<MeshFirstContact> find_contacts_in_step(const MeshPath& path_a, const MeshPath& path_b,
+                                                    const FirstContactSettings& settings = {},
+                                                    Work* work = nullptr);
+
+/// Likewise of a mesh with itself, as first_self_contact() takes it.
+std::vector<MeshFirstContact> find_self_contacts_in_step(const MeshPath& path,
+                                                         const FirstContactSettings& settings = {},
+                                                         Work* work = nullptr);
 
 }  // namespace graze

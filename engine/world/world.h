@@ -70,10 +70,10 @@ struct BodyFirstContact {
   /// of a user's own does not know.
   RigidContact contact;
   /// Whether they touch at 0: then `low` is 0, and what a solver does with the contacts of the last
-  /// update is all that there is to do. A convex body that touches a mesh which does not turn is
-  /// listed with it once more, with the first triangle that it comes to after that and does not
-  /// slide along (WorldSettings::sliding_depth), as a wall is for what lies on the floor beside it;
-  /// two meshes, or convex bodies, that touch at 0 are not.
+  /// update is all that there is to do. A convex body that is no further than the tolerance from a
+  /// mesh at 0, which does not turn, is listed with it once more, with the first triangle that it
+  /// comes to after that and does not slide along (WorldSettings::sliding_depth), as a wall is for
+  /// what lies on the floor beside it; two meshes, or convex bodies, that are so near are not.
   bool touches_at_start;
   /// At `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two half-spaces and
   /// for shapes of a user's own.

@@ -61,6 +61,9 @@ int main() {
   const graze::MeshPath resting(lid, lid);
   const std::optional<graze::MeshFirstContact> met = graze::first_contact(growing, resting);
   expect(met && met->time == 0.5 && !met->is_at_start, "one metre of two: never late");
+  const auto all = graze::find_contacts_in_step(growing, resting);
+  expect(all.size() > 4 && all[0].time == 0.5, "and all features that meet in the step");
+  expect(graze::find_self_contacts_in_step(growing).empty(), "none of its own");
   expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
          "it holds both meshes, and a tree");
   expect(!graze::first_self_contact(growing), "and no part of it meets another");

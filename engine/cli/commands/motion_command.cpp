@@ -1,6 +1,7 @@
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/motion/certificate_file.h>
+#include <graze/engine/cli/motion/contact_picture.h>
 #include <graze/engine/cli/motion/motion_arguments.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/progress.h>
@@ -36,12 +37,15 @@ With --json each answer is one line:
   {"motion":0,"answer":"hit","low":0.25,"high":0.2500001,"out_of_budget":false,"pose_b":[12 numbers],
    "work":{...}}
 --certificate writes the proof that a motion is free, and adds "certificate":FILE; graze verify checks
-it. What is not free has none, and no file is written.
+it. What is not free has none, and no file is written. --picture draws where the first motion that is not
+free comes to A, at "high" of a hit and "low" else, and adds "picture":FILE; where all is free no file is
+written.
 
 Examples:
   graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.00875" --screw "0 0 0  0 0 1  2.83 0.0015"
   graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.03" --to "1 0 0 0  0 1 0 0  0 0 1 0.05" --certificate c.json
   graze motion bolt.obj nut.stl --path poses.txt --clearance 1e-5 --json
+  graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.03" --to "1 0 0 0  0 1 0 0  0 0 1 0" --picture met.svg
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -54,18 +58,27 @@ struct MotionOptions {
   MotionArguments motion;
   RigidContactSettings settings;
   std::string certificate;
+  std::string picture;
   bool is_json = false;
   bool has_progress = false;
 };
 
-void check_file(const MotionOptions& options) {
-  if (options.certificate.empty()) return;
-  if (!options.motion.path.empty())
+void check_files(const MotionOptions& options) {
+  if (!options.certificate.empty() && !options.motion.path.empty())
     throw UsageError("--certificate and --path exclude each other: a proof is about one motion");
-  const FilePlace output = {"--certificate", options.certificate};
-  const std::array<FilePlace, 2> inputs = {
-      {{"the first mesh", options.mesh_a}, {"the second mesh", options.mesh_b}}};
-  check_outputs({&output, 1}, inputs);
+  const std::array<FilePlace, 2> outputs = {
+      {{"--certificate", options.certificate}, {"--picture", options.picture}}};
+  const std::array<FilePlace, 3> inputs = {{{"the first mesh", options.mesh_a},
+                                            {"the second mesh", options.mesh_b},
+                                            {"the file of --path", options.motion.path}}};
+  check_outputs(outputs, inputs);
+}
+
+/// Of the moment that the answer is about.
+void write_picture(const MotionOptions& options, const PlacedMeshView& a, const Mesh& mesh_b,
+                   const RigidMotion& motion, const RigidContact& contact) {
+  const double t = contact.status == RigidStatus::Hit ? contact.high : contact.low;
+  files::write_file(options.picture, contact_picture(a, {mesh_b, motion.at(t)}));
 }
 
 /// As the certificate names it: from its own folder on.
@@ -92,7 +105,7 @@ std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
 }
 
 ExitCode run_motion(const MotionOptions& options, Output& output) {
-  check_file(options);
+  check_files(options);
   const RigidMotion rest(options.pose_a.empty() ? Pose::Identity()
                                                 : parse_pose(options.pose_a, "--pose-a"));
   const std::vector<RigidMotion> motions = read_motions(options.motion);
@@ -102,6 +115,7 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   check_reach(rest, mesh_a.bounds(), "--pose-a");
   for (std::size_t i = 0; i < motions.size(); ++i)
     check_reach(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
+  bool has_picture = options.picture.empty();
   Progress progress("motions:", motions.size(), {.is_forced = options.has_progress});
   for (std::size_t i = 0; i < motions.size(); ++i) {
     MotionAnswer answer;
@@ -112,6 +126,11 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
       answer.pose_b = motions[i].at(answer.contact.high);
     if (!options.certificate.empty() && answer.contact.status == RigidStatus::Free)
       answer.certificate = write_proof(options, mesh_a, rest, mesh_b, motions[i], answer.work);
+    if (!has_picture && answer.contact.status != RigidStatus::Free) {
+      write_picture(options, {mesh_a, rest.start()}, mesh_b, motions[i], answer.contact);
+      answer.picture = options.picture;
+      has_picture = true;
+    }
     if (i == 0 && !options.is_json) output.write(motion_header());
     output.write(options.is_json ? to_json(answer) : to_text(answer));
     progress.update(i + 1);
@@ -151,6 +170,11 @@ void add_motion_command(CLI::App& program, Action& action) {
       ->type_name("N")
       ->check(whole_number(1, std::uint64_t{1} << 53));
   command->add_option("--certificate", options->certificate, "where to write the proof")
+      ->type_name("FILE")
+      ->check(file_name());
+  command
+      ->add_option("--picture", options->picture,
+                   "where to draw the first contact that is found (SVG)")
       ->type_name("FILE")
       ->check(file_name());
   command->add_flag("--json", options->is_json, "one JSON object a motion");

@@ -87,8 +87,7 @@ struct SurfacePoints {
 };
 
 void add_triangles(std::vector<Outline>& outlines, const Mesh& mesh, const Pose& pose) {
-  constexpr std::size_t kMaxTriangles = 200;
-  for (std::size_t i = 0; i < std::min(mesh.triangles().size(), kMaxTriangles); ++i) {
+  for (std::size_t i = 0; i < std::min(mesh.triangles().size(), kMostTrianglesDrawn); ++i) {
     const Triangle t = place(pose, mesh.triangle(i));
     outlines.push_back({.points = {t.a, t.b, t.c}});
   }

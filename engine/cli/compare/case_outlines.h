@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct Outline {
   bool is_silhouette = false;  ///< the convex hull of the points as they are seen; else a polygon
   std::string colour = {};
 };
+
+/// Of each mesh no more triangles than this are drawn.
+inline constexpr std::size_t kMostTrianglesDrawn = 200;
 
 /// The two shapes of a case, A before B: triangles one by one, of which the first of each mesh are
 /// enough, a half-space as a piece of its plane near the other shape, and of all others points on

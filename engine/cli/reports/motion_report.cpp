@@ -48,6 +48,7 @@ std::string to_json(const MotionAnswer& answer) {
   line += contact.status == RigidStatus::Hit ? pose_json(answer.pose_b) : "null";
   if (!answer.certificate.empty())
     line += ",\"certificate\":" + cases::json_string(answer.certificate);
+  if (!answer.picture.empty()) line += ",\"picture\":" + cases::json_string(answer.picture);
   fmt::format_to(std::back_inserter(line),
                  ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
                  "\"triangle_tests\":{},\"exact_tests\":{},\"trees_built\":{},\"skins_built\":{}}}",
@@ -70,6 +71,7 @@ std::string to_text(const MotionAnswer& answer) {
   if (contact.is_out_of_budget) text += "  the budget ended there\n";
   if (!answer.certificate.empty())
     text += "  proof in " + mesh_io::printable(answer.certificate) + "\n";
+  if (!answer.picture.empty()) text += "  drawn in " + mesh_io::printable(answer.picture) + "\n";
   return text;
 }
 

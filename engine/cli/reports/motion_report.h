@@ -15,6 +15,7 @@ struct MotionAnswer {
   RigidContact contact;
   Pose pose_b;              ///< of B at the witness, where there is one
   std::string certificate;  ///< the file that holds the proof; empty: none
+  std::string picture;      ///< the file that shows the contact; empty: none
   Work work;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -27,16 +28,16 @@ auto order_of(const MeshFirstContact& c) {
 
 }  // namespace
 
-void EarliestContact::ask(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
+void FeatureContacts::ask(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
                           TrianglePair pair) {
   ask_pair(a, b, pair, Meshes::Two);
 }
 
-void EarliestContact::ask_of_one_mesh(const MeshPathAccess::Data& mesh, TrianglePair pair) {
+void FeatureContacts::ask_of_one_mesh(const MeshPathAccess::Data& mesh, TrianglePair pair) {
   ask_pair(mesh, mesh, pair, Meshes::One);
 }
 
-void EarliestContact::ask_pair(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
+void FeatureContacts::ask_pair(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
                                TrianglePair pair, Meshes meshes) {
   const bool is_self = meshes == Meshes::One;
   const TriangleIndices &of_a = a.start.triangles()[pair.a], &of_b = b.start.triangles()[pair.b];
@@ -69,7 +70,7 @@ void EarliestContact::ask_pair(const MeshPathAccess::Data& a, const MeshPathAcce
   }
 }
 
-void EarliestContact::ask_start(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
+void FeatureContacts::ask_start(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
                                 TrianglePair pair, bool have_common_vertices) {
   const Triangle triangle_a = a.start.triangle(pair.a), triangle_b = b.start.triangle(pair.b);
   const bool may_touch = settings_.start == StartContact::IsLeft || have_common_vertices;
@@ -79,9 +80,9 @@ void EarliestContact::ask_start(const MeshPathAccess::Data& a, const MeshPathAcc
 }
 
 template <typename FeatureA, typename FeatureB>
-void EarliestContact::ask_features(const FeatureA& a, const FeatureB& b,
+void FeatureContacts::ask_features(const FeatureA& a, const FeatureB& b,
                                    const MeshFirstContact& which) {
-  const auto contact = narrowphase::first_contact_of(a, b, settings_, first_ ? first_->time : 1);
+  const auto contact = narrowphase::first_contact_of(a, b, settings_, limit());
   if (!contact) return;
   MeshFirstContact found = which;
   found.time = contact->time;
@@ -89,8 +90,21 @@ void EarliestContact::ask_features(const FeatureA& a, const FeatureB& b,
   take(found);
 }
 
-void EarliestContact::take(const MeshFirstContact& contact) {
-  if (!first_ || order_of(contact) < order_of(*first_)) first_ = contact;
+void FeatureContacts::take(const MeshFirstContact& contact) {
+  if (kept_ == KeptContacts::All || found_.empty()) {
+    found_.push_back(contact);
+  } else if (order_of(contact) < order_of(found_.front())) {
+    found_.front() = contact;
+  }
+}
+
+std::vector<MeshFirstContact> FeatureContacts::take_all() {
+  const auto place_of = [](const MeshFirstContact& c) {
+    return std::make_tuple(c.pair, c.features, c.place_a, c.place_b);
+  };
+  std::sort(found_.begin(), found_.end(),
+            [&](const auto& s, const auto& t) { return place_of(s) < place_of(t); });
+  return std::move(found_);
 }
 
 }  // namespace graze

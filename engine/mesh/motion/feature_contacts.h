@@ -2,19 +2,31 @@
 
 #include <graze/engine/mesh/motion/mesh_path_data.h>
 
+#include <optional>
+#include <vector>
+
 namespace graze {
 
-/// The earliest contact of those that it is told of.
-class EarliestContact {
+/// Which contacts are kept: the earliest of all, or of each pair of features its first.
+enum class KeptContacts { Earliest, All };
+
+/// The contacts of the pairs of triangles that it is told of.
+class FeatureContacts {
  public:
-  explicit EarliestContact(const FirstContactSettings& settings) : settings_(settings) {}
+  FeatureContacts(const FirstContactSettings& settings, KeptContacts kept)
+      : settings_(settings), kept_(kept) {}
 
   /// Asks all pairs of features that the pair of triangles has to ask, and whether they cross at
   /// t = 0; of one mesh with itself, where features in common meet nothing.
   void ask(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b, TrianglePair pair);
   void ask_of_one_mesh(const MeshPathAccess::Data& mesh, TrianglePair pair);
 
-  const std::optional<MeshFirstContact>& first() const { return first_; }
+  /// The earliest.
+  std::optional<MeshFirstContact> first() const {
+    return found_.empty() ? std::nullopt : std::optional(found_.front());
+  }
+  /// All, by pairs of triangles, then kinds of features, then their places. No more are asked.
+  std::vector<MeshFirstContact> take_all();
 
  private:
   enum class Meshes { Two, One };
@@ -26,8 +38,14 @@ class EarliestContact {
   void ask_features(const FeatureA& a, const FeatureB& b, const MeshFirstContact& which);
   void take(const MeshFirstContact& contact);
 
+  /// Later contacts are not looked for.
+  double limit() const {
+    return kept_ == KeptContacts::All || found_.empty() ? 1 : found_.front().time;
+  }
+
   FirstContactSettings settings_;
-  std::optional<MeshFirstContact> first_;
+  KeptContacts kept_;
+  std::vector<MeshFirstContact> found_;  ///< one, or all
 };
 
 }  // namespace graze

@@ -11,31 +11,74 @@
 
 namespace graze {
 
+namespace {
+
+/// Tells `contacts` of all pairs of triangles whose boxes meet.
+void ask_meshes(const MeshPath& path_a, const MeshPath& path_b, FeatureContacts& contacts,
+                Work& work) {
+  const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
+  const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
+  const Pose identity = Pose::Identity();
+  const bvh::RelativeFrame frame = relative_frame(PlacedFrame(identity, 0, a.tree.frame, a.bounds),
+                                                  PlacedFrame(identity, 0, b.tree.frame, b.bounds));
+  const bvh::NodeSeparation separation(frame, a.tree.nodes, b.tree.nodes);
+  bvh::traverse_pair(a.tree, b.tree, CountedSeparation(separation, work),
+                     [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+                       for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+                         for (std::uint32_t k = leaf_b.first; k < leaf_b.first + leaf_b.count;
+                              ++k) {
+                           ++work.triangle_tests;
+                           contacts.ask(a, b, {a.tree.primitives[i], b.tree.primitives[k]});
+                         }
+                       }
+                       return bvh::Walk::Continue;
+                     });
+}
+
+void ask_mesh(const MeshPath& path, FeatureContacts& contacts, Work& work) {
+  const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
+  const bvh::NodeOverlap separation(mesh.tree.nodes, mesh.tree.nodes);
+  bvh::traverse_self(mesh.tree, CountedSeparation(separation, work),
+                     [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
+                       const bool is_same = &leaf_a == &leaf_b;
+                       for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+                         for (std::uint32_t k = is_same ? i + 1 : leaf_b.first;
+                              k < leaf_b.first + leaf_b.count; ++k) {
+                           ++work.triangle_tests;
+                           const auto [low, high] =
+                               std::minmax(mesh.tree.primitives[i], mesh.tree.primitives[k]);
+                           contacts.ask_of_one_mesh(mesh, {low, high});
+                         }
+                       }
+                       return bvh::Walk::Continue;
+                     });
+}
+
+FeatureContacts contacts_of_meshes(const MeshPath& path_a, const MeshPath& path_b,
+                                   const FirstContactSettings& settings, KeptContacts kept,
+                                   Work* work) {
+  narrowphase::check_settings(settings);
+  CountedWork counted(work);
+  FeatureContacts contacts(settings, kept);
+  ask_meshes(path_a, path_b, contacts, counted.work());
+  return contacts;
+}
+
+FeatureContacts contacts_of_mesh(const MeshPath& path, const FirstContactSettings& settings,
+                                 KeptContacts kept, Work* work) {
+  narrowphase::check_settings(settings);
+  CountedWork counted(work);
+  FeatureContacts contacts(settings, kept);
+  ask_mesh(path, contacts, counted.work());
+  return contacts;
+}
+
+}  // namespace
+
 std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const MeshPath& path_b,
                                               const FirstContactSettings& settings, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<MeshFirstContact> {
-    narrowphase::check_settings(settings);
-    CountedWork counted(work);
-    const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
-    const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
-    const Pose identity = Pose::Identity();
-    const bvh::RelativeFrame frame =
-        relative_frame(PlacedFrame(identity, 0, a.tree.frame, a.bounds),
-                       PlacedFrame(identity, 0, b.tree.frame, b.bounds));
-    const bvh::NodeSeparation separation(frame, a.tree.nodes, b.tree.nodes);
-    EarliestContact earliest(settings);
-    bvh::traverse_pair(
-        a.tree, b.tree, CountedSeparation(separation, counted.work()),
-        [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
-          for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-            for (std::uint32_t k = leaf_b.first; k < leaf_b.first + leaf_b.count; ++k) {
-              ++counted.work().triangle_tests;
-              earliest.ask(a, b, {a.tree.primitives[i], b.tree.primitives[k]});
-            }
-          }
-          return bvh::Walk::Continue;
-        });
-    return earliest.first();
+    return contacts_of_meshes(path_a, path_b, settings, KeptContacts::Earliest, work).first();
   });
 }
 
@@ -43,27 +86,23 @@ std::optional<MeshFirstContact> first_self_contact(const MeshPath& path,
                                                    const FirstContactSettings& settings,
                                                    Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<MeshFirstContact> {
-    narrowphase::check_settings(settings);
-    CountedWork counted(work);
-    const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
-    const bvh::NodeOverlap separation(mesh.tree.nodes, mesh.tree.nodes);
-    EarliestContact earliest(settings);
-    bvh::traverse_self(mesh.tree, CountedSeparation(separation, counted.work()),
-                       [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
-                         const bool is_same = &leaf_a == &leaf_b;
-                         for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count;
-                              ++i) {
-                           for (std::uint32_t k = is_same ? i + 1 : leaf_b.first;
-                                k < leaf_b.first + leaf_b.count; ++k) {
-                             ++counted.work().triangle_tests;
-                             const auto [low, high] =
-                                 std::minmax(mesh.tree.primitives[i], mesh.tree.primitives[k]);
-                             earliest.ask_of_one_mesh(mesh, {low, high});
-                           }
-                         }
-                         return bvh::Walk::Continue;
-                       });
-    return earliest.first();
+    return contacts_of_mesh(path, settings, KeptContacts::Earliest, work).first();
+  });
+}
+
+std::vector<MeshFirstContact> find_contacts_in_step(const MeshPath& path_a, const MeshPath& path_b,
+                                                    const FirstContactSettings& settings,
+                                                    Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<MeshFirstContact> {
+    return contacts_of_meshes(path_a, path_b, settings, KeptContacts::All, work).take_all();
+  });
+}
+
+std::vector<MeshFirstContact> find_self_contacts_in_step(const MeshPath& path,
+                                                         const FirstContactSettings& settings,
+                                                         Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<MeshFirstContact> {
+    return contacts_of_mesh(path, settings, KeptContacts::All, work).take_all();
   });
 }
 

@@ -122,7 +122,7 @@ void add_first_contacts(const BodyPair& pair, const BodyInMotion& a, const BodyI
     found.normal = meeting.normal, found.point = meeting.point;
   }
   to.first = found;
-  if (!are_known || !found.touches_at_start) return;
+  if (!are_known || low > 0) return;
   const auto next = contact_after_sliding(*shape_a, *a.motion, *shape_b, *b.motion, settings.sweeps,
                                           settings.sliding_depth, shape_work());
   if (next) to.after_sliding = {pair, next->contact, false, next->normal, next->point};

@@ -1,4 +1,5 @@
 #include <graze/engine/world/rigid/approach.h>
+#include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,16 +38,35 @@ Approach Approach::mirrored() const {
   return swapped;
 }
 
-// A unit vector is off by less than 2^-50.
-double Approach::closing_way(const Eigen::Vector3d& normal) const {
-  const double along = normal.x() * shift.x() + normal.y() * shift.y() + normal.z() * shift.z();
-  return (std::max(-along, 0.0) + 0x1p-48 * length_of(shift)) + turning_way;
+// Each product rounds by less than 2^-50 of the sizes of its factors.
+Closing turning_closing(const RigidMotion& motion, double time, const narrowphase::Core& core,
+                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double reach) {
+  const double angle = motion.angle();
+  if (angle == 0) return {0, 0};
+  const narrowphase::Vec3 w = cross(to_vec3(along), to_vec3(motion.axis())) * angle;
+  const Eigen::Vector3d centre = motion.centre() + time * motion.shift();
+  const narrowphase::Vec3 arm = narrowphase::support(core, w) + (to_vec3(origin) - to_vec3(centre));
+  const double size = std::abs(angle) * (length_of(origin - centre) + reach);
+  return {dot(w, arm) + 0x1p-46 * size, angle * angle * reach};
 }
 
-std::uint64_t Approach::steps(double gap, double closing, std::uint64_t most) const {
-  const double count = (gap - limit - rounding) / (closing * MovingShape::kStretch) / grid.step();
+// A unit vector is off by less than 2^-50.
+Closing Approach::closing(const Eigen::Vector3d& normal, const Closing& turning) const {
+  const double along = normal.x() * shift.x() + normal.y() * shift.y() + normal.z() * shift.z();
+  return {(turning.rate - along) + 0x1p-48 * length_of(shift), turning.bend};
+}
+
+// The larger root of rate d + bend d^2 / 2 = gap, in the form that does not cancel.
+std::uint64_t Approach::steps(double gap, const Closing& closing, std::uint64_t most) const {
+  const double left = gap - limit - rounding;
+  if (!(left > 0)) return 1;
+  const double rate = closing.rate + (MovingShape::kStretch - 1) * std::abs(closing.rate);
+  const double bend = closing.bend * MovingShape::kStretch;
+  const double root = std::sqrt(rate * rate + 2 * bend * left);
+  const double time = rate > 0 ? 2 * left / (rate + root) : (root - rate) / bend;
+  const double count = time * (2 - MovingShape::kStretch) / grid.step();
   if (!(count < static_cast<double>(most))) return most;
-  return std::max(std::uint64_t{1}, static_cast<std::uint64_t>(std::max(count, 0.0)));
+  return std::max(std::uint64_t{1}, static_cast<std::uint64_t>(count));
 }
 
 }  // namespace graze

@@ -5,8 +5,23 @@
 #include <graze/engine/mesh/rigid/time_grid.h>
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/world/rigid/moving_shape.h>
+#include <graze/narrowphase/convex/core/core.h>
 
 namespace graze {
+
+/// By how much a gap closes, metres, in a stretch of time d of the whole, 1: no more than rate d +
+/// bend d^2 / 2. The rate may be negative.
+struct Closing {
+  double rate, bend;
+};
+
+/// What turning adds to how a convex set moves along a unit vector from a time on: its core, as it
+/// is then relative to `origin`, of which no point is further than `reach` from the centre of the
+/// motion. With w the angle along the axis, a point x moves at w x (x - centre), which along n is
+/// (n x w) . (x - centre), most at a support point; and its way bends by angle^2 times its distance
+/// from the centre.
+Closing turning_closing(const RigidMotion& motion, double time, const narrowphase::Core& core,
+                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double reach);
 
 /// How two shapes in motion near each other, all in metres, and the times at which they are asked.
 struct Approach {
@@ -21,14 +36,16 @@ struct Approach {
 
   Approach mirrored() const;  ///< with A and B swapped
 
-  /// How far two convex sets come nearer to each other in all, at most, whatever they do along the
-  /// planes at right angles to `normal`, unit, from A to B, of which two keep them apart. Mirtich's
-  /// bound (Impulse-based Dynamic Simulation of Rigid Body Systems, 1996, section 2.3).
-  double closing_way(const Eigen::Vector3d& normal) const;
+  /// How two convex sets close the gap between two planes at right angles to `normal`, unit, from A
+  /// to B, whatever they do along these planes: Mirtich's bound (Impulse-based Dynamic Simulation
+  /// of Rigid Body Systems, 1996, section 2.3). `turning` is what turning_closing() says of both.
+  Closing closing(const Eigen::Vector3d& normal, const Closing& turning) const;
+  /// Of any two sets.
+  Closing closing() const { return {way, 0}; }
 
   /// So many steps of the grid, at least 1, in which what is `gap` apart now, by a proof that holds
-  /// but for `rounding`, stays apart while it closes by `closing` in all; `most` if it does longer.
-  std::uint64_t steps(double gap, double closing, std::uint64_t most) const;
+  /// but for `rounding`, stays apart; `most` if it does longer.
+  std::uint64_t steps(double gap, const Closing& closing, std::uint64_t most) const;
 };
 
 }  // namespace graze

@@ -55,7 +55,7 @@ struct MeshApproach::TimesOfNodes {
 };
 
 bool MeshApproach::is_for(const MovingShape& convex, const MovingShape& mesh) {
-  return is_convex_core(convex.shape.kind()) && mesh.is_mesh() && mesh.turned == 0;
+  return is_convex_core(convex.shape.kind()) && mesh.is_mesh();
 }
 
 MeshApproach::MeshApproach(const MovingShape& convex, const MovingShape& mesh,
@@ -81,7 +81,9 @@ std::uint64_t MeshApproach::find_low(std::uint64_t budget, const std::optional<S
   const Eigen::Vector3d origin = middle_of(convex_.shape, relative_.start());
   const Core core = core_in_all_directions(convex_, origin);
   const MeshDescent descent(placed, core, origin, work_);
-  const TreeSweep sweep(descent, placed, relative_.shift(), approach_.limit + approach_.rounding);
+  const double turning = mesh_.turned * mesh_.reach * MovingShape::kStretch;
+  const TreeSweep sweep(descent, placed, relative_.shift(),
+                        (approach_.limit + approach_.rounding) + turning);
   bvh::traverse_nearest(descent.tree(), TimesOfNodes{*this, sweep}, [&](const bvh::Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count && !is_out_of_budget_; ++i) {
       const std::uint32_t triangle = descent.tree().primitives[i];
@@ -102,25 +104,36 @@ void MeshApproach::approach_triangle(std::uint32_t triangle, const NearTimes& ti
     is_out_of_budget_ = budget_ == 0;
     if (is_out_of_budget_) return;
     --budget_;
-    const SetGap gap = gap_at(k, triangle).gap;
+    const Gap gap = gap_at(k, triangle);
     if (!(gap.lower > approach_.limit)) {
       if (k == 0 && rule_) return;
       low_ = k, found_ = triangle;
       return;
     }
-    k += approach_.steps(gap.lower, approach_.closing_way(to_eigen(gap.normal)), end - k);
+    k += approach_.steps(gap.lower, gap.closing, end - k);
   }
 }
 
 MeshApproach::Gap MeshApproach::gap_at(std::uint64_t k, std::uint32_t triangle) const {
   ++work_.triangle_tests, ++work_.convex_tests;
-  const Pose pose = relative_.at(approach_.grid.time(k));
+  const double t = approach_.grid.time(k);
+  const Pose pose = convex_.motion.at(t);
   const Eigen::Vector3d origin = middle_of(convex_.shape, pose);
-  const Triangle placed = narrowphase::place(mesh_.motion.start(), triangles_.triangle(triangle));
-  const Core core = core_of(convex_.shape, pose, origin);
-  const SetGap gap = gap_of_sets(core, core_of(placed, origin));
+  const Triangle placed = narrowphase::place(mesh_.motion.at(t), triangles_.triangle(triangle));
+  const Core core = core_of(convex_.shape, pose, origin), met = core_of(placed, origin);
+  const SetGap gap = gap_of_sets(core, met);
   work_.convex_failures += gap.status == PairStatus::NotConverged;
-  return {gap, origin};
+  const Eigen::Vector3d normal = to_eigen(gap.normal);
+  Closing turning = turning_closing(convex_.motion, t, core, origin, normal, convex_.turning_reach);
+  if (mesh_.turned != 0) {
+    const Eigen::Vector3d centre = mesh_.motion.centre() + t * mesh_.motion.shift();
+    const double reach = std::max({length_of(placed.a - centre), length_of(placed.b - centre),
+                                   length_of(placed.c - centre)}) *
+                         MovingShape::kStretch;
+    const Closing of_mesh = turning_closing(mesh_.motion, t, met, origin, -normal, reach);
+    turning.rate += of_mesh.rate, turning.bend += of_mesh.bend;
+  }
+  return {gap.lower, approach_.closing(normal, turning)};
 }
 
 /// How far the shape is behind the plane through a corner at right angles to a unit vector, which

@@ -1,6 +1,6 @@
 #pragma once
 
-// A convex shape that comes to a mesh which does not turn. Private to engine/world.
+// A convex shape and a mesh that come to each other. Private to engine/world.
 
 #include <graze/engine/work.h>
 #include <graze/engine/world/rigid/approach.h>
@@ -23,9 +23,9 @@ struct SlidingRule {
 
 /// The first time of the grid at which a convex shape may be as near to a triangle of a mesh as the
 /// limit. The tree is walked towards a box around the shape, in all directions in which it turns,
-/// that goes straight: slabs say when that is near a node, and what is near first is walked first.
-/// Each triangle that is left is approached as far as the gap lasts. The motion is that of the
-/// shape less the shift of the mesh, which stays where it is at 0.
+/// that goes straight, as the mesh stays: slabs say when that is near a node, and what is near
+/// first is walked first. There is room for how far turning takes the mesh. Each triangle that is
+/// left is approached as far as the gap lasts.
 class MeshApproach {
  public:
   static bool is_for(const MovingShape& convex, const MovingShape& mesh);
@@ -36,20 +36,22 @@ class MeshApproach {
 
   /// The end of the grid if there is none. Where the budget, a number of gaps, ends, when the box
   /// is near any triangle first.
+  /// A rule is for meshes that do not turn.
   std::uint64_t find_low(std::uint64_t budget, const std::optional<SlidingRule>& rule = {});
   bool is_out_of_budget() const { return is_out_of_budget_; }
 
-  /// Of the triangle that find_low() found: its index, and how near the shape is to it then. Points
-  /// are in the world, as the mesh is at 0, relative to `origin`.
+  /// The triangle that find_low() found.
   std::uint32_t found() const { return found_; }
-  struct Gap {
-    SetGap gap;
-    Eigen::Vector3d origin;
-  };
-  Gap gap_at(std::uint64_t k, std::uint32_t triangle) const;
 
  private:
   struct TimesOfNodes;
+  /// Of the shape and a triangle, and how it closes.
+  struct Gap {
+    double lower;
+    Closing closing;
+  };
+
+  Gap gap_at(std::uint64_t k, std::uint32_t triangle) const;
 
   void approach_triangle(std::uint32_t triangle, const NearTimes& times);
   bool slides_along(std::uint32_t triangle) const;

@@ -9,6 +9,7 @@
 #include <graze/engine/world/rigid/mesh_approach.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/placed_core.h>
 
 #include <algorithm>
 #include <optional>
@@ -43,11 +44,12 @@ class ShapeMotion {
       if (is_out_of_budget_) return k;
       --budget_;
       const double t = grid().time(k);
-      const ShapeDistance found = distance(a_.at(t), b_.at(t), &work_);
+      const PlacedShape a = a_.at(t), b = b_.at(t);
+      const ShapeDistance found = distance(a, b, &work_);
       const double gap = found.lower_bound;
       if (!(gap > approach_.limit)) return k;
       // In one step they stay further apart than the clearance; in more while the gap lasts.
-      k += approach_.steps(gap, closing_way(found.normal), end - k);
+      k += approach_.steps(gap, closing(t, a, b, found.normal), end - k);
     }
     return end;
   }
@@ -67,12 +69,23 @@ class ShapeMotion {
     return low;
   }
 
-  /// Of a mesh beside a plane its convex hull counts; of one that turns beside a convex shape which
-  /// of its triangles is near changes, and with it the normal.
-  double closing_way(const Eigen::Vector3d& normal) const {
-    const bool is_plane = a_.is_half_space() || b_.is_half_space();
-    const bool is_mesh = a_.is_mesh() || b_.is_mesh();
-    return is_plane || !is_mesh ? approach_.closing_way(normal) : approach_.way;
+  /// Of a mesh beside a plane its convex hull counts. A half-space that turns moves the faster the
+  /// further out.
+  Closing closing(double t, const PlacedShape& a, const PlacedShape& b,
+                  const Eigen::Vector3d& normal) const {
+    if ((a_.is_half_space() && a_.turned > 0) || (b_.is_half_space() && b_.turned > 0))
+      return approach_.closing();
+    const Closing of_a = turning(a_, t, a.pose, normal), of_b = turning(b_, t, b.pose, -normal);
+    return approach_.closing(normal, {of_a.rate + of_b.rate, of_a.bend + of_b.bend});
+  }
+
+  static Closing turning(const MovingShape& moving, double t, const Pose& pose,
+                         const Eigen::Vector3d& along) {
+    if (moving.turned == 0) return {0, 0};
+    if (moving.is_mesh()) return {moving.turned * moving.turning_reach, 0};
+    const Eigen::Vector3d origin = middle_of(moving.shape, pose);
+    return turning_closing(moving.motion, t, core_of(moving.shape, pose, origin), origin, along,
+                           moving.turning_reach);
   }
 
   const MovingShape& a_;

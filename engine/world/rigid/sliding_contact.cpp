@@ -57,8 +57,11 @@ std::optional<SlidingContact> contact_after_sliding(
     const RigidMotion& motion_b, const RigidContactSettings& settings, double depth, Work& work) {
   const MovingShape a(shape_a, motion_a, "motion of shape A");
   const MovingShape b(shape_b, motion_b, "motion of shape B");
-  if (MeshApproach::is_for(a, b)) return after_sliding(a, b, settings, depth, work);
-  if (!MeshApproach::is_for(b, a)) return std::nullopt;
+  const auto is_for = [](const MovingShape& convex, const MovingShape& mesh) {
+    return MeshApproach::is_for(convex, mesh) && mesh.turned == 0;
+  };
+  if (is_for(a, b)) return after_sliding(a, b, settings, depth, work);
+  if (!is_for(b, a)) return std::nullopt;
   std::optional<SlidingContact> found = after_sliding(b, a, settings, depth, work);
   if (found) found->normal = -found->normal;
   return found;

@@ -57,6 +57,28 @@ TEST_F(CliMotion, AnswersAreTheLibrarysBitForBit) {
   EXPECT_NEAR(contact.low, (gap - 0.25) / 20, 1e-6);
 }
 
+TEST_F(CliMotion, APictureShowsTheFirstContact) {
+  const Json answer = json({"--from", kApart, "--to", kBehind, "--picture", "met.svg"});
+  EXPECT_EQ(answer["picture"], "met.svg");
+  const std::string picture = text_of("met.svg");
+  EXPECT_TRUE(picture.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" ")) << picture;
+  EXPECT_TRUE(picture.ends_with("</svg>\n"));
+  for (const char* colour : {"#1f6fb4", "#d95f02"})
+    EXPECT_NE(picture.find(colour), picture.npos) << colour;
+  // Nothing is drawn of what is free; of a path the first stretch that is not.
+  EXPECT_FALSE(
+      json({"--from", kAbove, "--to", kAbove, "--picture", "none.svg"}).contains("picture"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.svg"));
+  write("path.txt", kApart + "\n" + kApart + "\n" + kBehind + "\n" + kApart + "\n");
+  const std::vector<std::string> lines =
+      lines_of(json_of("motion", {"--path", "path.txt", "--picture", "path.svg"}));
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_FALSE(Json::parse(lines[0]).contains("picture"));
+  EXPECT_EQ(Json::parse(lines[1])["picture"], "path.svg");
+  EXPECT_FALSE(Json::parse(lines[2]).contains("picture"));
+  EXPECT_EQ(motion({"--from", kApart, "--to", kBehind, "--picture", "a.off"}).exit_code, 2);
+}
+
 TEST_F(CliMotion, TurnsGoAlongAScrew) {
   // By half a turn about z, around the box: never nearer than 8 metres, though the chord goes
   // through.

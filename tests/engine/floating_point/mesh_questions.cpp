@@ -135,6 +135,10 @@ void ask_paths(const Inputs& in, Words& words) {
   for (const StartContact start : {StartContact::Counts, StartContact::IsLeft}) {
     add_contact(words, first_contact(path, rest, {.start = start}));
     add_contact(words, first_self_contact(path, {.start = start}));
+    for (const MeshFirstContact& each : find_contacts_in_step(path, rest, {.start = start}))
+      add_contact(words, each);
+    for (const MeshFirstContact& each : find_self_contacts_in_step(path, {.start = start}))
+      add_contact(words, each);
     const auto met = cast({meshes.a, in.pose_a}, {meshes.b, in.pose_b},
                           Eigen::Vector3d(0.3, -0.2, 0.7), {.start = start});
     words.add(met.has_value());

@@ -45,7 +45,7 @@ Mesh floor_and_wall(int cells, double bump, double wall) {
 }
 
 /// The first time of the same grid at which distance() does not prove more than the limit.
-double first_time_by_sampling(const Shape& shape, const RigidMotion& motion, const Mesh& mesh,
+double first_time_by_sampling(const Shape& shape, const RigidMotion& motion, const Shape& mesh,
                               const RigidMotion& of_mesh, double limit, double step) {
   for (int k = 0; k * step < 1; ++k) {
     const PlacedShape placed{shape, motion.at(k * step)};
@@ -69,7 +69,10 @@ TEST(Law14MeshApproach, IsTheFirstTimeOfTheGrid) {
                 .angle = n % 3 == 0 ? 0 : source.uniform(-2, 2)});
     const Pose turned = tests::moved(source, Pose::Identity(), 0.2, n % 4 == 0 ? 0.3 : 0);
     const RigidMotion of_mesh(turned,
-                              {.shift = n % 5 == 0 ? Vector3d(1, 0, 0.5) : Vector3d(0, 0, 0)});
+                              {.centre = {4, 0, 0},
+                               .shift = n % 5 == 0 ? Vector3d(1, 0, 0.5) : Vector3d(0, 0, 0),
+                               .axis = source.vector(-1, 1),
+                               .angle = n % 8 == 1 ? source.uniform(-0.5, 0.5) : 0});
     const RigidContactSettings settings{.clearance = n % 7 == 0 ? 0.05 : 0, .tolerance = 0.02};
     const RigidContact found = first_contact(shape, motion, mesh, of_mesh, settings);
     const RigidContact mirrored = first_contact(mesh, of_mesh, shape, motion, settings);
@@ -85,6 +88,48 @@ TEST(Law14MeshApproach, IsTheFirstTimeOfTheGrid) {
   }
   EXPECT_GT(met, 30);
   EXPECT_GT(apart, 10);
+}
+
+/// Of two convex shapes that turn, about each other too.
+TEST(Law14Approach, OfConvexShapesIsTheFirstTimeOfTheGrid) {
+  RandomSource source(1202);
+  int met = 0, apart = 0;
+  for (int n = 0; n < 150; ++n) {
+    const Shape shape_a = tests::random_small_shape(source, n % 5);
+    const Shape shape_b = tests::random_small_shape(source, n / 5 % 5);
+    const Pose start_a = tests::random_pose(source, 0.9), start_b = tests::random_pose(source, 0.9);
+    const auto motion_of = [&](const Pose& start) {
+      return RigidMotion(start, {.centre = source.vector(-1, 1),
+                                 .shift = source.vector(-0.6, 0.6),
+                                 .axis = source.vector(-1, 1),
+                                 .angle = source.uniform(-3, 3)});
+    };
+    const RigidMotion motion_a = motion_of(start_a), motion_b = motion_of(start_b);
+    const RigidContactSettings settings{.clearance = n % 7 == 0 ? 0.05 : 0, .tolerance = 0.02};
+    const RigidContact found = first_contact(shape_a, motion_a, shape_b, motion_b, settings);
+    EXPECT_EQ(found, first_contact(shape_b, motion_b, shape_a, motion_a, settings));
+    constexpr double kStep = 1.0 / 4096;
+    const double truth = first_time_by_sampling(shape_a, motion_a, shape_b, motion_b,
+                                                settings.clearance + settings.tolerance, kStep);
+    EXPECT_GE(found.low, truth) << n;
+    EXPECT_LE(found.low, truth + 16 * kStep) << n;
+    (found.status == RigidStatus::Free ? apart : met) += 1;
+  }
+  EXPECT_GT(met, 30);
+  EXPECT_GT(apart, 30);
+}
+
+/// A box on a turntable, a millimetre above it, both turning about one axis.
+TEST(Law14Approach, WhatTurnsTogetherTakesFewGaps) {
+  const Mesh table = tests::make_box({3, 3, 0.1});
+  const Shape box = Box{{0.2, 0.2, 0.2}};
+  const RigidMotion turn_table(at(0, 0, -0.1), {.angle = 1});
+  const RigidMotion turn_box(at(2, 0, 0.201), {.angle = 1});
+  for (const Shape& below : {Shape(table), Shape(Box{{3, 3, 0.1}})}) {
+    Work work;
+    EXPECT_EQ(first_contact(box, turn_box, below, turn_table, {}, &work).status, RigidStatus::Free);
+    EXPECT_LT(work.convex_tests, 200u);
+  }
 }
 
 TEST(Law14MeshApproach, ALongSlideTakesFewGaps) {
@@ -158,6 +203,21 @@ TEST(SlidingBody, IsToldOfTheWallOfTheSameMesh) {
   // Two millimetres deep, and a ball that rolls.
   expect_slide_to_the_wall({Box{{0.25, 0.25, 0.25}}, 0.248, 0.25, 0}, 0);
   expect_slide_to_the_wall({Sphere{{0, 0, 0}, 0.25}, 0.249, 0.25, 64}, 0);
+}
+
+/// Half a micrometre above the floor it does not touch that, and is told of the wall as well.
+TEST(SlidingBody, IsToldOfTheWallWhereItHardlyHovers) {
+  World world;
+  world.add({floor_and_wall(20, 0, 12), Pose::Identity()}, {.kind = BodyKind::Static});
+  const BodyId box = world.add({Box{{0.25, 0.25, 0.25}}, at(2.25, 0.1, 0.2500005)},
+                               {.detection = Detection::Continuous});
+  world.update();
+  world.move(box, at(18.25, 0.1, 0.2500005));
+  const WorldUpdate update = world.update();
+  ASSERT_EQ(update.first_contacts.size(), 2u);
+  EXPECT_FALSE(update.first_contacts[0].touches_at_start);
+  EXPECT_EQ(update.first_contacts[0].contact.low, 0);
+  EXPECT_NEAR(update.first_contacts[1].contact.low, 9.5 / 16, 1e-6);
 }
 
 TEST(SlidingBody, IsToldOfNothingElse) {

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "tests/shapes/random_meshes.h"
@@ -210,6 +213,112 @@ TEST(Law12Meshes, OneWithItself) {
   EXPECT_EQ(first_self_contact(MeshPath(rest, rest)), std::nullopt);
 }
 
+/// What two features do, in words that can be sorted.
+struct ToldContact {
+  MeetingFeatures features;
+  double time;
+  bool is_at_start;
+  auto operator<=>(const ToldContact&) const = default;
+};
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+std::set<Edge> edges_of(const Mesh& mesh) {
+  std::set<Edge> edges;
+  for (const TriangleIndices& t : mesh.triangles()) {
+    for (int k = 0; k < 3; ++k)
+      edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
+  }
+  return edges;
+}
+
+/// Every vertex with every face, and every edge with every edge, once; and what crosses at t = 0.
+/// Of one mesh what has vertices in common is left out.
+std::vector<ToldContact> all_contacts(const MeshPath& a, const MeshPath& b, StartContact start,
+                                      bool is_one) {
+  std::vector<ToldContact> all;
+  const auto add = [&](MeetingFeatures features, const std::optional<FirstContact>& contact) {
+    if (contact) all.push_back({features, contact->time, contact->is_at_start});
+  };
+  const auto has = [&](const TriangleIndices& t, std::uint32_t v) {
+    return is_one && (t[0] == v || t[1] == v || t[2] == v);
+  };
+  const auto in_a = a.start().triangles(), in_b = b.start().triangles();
+  for (std::uint32_t v = 0; v < a.start().vertices().size(); ++v) {
+    for (const TriangleIndices& u : in_b) {
+      if (!has(u, v))
+        add(MeetingFeatures::VertexFace, first_contact(path_of(a, v), path_of(b, u), {start}));
+    }
+  }
+  for (std::uint32_t v = 0; !is_one && v < b.start().vertices().size(); ++v) {
+    for (const TriangleIndices& t : in_a)
+      add(MeetingFeatures::VertexFace, first_contact(path_of(b, v), path_of(a, t), {start}));
+  }
+  for (const Edge& e : edges_of(a.start())) {
+    for (const Edge& f : edges_of(b.start())) {
+      const bool share =
+          e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second;
+      if (is_one && (share || !(e < f))) continue;
+      add(MeetingFeatures::EdgeEdge,
+          first_contact(EdgePath{path_of(a, e.first), path_of(a, e.second)},
+                        EdgePath{path_of(b, f.first), path_of(b, f.second)}, {start}));
+    }
+  }
+  for (std::size_t i = 0; i < in_a.size(); ++i) {
+    for (std::size_t k = is_one ? i + 1 : 0; k < in_b.size(); ++k) {
+      const Triangle t = a.start().triangle(i), u = b.start().triangle(k);
+      const bool may_touch = start == StartContact::IsLeft || has(in_a[i], in_b[k][0]) ||
+                             has(in_a[i], in_b[k][1]) || has(in_a[i], in_b[k][2]);
+      if (may_touch ? crosses(t, u) : intersects(t, u))
+        all.push_back({MeetingFeatures::Crossing, 0, true});
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void expect_all(const std::vector<MeshFirstContact>& found, std::vector<ToldContact> right,
+                const std::optional<MeshFirstContact>& first) {
+  const auto place_of = [](const MeshFirstContact& c) {
+    return std::make_tuple(c.pair, c.features, c.place_a, c.place_b);
+  };
+  std::vector<ToldContact> told;
+  for (const MeshFirstContact& c : found) {
+    const bool is_face = c.features == MeetingFeatures::FaceVertex;
+    told.push_back({is_face ? MeetingFeatures::VertexFace : c.features, c.time, c.is_at_start});
+  }
+  std::sort(told.begin(), told.end());
+  EXPECT_EQ(told.size(), right.size());
+  EXPECT_TRUE(told == right);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [&](const auto& s, const auto& t) {
+    return place_of(s) < place_of(t);
+  }));
+  EXPECT_EQ(first.has_value(), !found.empty());
+  if (first) {
+    EXPECT_NE(std::find(found.begin(), found.end(), *first), found.end());
+  }
+}
+
+TEST(Law12Meshes, AllContactsAreThoseOfEachPairOfFeatures) {
+  RandomSource source(47);
+  std::size_t contacts = 0;
+  for (int n = 0; n < 12; ++n) {
+    const Mesh low = sheet(3, 0, 0.05, source), high = sheet(2, 0.2, 0.05, source);
+    const MeshPath a(low, moved(low, 0.1, {0, 0, 0.2}, source));
+    const MeshPath b(high, moved(high, 0.1, {0.05, 0, n % 3 == 0 ? -0.3 : -0.1}, source));
+    const MeshPath crumpled(low, moved(low, 0.6, {0, 0, 0}, source));
+    for (StartContact start : kStarts) {
+      const auto found = find_contacts_in_step(a, b, {.start = start});
+      expect_all(found, all_contacts(a, b, start, false), first_contact(a, b, {.start = start}));
+      const auto own = find_self_contacts_in_step(crumpled, {.start = start});
+      expect_all(own, all_contacts(crumpled, crumpled, start, true),
+                 first_self_contact(crumpled, {.start = start}));
+      contacts += found.size() + own.size();
+    }
+  }
+  EXPECT_GT(contacts, 200u);
+}
+
 // A mesh beside a copy of its own path is two meshes in one place.
 TEST(Law12Meshes, TwoHandlesToOnePathAreTwoMeshes) {
   RandomSource source(45);
@@ -240,6 +349,10 @@ TEST(Law12Meshes, PathsBetweenOtherTrianglesAreRefused) {
   const MeshPath path(small, small);
   EXPECT_THROW(first_contact(path, path, {.start = static_cast<StartContact>(9)}), InputError);
   EXPECT_THROW(first_self_contact(path, {.start = static_cast<StartContact>(9)}), InputError);
+  EXPECT_THROW(find_contacts_in_step(path, path, {.start = static_cast<StartContact>(9)}),
+               InputError);
+  EXPECT_THROW(find_self_contacts_in_step(path, {.start = static_cast<StartContact>(9)}),
+               InputError);
 }
 
 }  // namespace

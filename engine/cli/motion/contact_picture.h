@@ -1,0 +1,13 @@
+#pragma once
+
+#include <graze/engine/mesh/placed_mesh.h>
+
+#include <string>
+
+namespace graze::cli {
+
+/// An SVG file of the place where two meshes meet, or are nearest to each other, from two sides: A
+/// blue and B orange, of each the triangles that are nearest to it.
+std::string contact_picture(const PlacedMeshView& a, const PlacedMeshView& b);
+
+}  // namespace graze::cli
