@@ -53,7 +53,13 @@ std::string contact_picture(const PlacedMeshView& a, const PlacedMeshView& b) {
   of_b.resize(std::min(of_b.size(), kMostTrianglesDrawn - 1));
   std::reverse(of_b.begin(), of_b.end());
   of_b.push_back(nearest.pair.b);
-  const Case drawn{.a = part_of(a, of_a), .b = part_of(b, of_b)};
+  const Case drawn{.note = {},
+                   .ask = Ask::Any,
+                   .settings = {},
+                   .a = part_of(a, of_a),
+                   .b = part_of(b, of_b),
+                   .answer = {},
+                   .answered_by = {}};
   const std::string picture = svg_picture(drawn);
   constexpr std::string_view kOpening = "<svg ";
   if (!picture.starts_with(kOpening)) return "";

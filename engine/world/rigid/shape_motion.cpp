@@ -36,6 +36,8 @@ class ShapeMotion {
   /// The first time at which they may be as near as the limit, or where the budget ends; the end of
   /// the grid if there is none.
   std::uint64_t find_low() {
+    // To ask whether they meet costs less than how far apart they are.
+    if (clearance_ == 0 && budget_ > 0 && is_hit(0)) return 0;
     if (MeshApproach::is_for(a_, b_)) return find_low_of_mesh(a_, b_, approach_);
     if (MeshApproach::is_for(b_, a_)) return find_low_of_mesh(b_, a_, approach_.mirrored());
     const std::uint64_t end = grid().end();

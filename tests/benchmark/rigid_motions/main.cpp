@@ -1,5 +1,5 @@
 // Rigid motions of two meshes: edges that are free and that hit, beside static queries and
-// advancement; a nut that turns on its bolt, and gears that roll.
+// advancement; a nut that turns on its bolt, and gears that roll; and convex shapes beside FCL.
 
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/load_mesh.h>
@@ -17,6 +17,7 @@
 #include "tests/benchmark/common/processor_name.h"
 #include "tests/benchmark/common/thread_clock.h"
 #include "tests/benchmark/rigid_motions/edges.h"
+#include "tests/benchmark/rigid_motions/shapes.h"
 
 namespace graze::benchmark {
 namespace {
@@ -27,6 +28,7 @@ struct Options {
   std::string output;
   SceneSettings scenes;
   EdgeSettings edges;
+  int shape_motions = 40;
 };
 
 Json to_json(const EdgeTimes& times) {
@@ -96,6 +98,7 @@ std::size_t run(const Options& options) {
     }
   }
   document["parts"] = measured_parts(options.scenes.data, wrong);
+  document["shapes"] = measure_shape_motions(options.shape_motions, wrong);
   std::ofstream file(options.output);
   file << document.dump(1) << "\n";
   file.close();
@@ -117,6 +120,10 @@ int main(int argc, char** argv) {
       "--reach", options.edges.reach,
       "how far B goes along each axis at most, as a share of the smaller mesh's size");
   program.add_option("--turn", options.edges.turn, "how far it turns at most, radians");
+  program
+      .add_option("--shape-motions", options.shape_motions,
+                  "of each pair of kinds of convex shapes (default 40)")
+      ->check(CLI::Range(1, 100000));
   CLI11_PARSE(program, argc, argv);
   try {
     const std::size_t wrong = graze::benchmark::run(options);
