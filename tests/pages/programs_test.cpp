@@ -114,10 +114,11 @@ TEST_F(ReadmePrograms, OfManyBodies) {
   const graze::Aabb box{{0, 0, 0}, {1, 1, 1}};
   const Eigen::Vector3d eye(0, 0, 1), forward(0, 0, -1);
   Running running{3};
-  int resolved = 0, forgotten = 0, considered = 0;
+  int resolved = 0, forgotten = 0, stopped = 0, considered = 0;
   double aimed = 0;
   const auto resolve = [&](const graze::BodyContact&) { ++resolved; };
   const auto forget = [&](graze::BodyPair) { ++forgotten; };
+  const auto stop = [&](const graze::BodyFirstContact&) { ++stopped; };
   const auto consider = [&](graze::BoxPair) { ++considered; };
   const auto aim = [&](graze::BodyId, double distance, const Eigen::Vector3d&) {
     aimed = distance;
@@ -128,6 +129,7 @@ TEST_F(ReadmePrograms, OfManyBodies) {
   EXPECT_TRUE(world.contains(floor));
   EXPECT_GT(resolved, 0);
   EXPECT_EQ(forgotten, 0);
+  EXPECT_GT(stopped, 0);
   EXPECT_NEAR(aimed, 0.979, 1e-9);  // the tip of the bolt, 20 mm above its origin
   EXPECT_TRUE(boxes.contains(crate));
   EXPECT_EQ(considered, 0);
