@@ -1,3 +1,4 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/removal_on_signal.h>
 #include <graze/engine/cli/output/interruption.h>
@@ -117,5 +118,10 @@ int main(int argc, char** argv) {
   graze::cli::reserve_standard_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), not a death
   graze::cli::remove_temporary_files_on_signals();
-  return static_cast<int>(graze::cli::run({argv + 1, argv + argc}));
+  // A library of another engine that was linked with -ffast-math flushes denormal numbers for the
+  // whole program as it is loaded, and the command computes for itself, too. Threads take after the
+  // one that starts them.
+  return static_cast<int>(graze::bvh::in_standard_arithmetic([&] {
+    return graze::cli::run({argv + 1, argv + argc});
+  }));
 }

@@ -36,7 +36,9 @@ const TouchedTriangle& speaker_of(std::span<const TouchedTriangle> members);
 /// corners are a region.
 class ContactRegions {
  public:
-  /// Leaves of `touched` those that are in the way, and numbers their directions.
+  /// Leaves of `touched` those that are in the way, and numbers their directions. Where no triangle
+  /// reaches into the body, which then touches by a tolerance alone, that is the one that comes
+  /// nearest to it: what touches has a region.
   /// `is_apart(translation, triangle)` says whether the body, moved by the translation, is apart
   /// from the triangle; `size` is the body's.
   template <typename IsApart>
@@ -56,6 +58,11 @@ class ContactRegions {
       next.direction = number_of(exit.direction);
       if (kept != i) touched[kept] = next;
       ++kept;
+    }
+    if (kept == 0 && !touched.empty()) {
+      touched[0] = touched.back();
+      touched[0].direction = number_of(touched[0].parting.exit.direction);
+      kept = 1;
     }
     touched.resize(kept);
   }

@@ -1,11 +1,11 @@
 #include <graze/narrowphase/convex/contact/clip.h>
 #include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/contact/meeting_points.h>
-#include <graze/narrowphase/convex/gap/closed_gap.h>
 
 #include <algorithm>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace graze::narrowphase {
@@ -18,12 +18,6 @@ constexpr double kSameDepth = 1e-6;
 // Points of a clipped face that are this share of the scale short of touching still touch: what
 // kTouchTolerance of engine/world allows a hit to be.
 constexpr double kTouching = 0x1p-34;
-
-// Gaps and the points that witness them are known to this share of the scale. The error of a normal
-// is that of the points divided by the gap, so that the normals of gaps below kWellKnown are
-// measured by the supports.
-constexpr double kRoundingOfGaps = 0x1p-40;
-constexpr double kWellKnown = 0x1p-10;
 
 // A face takes part if its normal is within 8 degrees of the contact's.
 constexpr double kFacing = 0.99;
@@ -51,24 +45,6 @@ constexpr double kOuter = 0.9;
 
 // Segments are one line where the sine between them is below this.
 constexpr double kOneLine = 0.02;
-
-/// Replaces the normal by that of a face next to it, if that costs no depth beyond what is allowed:
-/// the polytope comes only near a face's normal.
-void prefer_face_normal(const Core& a, const Core& b, Penetration& penetration) {
-  const double allowance = depth_tolerance(a, b);
-  const Vec3 found = penetration.normal;
-  double limit = penetration.is_open ? penetration.depth : penetration.lower + allowance;
-  for (const Vec3& normal : {face_along(a, found).normal, -face_along(b, -found).normal}) {
-    if (dot(normal, found) < kFacing) continue;
-    Penetration offered = along(a, b, normal);
-    if (offered.depth > limit || offered.depth < 0) continue;
-    offered.source = penetration.source;
-    offered.is_open = penetration.is_open;
-    offered.lower = penetration.lower;
-    penetration = offered;
-    limit = offered.depth - allowance;  // the second face must be better than the first
-  }
-}
 
 enum class Reference { A, B, None };
 
@@ -128,9 +104,16 @@ void add_clipped(const FaceOf& incident, const FaceOf& reference, const Penetrat
     ContactPoint contact;
     contact.normal = penetration.normal;
     contact.depth = dot(sides.normal, sides.corner[0] - corner.point) / facing;
-    const Vec3 met = corner.point + out * contact.depth;
-    contact.point_a = sign > 0 ? met : corner.point;
-    contact.point_b = sign > 0 ? corner.point : met;
+    Vec3 met = corner.point + out * contact.depth, own = corner.point;
+    if (is_uneven(reference) || is_uneven(incident)) {
+      const std::optional<Vec3> on_reference = onto_surface(reference, met, out);
+      const std::optional<Vec3> on_incident = onto_surface(incident, own, -out);
+      if (!on_reference || !on_incident) continue;
+      met = *on_reference, own = *on_incident;
+      contact.depth = dot(met - own, out);
+    }
+    contact.point_a = sign > 0 ? met : own;
+    contact.point_b = sign > 0 ? own : met;
     if (sides.count == 2 &&
         !move_to_deepest(incident, reference, sign, tolerance.touching, contact))
       continue;
@@ -156,70 +139,6 @@ void add_single(const Core& a, const Core& b, const Parting& parting,
 }
 
 }  // namespace
-
-Parting part_boxes(const BoxAxes& boxes) {
-  Parting parting;
-  parting.penetration = boxes.least_penetration();
-  parting.penetration.depth = std::max(parting.penetration.depth, 0.0);
-  parting.has_witnesses = parting.penetration.has_witnesses &&
-                          lie_along(parting.penetration, kTouching * boxes.scale());
-  return parting;
-}
-
-namespace {
-
-/// Along the line between the nearest points of cores that are apart, or nearly so. False if the
-/// depth along it is not the least, to depth_tolerance().
-bool part_along_gap(const Core& a, const Core& b, const CoreGap& gap, Parting& parting) {
-  const double radii = a.radius + b.radius;
-  const double scale = pair_scale(a, b);
-  if (!(gap.upper > kRoundingOfGaps * scale || (radii == 0 && gap.upper > 0))) return false;
-  const Vec3 between = unit_or(gap.point_b - gap.point_a, gap.normal);
-  Penetration& penetration = parting.penetration;
-  penetration.normal = gap.lower > 0 ? gap.normal : between;
-  penetration.depth = radii - gap.upper;  // which is no more than the least
-  // Planes at right angles to the normal are as far apart as the bound says, which is then enough.
-  if (gap.upper - gap.lower <= kRoundingOfGaps * scale && gap.upper > kWellKnown * scale)
-    return true;
-  if (gap.lower > 0) penetration.normal = gap_normal(a, b, gap);
-  const double along_normal = along(a, b, penetration.normal).depth;
-  if (along_normal - penetration.depth > depth_tolerance(a, b)) return false;
-  if (along_normal - penetration.depth > kRoundingOfGaps * scale) penetration.depth = along_normal;
-  return true;
-}
-
-}  // namespace
-
-Parting part(const Core& a, const Core& b, const CoreGap& gap) {
-  Parting parting;
-  Penetration& penetration = parting.penetration;
-  if (part_along_gap(a, b, gap, parting)) {
-    penetration.depth = std::max(penetration.depth, 0.0);
-    penetration.point_a = gap.point_a + penetration.normal * a.radius;
-    penetration.point_b = gap.point_b - penetration.normal * b.radius;
-    parting.has_witnesses = gap.verdict == GapVerdict::Apart;
-    return parting;
-  }
-  if (a.kind == CoreKind::Box && b.kind == CoreKind::Box) {
-    return part_boxes(BoxAxes(a, b));
-  } else if (a.kind == CoreKind::Box && b.kind == CoreKind::Point) {
-    penetration = nearest_face(a, b);
-  } else if (a.kind == CoreKind::Point && b.kind == CoreKind::Box) {
-    const Penetration found = nearest_face(b, a);
-    penetration = {-found.normal, found.depth, found.point_b, found.point_a, found.source, false};
-  } else {
-    penetration = narrowphase::penetration(a, b);
-    parting.is_asked = true;
-    // Between points and segments no polytope proves that the cores meet: the gap tells how nearly.
-    const double least = a.radius + b.radius - gap.upper;
-    const bool is_unproved = penetration.source == PenetrationSource::Fixed &&
-                             penetration.depth - least > depth_tolerance(a, b);
-    parting.is_failed = penetration.is_open || is_unproved;
-    prefer_face_normal(a, b, penetration);
-  }
-  penetration.depth = std::max(penetration.depth, 0.0);
-  return parting;
-}
 
 void add_face_contact_points(const Core& a, const Core& b, const Penetration& penetration,
                              std::vector<ContactPoint>& contacts) {

@@ -19,9 +19,10 @@ Core shifted(Core core, const Vec3& by) {
 }
 
 /// The outermost point of a set on the line through a point along a unit direction; nothing if the
-/// line misses the set, or the set is a triangle.
+/// line misses the set, or the set is a triangle or points of which no hull is known.
 std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3& out) {
   if (core.kind == CoreKind::Triangle) return std::nullopt;
+  if (core.kind == CoreKind::Points && core.hull == nullptr) return std::nullopt;
   const Vec3 start =
       point + out * (dot(core.at - point, out) + 2 * (core.bounding_radius + core.radius));
   const std::optional<CoreRayHit> hit = cast_ray(core, start, -out);
@@ -29,10 +30,10 @@ std::optional<Vec3> end_on_line(const Core& core, const Vec3& point, const Vec3&
   return start - out * hit->distance;
 }
 
-/// The farthest point of the smaller set along a normal from A to B, and where the line through it
-/// leaves the larger; of that one the point at hand if the line misses it.
-MeetingPoints of_smaller(const Core& a, const Core& b, const Vec3& normal, MeetingPoints met) {
-  const bool is_of_a = a.bounding_radius + a.radius < b.bounding_radius + b.radius;
+/// The farthest point of one of the two sets along a normal from A to B, and where the line through
+/// it leaves the other; of that one the point at hand if the line misses it.
+MeetingPoints of_farthest(const Core& a, const Core& b, bool is_of_a, const Vec3& normal,
+                          MeetingPoints met) {
   Vec3& farthest = is_of_a ? met.on_a : met.on_b;
   Vec3& other = is_of_a ? met.on_b : met.on_a;
   farthest = is_of_a ? rounded_support(a, normal) : rounded_support(b, -normal);
@@ -40,6 +41,10 @@ MeetingPoints of_smaller(const Core& a, const Core& b, const Vec3& normal, Meeti
       end_on_line(is_of_a ? b : a, farthest, is_of_a ? -normal : normal);
   if (end) other = *end;
   return met;
+}
+
+bool is_smaller(const Core& a, const Core& b) {
+  return a.bounding_radius + a.radius < b.bounding_radius + b.radius;
 }
 
 /// The side of a capsule, a cylinder or a cone beside the line of it that faces a normal.
@@ -104,6 +109,8 @@ bool lie_along(const Penetration& penetration, double tolerance) {
   return length(cross(penetration.point_a - penetration.point_b, penetration.normal)) <= tolerance;
 }
 
+namespace {
+
 // Moved out by the depth and a clearance, the two are nowhere nearer than the clearance, and
 // somewhere no further apart than that and what the depth is more than the least. So are their
 // nearest points, along the normal, and across as a leg of that triangle: 2^-17 of the smaller size
@@ -116,9 +123,9 @@ bool lie_along(const Penetration& penetration, double tolerance) {
 // That near, a search about round sets may end open, and a wider clearance help. Else the points
 // are moved along the normal, to where the line through one of them leaves each set: unless that
 // is far from where they are, as where the line lies in a face. Where the one set is so small that
-// rounding of the other's points is more than any clearance, no search tells where they meet: then
-// the smaller one's farthest point does.
-MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
+// rounding of the other's points is more than any clearance, what was found is within that of both
+// surfaces as well.
+MeetingPoints by_clearance(const Core& a, const Core& b, const Penetration& penetration) {
   const double size = smaller_size(a, b);
   MeetingPoints met;
   for (const double clearance : {kClearance * size, 16 * kClearance * size}) {
@@ -128,8 +135,7 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
     met = {gap.point_a + normal * a.radius, gap.point_b - normal * b.radius - out};
     if (gap.verdict == GapVerdict::Apart) return met;
   }
-  if (kBeyondRounding * pair_scale(a, b) > 16 * kClearance * size)
-    return of_smaller(a, b, penetration.normal, met);
+  if (kBeyondRounding * pair_scale(a, b) > 16 * kClearance * size) return met;
   const Vec3 on_line = met.on_b;
   const auto move_to_surface = [&](const Core& core, const Vec3& normal, Vec3& point) {
     const std::optional<Vec3> end = end_on_line(core, on_line, normal);
@@ -138,6 +144,56 @@ MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& pe
   move_to_surface(a, penetration.normal, met.on_a);
   move_to_surface(b, -penetration.normal, met.on_b);
   return met;
+}
+
+/// How far the way from B's point to A's is from the penetration.
+double off_the_way(const MeetingPoints& met, const Penetration& penetration) {
+  return length(met.on_a - met.on_b - penetration.normal * penetration.depth);
+}
+
+}  // namespace
+
+// A clearance that the bounds of a search hardly tell from nothing may end beside where the two
+// meet, as of a set a millionth of the other's size in the side of a cone; and of a face on a tip
+// a farthest corner is beside it. Then the best of the farthest points of both is taken.
+MeetingPoints meeting_points(const Core& a, const Core& b, const Penetration& penetration) {
+  MeetingPoints met = by_clearance(a, b, penetration);
+  double off = off_the_way(met, penetration);
+  const bool is_a_first = is_smaller(a, b);
+  for (const bool is_of_a : {is_a_first, !is_a_first}) {
+    if (off <= kMostAside * smaller_size(a, b)) break;
+    const MeetingPoints other = of_farthest(a, b, is_of_a, penetration.normal, met);
+    const double its = off_the_way(other, penetration);
+    if (its < off) met = other, off = its;
+  }
+  return met;
+}
+
+// Corners of one plane are off it by 24 u of the reach, as hull_ray.cpp adds up, which is less than
+// kBeyondRounding of it.
+bool is_uneven(const FaceOf& of) {
+  return of.face.unevenness > kBeyondRounding * of.core.bounding_radius;
+}
+
+// A line through an edge of the polygon may miss the hull by rounding: kBeyondRounding of the reach
+// towards the middle of the face it does not, and the surface is as near there as at the edge but
+// for eight times that, as no facet of the face leans by more than 8 degrees.
+std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out) {
+  if (!is_uneven(of)) return point;
+  const Core& core = of.core;
+  const double rounding = kBeyondRounding * core.bounding_radius;
+  Core bare = core;
+  bare.radius = 0;
+  const Vec3 below = point - out * (core.radius / dot(of.face.normal, out));
+  Vec3 middle{0, 0, 0};
+  for (int i = 0; i < of.face.count; ++i)
+    middle = middle + of.face.corner[i] * (1.0 / of.face.count);
+  const Vec3 inward = unit_or(middle - point, out);
+  for (const Vec3& start : {below, below + inward * rounding}) {
+    const std::optional<Vec3> end = end_on_line(bare, start, out);
+    if (end) return point + out * dot(*end - below, out);
+  }
+  return std::nullopt;
 }
 
 bool move_to_deepest(const FaceOf& incident, const FaceOf& reference, double sign, double touching,

@@ -3,6 +3,8 @@
 #include <graze/narrowphase/convex/contact/contact_points.h>
 #include <graze/narrowphase/convex/core/contact_face.h>
 
+#include <optional>
+
 namespace graze::narrowphase {
 
 /// The size of the smaller of two sets, by which lengths are measured.
@@ -27,11 +29,23 @@ bool lie_along(const Penetration& penetration, double tolerance);
 /// share of the smaller size.
 inline constexpr double kClearance = 0x1p-20;
 
+/// How far aside of the penetration the way between them may be, as a share of it: see above.
+inline constexpr double kMostAside = 0x1p-17;
+
 /// A face that takes part in a contact, and whose it is.
 struct FaceOf {
   const ContactFace& face;
   const Core& core;
 };
+
+/// Whether the surface may be off the plane of a face by more than rounding: of a hull, whose faces
+/// are of corners that lie in one plane to kContactFlatness.
+bool is_uneven(const FaceOf& of);
+
+/// A point of a face's polygon or its plane, moved along `out`, a unit direction within a right
+/// angle of the face's normal, to where the set's surface is, if the face is uneven. Nothing if the
+/// line passes the set, as it may beside an edge of a needle.
+std::optional<Vec3> onto_surface(const FaceOf& of, const Vec3& point, const Vec3& out);
 
 /// Moves a contact of two round sides, whose lines cross at a small angle, from the line of the
 /// incident one towards that of the reference, whose outward sense along the normal is `sign`: to

@@ -17,8 +17,9 @@ struct ContactFace {
   };
   std::uint32_t corner_id[kMostCorners];  ///< of the set's own corners, the same in every pose
   int count = 0;
-  Vec3 normal;           ///< unit, outward
-  std::uint32_t id = 0;  ///< of the face among those of its set
+  Vec3 normal;            ///< unit, outward
+  double unevenness = 0;  ///< how far behind the plane of that normal some corner lies, of a hull
+  std::uint32_t id = 0;   ///< of the face among those of its set
 };
 
 /// The face whose normal is nearest to a unit direction. A cap of a cylinder or a cone's base is

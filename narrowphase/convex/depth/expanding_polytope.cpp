@@ -1,5 +1,7 @@
+#include <graze/narrowphase/convex/core/segments.h>
 #include <graze/narrowphase/convex/depth/expanding_polytope.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 
@@ -42,10 +44,11 @@ class Polytope {
     if (!start()) return result(false);
     for (;;) {
       const int nearest = nearest_face();
-      lower_ = planes_.height[nearest];
+      lower_ = bound_of(nearest);
       const Vec3 normal = planes_.normal(nearest);
       const Vec3 corner = look_along(normal);
-      if (upper_ - lower_ <= tolerance_) return result(true);
+      // Bounds that contradict each other are none: rounding has torn the polytope.
+      if (upper_ - lower_ <= tolerance_) return result(lower_ - upper_ <= tolerance_);
       if (!(dot(normal, corner) - lower_ > noise_)) return result(false);
       if (!grow(corner)) return result(false);
     }
@@ -115,6 +118,30 @@ class Polytope {
     return nearest;
   }
 
+  /// What no depth is below, by the nearest face. From inside of the polytope that is its height.
+  /// Where the origin is outside, as of cores whose radii alone overlap, some edge or corner may be
+  /// what is nearest, and heights of faces prove nothing; but to any point of the polytope the two
+  /// are no further apart than it is from the origin.
+  ///
+  /// Corners are off by the noise, and so is the plane within the face. A triangle's least altitude
+  /// is its product over its longest side, that is sqrt(3) of the sum of coordinates at most:
+  /// beyond the face the plane is off by 2 sqrt(3) noises over that for each metre. The nearest
+  /// face mostly has the foot of the origin in it.
+  double bound_of(int face) const {
+    Core triangle;
+    triangle.kind = CoreKind::Triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle.corner[k] = corners_[faces_[face].corner[k]];
+    const Vec3 nearest = nearest_on_triangle(triangle, {0, 0, 0});
+    const double height = planes_.height[face];
+    if (height < 0) return std::min(height, -length(nearest));
+    const Vec3 u = triangle.corner[1] - triangle.corner[0];
+    const Vec3 v = triangle.corner[2] - triangle.corner[0];
+    const double beyond = length(nearest - planes_.normal(face) * height);
+    const double leaning = kLeaning * (largest(u) + largest(v)) / length(cross(u, v));
+    return height - noise_ * (1 + leaning * beyond);
+  }
+
   /// Replaces all faces that see the corner by a fan from their horizon, one closed loop.
   bool grow(const Vec3& corner) {
     if (corner_count_ == kMostPolytopeCorners) return false;
@@ -158,6 +185,7 @@ class Polytope {
   PolytopeDepth result(bool is_closed) const { return {normal_, upper_, lower_, is_closed}; }
 
   static constexpr double kNarrowest = 4;
+  static constexpr double kLeaning = 3.5;  // above 2 sqrt(3)
 
   const Core& a_;
   const Core& b_;

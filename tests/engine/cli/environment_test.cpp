@@ -74,6 +74,31 @@ TEST_F(CliEnvironment, NothingInTheEnvironmentIsNeeded) {
   }
 }
 
+#if defined(GRAZE_OTHER_ARITHMETIC) && defined(__x86_64__)
+/// Flushed to zero, rounded up, down and towards zero, all exceptions trapped, and all at once: the
+/// command, whose judge computes for itself, and the processes of other engines.
+TEST_F(CliEnvironment, LibrariesThatComputeOtherwiseChangeNothing) {
+  std::filesystem::create_directory(folder_ / "cases");
+  for (const char* name : {"triangles-04.json", "by-hand-drum-and-ball.json", "ode-rock-0.json"})
+    std::filesystem::copy(std::filesystem::path(GRAZE_DATA_DIR "/regressions") / name,
+                          folder_ / "cases");
+  write_mesh("odd.off", make_box({0.1, 1e-310, 3.3}));
+  for (const char* command : {"info odd.off", "pair a.off odd.off", "replay cases --json"}) {
+    const std::string timeless =
+        std::string(command) + R"( | sed -E 's/"us":[^,}]*//g;s/[0-9.]+( ms)?$//')";
+    const CommandResult expected = shell("$GRAZE " + timeless);
+    EXPECT_NE(expected.out, "");
+    for (const char* word : {"0x9fc0", "0x3f80", "0x5f80", "0x7f80", "0x1900", "0xf940"}) {
+      const CommandResult result =
+          shell("env GRAZE_CONTROL_WORD=" + std::string(word) +
+                " LD_PRELOAD=" GRAZE_OTHER_ARITHMETIC " $GRAZE " + timeless);
+      EXPECT_EQ(result.out, expected.out) << command << ' ' << word;
+      EXPECT_EQ(result.err, expected.err) << command << ' ' << word;
+    }
+  }
+}
+#endif
+
 TEST_F(CliEnvironment, TheFolderMayBeGone) {
   const std::string gone = "d=$PWD; mkdir gone; cd gone; rmdir ../gone; $GRAZE ";
   EXPECT_EQ(shell(gone + "info \"$d/a.off\"").exit_code, 0);

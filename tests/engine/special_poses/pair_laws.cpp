@@ -207,8 +207,27 @@ class Laws {
                                   of_b.distance(pair_.pose_b, contact.point_b));
       counts_.worst_point = std::max(counts_.worst_point, off / most);
       if (!(off <= most)) return "a contact beside a surface:" + numbers({off, scale_});
+      const double aside =
+          (contact.point_a - contact.point_b - contact.depth * contact.normal).norm();
+      if (!(aside <= most + most_aside(contact.depth)))
+        return "a contact beside its way:" + numbers({aside, contact.depth, scale_});
     }
     return {};
+  }
+
+  /// How far point_a may be from where the normal leads from point_b; without end where that is no
+  /// promise.
+  double most_aside(double depth) const {
+    const auto is = [&](ShapeKind kind) {
+      return pair_.a.kind() == kind || pair_.b.kind() == kind;
+    };
+    if (is(ShapeKind::HalfSpace)) return 0;
+    if (work_.penetration_failures > 0) return std::numeric_limits<double>::infinity();
+    const bool has_round = is(ShapeKind::Sphere) || is(ShapeKind::Capsule);
+    const double of_meeting =
+        std::max(0x1p-17 * smaller_size(pair_), has_round ? 0x1p-16 * scale_ : 0);
+    const bool has_box = is(ShapeKind::Box);
+    return of_meeting + (has_box ? depth / 19 : 0);
   }
 
   std::string depths() {

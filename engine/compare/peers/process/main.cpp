@@ -1,6 +1,7 @@
 // graze-peer ENGINE: one of the engines of the adaptors, asked over its standard input. README.md
 // has the protocol.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/process/serve_engine.h>
 
@@ -47,7 +48,9 @@ int main(int argc, char** argv) {
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return refuse(std::strerror(errno));
   std::thread(end_when_nobody_asks).detach();
   try {
-    graze::compare::serve_engine(*engine, std::cin, replies);
+    // However libraries that were loaded have set it: an engine is asked as it is in any program.
+    graze::bvh::in_standard_arithmetic(
+        [&] { graze::compare::serve_engine(*engine, std::cin, replies); });
   } catch (const std::exception& error) {
     return refuse(error.what());
   }
