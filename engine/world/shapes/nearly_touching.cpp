@@ -1,9 +1,12 @@
+#include <graze/bvh/obb.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/narrowphase/convex/depth/box_axes.h>
 #include <graze/narrowphase/convex/gap/ball_gap.h>
 #include <graze/narrowphase/convex/gap/closed_gap.h>
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/triangle_box.h>
+#include <graze/narrowphase/volumes/obb_rows.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>
@@ -121,6 +124,53 @@ SetGap gap_of_ball(const Sphere& placed, const Triangle& triangle) {
   const bool is_known = result.distance - result.lower <= kTouchTolerance * scale;
   result.status = is_known ? PairStatus::Converged : PairStatus::NotConverged;
   return result;
+}
+
+namespace {
+
+// Of the sizes of two boxes, more than what the slack of the axes makes of rounding and of
+// deviations (volumes/boxes/obb_slack.h): 0xa0p-53 and 12 of the sums of half extents, which are at
+// most 1.74 times as much.
+constexpr double kRoundingOfAxes = 0x200p-53;
+constexpr double kDeviationOfAxes = 32;
+
+Obb placed_box(const PlacedShapeView& s) {
+  return {s.pose, s.shape.as<Box>()->half_extents};
+}
+
+/// Whether edges of the two are at an angle of less than that sine.
+bool have_parallel_edges(const Pose& pose_a, const Pose& pose_b, double sine) {
+  const double* m = pose_a.data();  // column-major 4x4
+  const double* o = pose_b.data();
+  for (int i = 0; i < 12; i += 4) {
+    for (int j = 0; j < 12; j += 4) {
+      const double cosine = (m[i] * o[j] + m[i + 1] * o[j + 1]) + m[i + 2] * o[j + 2];
+      if (1 - cosine * cosine < sine * sine + 4 * kMaxRotationDeviation) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+// An axis of length sin(phi) that parts two boxes by a gap says so unless gap sin(phi) is within
+// the slack: what is apart by more than the tolerance is hidden for angles below slack / tolerance
+// alone.
+bool intersect_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const narrowphase::ObbRow row_a = narrowphase::row_of(placed_box(a));
+  const narrowphase::ObbRow row_b = narrowphase::row_of(placed_box(b));
+  if (!narrowphase::may_overlap(row_a, row_b)) return false;
+  const double deviation = row_a[narrowphase::kDeviationRow] + row_b[narrowphase::kDeviationRow];
+  const double sine = (kRoundingOfAxes + kDeviationOfAxes * deviation) / kTouchTolerance;
+  if (!have_parallel_edges(a.pose, b.pose, sine)) return true;
+  const Eigen::Vector3d origin = middle_of(a.shape, a.pose);
+  const Core core_a = core_of(a.shape, a.pose, origin), core_b = core_of(b.shape, b.pose, origin);
+  if (!narrowphase::BoxAxes(core_a, core_b).may_hide_gap(sine)) return true;
+  PairStatus status{};
+  const bool is_apart = are_apart(core_a, core_b, status);
+  ++work.convex_tests;
+  work.convex_failures += status == PairStatus::NotConverged;
+  return !is_apart;
 }
 
 ShapeDistance distance_of_boxes(const PlacedShapeView& a, const PlacedShapeView& b, bool is_hit,

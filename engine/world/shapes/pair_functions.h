@@ -8,6 +8,10 @@
 
 namespace graze {
 
+/// Two boxes, along 15 axes, and by their cores where rounding may hide a gap along a product of
+/// edges that are nearly parallel.
+bool intersect_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+
 bool intersect_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 

@@ -10,7 +10,6 @@
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/triangle_box.h>
-#include <graze/narrowphase/volumes/obb_rows.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
 
@@ -106,8 +105,7 @@ bool intersect_in_order(const PlacedShapeView& a, const PlacedShapeView& b, Work
     case ExactSphereBox:
       return meet_sphere_box(a, b);
     case BoxAxes:
-      return narrowphase::may_overlap(narrowphase::row_of(placed_box(a)),
-                                      narrowphase::row_of(placed_box(b)));
+      return intersect_boxes(a, b, work);
     case ClosedForm:
     case Cores:
       return intersect_cores(a, b, work);

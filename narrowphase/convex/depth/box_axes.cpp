@@ -80,6 +80,25 @@ Verdict BoxAxes::verdict() const {
   return least > margin_ ? Verdict::Touching : Verdict::Unsure;
 }
 
+// If two boxes are apart along the product n of two edges with an angle phi between them, turning
+// one by phi about n makes these parallel, and n parts them still. Then, seen along the edges, they
+// are rectangles, which an axis of a face parts. Turning it back moves points along that axis by no
+// more than phi times the offset between the middles and all half extents: the faces overlap by no
+// more.
+bool BoxAxes::may_hide_gap(double sine) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i)
+    least = std::min(least, std::min(overlap_a_[i], overlap_b_[i]));
+  const double reach = 2 * (margin_ / kSure);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (square_[i][j] >= sine * sine) continue;
+      if (!(least > reach * std::sqrt(square_[i][j]))) return true;
+    }
+  }
+  return false;
+}
+
 Penetration BoxAxes::least_penetration() const {
   Vec3 best;
   double depth = std::numeric_limits<double>::infinity();

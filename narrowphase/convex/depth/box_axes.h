@@ -16,6 +16,10 @@ class BoxAxes {
   /// its slack might decide.
   Verdict verdict() const;
 
+  /// Whether two edges are so nearly parallel, by less than this sine, that rounding may hide a gap
+  /// along their product, and no face axis tells that there is none.
+  bool may_hide_gap(double sine) const;
+
   /// The least penetration: for poses that are rotations exact but for rounding, and by as much as
   /// they deviate for others. A product of edges must save more than a twentieth of the depth over
   /// the best face, so that boxes that rest on one another do not change their axis from step to
