@@ -1,5 +1,6 @@
 // What an engine with a planted bug gets wrong is found, classed and shrunk.
 
+#include <graze/engine/cases/motion_case.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
@@ -90,6 +91,48 @@ TEST(Shrinking, KeepsTheDisagreementWhateverItIs) {
     const MeshCase meshes = *as_meshes(small);
     EXPECT_LE(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), 2 * least);
   }
+}
+
+/// An engine that sees no motion at all: what meets only on its way is free to it.
+class Motionless : public Engine {
+ public:
+  CaseWitness name() const override { return {"still", ""}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    class Pair : public LoadedPair {
+     public:
+      Pair(const Mesh& mesh_a, const Mesh& mesh_b)
+          : pair_(make_graze_engine()->load(mesh_a, mesh_b)) {}
+      std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                       const Pose& pose_b) const override {
+        return pair_->answer({question.ask, question.settings}, pose_a, pose_b);
+      }
+
+     private:
+      std::unique_ptr<LoadedPair> pair_;
+    };
+    return std::make_unique<Pair>(mesh_a, mesh_b);
+  }
+};
+
+TEST_F(PlantedBug, AMissedContactIsShrunkWithItsMotion) {
+  const RigidMotion comes(
+      Pose(Eigen::Translation3d(5, 0.5, 0.0625)),
+      {.centre = {5, 0.5, 0}, .shift = {-8, 0, 0}, .axis = {1, 2, 0}, .angle = 1});
+  Case query = to_case_free(case_mesh(torus_, RigidMotion(Pose::Identity())),
+                            case_mesh(sphere_, comes), true);
+  query.answer.reset();
+  const Motionless engine;
+  const StillWrong is_still_wrong = [&](const Case& smaller) {
+    const std::optional<CaseAnswer> answer = ask(engine, smaller);
+    return answer && Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
+  };
+  ASSERT_TRUE(is_still_wrong(query));
+  const Judgement judgement = Judge(query).judge(*ask(engine, query), engine.name());
+  const Case small = shrink(query, judgement.culprit, is_still_wrong);
+  EXPECT_TRUE(is_still_wrong(small));
+  EXPECT_EQ(triangles_of(small), 2u);
+  EXPECT_TRUE(motion_of(std::get<CaseMesh>(*small.b)) == comes);
+  EXPECT_EQ(to_json(parse_case(to_json(small), "memory")), to_json(small));
 }
 
 }  // namespace
