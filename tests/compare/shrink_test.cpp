@@ -93,27 +93,6 @@ TEST(Shrinking, KeepsTheDisagreementWhateverItIs) {
   }
 }
 
-/// An engine that sees no motion at all: what meets only on its way is free to it.
-class Motionless : public Engine {
- public:
-  CaseWitness name() const override { return {"still", ""}; }
-  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
-    class Pair : public LoadedPair {
-     public:
-      Pair(const Mesh& mesh_a, const Mesh& mesh_b)
-          : pair_(make_graze_engine()->load(mesh_a, mesh_b)) {}
-      std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
-                                       const Pose& pose_b) const override {
-        return pair_->answer({question.ask, question.settings}, pose_a, pose_b);
-      }
-
-     private:
-      std::unique_ptr<LoadedPair> pair_;
-    };
-    return std::make_unique<Pair>(mesh_a, mesh_b);
-  }
-};
-
 TEST_F(PlantedBug, AMissedContactIsShrunkWithItsMotion) {
   const RigidMotion comes(
       Pose(Eigen::Translation3d(5, 0.5, 0.0625)),
@@ -121,7 +100,8 @@ TEST_F(PlantedBug, AMissedContactIsShrunkWithItsMotion) {
   Case query = to_case_free(case_mesh(torus_, RigidMotion(Pose::Identity())),
                             case_mesh(sphere_, comes), true);
   query.answer.reset();
-  const Motionless engine;
+  const std::unique_ptr<Engine> still = make_motionless_engine("still");
+  const Engine& engine = *still;
   const StillWrong is_still_wrong = [&](const Case& smaller) {
     const std::optional<CaseAnswer> answer = ask(engine, smaller);
     return answer && Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
