@@ -17,6 +17,8 @@
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape.h>
@@ -40,6 +42,8 @@ struct CaseMesh {
   Mesh mesh;                         ///< a handle
   Pose pose;                         ///< of the mesh
   std::optional<CaseMeshFile> file;  ///< written in place of the vertices
+  /// Where it goes from its pose, of Ask::FirstContact and Ask::Free; none: it rests.
+  std::optional<RigidCourse> course = {};
 };
 
 /// A point, metres.
@@ -54,6 +58,8 @@ struct CaseBody {
 
   Shape shape;  ///< a handle, where it is a hull or a mesh
   Pose pose;    ///< of the shape
+  /// Where it goes from its pose, of Ask::FirstContact and Ask::Free; none: it rests.
+  std::optional<RigidCourse> course = {};
 };
 
 /// One of the two things that a case asks about. Only meshes and bodies have poses: a triangle is
@@ -75,13 +81,16 @@ enum class Ask {
   Contains,      ///< "contains": contains(A, B), a mesh or a volume, and a point
   SelfAny,       ///< "self_any": self_intersects(A)
   SelfPairs,     ///< "self_pairs": find_self_pairs(A)
+  FirstContact,  ///< "first_contact": first_contact(A, B) of two meshes or bodies in motion
+  Free,          ///< "free": is_free(A, B) of two meshes or bodies in motion
 };
 
 /// The settings that can change an answer, and no others.
 struct CaseSettings {
   Touch touch = Touch::Include;           ///< of two meshes' or triangles' Any, and meshes' Pairs
   Interior interior = Interior::Surface;  ///< of Any about a mesh and another or a volume
-  double clearance = 0;                   ///< metres, of Ask::Within
+  double clearance = 0;                   ///< metres, of Ask::Within, FirstContact and Free
+  double tolerance = 1e-6;                ///< metres, of Ask::FirstContact and Free
   /// Of Ask::Separation, of any length; none: the best that is found.
   std::optional<Eigen::Vector3d> direction = {};
   SelfPairKind self_kind = SelfPairKind::Crossing;  ///< of Ask::SelfPairs
@@ -111,7 +120,7 @@ struct CaseShapeContact {
 /// What an engine answered: the parts that its question asks for. Distances alone may be infinite,
 /// where the true one is beyond the largest double.
 struct CaseAnswer {
-  std::optional<bool> says;                             ///< Any, Within, Contains, SelfAny
+  std::optional<bool> says;                             ///< Any, Within, Contains, SelfAny, Free
   std::optional<std::vector<TrianglePair>> pairs;       ///< Pairs of two meshes, SelfPairs
   std::optional<std::vector<std::uint32_t>> triangles;  ///< Pairs, of a mesh and a volume
   /// Distance, Separation; metres. Of a distance a negative one claims a touch: some engines return
@@ -129,6 +138,12 @@ struct CaseAnswer {
   std::optional<CaseIntersection> intersection;           ///< Intersection, of meshes
   std::optional<std::vector<Eigen::Vector3d>> corners;    ///< Intersection, of triangles
   std::optional<std::vector<RayHit>> hits;                ///< Ray: one at most; RayAll
+  std::optional<RigidStatus> status;                      ///< FirstContact
+  /// FirstContact: no contact before it. 1 for what is free. An engine that names one time alone
+  /// says it in both.
+  std::optional<double> low;
+  std::optional<double>
+      high;  ///< FirstContact: they meet at it or before; 1 if no contact is known
 };
 
 /// Whether two answers agree in every bit, but for the sign of zeros in numbers that are equal. On
@@ -152,8 +167,9 @@ struct Case {
   CaseWitness answered_by;           ///< who gave that answer
 };
 
-/// The name of a question, a policy or a shape in a file.
+/// The name of a question, a shape or a status in a file.
 const char* name_of(Ask ask);
 const char* name_of(const CaseShape& shape);
+const char* name_of(RigidStatus status);
 
 }  // namespace graze

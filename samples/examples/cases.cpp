@@ -2,6 +2,7 @@
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/case_mesh_file.h>
+#include <graze/engine/cases/motion_case.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cases/world_case.h>
@@ -62,6 +63,24 @@ void what_a_world_says() {
   expect(*graze::answer_case(touch).says, "the two touch, as the world said");
 }
 
+void what_is_said_of_motions(const graze::Mesh& cube) {
+  const graze::RigidMotion rests{at(0, 0, 0)};
+  const graze::RigidMotion comes(at(4, 0, 0), {.shift = {-4, 0, 0}});
+  const graze::CaseMesh a = graze::case_mesh(cube, rests), b = graze::case_mesh(cube, comes);
+  const graze::RigidContact contact = graze::first_contact(cube, rests, cube, comes);
+  const graze::Case met = graze::to_case(a, b, contact);
+  expect(std::string(graze::name_of(*met.answer->status)) == "hit", "they meet on the way");
+  expect(graze::motion_of(std::get<graze::CaseMesh>(*met.b)) == comes, "the motion, to the bit");
+  expect(!*graze::answer_case(graze::to_case_free(a, b, false)).says, "so it is not free");
+
+  const graze::Shape ball(graze::Sphere{{0, 0, 0}, 1});
+  const graze::CaseBody c = graze::case_body(ball, rests), d = graze::case_body(ball, comes);
+  const graze::RigidContactSettings near{.clearance = 0.25};
+  const graze::Case shapes =
+      graze::to_case(c, d, graze::first_contact(ball, rests, ball, comes, near), near);
+  expect(graze::contact_settings(shapes.settings).clearance == 0.25, "of shapes too");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,4 +90,5 @@ int main(int argc, char** argv) {
   other_queries(cube);
   a_mesh_by_its_file(argv[2]);
   what_a_world_says();
+  what_is_said_of_motions(cube);
 }

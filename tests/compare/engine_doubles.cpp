@@ -180,6 +180,32 @@ class WatchedEngine : public Engine {
   std::function<void()> on_question_;
 };
 
+class MotionlessPair : public LoadedPair {
+ public:
+  MotionlessPair(const Mesh& mesh_a, const Mesh& mesh_b)
+      : pair_(make_graze_engine()->load(mesh_a, mesh_b)) {}
+
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    return pair_->answer({question.ask, question.settings}, pose_a, pose_b);
+  }
+
+ private:
+  std::unique_ptr<LoadedPair> pair_;
+};
+
+class MotionlessEngine : public Engine {
+ public:
+  explicit MotionlessEngine(std::string name) : name_(std::move(name)) {}
+  CaseWitness name() const override { return {name_, ""}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    return std::make_unique<MotionlessPair>(mesh_a, mesh_b);
+  }
+
+ private:
+  std::string name_;
+};
+
 }  // namespace
 
 std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer kind) {
@@ -189,6 +215,10 @@ std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer 
 std::unique_ptr<Engine> make_watched_engine(const std::string& name,
                                             std::function<void()> on_question) {
   return std::make_unique<WatchedEngine>(name, std::move(on_question));
+}
+
+std::unique_ptr<Engine> make_motionless_engine(const std::string& name) {
+  return std::make_unique<MotionlessEngine>(name);
 }
 
 std::unique_ptr<Engine> make_wrong_sign_engine(const std::string& name) {

@@ -28,6 +28,9 @@ enum class NoAnswer {
 /// graze, but for such answers about any, pairs, distance and contacts.
 std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer kind);
 
+/// graze with a planted bug: it sees no motions, so that what meets only on its way is free to it.
+std::unique_ptr<Engine> make_motionless_engine(const std::string& name);
+
 /// graze, who calls `on_question` before each answer.
 std::unique_ptr<Engine> make_watched_engine(const std::string& name,
                                             std::function<void()> on_question);

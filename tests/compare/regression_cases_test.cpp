@@ -64,6 +64,8 @@ TEST(RegressionCases, KeepTheirVerdicts) {
   for (const Ask ask : {Ask::Any, Ask::Distance, Ask::Within})
     EXPECT_GT((kinds[{ask, ErrorClass::Containment}]), 0u) << name_of(ask);
   EXPECT_GT((kinds[{Ask::Any, ErrorClass::Degenerate}]), 0u);
+  for (const Ask ask : {Ask::FirstContact, Ask::Free})
+    EXPECT_GT((kinds[{ask, ErrorClass::Real}]), 1u) << name_of(ask);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What an engine with a planted bug gets wrong is found, classed and shrunk.
 
+#include <graze/engine/cases/motion_case.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/judge/judge.h>
@@ -90,6 +91,28 @@ TEST(Shrinking, KeepsTheDisagreementWhateverItIs) {
     const MeshCase meshes = *as_meshes(small);
     EXPECT_LE(meshes.a.mesh.triangles().size() + meshes.b.mesh.triangles().size(), 2 * least);
   }
+}
+
+TEST_F(PlantedBug, AMissedContactIsShrunkWithItsMotion) {
+  const RigidMotion comes(
+      Pose(Eigen::Translation3d(5, 0.5, 0.0625)),
+      {.centre = {5, 0.5, 0}, .shift = {-8, 0, 0}, .axis = {1, 2, 0}, .angle = 1});
+  Case query = to_case_free(case_mesh(torus_, RigidMotion(Pose::Identity())),
+                            case_mesh(sphere_, comes), true);
+  query.answer.reset();
+  const std::unique_ptr<Engine> still = make_motionless_engine("still");
+  const Engine& engine = *still;
+  const StillWrong is_still_wrong = [&](const Case& smaller) {
+    const std::optional<CaseAnswer> answer = ask(engine, smaller);
+    return answer && Judge(smaller).judge(*answer, engine.name()).verdict == Verdict::Wrong;
+  };
+  ASSERT_TRUE(is_still_wrong(query));
+  const Judgement judgement = Judge(query).judge(*ask(engine, query), engine.name());
+  const Case small = shrink(query, judgement.culprit, is_still_wrong);
+  EXPECT_TRUE(is_still_wrong(small));
+  EXPECT_EQ(triangles_of(small), 2u);
+  EXPECT_TRUE(motion_of(std::get<CaseMesh>(*small.b)) == comes);
+  EXPECT_EQ(to_json(parse_case(to_json(small), "memory")), to_json(small));
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 #include <graze/engine/cases/read/read_parts.h>
+#include <graze/engine/cases/text/case_words.h>
+#include <graze/engine/files/source.h>
 
 #include <limits>
 #include <optional>
@@ -20,12 +22,6 @@ std::vector<Item> read_ascending(const JsonCursor& at, Read&& read) {
     if (i > 0 && !(items[i - 1] < items[i])) at.item(i).fail("the list does not ascend");
   }
   return items;
-}
-
-double read_length(const JsonCursor& at) {
-  const double length = at.number();
-  if (length < 0) at.fail("is negative");
-  return length;
 }
 
 double read_length_or_infinity(const JsonCursor& at) {
@@ -154,7 +150,37 @@ CaseAnswer read_separation(const JsonCursor& at) {
   return answer;
 }
 
+RigidStatus read_status(const JsonCursor& at) {
+  for (const auto& [name, status] : kStatuses)
+    if (at.text() == name) return status;
+  at.fail(mesh_io::quoted(at.text()) + " is none of free, hit and close");
+}
+
+double read_time(const JsonCursor& at) {
+  const double time = at.number();
+  if (!(time >= 0 && time <= 1)) at.fail("is no time from 0 to 1");
+  return time;
+}
+
+CaseAnswer read_first_contact(const JsonCursor& at) {
+  at.require_keys({"status", "low", "high"});
+  CaseAnswer answer;
+  answer.status = read_status(at.member("status"));
+  answer.low = read_time(at.member("low"));
+  answer.high = read_time(at.member("high"));
+  if (*answer.low > *answer.high) at.member("low").fail("is later than \"high\"");
+  if (*answer.status == RigidStatus::Free && *answer.low < 1)
+    at.member("low").fail("is not 1, up to which all is free");
+  return answer;
+}
+
 }  // namespace
+
+double read_length(const JsonCursor& at) {
+  const double length = at.number();
+  if (length < 0) at.fail("is negative");
+  return length;
+}
 
 TrianglePair read_pair(const JsonCursor& at) {
   at.require_size(2);
@@ -186,6 +212,8 @@ CaseAnswer read_answer(const JsonCursor& at, const Case& query) {
     case Ask::Ray:
     case Ask::RayAll:
       return read_hits(at, query);
+    case Ask::FirstContact:
+      return read_first_contact(at);
     default:
       at.require_keys({"says"});
       answer.says = at.member("says").boolean();

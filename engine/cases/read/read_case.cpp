@@ -61,6 +61,8 @@ bool is_answerable(const Case& query) {
       return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b)) ||
              (is_body(a) && is_body(b));
     case Ask::Contacts:
+    case Ask::FirstContact:
+    case Ask::Free:
       return is_mesh_pair(query) || (is_body(a) && is_body(b));
     case Ask::Intersection:
       return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b));
@@ -170,6 +172,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
                 name_of(query.a) + (query.b ? std::string(" and a ") + name_of(*query.b) : ""));
     }
     cases::check_settings(root, query);
+    cases::check_motions(root, query);
     if (root.has("answer") != root.has("answered_by")) {
       root.fail("\"answer\" and \"answered_by\" come together");
     }

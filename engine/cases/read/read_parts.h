@@ -27,11 +27,20 @@ CaseSettings read_settings(const JsonCursor& root, Ask ask);
 /// Refuses settings that the query has not with such shapes: they would be ignored.
 void check_settings(const JsonCursor& root, const Case& query);
 
+/// Where a body goes: any of its members may be missing, but those of a turn come together.
+RigidCourse read_course(const JsonCursor& at);
+
+/// Refuses motions of questions that ask for none, and those that the library refuses.
+void check_motions(const JsonCursor& root, const Case& query);
+
 /// Requires the parts that the question asks for about these shapes, and refuses others.
 CaseAnswer read_answer(const JsonCursor& at, const Case& query);
 
 /// The answer of Ask::Intersection about two meshes. Refuses indices of points that are not there.
 CaseIntersection read_intersection(const JsonCursor& at);
+
+/// A number that is not negative.
+double read_length(const JsonCursor& at);
 
 /// Two indices of triangles, and a list of them that ascends.
 TrianglePair read_pair(const JsonCursor& at);

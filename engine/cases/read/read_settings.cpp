@@ -1,4 +1,5 @@
 #include <graze/engine/cases/read/read_parts.h>
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/files/source.h>
 
 #include <limits>
@@ -30,13 +31,29 @@ bool has_interior(const Case& query) {
   return query.ask == Ask::Any && std::holds_alternative<CaseMesh>(query.a);
 }
 
+void read_lengths(const JsonCursor& at, Ask ask, CaseSettings& settings) {
+  if (at.has("clearance")) {
+    if (ask != Ask::Within && !is_about_motion(ask)) {
+      at.member("clearance")
+          .fail("only \"within\", \"first_contact\" and \"free\" have a clearance");
+    }
+    settings.clearance = read_length(at.member("clearance"));
+  }
+  if (at.has("tolerance")) {
+    if (!is_about_motion(ask)) {
+      at.member("tolerance").fail("only \"first_contact\" and \"free\" have a tolerance");
+    }
+    settings.tolerance = read_length(at.member("tolerance"));
+  }
+}
+
 }  // namespace
 
 CaseSettings read_settings(const JsonCursor& root, Ask ask) {
   CaseSettings settings;
   if (root.has("settings")) {
     const JsonCursor at = root.member("settings");
-    at.require_keys({"touch", "interior", "clearance", "direction", "kind", "limit"});
+    at.require_keys({"touch", "interior", "clearance", "tolerance", "direction", "kind", "limit"});
     if (at.has("touch")) {
       const bool excludes = is_second(at.member("touch"), "include", "exclude");
       settings.touch = excludes ? Touch::Exclude : Touch::Include;
@@ -45,11 +62,7 @@ CaseSettings read_settings(const JsonCursor& root, Ask ask) {
       const bool is_solid = is_second(at.member("interior"), "surface", "solid");
       settings.interior = is_solid ? Interior::Solid : Interior::Surface;
     }
-    if (at.has("clearance")) {
-      if (ask != Ask::Within) at.member("clearance").fail("only \"within\" has a clearance");
-      settings.clearance = at.member("clearance").number();
-      if (settings.clearance < 0) at.member("clearance").fail("is negative");
-    }
+    read_lengths(at, ask, settings);
     if (at.has("direction")) {
       if (ask != Ask::Separation) {
         at.member("direction").fail("only \"separation\" has a direction");

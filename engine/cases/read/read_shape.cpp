@@ -49,6 +49,11 @@ Pose pose_of(const JsonCursor& at) {
   return at.has("pose") ? read_pose(at.member("pose")) : Pose(Pose::Identity());
 }
 
+std::optional<RigidCourse> course_of(const JsonCursor& at) {
+  if (!at.has("motion")) return std::nullopt;
+  return read_course(at.member("motion"));
+}
+
 CaseBody read_body(const JsonCursor& at) {
   const JsonCursor body = at.member("body");
   body.require_keys({"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "convex_hull",
@@ -58,7 +63,9 @@ CaseBody read_body(const JsonCursor& at) {
                              .mesh = read_inline_mesh});
   const Pose pose = pose_of(at);
   at_place(at.has("pose") ? at.member("pose") : at, [&] { return bounding_aabb({shape, pose}); });
-  return {shape, pose};
+  CaseBody placed(shape, pose);
+  placed.course = course_of(at);
+  return placed;
 }
 
 CaseMeshFile read_mesh_file(const JsonCursor& at) {
@@ -77,7 +84,8 @@ class ShapeReader {
 
   CaseShape read(std::string_view side) const {
     const JsonCursor at = root_.member(side);
-    at.require_keys({"triangle", "box", "obb", "sphere", "point", "mesh", "body", "ray", "pose"});
+    at.require_keys(
+        {"triangle", "box", "obb", "sphere", "point", "mesh", "body", "ray", "pose", "motion"});
     const int kinds = at.has("triangle") + at.has("box") + at.has("obb") + at.has("sphere") +
                       at.has("point") + at.has("mesh") + at.has("body") + at.has("ray");
     if (kinds != 1) {
@@ -86,6 +94,9 @@ class ShapeReader {
     }
     if (at.has("pose") && !at.has("mesh") && !at.has("body")) {
       at.member("pose").fail("only a mesh and a body have a pose");
+    }
+    if (at.has("motion") && !at.has("mesh") && !at.has("body")) {
+      at.member("motion").fail("only a mesh and a body move");
     }
     if (at.has("triangle")) return read_triangle(at.member("triangle"));
     if (at.has("box")) return read_box(at.member("box"));
@@ -103,6 +114,7 @@ class ShapeReader {
     const CaseMesh unplaced = read_mesh(at.member("mesh"), side, false);
     CaseMesh mesh(unplaced.mesh, pose);
     mesh.file = unplaced.file;
+    mesh.course = course_of(at);
     const JsonCursor place = at.has("pose") ? at.member("pose") : at;
     at_place(place, [&] { check_placement(pose, mesh.mesh.bounds(), "the pose"); });
     return mesh;

@@ -58,13 +58,21 @@ bool is_same(const CaseAnswer& a, const CaseAnswer& b) {
            is_same(a.point_a, b.point_a) && is_same(a.point_b, b.point_b) && a.pair == b.pair &&
            is_same(a.translation, b.translation) && is_same(a.contacts, b.contacts) &&
            is_same(a.manifold, b.manifold) && is_same(a.intersection, b.intersection) &&
-           is_same(a.corners, b.corners) && is_same(a.hits, b.hits);
+           is_same(a.corners, b.corners) && is_same(a.hits, b.hits) && a.status == b.status &&
+           a.low == b.low && a.high == b.high;
   });
 }
 
 const char* name_of(Ask ask) {
   for (const auto& [name, value] : cases::kAsks) {
     if (value == ask) return name;
+  }
+  return "?";
+}
+
+const char* name_of(RigidStatus status) {
+  for (const auto& [name, value] : cases::kStatuses) {
+    if (value == status) return name;
   }
   return "?";
 }

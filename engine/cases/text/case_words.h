@@ -10,7 +10,7 @@ namespace graze::cases {
 /// The version of the format that is written, and the only one that is read.
 inline constexpr std::uint32_t kCaseVersion = 1;
 
-inline constexpr std::array<std::pair<const char*, Ask>, 12> kAsks = {{
+inline constexpr std::array<std::pair<const char*, Ask>, 14> kAsks = {{
     {"any", Ask::Any},
     {"pairs", Ask::Pairs},
     {"distance", Ask::Distance},
@@ -23,6 +23,8 @@ inline constexpr std::array<std::pair<const char*, Ask>, 12> kAsks = {{
     {"contains", Ask::Contains},
     {"self_any", Ask::SelfAny},
     {"self_pairs", Ask::SelfPairs},
+    {"first_contact", Ask::FirstContact},
+    {"free", Ask::Free},
 }};
 
 inline constexpr std::array<std::pair<const char*, Feature>, 3> kFeatures = {{
@@ -30,6 +32,17 @@ inline constexpr std::array<std::pair<const char*, Feature>, 3> kFeatures = {{
     {"edge", Feature::Edge},
     {"face", Feature::Face},
 }};
+
+inline constexpr std::array<std::pair<const char*, RigidStatus>, 3> kStatuses = {{
+    {"free", RigidStatus::Free},
+    {"hit", RigidStatus::Hit},
+    {"close", RigidStatus::Close},
+}};
+
+/// Whether a question is about two that move.
+inline bool is_about_motion(Ask ask) {
+  return ask == Ask::FirstContact || ask == Ask::Free;
+}
 
 /// Whether a question is about A alone.
 inline bool is_about_one(Ask ask) {

@@ -1,5 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/answer_case.h>
+#include <graze/engine/cases/motion_case.h>
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/mesh/inside/solid.h>
@@ -140,6 +142,20 @@ CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b,
   refuse(query);
 }
 
+CaseAnswer about_motions(const Case& query, const CaseBody& a, const CaseBody& b, Work* work) {
+  const RigidContactSettings settings = contact_settings(query.settings);
+  if (query.ask == Ask::Free)
+    return says(is_free(a.shape, motion_of(a), b.shape, motion_of(b), settings, work));
+  return answer_of(first_contact(a.shape, motion_of(a), b.shape, motion_of(b), settings, work));
+}
+
+CaseAnswer about_motions(const Case& query, const CaseMesh& a, const CaseMesh& b, Work* work) {
+  const RigidContactSettings settings = contact_settings(query.settings);
+  if (query.ask == Ask::Free)
+    return says(is_free(a.mesh, motion_of(a), b.mesh, motion_of(b), settings, work));
+  return answer_of(first_contact(a.mesh, motion_of(a), b.mesh, motion_of(b), settings, work));
+}
+
 CaseAnswer about_two_meshes(const Case& query, const PlacedMeshView& a, const PlacedMeshView& b,
                             Work* work) {
   switch (query.ask) {
@@ -192,14 +208,19 @@ CaseAnswer answer_case(const Case& query, Work* work) {
     return std::visit(ListAnswer{query, *mesh_a, work}, *query.b);
   }
   if (query.a.index() != query.b->index()) refuse(query);
+  const auto* body_a = std::get_if<CaseBody>(&query.a);
+  if (cases::is_about_motion(query.ask) && mesh_a != nullptr)
+    return about_motions(query, *mesh_a, std::get<CaseMesh>(*query.b), work);
+  if (cases::is_about_motion(query.ask) && body_a != nullptr)
+    return about_motions(query, *body_a, std::get<CaseBody>(*query.b), work);
   if (mesh_a != nullptr) {
     return about_two_meshes(query, placed(*mesh_a), placed(std::get<CaseMesh>(*query.b)), work);
   }
   if (const auto* a = std::get_if<Triangle>(&query.a)) {
     return about_triangles(query, *a, std::get<Triangle>(*query.b));
   }
-  if (const auto* a = std::get_if<CaseBody>(&query.a)) {
-    return about_bodies(query, *a, std::get<CaseBody>(*query.b), work);
+  if (body_a != nullptr) {
+    return about_bodies(query, *body_a, std::get<CaseBody>(*query.b), work);
   }
   refuse(query);
 }

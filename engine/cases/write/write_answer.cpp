@@ -162,6 +162,9 @@ std::string answer_text(const CaseAnswer& answer, const NumberText& numbers) {
   if (answer.intersection) out.add("intersection", text_of(*answer.intersection, numbers));
   if (answer.corners) out.add("corners", numbers.list(*answer.corners));
   if (answer.hits) out.add("hits", numbers.list(*answer.hits));
+  if (answer.status) out.add("status", cases::json_string(name_of(*answer.status)));
+  if (answer.low) out.add("low", numbers.number(*answer.low));
+  if (answer.high) out.add("high", numbers.number(*answer.high));
   return out.text();
 }
 

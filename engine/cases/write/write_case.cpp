@@ -78,6 +78,14 @@ struct BodyText {
   }
 };
 
+std::string course_text(const std::optional<RigidCourse>& course) {
+  if (!course) return "";
+  return std::string(",\n    \"motion\": {\"centre\": ") + json_point(course->centre) +
+         ", \"shift\": " + json_point(course->shift) +
+         ",\n      \"axis\": " + json_point(course->axis) +
+         ", \"angle\": " + json_number(course->angle) + "}";
+}
+
 struct ShapeText {
   bool is_same_as_a = false;
 
@@ -110,11 +118,11 @@ struct ShapeText {
   }
   std::string operator()(const CaseMesh& mesh) const {
     return std::string("{\"mesh\": ") + (is_same_as_a ? "{\"same_as\": \"a\"}" : mesh_text(mesh)) +
-           ",\n    \"pose\": " + json_pose(mesh.pose) + "}";
+           ",\n    \"pose\": " + json_pose(mesh.pose) + course_text(mesh.course) + "}";
   }
   std::string operator()(const CaseBody& body) const {
     return std::string("{\"body\": {") + std::visit(BodyText{}, body.shape.value()) +
-           "},\n    \"pose\": " + json_pose(body.pose) + "}";
+           "},\n    \"pose\": " + json_pose(body.pose) + course_text(body.course) + "}";
   }
 };
 
@@ -123,7 +131,10 @@ std::string settings_text(const CaseSettings& settings, Ask ask) {
   const auto add = [&](const std::string& member) { out += (out.empty() ? "" : ", ") + member; };
   if (settings.touch == Touch::Exclude) add("\"touch\": \"exclude\"");
   if (settings.interior == Interior::Solid) add("\"interior\": \"solid\"");
-  if (ask == Ask::Within) add(std::string("\"clearance\": ") + json_number(settings.clearance));
+  const bool is_of_motion = cases::is_about_motion(ask);
+  if (ask == Ask::Within || is_of_motion)
+    add(std::string("\"clearance\": ") + json_number(settings.clearance));
+  if (is_of_motion) add(std::string("\"tolerance\": ") + json_number(settings.tolerance));
   if (settings.direction) add(std::string("\"direction\": ") + json_point(*settings.direction));
   if (settings.self_kind == SelfPairKind::Neighbour) add("\"kind\": \"neighbour\"");
   if (settings.limit) add(std::string("\"limit\": ") + std::to_string(*settings.limit));

@@ -22,6 +22,10 @@ run in processes of their own (graze-peer), so that a crash of theirs is an engi
 that does not come within --timeout. What one of them gets wrong is asked again where nothing else was asked;
 if it is right then, it is "not confirmed", and counted, but not held against it.
 
+Of --query first_contact and free B moves from each of the --poses to the next, straight and turning the
+short way. FCL is asked twice, with its ten samples and as "fcl-advancement"; answers are judged by
+certificates of freedom and by contacts at a time (see graze replay --help).
+
 Shrinking starts from the guilty pair of triangles and, if the engine is right about these alone, from
 what is near it. It takes --shrink-seconds in all, and as much more as the question that is being asked
 then; each case is written before what takes long, and again as it gets smaller. The file of a case is named after
@@ -63,6 +67,7 @@ Examples:
   graze compare bolt.obj nut.stl --poses poses.txt --query pairs
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
+  graze compare bolt.obj nut.stl --poses poses.txt --query first_contact
   graze compare data/regressions --save base
   graze compare data/regressions --against base --report out.html
   graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
@@ -156,10 +161,16 @@ void add_compare_command(CLI::App& program, Action& action,
   command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")
       ->required();
   command->add_option("B", options->mesh_b, "second mesh");
-  command->add_option("--query", options->query, "any (default), pairs, distance, within, contacts")
+  command
+      ->add_option("--query", options->query,
+                   "any (default), pairs, distance, within, contacts, first_contact, free")
       ->type_name("QUESTION")
-      ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts"}).description(""));
-  command->add_option("--clearance", options->clearance, "of --query within, metres")
+      ->check(
+          CLI::IsMember({"any", "pairs", "distance", "within", "contacts", "first_contact", "free"})
+              .description(""));
+  command
+      ->add_option("--clearance", options->clearance,
+                   "of --query within, first_contact and free, metres")
       ->type_name("C")
       ->check(finite_number(Sign::NotNegative));
   command->add_option("--engines", options->engines, "names with commas (default: all)")

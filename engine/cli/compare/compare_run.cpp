@@ -24,10 +24,15 @@ using compare::PlaceRecord;
 using compare::WrongAnswer;
 
 Ask ask_named(const std::string& name) {
-  for (const Ask ask : {Ask::Any, Ask::Pairs, Ask::Distance, Ask::Within, Ask::Contacts}) {
+  for (const Ask ask : {Ask::Any, Ask::Pairs, Ask::Distance, Ask::Within, Ask::Contacts,
+                        Ask::FirstContact, Ask::Free}) {
     if (name == name_of(ask)) return ask;
   }
   throw UsageError("--query: there is no question " + mesh_io::quoted(name));
+}
+
+bool is_about_motion(const CompareOptions& options) {
+  return options.query == "first_contact" || options.query == "free";
 }
 
 void check_combinations(const CompareOptions& options) {
@@ -42,8 +47,12 @@ void check_combinations(const CompareOptions& options) {
   if (options.query == "within" && options.clearance < 0) {
     throw UsageError("--query within needs --clearance");
   }
-  if (options.query != "within" && options.clearance >= 0) {
-    throw UsageError("--clearance belongs to --query within");
+  if (options.query != "within" && !is_about_motion(options) && options.clearance >= 0) {
+    throw UsageError("--clearance belongs to --query within, first_contact and free");
+  }
+  if (is_about_motion(options) && !options.poses) {
+    throw UsageError("--query " + options.query +
+                     " needs --poses: B moves from each of them to the next");
   }
   if (options.seed && options.random == 0 && options.grazing == 0) {
     throw UsageError("--seed belongs to --random and --grazing");
@@ -65,6 +74,21 @@ std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMeshView& 
   return poses;
 }
 
+/// From each pose to the next, as graze motion --path has it; the last is an end alone.
+void make_motions(ComparisonJob& job, const std::string& file) {
+  std::vector<Pose>& poses = job.poses_b;
+  if (poses.size() < 2)
+    throw PoseError(mesh_io::printable(file) + ": one pose, a motion has two", {.file = file});
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const RigidMotion motion = RigidMotion::between(poses[i - 1], poses[i]);
+    job.courses_b.push_back({.centre = motion.centre(),
+                             .shift = motion.shift(),
+                             .axis = motion.axis(),
+                             .angle = motion.angle()});
+  }
+  poses.pop_back();
+}
+
 ComparisonJob read_job(const CompareOptions& options) {
   check_combinations(options);
   const Pose pose_a =
@@ -80,6 +104,7 @@ ComparisonJob read_job(const CompareOptions& options) {
   if (options.clearance >= 0) job.question.settings.clearance = options.clearance;
   for (const Pose& pose : job.poses_b)
     check_placement(pose, mesh_b.bounds(), "the pose of B");
+  if (is_about_motion(options)) make_motions(job, *options.poses);
   return job;
 }
 
@@ -116,7 +141,8 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
   CompareFindings findings{.title = fs::path(options.mesh_a).filename().string() + " against " +
                                     fs::path(options.mesh_b).filename().string(),
                            .question = options.query,
-                           .count = fmt::format("{} poses", run.records.size()),
+                           .count = fmt::format("{} {}", run.records.size(),
+                                                job.courses_b.empty() ? "poses" : "motions"),
                            .place = "pose",
                            .summaries = summarise(run.records),
                            .wrong = wrong_answers(run.records),

@@ -74,7 +74,7 @@ ReplayReport::ReplayReport(Output& output, const FailOn& fail_on, bool is_json)
       fail_on_(fail_on),
       is_json_(is_json),
       table_({{"case", 28},
-              {"question", 10},
+              {"question", 13},
               {"engine", 20},
               {"answer", 21},
               {"truth", 20},

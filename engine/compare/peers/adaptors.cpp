@@ -6,6 +6,7 @@ namespace graze::compare {
 std::unique_ptr<Engine> make_adaptor(const std::string& name) {
 #if GRAZE_HAS_FCL
   if (name == "fcl") return make_fcl_engine();
+  if (name == "fcl-advancement") return make_fcl_advancement_engine();
 #endif
 #if GRAZE_HAS_BULLET
   if (name == "bullet") return make_bullet_engine();

@@ -11,6 +11,7 @@ namespace graze::compare {
 // loaded: one thread of one process may ask, about one load at a time.
 
 std::unique_ptr<Engine> make_fcl_engine();
+std::unique_ptr<Engine> make_fcl_advancement_engine();
 std::unique_ptr<Engine> make_bullet_engine();
 std::unique_ptr<Engine> make_ode_engine();
 std::unique_ptr<Engine> make_coal_engine();

@@ -22,6 +22,8 @@ namespace graze::compare {
 struct Question {
   Ask ask = Ask::Any;
   CaseSettings settings = {};
+  std::optional<RigidCourse> course_a = {};  ///< of Ask::FirstContact and Free; none: it rests
+  std::optional<RigidCourse> course_b = {};
 
   /// Surfaces, touching counts, lists are complete: what engines other than graze can be asked.
   bool is_plain() const {

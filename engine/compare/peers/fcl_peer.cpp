@@ -3,13 +3,15 @@
 #include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/compare/fcl_shapes.h>
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/compare/peers/fcl_motions.h>
 
 namespace graze::compare {
 namespace {
 
 class FclPair : public LoadedPair {
  public:
-  FclPair(const Mesh& mesh_a, const Mesh& mesh_b) : mesh_a_(mesh_a), mesh_b_(mesh_b) {}
+  FclPair(const Mesh& mesh_a, const Mesh& mesh_b)
+      : mesh_a_(mesh_a), mesh_b_(mesh_b), motions_(mesh_a, mesh_b, FclContinuous::Sampled) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
@@ -38,13 +40,14 @@ class FclPair : public LoadedPair {
           answer.contacts->push_back({c.point, c.point, c.point, c.normal, c.depth});
         return answer;
       default:
-        return std::nullopt;
+        return motions_.answer(question, pose_a, pose_b);
     }
   }
 
  private:
   FclMesh mesh_a_;
   FclMesh mesh_b_;
+  FclMotions motions_;
 };
 
 class FclShapes : public LoadedShapes {

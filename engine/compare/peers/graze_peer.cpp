@@ -13,11 +13,14 @@ class GrazePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
+    CaseMesh a(mesh_a_, pose_a), b(mesh_b_, pose_b);
+    a.course = question.course_a;
+    b.course = question.course_b;
     const Case query{.note = "",
                      .ask = question.ask,
                      .settings = question.settings,
-                     .a = CaseMesh(mesh_a_, pose_a),
-                     .b = CaseMesh(mesh_b_, pose_b),
+                     .a = std::move(a),
+                     .b = std::move(b),
                      .answer = std::nullopt,
                      .answered_by = {}};
     return answer_case(query);

@@ -25,9 +25,10 @@ struct KnownPeer {
   bool is_here;
 };
 
-inline constexpr std::array<KnownPeer, 4> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL != 0},
+inline constexpr std::array<KnownPeer, 5> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL != 0},
                                                           {"bullet", GRAZE_HAS_BULLET != 0},
                                                           {"ode", GRAZE_HAS_ODE != 0},
-                                                          {"coal", GRAZE_HAS_COAL != 0}}};
+                                                          {"coal", GRAZE_HAS_COAL != 0},
+                                                          {"fcl-advancement", GRAZE_HAS_FCL != 0}}};
 
 }  // namespace graze::compare

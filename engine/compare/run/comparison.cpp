@@ -15,6 +15,12 @@
 namespace graze::compare {
 namespace {
 
+Question question_of(const ComparisonJob& job, std::size_t pose) {
+  Question question = job.question;
+  if (!job.courses_b.empty()) question.course_b = job.courses_b[pose];
+  return question;
+}
+
 /// An engine that holds the two meshes, once for all questions and once for those that confirm.
 class LoadedEngine {
  public:
@@ -41,7 +47,9 @@ class LoadedEngine {
 
   Utterance hear(const LoadedPair& pair, std::size_t pose) const {
     return compare::hear(
-        [&] { return pair.timed_answer(job_->question, job_->a.pose, job_->poses_b[pose]); },
+        [&] {
+          return pair.timed_answer(question_of(*job_, pose), job_->a.pose, job_->poses_b[pose]);
+        },
         name());
   }
 
@@ -68,7 +76,7 @@ std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const Eng
 }
 
 bool contradicts(const CaseAnswer& a, const CaseAnswer& b) {
-  if (a.distance || b.distance) return true;
+  if (a.distance || b.distance || a.status || b.status) return true;
   if (a.contacts && b.contacts) return a.contacts->empty() != b.contacts->empty();
   return a.says != b.says || a.pairs != b.pairs;
 }
@@ -137,6 +145,7 @@ class PoseTrial {
 Case case_of(const ComparisonJob& job, std::size_t pose) {
   CaseMesh b = job.b;
   b.pose = job.poses_b[pose];
+  b.course = question_of(job, pose).course_b;
   return {.note = "",
           .ask = job.question.ask,
           .settings = job.question.settings,

@@ -41,6 +41,16 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+/// "free", "hit at 0.25", "close from 0.5 on".
+std::string brief_contact(const CaseAnswer& answer) {
+  const bool is_hit = *answer.status == RigidStatus::Hit;
+  const std::optional<double>& time = is_hit ? answer.high : answer.low;
+  if (*answer.status == RigidStatus::Free || !time) return name_of(*answer.status);
+  std::array<char, 48> text;
+  std::snprintf(text.data(), text.size(), is_hit ? "hit at %.6g" : "close from %.6g on", *time);
+  return text.data();
+}
+
 }  // namespace
 
 Utterance hear(const LoadedQuestion& question, const std::string& engine) {
@@ -159,6 +169,7 @@ std::string brief(const CaseAnswer& answer) {
   if (answer.manifold) return counted(answer.manifold->size(), "contact");
   if (answer.hits) return counted(answer.hits->size(), "hit");
   if (answer.corners) return counted(answer.corners->size(), "corner");
+  if (answer.status) return brief_contact(answer);
   if (answer.intersection) return counted(answer.intersection->points.size(), "point");
   if (!answer.distance) return "nothing";
   std::array<char, 40> text;

@@ -1,6 +1,8 @@
 // The engines of this project's adaptors as `graze compare` asks them: from many threads, as from
 // one; about what was meant, bit for bit.
 
+#include <graze/engine/cases/motion_case.h>
+#include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/peers/process/protocol.h>
@@ -86,7 +88,7 @@ TEST(KnownPeers, AreThoseThatAreTested) {
   std::string names;
   for (const EngineEntry& entry : all_engines())
     names += entry.name + " ";
-  EXPECT_EQ(names, "graze fcl bullet ode coal ");
+  EXPECT_EQ(names, "graze fcl bullet ode coal fcl-advancement ");
 }
 
 // Eight threads in one process of ODE's crashed, or were told of hits that it does not find.
@@ -127,6 +129,79 @@ TEST_P(BuiltInPeers, AnswersEveryQuestionThatItKnows) {
   EXPECT_GE(answers, 2u);
 }
 
+/// Whom to ask about motions, and what.
+class MotionPeers : public testing::Test {
+ protected:
+  void SetUp() override {
+    engines_ = all_engines();
+    if (engine("fcl") == nullptr) GTEST_SKIP() << "FCL was not found when this was built";
+  }
+
+  const Engine* engine(const std::string& name) const {
+    for (const EngineEntry& entry : engines_)
+      if (entry.name == name) return entry.engine.get();
+    return nullptr;
+  }
+
+  /// A cube of two metres that rests, and one that comes along x from a gap of one.
+  Case towards(const RigidCourse& course) const {
+    const RigidMotion comes(Pose(Eigen::Translation3d(3, 0, 0)), course);
+    Case query = to_case_free(case_mesh(cube_, RigidMotion(Pose::Identity())),
+                              case_mesh(cube_, comes), true);
+    query.ask = Ask::FirstContact;
+    query.answer.reset();
+    return query;
+  }
+
+  Mesh cube_ = tests::make_box({1, 1, 1});
+  std::vector<EngineEntry> engines_;
+};
+
+TEST_F(MotionPeers, FclSaysAtWhichOfItsSamplesTheyMeet) {
+  Case query = towards({.shift = {-2, 0, 0}});
+  const std::optional<CaseAnswer> answer = ask(*engine("fcl"), query);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, RigidStatus::Hit);
+  EXPECT_EQ(answer->low, 5.0 / 9);
+  EXPECT_EQ(answer->high, 5.0 / 9);
+  const Judgement judgement = Judge(query).judge(*answer, {"fcl", ""});
+  EXPECT_EQ(judgement.verdict, Verdict::Wrong) << judgement.truth;
+  EXPECT_NE(judgement.truth.find("late"), std::string::npos) << judgement.truth;
+  query.ask = Ask::Free;
+  EXPECT_EQ(ask(*engine("fcl"), query)->says, false);
+  std::swap(query.a, *query.b);
+  EXPECT_EQ(ask(*engine("fcl"), query)->says, false) << "A moves, and B rests";
+}
+
+TEST_F(MotionPeers, BothWaysOfFclMove) {
+  // Turned by a right angle about its own middle and moved away: apart all the time.
+  const Case away =
+      towards({.centre = {3, 0, 0}, .shift = {4, 0, 0}, .axis = {1, 0, 0}, .angle = 1.5});
+  for (const char* name : {"fcl", "fcl-advancement"}) {
+    const std::optional<CaseAnswer> answer = ask(*engine(name), away);
+    ASSERT_TRUE(answer) << name;
+    EXPECT_EQ(answer->status, RigidStatus::Free) << name;
+    EXPECT_EQ(Judge(away).judge(*answer, {name, ""}).verdict, Verdict::Right) << name;
+    const std::unique_ptr<Engine> alone = engine(name)->alone();
+    EXPECT_TRUE(is_same(*ask(*alone, away), *answer)) << name;
+  }
+}
+
+TEST_F(MotionPeers, WhatTheyDoNotKnowIsNotAsked) {
+  Case query = towards({.centre = {3, 0, 0}, .axis = {0, 0, 1}, .angle = 3});
+  EXPECT_FALSE(ask(*engine("fcl"), query)) << "the short way may be another";
+  query = towards({.shift = {-2, 0, 0}});
+  for (const char* name : {"bullet", "ode", "coal"}) {
+    if (engine(name) == nullptr) continue;
+    EXPECT_FALSE(ask(*engine(name), query)) << name;
+  }
+  query.settings.clearance = 0.5;
+  EXPECT_FALSE(ask(*engine("fcl"), query)) << "a clearance";
+  EXPECT_FALSE(ask(*engine("fcl-advancement"), query)) << "a clearance";
+  const Case any = to_case({cube_}, {cube_}, true);
+  EXPECT_FALSE(ask(*engine("fcl-advancement"), any)) << "a question without a motion";
+}
+
 Shape read_back(const Shape& shape) {
   const std::string name = "memory";
   const cases::JsonValue tree = cases::parse_json(*shape_text(shape), name);
@@ -153,6 +228,24 @@ TEST(PeerProtocol, NumbersComeBackBitForBit) {
     EXPECT_TRUE(is_bit_equal(there.item(7).number(), value)) << value;
     EXPECT_EQ(root.member("settings").member("clearance").number(), 0.1);
   }
+}
+
+TEST(PeerProtocol, MotionsComeBackBitForBit) {
+  const RigidCourse course{
+      .centre = {0.1, -0.0, 1e-300}, .shift = {1e22, 5e-324, 0.3}, .axis = {1, 2, 3}, .angle = 0.7};
+  const Question question{Ask::Free, {.clearance = 0.1, .tolerance = 0.3}, std::nullopt, course};
+  const std::string text = "{" + question_text(question, Pose::Identity(), Pose::Identity()) + "}";
+  const std::string name = "memory";
+  const cases::JsonValue tree = cases::parse_json(text, name);
+  const cases::JsonCursor root(tree, name);
+  EXPECT_FALSE(root.has("motion_a"));
+  const RigidCourse back = cases::read_course(root.member("motion_b"));
+  EXPECT_EQ(back.centre, course.centre);
+  EXPECT_TRUE(std::signbit(back.centre.y()));
+  EXPECT_EQ(back.shift, course.shift);
+  EXPECT_EQ(back.axis, course.axis);
+  EXPECT_EQ(back.angle, course.angle);
+  EXPECT_EQ(root.member("settings").member("tolerance").number(), 0.3);
 }
 
 // Built again from what they say of themselves, hulls and half-spaces may be others by an ulp.

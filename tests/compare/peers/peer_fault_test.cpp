@@ -87,6 +87,8 @@ TEST_F(PeerFaults, AreEngineErrorsThatSayWhatHappened) {
   expect_start(truth_of("null", Ask::Distance),
                unreadable + "its answer:1: /answer/distance: is null");
   expect_start(truth_of("another part"), unreadable + "its answer:1: /answer: unknown key");
+  expect_start(truth_of("none", Ask::FirstContact), unreadable + "its answer:1: /answer");
+  EXPECT_EQ(truth_of("dies", Ask::Free), "engine error: died of SIGSEGV");
   expect_start(truth_of("another number"), unreadable + "its answer:1: /id: is not that of");
   expect_start(truth_of("later protocol"),
                unreadable + "its first line:1: /graze_peer: is version 2");
@@ -98,6 +100,7 @@ TEST_F(PeerFaults, AnEngineThatHangsIsEndedInTime) {
   const auto start = std::chrono::steady_clock::now();
   for (const char* fault : {"hangs", "hangs loading", "says nothing"})
     EXPECT_EQ(truth_of(fault, Ask::Any, 0.125), "engine error: gave no answer in 0.125 s") << fault;
+  EXPECT_EQ(truth_of("hangs", Ask::FirstContact, 0.125), "engine error: gave no answer in 0.125 s");
   EXPECT_EQ(truth_of("closes", Ask::Any, 20), "engine error: closed its pipe");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
   expect_nothing_left(files);

@@ -2,6 +2,7 @@
 
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/cases/case_mesh_file.h>
+#include <graze/engine/cases/motion_case.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/text/hex_float.h>
@@ -132,6 +133,29 @@ class Cases : public testing::Test {
             to_case_contains(CaseShape(Sphere{{1, 0, 0}, 1}), {2, 0, 0}, true)};
   }
 
+  /// A ball that comes from the side and turns, and a ring that rests.
+  std::vector<Case> queries_of_motions() const {
+    const RigidMotion rests{Pose::Identity()};
+    const RigidMotion comes(
+        far_, {.centre = {3, 0, 0}, .shift = {-4, 0.25, 0}, .axis = {1, 2, 3}, .angle = 2});
+    const RigidMotion passes(far_, {.shift = {0, 4, 0}});
+    std::vector<Case> queries;
+    for (const RigidMotion& motion : {comes, passes}) {
+      const CaseMesh ring = case_mesh(torus_, rests), ball = case_mesh(sphere_, motion);
+      const RigidContactSettings wide{.clearance = 0.125, .tolerance = 0.01};
+      queries.push_back(to_case(ring, ball, first_contact(torus_, rests, sphere_, motion)));
+      queries.push_back(
+          to_case(ring, ball, first_contact(torus_, rests, sphere_, motion, wide), wide));
+      queries.push_back(
+          to_case_free(ball, ring, is_free(sphere_, motion, torus_, rests, wide), wide));
+      const Shape cone(Cone{0.3, 0.5}), whole(torus_);
+      const CaseBody a = case_body(whole, rests), b = case_body(cone, motion);
+      queries.push_back(to_case(a, b, first_contact(whole, rests, cone, motion)));
+      queries.push_back(to_case_free(b, a, is_free(cone, motion, whole, rests)));
+    }
+    return queries;
+  }
+
   Mesh torus_ = tests::make_torus(1, 0.3, 20, 12);
   Mesh sphere_ = tests::make_sphere(0.75, 9, 13);
   Pose pose_ = Pose::Identity();
@@ -145,6 +169,8 @@ TEST_F(Cases, EveryQueryWritesItselfAndComesBack) {
   std::set<Ask> asked;
   std::vector<Case> queries = all_queries();
   for (const Case& query : queries_with_parts())
+    queries.push_back(query);
+  for (const Case& query : queries_of_motions())
     queries.push_back(query);
   for (const Case& query : queries) {
     asked.insert(query.ask);
@@ -162,6 +188,8 @@ TEST_F(Cases, EveryQueryWritesItselfAndComesBack) {
 TEST_F(Cases, ReplayBitForBitOnEverySimdTarget) {
   std::vector<Case> queries = all_queries();
   for (const Case& query : queries_with_parts())
+    queries.push_back(query);
+  for (const Case& query : queries_of_motions())
     queries.push_back(query);
   for (const Case& query : queries) {
     const Case back = parse_case(to_json(query), "memory");

@@ -53,6 +53,13 @@ Eigen::Vector3d middle_of(const CaseMesh& mesh, std::uint32_t index) {
   return t.a / 3 + t.b / 3 + t.c / 3;
 }
 
+/// Another mesh in the same pose and motion.
+CaseMesh with_mesh(const CaseMesh& before, const Mesh& mesh) {
+  CaseMesh after(mesh, before.pose);
+  after.course = before.course;
+  return after;
+}
+
 class Shrinking {
  public:
   Shrinking(const Case& query, const MeshCase& meshes, const StillWrong& is_still_wrong)
@@ -62,14 +69,16 @@ class Shrinking {
 
   Case take() { return best_; }
 
+  /// Of a triangle that is placed no motion is asked.
   bool try_placed(const TrianglePair& pair) {
+    if (best_.ask == Ask::FirstContact || best_.ask == Ask::Free) return false;
     return try_meshes(CaseMesh(placed_triangle(meshes_.a, pair.a), Pose::Identity()),
                       CaseMesh(placed_triangle(meshes_.b, pair.b), Pose::Identity()));
   }
 
   bool try_parts(const Indices& triangles_a, const Indices& triangles_b) {
-    return try_meshes(CaseMesh(part_of(meshes_.a.mesh, triangles_a), meshes_.a.pose),
-                      CaseMesh(part_of(meshes_.b.mesh, triangles_b), meshes_.b.pose));
+    return try_meshes(with_mesh(meshes_.a, part_of(meshes_.a.mesh, triangles_a)),
+                      with_mesh(meshes_.b, part_of(meshes_.b.mesh, triangles_b)));
   }
 
   /// Takes triangles away, now from one mesh, now from the other, until none can go.
@@ -136,7 +145,7 @@ class Shrinking {
       std::vector<Eigen::Vector3d> vertices(list.begin(), list.end());
       vertices[corner % 3][axis] = coarse;
       try {
-        mesh = CaseMesh(Mesh(vertices, mesh.mesh.triangles()), mesh.pose);
+        mesh = with_mesh(mesh, Mesh(vertices, mesh.mesh.triangles()));
       } catch (const Error&) {  // what is no mesh is none to try
         return false;
       }

@@ -71,6 +71,8 @@ bool has_asked_part(const Case& query, const CaseAnswer& answer) {
     case Ask::Ray:
     case Ask::RayAll:
       return answer.hits.has_value();
+    case Ask::FirstContact:
+      return answer.status && answer.low && answer.high;
     default:
       return answer.says.has_value();
   }
@@ -104,6 +106,17 @@ bool are_finite(const List& list) {
   return std::all_of(list.begin(), list.end(), [](const auto& part) { return is_finite(part); });
 }
 
+bool is_time(double time) {
+  return time >= 0 && time <= 1;
+}
+
+Fault fault_of_times(const CaseAnswer& answer) {
+  if (!answer.low || !answer.high) return std::nullopt;
+  if (!is_time(*answer.low) || !is_time(*answer.high)) return "a time that is not from 0 to 1";
+  if (*answer.low > *answer.high) return "times that are in the wrong order";
+  return std::nullopt;
+}
+
 Fault fault_of_numbers(const CaseAnswer& answer) {
   for (const std::optional<double>* length : {&answer.distance, &answer.lower_bound}) {
     if (*length && std::isnan(**length)) return "a distance that is no number";
@@ -135,6 +148,7 @@ std::optional<std::string> fault_of_answer(const Case& query, const CaseAnswer& 
   if (answer.pair) {
     if (Fault fault = triangles.of(*answer.pair)) return fault;
   }
+  if (Fault fault = fault_of_times(answer)) return fault;
   return fault_of_numbers(answer);
 }
 

@@ -3,6 +3,7 @@
 #include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/judge/meshes/mesh_judges.h>
 #include <graze/engine/compare/judge/meshes/mesh_truth.h>
+#include <graze/engine/compare/judge/motions/motion_judge.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/work.h>
@@ -57,6 +58,10 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
 
 struct Judge::Truth {
   explicit Truth(const Case& the_query) : query(the_query) {
+    if (query.ask == Ask::FirstContact || query.ask == Ask::Free) {
+      motions.emplace(query);
+      return;
+    }
     if (const std::optional<MeshCase> pair = as_meshes(query)) meshes.emplace(query, *pair);
     if (const std::optional<BodyCase> pair = as_bodies(query)) {
       bodies.emplace(PlacedBody{pair->a.shape, pair->a.pose},
@@ -67,6 +72,7 @@ struct Judge::Truth {
   const Case& query;
   std::optional<MeshTruth> meshes;
   std::optional<ShapeJudge> bodies;
+  std::optional<MotionJudge> motions;
 };
 
 Judge::Judge(const Case& query) : truth_(std::make_unique<Truth>(query)) {}
@@ -84,6 +90,7 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
     return judge_ray(query, answer, is_graze);
   }
   if (query.ask == Ask::Contains) return judge_contains(query, *answer.says);
+  if (truth_->motions) return truth_->motions->judge(answer, is_graze);
   if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness, settings);
   if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
   return truth_->meshes->judge(answer, witness, settings);

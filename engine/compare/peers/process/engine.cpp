@@ -89,8 +89,10 @@ LoadedQuestion load_question(const Engine& engine, const Case& query) {
   }
   if (const std::optional<MeshCase> meshes = as_meshes(query)) {
     const std::shared_ptr<LoadedPair> pair = engine.load(meshes->a.mesh, meshes->b.mesh);
-    return [pair, question = Question{query.ask, query.settings}, pose_a = meshes->a.pose,
-            pose_b = meshes->b.pose] { return pair->timed_answer(question, pose_a, pose_b); };
+    return
+        [pair, question = Question{query.ask, query.settings, meshes->a.course, meshes->b.course},
+         pose_a = meshes->a.pose,
+         pose_b = meshes->b.pose] { return pair->timed_answer(question, pose_a, pose_b); };
   }
   const std::optional<BodyCase> bodies = as_bodies(query);
   if (bodies && query.ask == Ask::Any) {

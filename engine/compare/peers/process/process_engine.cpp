@@ -38,7 +38,8 @@ class PeerPair : public LoadedPair {
                            const Pose& pose_b) const override {
     const bool is_asked = question.ask == Ask::Any || question.ask == Ask::Pairs ||
                           question.ask == Ask::Distance || question.ask == Ask::Within ||
-                          question.ask == Ask::Contacts;
+                          question.ask == Ask::Contacts || question.ask == Ask::FirstContact ||
+                          question.ask == Ask::Free;
     if (!question.is_plain() || !is_asked || !hello_.may_know(question.ask)) return {};
     const Case query{.note = "",
                      .ask = question.ask,

@@ -12,7 +12,7 @@ namespace graze::compare {
 /// once: what crashes or hangs there is the engine's error, and its globals are nobody else's. A
 /// process that failed is ended, and the next question starts another. Safe to ask from many
 /// threads. What it is asked about must be plain (Question::is_plain) and of the questions any,
-/// pairs, distance, within and contacts.
+/// pairs, distance, within, contacts, first_contact and free.
 std::unique_ptr<Engine> make_process_engine(PeerProgram program);
 
 /// An engine of this project's adaptors, in graze-peer.

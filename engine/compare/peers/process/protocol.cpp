@@ -1,4 +1,5 @@
 #include <graze/engine/cases/read/read_parts.h>
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/peers/process/shape_points.h>
@@ -34,6 +35,12 @@ std::string text_of(const Pose& pose) {
     out += number(pose(i / 4, i % 4));
   }
   return out + "]";
+}
+
+std::string text_of(const RigidCourse& course) {
+  return std::string("{\"centre\":") + text_of(course.centre) +
+         ",\"shift\":" + text_of(course.shift) + ",\"axis\":" + text_of(course.axis) +
+         ",\"angle\":" + number(course.angle) + "}";
 }
 
 std::string text_of(const Mesh& mesh) {
@@ -109,7 +116,14 @@ std::string question_text(const Question& question, const Pose& pose_a, const Po
   if (question.ask == Ask::Within) {
     out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) + "}";
   }
-  return out + ",\"pose_a\":" + text_of(pose_a) + ",\"pose_b\":" + text_of(pose_b);
+  if (cases::is_about_motion(question.ask)) {
+    out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) +
+           ",\"tolerance\":" + number(question.settings.tolerance) + "}";
+  }
+  out += ",\"pose_a\":" + text_of(pose_a) + ",\"pose_b\":" + text_of(pose_b);
+  if (question.course_a) out += ",\"motion_a\":" + text_of(*question.course_a);
+  if (question.course_b) out += ",\"motion_b\":" + text_of(*question.course_b);
+  return out;
 }
 
 std::string question_text(std::span<const PlacedShape> bodies, BodyPairs pairs) {

@@ -161,7 +161,13 @@ class Server {
     const Ask ask = read_question(request.member("question"));
     if (request.has("pairs")) return answer_about_shapes(request, ask);
     if (!pair_) request.fail("no meshes are loaded");
-    const Question question{ask, cases::read_settings(request, ask)};
+    Question question{ask, cases::read_settings(request, ask)};
+    const auto read_course = [&](std::string_view key) -> std::optional<RigidCourse> {
+      if (!request.has(key)) return std::nullopt;
+      return cases::read_course(request.member(key));
+    };
+    question.course_a = read_course("motion_a");
+    question.course_b = read_course("motion_b");
     const Pose pose_a = cases::read_pose(request.member("pose_a"));
     const Pose pose_b = cases::read_pose(request.member("pose_b"));
     const auto start = Clock::now();

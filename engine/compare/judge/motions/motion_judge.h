@@ -1,0 +1,35 @@
+#pragma once
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/compare/judge/motions/motion_proofs.h>
+
+namespace graze::compare {
+
+/// So much of the time from 0 to 1 is granted to engines other than graze, whose times are no
+/// bounds: FCL's conservative advancement stops where it would go on by 1e-4.
+inline constexpr double kTimeTolerance = 0x1p-10;
+
+/// What is true of two in motion, and what answers say of it: README.md of judge/ says what is
+/// right and wrong. Safe to be asked from many threads.
+class MotionJudge {
+ public:
+  /// The case must outlive this.
+  explicit MotionJudge(const Case& query) : query_(query), proofs_(query) {}
+
+  Judgement judge(const CaseAnswer& answer, bool is_graze);
+
+ private:
+  Judgement judge_free();
+  Judgement judge_not_free(bool is_graze);
+  Judgement judge_hit(double low, double high, bool is_graze);
+  Judgement judge_close(double low);
+  Judgement overlooked(const std::string& cause, double from, double to) const;
+  Judgement invented(const std::string& truth, double time) const;
+  std::string known() const;
+
+  const Case& query_;
+  MotionProofs proofs_;
+};
+
+}  // namespace graze::compare

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/mesh/rigid_contact.h>
+
+#include <map>
+#include <mutex>
+#include <optional>
+
+namespace graze::compare {
+
+/// What can be proved of two meshes or bodies in motion, found when it is first needed. The library
+/// proposes; what is said here was shown by the checker of certificates, or by the judge of poses.
+/// Safe to be asked from many threads.
+class MotionProofs {
+ public:
+  /// The case must outlive this. Throws what the library throws for such motions.
+  explicit MotionProofs(const Case& query);
+
+  /// What the library answers: where to look for proofs.
+  const RigidContact& proposed() const { return proposed_; }
+
+  /// Whether a certificate proves that they stay further apart than the clearance at all times.
+  bool is_free() { return is_free_until(1); }
+
+  /// The same from 0 to `time`, with room for what cutting off the rest of the motions rounds.
+  bool is_free_until(double time);
+
+  /// A time at which a contact is proved, the earliest that is known.
+  std::optional<double> contact();
+
+  /// Whether a contact at this time is proved, in the poses of law 14.
+  bool is_contact(double time) const;
+
+  /// Whether it is proved that they are apart at this time.
+  bool is_apart(double time) const;
+
+  /// Whether it is proved that they are no further apart than clearance and tolerance at this time.
+  bool is_near(double time) const;
+
+  /// The judgement on an engine that calls them apart, or a hit, at this time.
+  Judgement judge_at(double time, bool says) const;
+
+  /// The judgement on calling them apart from one time to another, where that is worst of some
+  /// times in between; nothing where no contact is found there.
+  std::optional<Judgement> judge_missed(double from, double to) const;
+
+  /// Of some times the one at which they come nearest.
+  double nearest_time() const;
+
+ private:
+  Case at(double time, double clearance) const;
+  bool proves_free_until(double time) const;
+  double depth_at(double time) const;
+
+  const Case& query_;
+  RigidContact proposed_;
+  std::mutex mutex_;
+  std::map<double, bool> known_free_;
+  std::optional<bool> is_contact_known_;
+};
+
+}  // namespace graze::compare
