@@ -4,6 +4,7 @@
 // source compiles its own, with the flags of the floor.
 
 #include <graze/bvh/ray.h>
+#include <graze/bvh/value/power_of_two.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +24,12 @@ static inline ScaledDirection scaled_direction(const double* direction) {
       std::max(std::abs(direction[0]), std::max(std::abs(direction[1]), std::abs(direction[2])));
   ScaledDirection scaled;
   scaled.exponent = std::ilogb(largest);
+  // One product does where the power of two is a normal double, which is what nearly all rays have.
+  const double power = power_of_two(-scaled.exponent);
+  const bool is_normal = std::abs(scaled.exponent) < 1000;
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double c = std::scalbn(direction[k], -scaled.exponent);
+    const double c = is_normal ? direction[k] * power : std::scalbn(direction[k], -scaled.exponent);
     scaled.component[k] = c;
     square += c * c;
   }
@@ -36,12 +40,13 @@ static inline ScaledDirection scaled_direction(const double* direction) {
 /// The points origin + s direction, s >= 0, the direction's largest component being between 1/2
 /// and 4, and which boxes they may meet. A component below 2^-60 is taken for 0: whoever asks
 /// grows the boxes by 2^-58 of how far they reach from the origin, at least, which covers that.
+inline constexpr double kParallel = 0x1p-60;
 struct RaySlabs {
   RaySlabs() = default;
   RaySlabs(const double* ray_origin, const double* ray_direction) {
     for (int k = 0; k < 3; ++k) {
       origin[k] = ray_origin[k];
-      is_parallel[k] = std::abs(ray_direction[k]) < 0x1p-60;
+      is_parallel[k] = std::abs(ray_direction[k]) < kParallel;
       inverse[k] = is_parallel[k] ? 1 : 1 / ray_direction[k];
     }
   }
@@ -59,12 +64,19 @@ inline constexpr double kNever = -1;
 // underflow. What overflows becomes infinite on its own side. No operation makes a NaN: origin and
 // inverse are finite, the inverse is not 0.
 
+/// Not above any s between both, which are rounded so; kNever only if there is none.
+static inline double surely_entered(double enter, double exit) {
+  constexpr double kRounding = 0x8p-53;
+  constexpr double kUnderflow = 0x1p-1060;
+  const double surely_before = enter * (1 - kRounding) - kUnderflow;
+  if (surely_before > exit * (1 + kRounding) + kUnderflow) return kNever;
+  return std::max(surely_before, 0.0);
+}
+
 /// Not above any s in [0, limit] at which the ray is in the closed box; kNever only if there is
 /// none. The box may be infinite.
 static inline double entry(const RaySlabs& ray, const double* low, const double* high,
                            double limit) {
-  constexpr double kRounding = 0x8p-53;
-  constexpr double kUnderflow = 0x1p-1060;
   double enter = 0;
   double exit = limit;
   for (int k = 0; k < 3; ++k) {
@@ -77,9 +89,7 @@ static inline double entry(const RaySlabs& ray, const double* low, const double*
     enter = std::max(enter, std::min(at_low, at_high));
     exit = std::min(exit, std::max(at_low, at_high));
   }
-  const double surely_before = enter * (1 - kRounding) - kUnderflow;
-  if (surely_before > exit * (1 + kRounding) + kUnderflow) return kNever;
-  return std::max(surely_before, 0.0);
+  return surely_entered(enter, exit);
 }
 
 }  // namespace graze::bvh

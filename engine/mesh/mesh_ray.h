@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace graze {
@@ -28,9 +29,19 @@ struct RayHit {
 /// The placed triangle that the ray meets first (law 1), if any: the hit of least distance, of
 /// equal ones that of the lowest index. What a hit is, and how far off the values may be, is as for
 /// one triangle (narrowphase/triangle_ray.h): nothing slips through between neighbours.
-/// O(log n) for compact meshes. Throws as check_ray() does, and PoseError for a pose that is
-/// refused by law 10 or by law 1.
+/// O(log n) for compact meshes. The first ray at a mesh has its tree collapsed for rays, O(n),
+/// which then takes up to 20 bytes a triangle more. Throws as check_ray() does, and PoseError for a
+/// pose that is refused by law 10 or by law 1.
 std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work* work = nullptr);
+
+/// Whether the ray meets any placed triangle: cast_ray() with less to find. Throws as it does.
+bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work = nullptr);
+
+/// cast_ray() for many rays, on this thread: what depends on the mesh and its pose alone is
+/// computed once. `hits`, which keeps its memory, has an element for each ray. Throws as cast_ray()
+/// does, for any of the rays, and then leaves `hits` as they are.
+void cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
+               std::vector<std::optional<RayHit>>& hits, Work* work = nullptr);
 
 /// All triangles that the ray meets, by distance, then by index: a ray through an edge meets both.
 /// Throws as cast_ray() does.

@@ -29,6 +29,12 @@ struct PreparedRay {
 std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedRay& ray,
                                        Stage& stage);
 
+/// The same for a triangle of these corners that the ray is known to go through, within it and not
+/// along it, ahead of its origin. Nothing where that is for cast_ray() to say, as most of these are
+/// not, and where the ray ends before.
+std::optional<TriangleRayHit> cast_through(const double* a, const double* b, const double* c,
+                                           const PreparedRay& ray);
+
 /// Where the ray is in the triangle first, or would be if there were no largest distance.
 struct RayPlace {
   double scale;  ///< of the scaled direction: the point is origin + scale * component

@@ -3,6 +3,7 @@
 
 #include <graze/narrowphase/derived/double_pair.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
+#include <graze/narrowphase/ray/face_kernels.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 #include <algorithm>
@@ -12,18 +13,8 @@
 namespace graze::narrowphase {
 namespace {
 
-// n . v is a sum of six products of three differences, each at most the product of the sizes, and
-// goes through at most 8 operations of kPairRoundoff: off by less than 2^-95 of that product. Above
-// this share of it the quotient of two is off by 2^-62 of itself, and rounds to within 0.51 ulp.
-// The same serves for a component of n, of two products of two.
-constexpr double kWellConditioned = 0x1p-32;
-
-// Between these no product of three overflows, and no error term underflows: 2^-600 - 106.
-constexpr double kSmallest = 0x1p-200;
-constexpr double kLargest = 0x1p+200;
-
 bool is_in_range(double size) {
-  return size >= kSmallest && size <= kLargest;
+  return size >= kSmallestFace && size <= kLargestFace;
 }
 
 struct PairNormal {

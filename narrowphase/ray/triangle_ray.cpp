@@ -1,6 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/narrowphase/derived/sign_of_products.h>
 #include <graze/narrowphase/predicates/predicates.h>
+#include <graze/narrowphase/ray/face_kernels.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 namespace graze {
@@ -72,6 +73,21 @@ std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedR
       normal.data()[k] = -normal.data()[k];
   }
   return TriangleRayHit{distance, place->point, normal};
+}
+
+std::optional<TriangleRayHit> cast_through(const double* a, const double* b, const double* c,
+                                           const PreparedRay& ray) {
+  const double* d = ray.scaled.component;
+  const double* o = ray.ray.origin.data();
+  FaceValues face;
+  if (!face_values({{a, b, c}, o, d}, face)) return std::nullopt;
+  const double distance = face.scale * ray.scaled.length;
+  if (!(distance <= ray.ray.max_distance)) return std::nullopt;
+  const double turn = face.against_normal > 0 ? -1 : 1;
+  return TriangleRayHit{
+      distance,
+      {o[0] + face.scale * d[0], o[1] + face.scale * d[1], o[2] + face.scale * d[2]},
+      {turn * face.normal[0], turn * face.normal[1], turn * face.normal[2]}};
 }
 
 }  // namespace narrowphase

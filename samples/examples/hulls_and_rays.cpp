@@ -28,6 +28,12 @@ int main() {
   const std::vector<graze::RayHit> all = graze::cast_ray_all(cube, down);
   expect(all.size() == 2 && all[1].distance == 3, "and out through the bottom");
   expect(!graze::cast_ray({cube, at(2, 0, 0)}, down), "a mesh in a pose, which it misses");
+  expect(graze::intersects(cube, down), "whether there is any");
+
+  // Many rays a call, which takes less time for each.
+  std::vector<std::optional<graze::RayHit>> hits;
+  graze::cast_rays(cube, std::vector<graze::Ray>{down, {{2, 0, 3}, {0, 0, -1}}}, hits);
+  expect(hits[0] == first && !hits[1], "the first of each, if any");
 
   // Solid shapes: a ray that begins inside meets them there.
   const std::optional<graze::RayHit> at_hull = graze::cast_ray({hull}, down);

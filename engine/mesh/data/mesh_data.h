@@ -6,6 +6,7 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
 #include <graze/engine/mesh/data/inherited.h>
+#include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
@@ -46,6 +47,9 @@ struct Mesh::Data {
   mutable Skin<bvh::FloatSphere> spheres;
   mutable Skin<bvh::FloatObb> obbs;
   mutable Skin<bvh::FloatKDop> kdops;
+  mutable std::once_flag rays_flag;
+  mutable std::atomic<bool> are_rays_made = false;
+  mutable std::unique_ptr<const MeshRays> rays;
   mutable std::once_flag wide_flag;
   mutable std::atomic<bool> is_wide_made = false;
   mutable std::unique_ptr<bvh::CornerSource> corners;

@@ -1,162 +1,245 @@
-// A ray in the frame of a mesh's tree, by the derivation of relative_frame.cpp, whose names these
-// are. A point p of a placed triangle has y = R^T (p - P) within 3 dev r + 3.5 placing of the
-// node's box, and one of the ray, o + s d, has y = R^T (o - P) + s R^T d. The first term as
-// computed is off by 10 u |o - P|, components of the second, |d| being less than 4, by 28 u;
-// RaySlabs takes components below 2^-60 for 0. A ray point near enough to meet the mesh has s < 4 r
-// + 4 |R^T (o - P)|, as the largest component of R^T d is more than 1/2. So 3 dev r + 4 placing +
-// 256 u (r + |o - P|) covers all.
+// What a ray meets of a placed mesh: triangles that the walk does not surely miss are placed, and
+// decided exactly.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/traverse/traverse_nearest.h>
-#include <graze/bvh/value/ray_slabs.h>
-#include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/bvh/rays/ray_tree_walk.h>
+#include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/narrowphase/ray/ray_stages.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace graze {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double largest_component(const double* v) {
-  return std::max(std::abs(v[0]), std::max(std::abs(v[1]), std::abs(v[2])));
-}
+/// What on_hit() answers when it has seen enough.
+constexpr double kEnough = -1;
 
-/// The ray in the units of a tree's frame.
-class RayInFrame {
+/// A placed mesh, for any number of rays.
+class MeshForRays {
  public:
-  RayInFrame(const PlacedMeshView& placed, double deviation, const bvh::LocalFrame& frame,
-             const narrowphase::PreparedRay& ray)
-      : per_metre_(std::ldexp(1.0, -frame.exponent)), length_(ray.scaled.length) {
-    const double* m = placed.pose.data();  // column-major 4x4
-    const Eigen::Vector3d centre = narrowphase::place(
-        placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
-    double offset[3], origin[3], direction[3];
-    for (int i = 0; i < 3; ++i)
-      offset[i] = ray.ray.origin.data()[i] - centre.data()[i];
-    for (int i = 0; i < 3; ++i) {
-      const double* axis = m + 4 * i;
-      const double* d = ray.scaled.component;
-      origin[i] = ((axis[0] * offset[0] + axis[1] * offset[1]) + axis[2] * offset[2]) * per_metre_;
-      direction[i] = (axis[0] * d[0] + axis[1] * d[1]) + axis[2] * d[2];
-    }
-    slabs_ = {origin, direction};
-    const Aabb& bounds = placed.mesh.bounds();
-    const double largest =
-        std::max(largest_component(bounds.min.data()), largest_component(bounds.max.data()));
-    const double placing = 8 * kUnitRoundoff * (largest + largest_component(m + 12)) + 0x1p-1070;
-    const double radius = 2 * frame.unit();
-    const double metres = 3 * (deviation + 8 * kUnitRoundoff) * radius + 4 * placing +
-                          256 * kUnitRoundoff * (radius + largest_component(offset));
-    slack_ = 1.01 * (metres * per_metre_) + 0x1p-900;
-    is_blind_ = !std::isfinite(slack_) || !std::isfinite(largest_component(origin));
+  MeshForRays(const PlacedMeshView& placed, Work& work)
+      : placed_(placed),
+        work_(work),
+        is_at_rest_(is_identity(placed.pose)),
+        rays_(rays_of(placed.mesh, &work)),
+        frame_(is_at_rest_ ? rays_.at_rest : ray_frame_of(placed, rays_.tree.frame)),
+        vertices_(placed.mesh.vertices().data()),
+        triangles_(placed.mesh.triangles().data()) {}
+
+  /// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to
+  /// which that comes down when it returns one, until it returns kEnough. With RayAim::First
+  /// perhaps not for what is behind another, with RayAim::Any perhaps for one alone.
+  template <typename OnHit>
+  void for_each_hit(const Ray& ray, bvh::RayAim aim, OnHit&& on_hit) const {
+    const narrowphase::PreparedRay prepared(ray);
+    bvh::RayTreeWalk walk(rays_.tree);
+    Candidates found;
+    begin(walk, prepared, aim, found);
+    finish(walk, prepared, found, on_hit);
   }
 
-  /// As bvh::entry(). What could overflow prunes nothing.
-  double entry(const bvh::FloatBox& box, double limit) const {
-    if (is_blind_) return 0;
-    double low[3], high[3];
-    for (int k = 0; k < 3; ++k) {
-      low[k] = box.min[k] - slack_;
-      high[k] = box.max[k] + slack_;
-    }
-    return bvh::entry(slabs_, low, high, limit);
+  const bvh::RayTree& tree() const { return rays_.tree; }
+
+  struct Candidates {
+    bvh::RayCandidate items[2 * bvh::RayTreeWalk::kAtOnce];
+    std::size_t size;
+  };
+
+  /// The first part of for_each_hit(), and all that it waits for memory for.
+  void begin(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, bvh::RayAim aim,
+             Candidates& found) const {
+    bvh::RayWalkCounts counts;
+    found.size = walk.begin({.frame = frame_,
+                             .origin = ray.ray.origin.data(),
+                             .direction = ray.scaled.component,
+                             .limit = limit_for(ray, ray.ray.max_distance),
+                             .aim = aim,
+                             .rows = reinterpret_cast<const std::byte*>(triangles_),
+                             .row_size = sizeof(TriangleIndices)},
+                            found.items, counts);
+    count(counts);
   }
 
-  /// The parameter before which all is at most that far away, metres.
-  double limit_for(double distance) const {
-    return distance / length_ * per_metre_ * (1 + 0x10p-53) + 0x1p-1050;
+  /// The other part.
+  template <typename OnHit>
+  void finish(bvh::RayTreeWalk& walk, const narrowphase::PreparedRay& ray, Candidates& found,
+              OnHit&& on_hit) const {
+    if (walk.is_blind()) [[unlikely]] {
+      ask_all(ray, on_hit);
+      return;
+    }
+    for (;;) {
+      for (std::size_t i = 0; i < found.size; ++i) {
+        const bvh::RayCandidate& candidate = found.items[i];
+        if (walk.is_beyond(candidate)) continue;
+        const auto hit = cast_at(candidate.primitive, ray, candidate.is_sure);
+        if (!hit) continue;
+        const double wanted = on_hit(*hit);
+        if (wanted == kEnough) return;
+        if (wanted < kInfinity) walk.limit_to(limit_for(ray, wanted));
+      }
+      if (walk.is_done()) return;
+      bvh::RayWalkCounts counts;
+      found.size = walk.go_on(found.items, counts);
+      count(counts);
+    }
+  }
+
+  /// Has the corners of the first candidate come nearer.
+  void fetch_corners(const Candidates& found) const {
+    if (found.size == 0) return;
+    for (const std::uint32_t vertex : triangles_[found.items[0].primitive])
+      __builtin_prefetch(vertices_ + vertex);
   }
 
  private:
-  double per_metre_;
-  double length_;
-  bvh::RaySlabs slabs_;
-  double slack_;
-  bool is_blind_;
-};
-
-/// Where the ray enters the nodes' boxes, for traverse_nearest().
-struct EntryBounds {
-  const bvh::Tree& tree;
-  const RayInFrame& ray;
-  const double& limit;  ///< comes down when a hit is found
-  Work& work;
-
-  double of(std::uint32_t node) const {
-    ++work.volume_tests;
-    const double entry = ray.entry(tree.nodes[node].box, limit);
-    work.volume_rejections += entry == bvh::kNever;
-    return entry;
+  /// The parameter before which all is at most that far away, metres.
+  double limit_for(const narrowphase::PreparedRay& ray, double distance) const {
+    return distance / ray.scaled.length * frame_.per_metre * (1 + 0x10p-53) + 0x1p-1050;
   }
-  bool is_missed(double entry) const { return entry == bvh::kNever; }
-  bool is_beyond(double entry) const { return entry > limit; }
-};
 
-/// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to which
-/// that comes down when it returns one.
-template <typename OnHit>
-void for_each_hit(const PlacedMeshView& placed, const Ray& ray, Work& work, OnHit&& on_hit) {
-  check_ray(ray, "ray");
-  const double deviation = check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
-  const bvh::Tree& tree = tree_of(placed.mesh, &work);
-  const narrowphase::PreparedRay prepared(ray);
-  const RayInFrame in_frame(placed, deviation, tree.frame, prepared);
-  double limit = in_frame.limit_for(ray.max_distance);
-  const EntryBounds bounds{tree, in_frame, limit, work};
-  const auto leaf_fn = [&](const bvh::Node& leaf) {
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      const std::uint32_t index = tree.primitives[i];
-      narrowphase::Stage stage;
-      ++work.triangle_tests;
-      const auto found = narrowphase::cast_ray(
-          narrowphase::place(placed.pose, placed.mesh.triangle(index)), prepared, stage);
-      work.exact_tests += stage == narrowphase::Stage::Exact;
-      if (!found) continue;
-      const double wanted = on_hit(RayHit{found->distance, found->point, found->normal, index});
-      limit = std::min(limit, in_frame.limit_for(wanted));
+  void count(const bvh::RayWalkCounts& counts) const {
+    work_.volume_tests += counts.boxes;
+    work_.volume_rejections += counts.missed_boxes;
+    work_.filter_tests += counts.primitives;
+  }
+
+  template <typename OnHit>
+  void ask_all(const narrowphase::PreparedRay& ray, OnHit&& on_hit) const {
+    const std::size_t count = placed_.mesh.triangles().size();
+    for (std::uint32_t index = 0; index < count; ++index) {
+      const auto hit = cast_at(index, ray, false);
+      if (hit && on_hit(*hit) == kEnough) return;
     }
-    return bvh::Walk::Continue;
-  };
-  bvh::traverse_nearest(tree, bounds, leaf_fn);
-}
+  }
+
+  std::optional<RayHit> cast_at(std::uint32_t index, const narrowphase::PreparedRay& ray,
+                                bool is_sure) const {
+    ++work_.triangle_tests;
+    const TriangleIndices& at = triangles_[index];
+    const Eigen::Vector3d &a = vertices_[at[0]], &b = vertices_[at[1]], &c = vertices_[at[2]];
+    std::optional<TriangleRayHit> found;
+    // An identity changes no value but the sign of a zero, which does not show in these.
+    if (is_sure && is_at_rest_)
+      found = narrowphase::cast_through(a.data(), b.data(), c.data(), ray);
+    if (!found) {
+      const Triangle triangle = narrowphase::place(placed_.pose, Triangle{a, b, c});
+      if (is_sure && !is_at_rest_)
+        found =
+            narrowphase::cast_through(triangle.a.data(), triangle.b.data(), triangle.c.data(), ray);
+      if (!found) {
+        narrowphase::Stage stage;
+        found = narrowphase::cast_ray(triangle, ray, stage);
+        work_.exact_tests += stage == narrowphase::Stage::Exact;
+      }
+    }
+    if (!found) return std::nullopt;
+    return RayHit{found->distance, found->point, found->normal, index};
+  }
+
+  const PlacedMeshView& placed_;
+  Work& work_;
+  bool is_at_rest_;
+  const MeshRays& rays_;
+  bvh::RayFrame frame_;
+  const Eigen::Vector3d* vertices_;
+  const TriangleIndices* triangles_;
+};
 
 bool is_before(const RayHit& s, const RayHit& t) {
   if (s.distance != t.distance) return s.distance < t.distance;
   return s.triangle < t.triangle;
 }
 
+/// Keeps the first hit.
+struct FirstHit {
+  std::optional<RayHit>& first;
+
+  double operator()(const RayHit& hit) const {
+    if (!first || is_before(hit, *first)) first = hit;
+    return first->distance;
+  }
+};
+
+/// One of several rays whose walks alternate, so that what one waits for comes while another goes.
+struct RayInTurn {
+  RayInTurn(const MeshForRays& mesh, const Ray& asked) : ray(asked), walk(mesh.tree()) {
+    mesh.begin(walk, ray, bvh::RayAim::First, found);
+  }
+
+  narrowphase::PreparedRay ray;
+  bvh::RayTreeWalk walk;
+  MeshForRays::Candidates found;
+};
+constexpr std::size_t kInTurn = 8;
+
+void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optional<RayHit>* hits) {
+  std::optional<RayInTurn> in_turn[kInTurn];
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    in_turn[i].emplace(mesh, rays[i]);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    mesh.fetch_corners(in_turn[i]->found);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    hits[i].reset();
+    mesh.finish(in_turn[i]->walk, in_turn[i]->ray, in_turn[i]->found, FirstHit{hits[i]});
+  }
+}
+
 }  // namespace
 
 std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
+    check_ray(ray, "ray");
     CountedWork counted(work);
     std::optional<RayHit> first;
-    for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
-      if (!first || is_before(hit, *first)) first = hit;
-      return first->distance;
-    });
+    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::First, FirstHit{first});
     return first;
+  });
+}
+
+bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
+  return bvh::in_standard_arithmetic([&] {
+    check_ray(ray, "ray");
+    CountedWork counted(work);
+    bool is_met = false;
+    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::Any, [&](const RayHit&) {
+      is_met = true;
+      return kEnough;
+    });
+    return is_met;
   });
 }
 
 std::vector<RayHit> cast_ray_all(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RayHit> {
+    check_ray(ray, "ray");
     CountedWork counted(work);
     std::vector<RayHit> hits;
-    for_each_hit(mesh, ray, counted.work(), [&](const RayHit& hit) {
+    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::All, [&](const RayHit& hit) {
       hits.push_back(hit);
       return kInfinity;
     });
     std::sort(hits.begin(), hits.end(), is_before);
     return hits;
+  });
+}
+
+void cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
+               std::vector<std::optional<RayHit>>& hits, Work* work) {
+  bvh::in_standard_arithmetic([&] {
+    for (const Ray& ray : rays)
+      check_ray(ray, "ray");
+    CountedWork counted(work);
+    const MeshForRays for_rays(mesh, counted.work());
+    hits.resize(rays.size());
+    for (std::size_t i = 0; i < rays.size(); i += kInTurn)
+      first_hits(for_rays, rays.subspan(i, std::min(kInTurn, rays.size() - i)), hits.data() + i);
   });
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace graze::bvh {
+
+/// How a tree's frame lies in the world: p is at (columns, as a matrix) (p - centre) per_metre. A
+/// fourth lane, 0, is nobody's.
+struct RayFrame {
+  alignas(32) double columns[3][4];
+  double centre[3];
+  double per_metre;
+  double slack;  ///< metres by which what is met may be elsewhere, but for what a ray's own rounds
+};
+
+}  // namespace graze::bvh

@@ -1,0 +1,159 @@
+// Which primitives of a leaf a ray surely misses, and which it surely meets. Included once for each
+// SIMD target.
+//
+// Along its main axis z the ray moves by (lean x, lean y) for each unit, so that in the leaned
+// coordinates X = (x - o_x) - lean_x (z - o_z), and Y alike, it is at 0 throughout (Woop, Benthin,
+// Wald, 2013). The side on which it passes the edge from a to b is the sign of X_a Y_b - Y_a X_b,
+// the three of a triangle times one factor: two that differ are a sure miss, three alike a passage.
+//
+// Bounds. Let B be X of the leaf's corner, e its extents, and E = |B| + e_x + e_z. X as computed is
+// off by half a step of the grid along x and z each, by twice the slack, and by rounding: 3 |B| +
+// 4 e_x + 7 e_z times 2^-24, below 2^-21 E. If both X and Y are off by at most r, and N is the
+// largest |X| + |Y| of the three corners, an edge's product is off by 2 r N + 2 r^2, and by its own
+// rounding, 2^-23 N^2. N being below 2.01 E, that is below 2^-21.9 E N: so the bound is
+// 2 r' (N + r'), with 2^-20 E in r', which covers also what it is rounded itself, 5 2^-24 of it. It
+// is not below 2^-90, where no underflow counts. s is off by 2 for each unit of z
+// (tests/proofs/ray_leaves.gappa).
+
+#if defined(GRAZE_BVH_RAY_LEAF) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BVH_RAY_LEAF
+#undef GRAZE_BVH_RAY_LEAF
+#else
+#define GRAZE_BVH_RAY_LEAF
+#endif
+
+#include <graze/bvh/rays/ray_boxes-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace graze::bvh::HWY_NAMESPACE {
+namespace {
+
+inline constexpr float kGridStep = 1.0f / 1023;
+/// Half a step, and a little.
+inline constexpr float kHalfStep = 0x1.01p-11f;
+inline constexpr float kLeafRounding = 0x1p-20f;
+
+/// A leaf as a ray sees it.
+struct SeenLeaf {
+  std::int32_t shift[3];  ///< of the bits of each coordinate
+  float base[2];          ///< leaned coordinates of the least corner
+  float step[3];
+  float leaned_step[2];  ///< of one along z
+  float bound;           ///< of leaned coordinates
+  float along_step;
+  float along_least;  ///< s of the least corner, less and plus what it is off by
+  float along_most;
+
+  HWY_INLINE SeenLeaf(const RayNode& node, std::uint32_t lane, const RayWalkState& ray) {
+    double from[3];
+    float extent[3];
+    for (int i = 0; i < 3; ++i) {
+      const int k = ray.axis[i];
+      const float scale = node.scale[k];
+      const float low = node.box[k][lane];
+      const double least = static_cast<double>(node.origin[k]) + static_cast<double>(scale * low);
+      from[i] = least - ray.exact_origin[k];
+      extent[i] = scale * (static_cast<float>(node.box[k + 3][lane]) - low);
+      step[i] = extent[i] * kGridStep;
+      shift[i] = k * static_cast<int>(RayTree::kBits);
+    }
+    for (int i = 0; i < 2; ++i) {
+      base[i] = static_cast<float>(from[i] - ray.lean[i] * from[2]);
+      leaned_step[i] = -static_cast<float>(ray.lean[i]) * step[2];
+    }
+    const float sides = HWY_MAX(extent[0], extent[1]);
+    const float reach = HWY_MAX(HWY_MAX(base[0], -base[0]), HWY_MAX(base[1], -base[1]));
+    bound = ray.leaf_slack + kHalfStep * (sides + extent[2]) +
+            kLeafRounding * (reach + sides + extent[2]);
+    const float along = static_cast<float>(ray.along);
+    const float at = static_cast<float>(from[2] * ray.along);
+    along_step = step[2] * along;
+    const float off = ray.leaf_slack + 2 * kHalfStep * extent[2] +
+                      kLeafRounding * (HWY_MAX(at, -at) + 2 * extent[2]);
+    along_least = at - off;
+    along_most = at + off;
+  }
+};
+
+/// Lanes of a leaf's primitives.
+struct LeafAnswer {
+  std::uint32_t near;  ///< not surely missed before the limit
+  std::uint32_t sure;  ///< surely met before it
+};
+
+/// One coordinate of a row of corners.
+HWY_INLINE RayLanes corner_lanes(hn::Vec<hn::Rebind<std::uint32_t, RayTag>> packed,
+                                 std::int32_t shift) {
+  const hn::Rebind<std::uint32_t, RayTag> bits;
+  const hn::Rebind<std::int32_t, RayTag> signed_bits;
+  const auto grid = hn::And(hn::ShiftRightSame(packed, shift), hn::Set(bits, RayTree::kSteps));
+  return hn::ConvertTo(RayTag(), hn::BitCast(signed_bits, grid));
+}
+
+/// As many primitives as there are lanes, from `lane` on.
+HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t count, std::size_t lane,
+                                const SeenLeaf& leaf, const RayWalkState& ray, float* least,
+                                float* most) {
+  const RayTag tag;
+  const hn::Rebind<std::uint32_t, RayTag> bits;
+  RayLanes x[3], y[3], size, low, high;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const auto packed = hn::LoadU(bits, corners + c * count + lane);
+    const RayLanes z = corner_lanes(packed, leaf.shift[2]);
+    x[c] = hn::MulAdd(corner_lanes(packed, leaf.shift[0]), hn::Set(tag, leaf.step[0]),
+                      hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[0]), hn::Set(tag, leaf.base[0])));
+    y[c] = hn::MulAdd(corner_lanes(packed, leaf.shift[1]), hn::Set(tag, leaf.step[1]),
+                      hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[1]), hn::Set(tag, leaf.base[1])));
+    const RayLanes its = hn::Add(hn::Abs(x[c]), hn::Abs(y[c]));
+    size = c == 0 ? its : hn::Max(size, its);
+    low = c == 0 ? z : hn::Min(low, z);
+    high = c == 0 ? z : hn::Max(high, z);
+  }
+  RayLanes edge[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t d = (c + 1) % 3;
+    edge[c] = hn::MulSub(x[c], y[d], hn::Mul(y[c], x[d]));
+  }
+  const RayLanes bound = hn::Set(tag, leaf.bound);
+  const RayLanes off = hn::Mul(hn::Add(size, bound), hn::Add(bound, bound));
+  const RayLanes minus_off = hn::Neg(off);
+  const RayLanes least_edge = hn::Min(edge[0], hn::Min(edge[1], edge[2]));
+  const RayLanes most_edge = hn::Max(edge[0], hn::Max(edge[1], edge[2]));
+  const auto is_missed = hn::And(hn::Gt(most_edge, off), hn::Lt(least_edge, minus_off));
+  const RayLanes along_step = hn::Set(tag, leaf.along_step);
+  const RayLanes at_low = hn::Mul(low, along_step), at_high = hn::Mul(high, along_step);
+  const RayLanes first = hn::Add(hn::Min(at_low, at_high), hn::Set(tag, leaf.along_least));
+  const RayLanes last = hn::Add(hn::Max(at_low, at_high), hn::Set(tag, leaf.along_most));
+  const auto is_near = hn::AndNot(
+      is_missed, hn::And(hn::Le(first, hn::Set(tag, ray.limit)), hn::Ge(last, hn::Zero(tag))));
+  const std::uint32_t near = ray_bits(is_near);
+  if (near == 0) return {0, 0};
+  const auto is_passed = hn::Or(hn::Gt(least_edge, off), hn::Lt(most_edge, minus_off));
+  const auto is_sure = hn::And(
+      is_passed, hn::And(hn::Ge(first, hn::Zero(tag)), hn::Le(last, hn::Set(tag, ray.sure_limit))));
+  hn::StoreU(first, tag, least + lane);
+  hn::StoreU(last, tag, most + lane);
+  return {near << lane, ray_bits(is_sure) << lane};
+}
+
+HWY_INLINE LeafAnswer ask_leaf(const std::uint32_t* corners, std::uint32_t count,
+                               const SeenLeaf& leaf, const RayWalkState& ray, float* least,
+                               float* most) {
+  LeafAnswer answer{0, 0};
+  if constexpr (hn::MaxLanes(RayTag()) == RayTree::kLeafSize) {
+    answer = ask_lanes(corners, count, 0, leaf, ray, least, most);
+  } else {
+    for (std::size_t lane = 0; lane < count; lane += hn::Lanes(RayTag())) {
+      const LeafAnswer some = ask_lanes(corners, count, lane, leaf, ray, least, most);
+      answer = {answer.near | some.near, answer.sure | some.sure};
+    }
+  }
+  const std::uint32_t lanes = (1u << count) - 1;
+  return {answer.near & lanes, answer.sure & lanes & answer.near};
+}
+
+}  // namespace
+}  // namespace graze::bvh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per target

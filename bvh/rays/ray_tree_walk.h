@@ -1,0 +1,138 @@
+#pragma once
+
+// A ray's way through a RayTree. Private.
+//
+// All is in the tree's frame, where boxes are within 2 of its centre. The walk sees the ray from
+// where it enters the box of all, so that floats are as fine as the tree is small, wherever the ray
+// begins.
+//
+// Boxes. A face at p + scale q is crossed at q (scale inverse) + ((p - o) inverse -+ padding
+// |inverse|). In units of a coordinate, with S = 1 + slack, |o| is below 2.2 S, differences below
+// 4.2 S: o as a float is off by 2.2 S, the difference by 4.2 S, its product by 8.4 S, the padded
+// one by 4.3 S, the face's product by 8.4 and the sum by 8.6 S, times 2^-24. A component below
+// 2^-30 is taken for that, which moves the ray by 2^-29 * 9 S within reach of the boxes. Together
+// below 2^-18 S (tests/proofs/ray_tree.gappa).
+//
+// Leaves: see ray_leaf-inl.h.
+
+#include <graze/bvh/rays/ray_frame.h>
+#include <graze/bvh/rays/ray_tree.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze::bvh {
+
+/// What a walk is after.
+enum class RayAim {
+  First,  ///< what is not behind a sure hit
+  Any,    ///< ends at a sure hit
+  All,    ///< all that is not surely missed
+};
+
+/// A primitive that the ray does not surely miss.
+struct RayCandidate {
+  std::uint32_t primitive;
+  float least;   ///< the ray is not in it before that, seen from the walk's start
+  bool is_sure;  ///< it goes through it, within and not along it, before the first limit
+};
+
+/// What a walk did.
+struct RayWalkCounts {
+  std::uint32_t boxes = 0;
+  std::uint32_t missed_boxes = 0;
+  std::uint32_t primitives = 0;
+};
+
+/// The points origin + s direction of the world, s >= 0. No component of the direction is 2 or
+/// more, and the largest at least 1.
+struct RayToWalk {
+  const RayFrame& frame;
+  const double* origin;
+  const double* direction;
+  double limit;  ///< no s per_metre above it counts
+  RayAim aim;
+  /// What will be read of each candidate, to be fetched as soon as it is known: primitive i's bytes
+  /// begin at rows + i row_size.
+  const std::byte* rows;
+  std::size_t row_size;
+};
+
+/// A child that waits: of the node at a line, in a lane, with a value that is not above any s in
+/// its box. In one number, so that whole numbers are in the order of these values.
+using Open = std::uint64_t;
+
+/// What the kernels read and write. Seen from the start.
+struct RayWalkState {
+  // For boxes.
+  alignas(16) float origin[4];
+  alignas(16) float inverse[4];
+  float padding;
+  std::uint8_t near_row[3];  ///< of RayNode::box
+  std::uint8_t far_row[3];
+  // For leaves: the ray goes most along axis[2], and leans by so much along the others.
+  std::uint8_t axis[3];
+  alignas(32) double exact_origin[4];
+  double lean[2];
+  double along;      ///< s for each unit of axis[2]
+  float leaf_slack;  ///< of leaned coordinates and of s
+  float limit;
+  float sure_limit;  ///< s below it count, whatever is rounded
+  RayAim aim;
+  const std::byte* rows;
+  std::size_t row_size;
+  bool is_blind;
+  std::uint32_t open_count;
+  Open* open;
+  double start;
+};
+
+// The kernels.
+
+/// The beginning of a walk, and all of most: fills in all but `open`.
+std::size_t begin_ray_walk(const RayTree& tree, const RayToWalk& ray, RayWalkState& state,
+                           std::span<RayCandidate> found, RayWalkCounts& counts);
+
+std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<RayCandidate> found,
+                          RayWalkCounts& counts);
+
+/// A walk that may be interrupted.
+class RayTreeWalk {
+ public:
+  explicit RayTreeWalk(const RayTree& tree);
+  RayTreeWalk(const RayTreeWalk&) = delete;
+  RayTreeWalk& operator=(const RayTreeWalk&) = delete;
+
+  /// Up to `found.size()` candidates, at least kAtOnce, roughly from near to far; how many.
+  std::size_t begin(const RayToWalk& ray, std::span<RayCandidate> found, RayWalkCounts& counts) {
+    return begin_ray_walk(tree_, ray, state_, found, counts);
+  }
+
+  /// More of them, unless all have been found.
+  std::size_t go_on(std::span<RayCandidate> found, RayWalkCounts& counts) {
+    return is_done() ? 0 : walk_ray_tree(tree_, state_, found, counts);
+  }
+  static constexpr std::size_t kAtOnce = RayTree::kLeafSize;
+  bool is_done() const { return state_.open_count == 0; }
+
+  /// Whether nothing is known of where the ray is: it begins so far away that the mesh is lost in
+  /// the rounding of its coordinates. Nothing is found then.
+  bool is_blind() const { return state_.is_blind; }
+
+  /// From now on no s per_metre above that counts.
+  void limit_to(double s);
+
+  bool is_beyond(const RayCandidate& candidate) const { return candidate.least > state_.limit; }
+
+ private:
+  static constexpr std::size_t kRoom = 256;
+
+  const RayTree& tree_;
+  RayWalkState state_;
+  Open room_[kRoom];
+  std::vector<Open> more_room_;  ///< for trees that are deeper than any that is sane
+};
+
+}  // namespace graze::bvh
