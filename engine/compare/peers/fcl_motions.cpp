@@ -9,15 +9,12 @@ RigidMotion motion_from(const Pose& pose, const std::optional<RigidCourse>& cour
 
 }  // namespace
 
-FclMotions::FclMotions(std::span<const Shape> shapes, FclContinuous how) : how_(how) {
-  for (const Shape& shape : shapes)
-    movers_.emplace_back(shape);
-}
-
 std::optional<CaseAnswer> FclMotions::answer(const Question& question, const PlacedShape& a,
                                              const PlacedShape& b) const {
   const bool is_asked = question.ask == Ask::FirstContact || question.ask == Ask::Free;
   if (!is_asked || question.settings.clearance != 0) return std::nullopt;
+  for (std::size_t i = movers_.size(); i < shapes_.size(); ++i)
+    movers_.emplace_back(shapes_[i]);
   const std::optional<FclFirstContact> found =
       first_contact(movers_[a.shape], motion_from(a.pose, question.course_a), movers_[b.shape],
                     motion_from(b.pose, question.course_b), how_);

@@ -8,10 +8,12 @@
 
 namespace graze::compare {
 
-/// Shapes as FCL holds them for questions about motions; of a pair of meshes A is the first.
+/// Shapes as FCL holds them for questions about motions; of a pair of meshes A is the first. What
+/// FCL needs is built for the first such question. One thread at a time may ask.
 class FclMotions {
  public:
-  FclMotions(std::span<const Shape> shapes, FclContinuous how);
+  FclMotions(std::span<const Shape> shapes, FclContinuous how)
+      : shapes_(shapes.begin(), shapes.end()), how_(how) {}
 
   /// Of Ask::FirstContact and Free, without a clearance, which FCL does not know here. One time is
   /// all that it says of a contact.
@@ -19,7 +21,8 @@ class FclMotions {
                                    const PlacedShape& b) const;
 
  private:
-  std::vector<FclMover> movers_;
+  std::vector<Shape> shapes_;
+  mutable std::vector<FclMover> movers_;
   FclContinuous how_;
 };
 
