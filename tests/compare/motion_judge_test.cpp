@@ -157,8 +157,16 @@ TEST_F(MotionVerdicts, OfBodies) {
                              first_contact(ball, rests_, ball, comes));
   expect_wrong(judged(balls, kFree), "missed", 1);
   EXPECT_EQ(judged(balls, hit_at(0.75)).verdict, Verdict::Wrong);
-  EXPECT_EQ(judged(balls, *balls.answer, "graze").verdict, Verdict::NotJudged)
-      << "no proof that balls stay apart";
+  EXPECT_EQ(judged(balls, *balls.answer, "graze").verdict, Verdict::Right);
+  expect_wrong(judged(balls, hit_at(0.25)), "early by 0.25", 0.5);
+  const Shape cone(Cone{1, 1});
+  const RigidMotion turns(Pose(Eigen::Translation3d(0, 0, 2.5)),
+                          {.centre = {0, 0, 2.5}, .axis = {1, 0, 0}, .angle = 3});
+  const Case free = to_case(case_body(ball, rests_), case_body(cone, turns),
+                            first_contact(ball, rests_, cone, turns));
+  ASSERT_EQ(*free.answer->status, RigidStatus::Free);
+  EXPECT_EQ(judged(free, kFree).verdict, Verdict::Right);
+  EXPECT_EQ(judged(free, hit_at(0.5)).verdict, Verdict::Wrong);
   const Case meshes = to_case(case_body(whole, rests_), case_body(whole, comes),
                               first_contact(whole, rests_, whole, comes));
   EXPECT_EQ(judged(meshes, *meshes.answer, "graze").verdict, Verdict::Right);

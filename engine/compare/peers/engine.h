@@ -104,6 +104,11 @@ class LoadedShapes {
   virtual ShapesAnswer intersect_all(
       std::span<const PlacedShape> bodies,
       std::span<const std::pair<std::size_t, std::size_t>> pairs) const;
+
+  /// What the engine answers to Ask::FirstContact or Free about two of them, each of which goes
+  /// from its pose along the course in the question; nothing if it does not know such questions.
+  virtual std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
+                                                  const PlacedShape& b) const;
 };
 
 /// A collision engine behind one page. No type of the engine's own appears here.

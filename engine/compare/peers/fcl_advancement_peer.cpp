@@ -5,17 +5,37 @@
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/fcl_motions.h>
 
+#include <array>
+
 namespace graze::compare {
 namespace {
 
 class FclAdvancementPair : public LoadedPair {
  public:
   FclAdvancementPair(const Mesh& mesh_a, const Mesh& mesh_b)
-      : motions_(mesh_a, mesh_b, FclContinuous::Advanced) {}
+      : motions_(std::array{Shape(mesh_a), Shape(mesh_b)}, FclContinuous::Advanced) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    return motions_.answer(question, pose_a, pose_b);
+    return motions_.answer(question, {0, pose_a}, {1, pose_b});
+  }
+
+ private:
+  FclMotions motions_;
+};
+
+class FclAdvancementShapes : public LoadedShapes {
+ public:
+  explicit FclAdvancementShapes(std::span<const Shape> shapes)
+      : motions_(shapes, FclContinuous::Advanced) {}
+
+  std::optional<bool> intersects(std::size_t, const Pose&, std::size_t,
+                                 const Pose&) const override {
+    return std::nullopt;
+  }
+  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
+                                          const PlacedShape& b) const override {
+    return motions_.answer(question, a, b);
   }
 
  private:
@@ -30,6 +50,9 @@ class FclAdvancementEngine : public Engine {
   }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<FclAdvancementPair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<FclAdvancementShapes>(shapes);
   }
 };
 

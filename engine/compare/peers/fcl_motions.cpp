@@ -9,13 +9,15 @@ RigidMotion motion_from(const Pose& pose, const std::optional<RigidCourse>& cour
 
 }  // namespace
 
-std::optional<CaseAnswer> FclMotions::answer(const Question& question, const Pose& pose_a,
-                                             const Pose& pose_b) const {
+std::optional<CaseAnswer> FclMotions::answer(const Question& question, const PlacedShape& a,
+                                             const PlacedShape& b) const {
   const bool is_asked = question.ask == Ask::FirstContact || question.ask == Ask::Free;
   if (!is_asked || question.settings.clearance != 0) return std::nullopt;
+  for (std::size_t i = movers_.size(); i < shapes_.size(); ++i)
+    movers_.emplace_back(shapes_[i]);
   const std::optional<FclFirstContact> found =
-      first_contact(mover_a_, motion_from(pose_a, question.course_a), mover_b_,
-                    motion_from(pose_b, question.course_b), how_);
+      first_contact(movers_[a.shape], motion_from(a.pose, question.course_a), movers_[b.shape],
+                    motion_from(b.pose, question.course_b), how_);
   if (!found) return std::nullopt;
   CaseAnswer answer;
   if (question.ask == Ask::Free) {

@@ -3,22 +3,26 @@
 #include <graze/engine/compare/fcl_motion.h>
 #include <graze/engine/compare/peers/engine.h>
 
+#include <span>
+#include <vector>
+
 namespace graze::compare {
 
-/// Two meshes as FCL holds them for questions about motions.
+/// Shapes as FCL holds them for questions about motions; of a pair of meshes A is the first. What
+/// FCL needs is built for the first such question. One thread at a time may ask.
 class FclMotions {
  public:
-  FclMotions(const Mesh& mesh_a, const Mesh& mesh_b, FclContinuous how)
-      : mover_a_(Shape(mesh_a)), mover_b_(Shape(mesh_b)), how_(how) {}
+  FclMotions(std::span<const Shape> shapes, FclContinuous how)
+      : shapes_(shapes.begin(), shapes.end()), how_(how) {}
 
   /// Of Ask::FirstContact and Free, without a clearance, which FCL does not know here. One time is
   /// all that it says of a contact.
-  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
-                                   const Pose& pose_b) const;
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const;
 
  private:
-  FclMover mover_a_;
-  FclMover mover_b_;
+  std::vector<Shape> shapes_;
+  mutable std::vector<FclMover> movers_;
   FclContinuous how_;
 };
 

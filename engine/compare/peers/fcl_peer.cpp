@@ -5,13 +5,17 @@
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/fcl_motions.h>
 
+#include <array>
+
 namespace graze::compare {
 namespace {
 
 class FclPair : public LoadedPair {
  public:
   FclPair(const Mesh& mesh_a, const Mesh& mesh_b)
-      : mesh_a_(mesh_a), mesh_b_(mesh_b), motions_(mesh_a, mesh_b, FclContinuous::Sampled) {}
+      : mesh_a_(mesh_a),
+        mesh_b_(mesh_b),
+        motions_(std::array{Shape(mesh_a), Shape(mesh_b)}, FclContinuous::Sampled) {}
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
@@ -40,7 +44,7 @@ class FclPair : public LoadedPair {
           answer.contacts->push_back({c.point, c.point, c.point, c.normal, c.depth});
         return answer;
       default:
-        return motions_.answer(question, pose_a, pose_b);
+        return motions_.answer(question, {0, pose_a}, {1, pose_b});
     }
   }
 
@@ -52,7 +56,7 @@ class FclPair : public LoadedPair {
 
 class FclShapes : public LoadedShapes {
  public:
-  explicit FclShapes(std::span<const Shape> shapes) {
+  explicit FclShapes(std::span<const Shape> shapes) : motions_(shapes, FclContinuous::Sampled) {
     for (const Shape& shape : shapes)
       shapes_.emplace_back(shape);
   }
@@ -62,8 +66,14 @@ class FclShapes : public LoadedShapes {
     return compare::intersects(shapes_[shape_a], pose_a, shapes_[shape_b], pose_b);
   }
 
+  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
+                                          const PlacedShape& b) const override {
+    return motions_.answer(question, a, b);
+  }
+
  private:
   std::vector<FclShape> shapes_;
+  FclMotions motions_;
 };
 
 class FclEngine : public Engine {

@@ -187,6 +187,29 @@ TEST_F(MotionPeers, BothWaysOfFclMove) {
   }
 }
 
+TEST_F(MotionPeers, FclKnowsShapesToo) {
+  const Shape ball(Sphere{{0.5, 0, 0}, 1}), box(Box{{1, 1, 1}});
+  const RigidMotion rests{Pose::Identity()};
+  const RigidMotion comes(Pose(Eigen::Translation3d(-3.5, 0, 0)), {.shift = {2, 0, 0}});
+  Case query = to_case(case_body(box, rests), case_body(ball, comes),
+                       first_contact(box, rests, ball, comes));
+  query.answer.reset();
+  const std::optional<CaseAnswer> sampled = ask(*engine("fcl"), query);
+  ASSERT_TRUE(sampled);
+  EXPECT_EQ(sampled->status, RigidStatus::Hit);
+  EXPECT_EQ(sampled->low, 5.0 / 9);
+  const std::optional<CaseAnswer> advanced = ask(*engine("fcl-advancement"), query);
+  ASSERT_TRUE(advanced);
+  EXPECT_EQ(advanced->status, RigidStatus::Hit) << *advanced->low;
+  EXPECT_NEAR(*advanced->low, 0.5, 0x1p-10);
+  if (engine("bullet") != nullptr) {
+    EXPECT_FALSE(ask(*engine("bullet"), query));
+  }
+  const Case touch =
+      to_case(CaseShape(CaseBody(box, Pose::Identity())), CaseBody(ball, Pose::Identity()), true);
+  EXPECT_FALSE(ask(*engine("fcl-advancement"), touch)) << "a question without a motion";
+}
+
 TEST_F(MotionPeers, WhatTheyDoNotKnowIsNotAsked) {
   Case query = towards({.centre = {3, 0, 0}, .axis = {0, 0, 1}, .angle = 3});
   EXPECT_FALSE(ask(*engine("fcl"), query)) << "the short way may be another";

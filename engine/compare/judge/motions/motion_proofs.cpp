@@ -4,6 +4,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/rigid_certificate.h>
 #include <graze/engine/mesh/separation.h>
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
@@ -17,6 +18,9 @@ namespace {
 /// spread, and ever nearer to its beginning, for a contact may be short.
 constexpr int kMoments = 16;
 constexpr int kEarlyMoments = 20;
+
+/// After so many steps from one gap to the next nothing is proved.
+constexpr int kMostSteps = 2000;
 
 /// A name whose answers are judged without what graze is granted: a proof has no tolerance.
 const CaseWitness kNobody = {"", ""};
@@ -82,6 +86,22 @@ RigidContact ask_library(const Case& query) {
   return first_contact(a.shape, motion_of(a), b.shape, motion_of(b), settings);
 }
 
+/// How far any point of a body goes from t = 0 to 1 at most.
+double fastest_point(const CaseShape& shape) {
+  const auto& body = std::get<CaseBody>(shape);
+  if (!body.course) return 0;
+  const RigidMotion motion = motion_of(body);
+  double way = motion.shift().norm();
+  if (motion.angle() != 0) {
+    const Aabb bounds = bounding_aabb({body.shape, motion.start()});
+    const Eigen::Vector3d farthest = (bounds.min - motion.centre())
+                                         .cwiseAbs()
+                                         .cwiseMax((bounds.max - motion.centre()).cwiseAbs());
+    way += std::abs(motion.angle()) * farthest.norm();
+  }
+  return way * (1 + 0x1p-20);
+}
+
 }  // namespace
 
 MotionProofs::MotionProofs(const Case& query) : query_(query), proposed_(ask_library(query)) {}
@@ -103,7 +123,7 @@ Case MotionProofs::at(double time, double clearance) const {
 
 bool MotionProofs::proves_free_until(double time) const {
   const std::optional<MovingMesh> a = as_moving_mesh(query_.a), b = as_moving_mesh(*query_.b);
-  if (!a || !b) return false;
+  if (!a || !b) return advances_to(time);
   RigidContactSettings settings = contact_settings(query_.settings);
   RigidMotion motion_a = a->motion, motion_b = b->motion;
   if (time < 1) {
@@ -116,6 +136,34 @@ bool MotionProofs::proves_free_until(double time) const {
   const auto proof = certify_free(a->mesh, motion_a, b->mesh, motion_b, settings);
   return proof && proof->clearance >= settings.clearance &&
          proves_freedom(*proof, a->mesh, motion_a, b->mesh, motion_b);
+}
+
+/// A gap that is proved at a time, or 0.
+double MotionProofs::proved_gap(double time) const {
+  Case query = at(time, 0);
+  const auto& a = std::get<CaseBody>(query.a);
+  const auto& b = std::get<CaseBody>(*query.b);
+  const ShapeDistance gap = distance({a.shape, a.pose}, {b.shape, b.pose});
+  query.ask = Ask::Distance;
+  if (Judge(query).judge(answer_of(gap), kNobody).verdict != Verdict::Right) return 0;
+  return std::min(gap.distance, gap.lower_bound);
+}
+
+/// A gap lasts as long as the fastest points of both need for it; less, for what proofs round.
+bool MotionProofs::advances_to(double end) const {
+  const double speed = fastest_point(query_.a) + fastest_point(*query_.b);
+  if (!std::isfinite(speed)) return false;
+  const double kept = query_.settings.clearance + (end < 1 ? 0 : query_.settings.tolerance);
+  double time = 0;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double room = proved_gap(time) * (1 - 0x1p-20) - kept;
+    if (!(room > 0)) return false;
+    const double next = time + room / speed * (1 - 0x1p-20);
+    if (!(next < end)) return true;
+    if (!(next > time)) return false;
+    time = next;
+  }
+  return false;
 }
 
 bool MotionProofs::is_free_until(double time) {

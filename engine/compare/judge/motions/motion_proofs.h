@@ -21,7 +21,8 @@ class MotionProofs {
   /// What the library answers: where to look for proofs.
   const RigidContact& proposed() const { return proposed_; }
 
-  /// Whether a certificate proves that they stay further apart than the clearance at all times.
+  /// Whether it is proved that they stay further apart than the clearance at all times: of meshes
+  /// by a certificate, of other shapes by gaps that are proved, and last until the next.
   bool is_free() { return is_free_until(1); }
 
   /// The same from 0 to `time`, with room for what cutting off the rest of the motions rounds.
@@ -52,6 +53,8 @@ class MotionProofs {
  private:
   Case at(double time, double clearance) const;
   bool proves_free_until(double time) const;
+  bool advances_to(double end) const;
+  double proved_gap(double time) const;
   double depth_at(double time) const;
 
   const Case& query_;

@@ -87,7 +87,9 @@ class ShapeTexts {
 class PeerShapes : public LoadedShapes {
  public:
   PeerShapes(std::shared_ptr<PeerPool> pool, PeerHistory history, std::span<const Shape> shapes)
-      : texts_(shapes), load_(std::move(pool), load_text(texts_.texts()), history) {}
+      : hello_(pool->hello()),
+        texts_(shapes),
+        load_(std::move(pool), load_text(texts_.texts()), history) {}
 
   std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
                                  const Pose& pose_b) const override {
@@ -102,10 +104,36 @@ class PeerShapes : public LoadedShapes {
   ShapesAnswer intersect_all(std::span<const PlacedShape> bodies, BodyPairs pairs) const override {
     constexpr std::size_t kLot = 64;
     ShapesAnswer all;
+    if (!hello_.may_know(Ask::Any)) {
+      all.pairs.resize(pairs.size());
+      return all;
+    }
     all.pairs.reserve(pairs.size());
     for (std::size_t at = 0; at < pairs.size(); at += kLot)
       add_lot(bodies, pairs.subspan(at, std::min(kLot, pairs.size() - at)), all);
     return all;
+  }
+
+  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
+                                          const PlacedShape& b) const override {
+    const std::optional<std::size_t>& place_a = texts_.place(a.shape);
+    const std::optional<std::size_t>& place_b = texts_.place(b.shape);
+    if (!place_a || !place_b || !hello_.may_know(question.ask)) return std::nullopt;
+    const CaseBody any_body(Sphere{{0, 0, 0}, 1}, Pose::Identity());  // how an answer is read
+    const Case query{.note = "",
+                     .ask = question.ask,
+                     .settings = question.settings,
+                     .a = any_body,
+                     .b = any_body,
+                     .answer = std::nullopt,
+                     .answered_by = {}};
+    std::optional<CaseAnswer> answer;
+    load_.request(question_text(question, {*place_a, a.pose}, {*place_b, b.pose}),
+                  [&](const JsonCursor& reply) {
+                    reply.require_keys({"id", "answer", "us"});
+                    answer = cases::read_answer(reply.member("answer"), query);
+                  });
+    return answer;
   }
 
  private:
@@ -161,6 +189,7 @@ class PeerShapes : public LoadedShapes {
     all.time += time;
   }
 
+  PeerHello hello_;
   ShapeTexts texts_;
   mutable PeerLoad load_;
 };

@@ -49,6 +49,12 @@ std::string text_of(const Mesh& mesh) {
          ",\"triangles\":" + json_list(mesh.triangles(), ",", item) + "}";
 }
 
+/// Of questions about motions.
+std::string lengths_text(const CaseSettings& settings) {
+  return ",\"settings\":{\"clearance\":" + number(settings.clearance) +
+         ",\"tolerance\":" + number(settings.tolerance) + "}";
+}
+
 /// The member of a shape, as a case has it.
 struct ShapeText {
   static std::string round(const char* kind, double radius, const char* name, double half) {
@@ -116,10 +122,7 @@ std::string question_text(const Question& question, const Pose& pose_a, const Po
   if (question.ask == Ask::Within) {
     out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) + "}";
   }
-  if (cases::is_about_motion(question.ask)) {
-    out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) +
-           ",\"tolerance\":" + number(question.settings.tolerance) + "}";
-  }
+  if (cases::is_about_motion(question.ask)) out += lengths_text(question.settings);
   out += ",\"pose_a\":" + text_of(pose_a) + ",\"pose_b\":" + text_of(pose_b);
   if (question.course_a) out += ",\"motion_a\":" + text_of(*question.course_a);
   if (question.course_b) out += ",\"motion_b\":" + text_of(*question.course_b);
@@ -136,6 +139,17 @@ std::string question_text(std::span<const PlacedShape> bodies, BodyPairs pairs) 
   };
   return std::string("\"question\":\"any\",\"bodies\":") + json_list(bodies, ",", body) +
          ",\"pairs\":" + json_list(pairs, ",", pair);
+}
+
+std::string question_text(const Question& question, const PlacedShape& a, const PlacedShape& b) {
+  const auto body = [](const PlacedShape& each, const std::optional<RigidCourse>& course) {
+    return std::string("{\"shape\":") + std::to_string(each.shape) +
+           ",\"pose\":" + text_of(each.pose) +
+           (course ? ",\"motion\":" + text_of(*course) : std::string()) + "}";
+  };
+  return std::string("\"question\":\"") + name_of(question.ask) + "\"" +
+         lengths_text(question.settings) + ",\"bodies\":[" + body(a, question.course_a) + "," +
+         body(b, question.course_b) + "]";
 }
 
 std::optional<std::string> shape_text(const Shape& shape) {

@@ -45,6 +45,9 @@ std::string request_line(std::uint64_t id, std::string_view member);
 std::string question_text(const Question& question, const Pose& pose_a, const Pose& pose_b);
 std::string question_text(std::span<const PlacedShape> bodies, BodyPairs pairs);
 
+/// The same about two of the shapes that are loaded, in motion.
+std::string question_text(const Question& question, const PlacedShape& a, const PlacedShape& b);
+
 /// The text that is read as this very shape, bit for bit. Hulls and half-spaces round when they are
 /// built, so that for a few there is none.
 std::optional<std::string> shape_text(const Shape& shape);

@@ -160,14 +160,11 @@ class Server {
   std::string answer_to(const JsonCursor& request) const {
     const Ask ask = read_question(request.member("question"));
     if (request.has("pairs")) return answer_about_shapes(request, ask);
+    if (request.has("bodies")) return answer_about_motions(request, ask);
     if (!pair_) request.fail("no meshes are loaded");
     Question question{ask, cases::read_settings(request, ask)};
-    const auto read_course = [&](std::string_view key) -> std::optional<RigidCourse> {
-      if (!request.has(key)) return std::nullopt;
-      return cases::read_course(request.member(key));
-    };
-    question.course_a = read_course("motion_a");
-    question.course_b = read_course("motion_b");
+    question.course_a = read_course(request, "motion_a");
+    question.course_b = read_course(request, "motion_b");
     const Pose pose_a = cases::read_pose(request.member("pose_a"));
     const Pose pose_b = cases::read_pose(request.member("pose_b"));
     const auto start = Clock::now();
@@ -177,17 +174,42 @@ class Server {
     return "\"answer\":" + to_plain_json(*answer) + ",\"us\":" + time;
   }
 
+  static std::optional<RigidCourse> read_course(const JsonCursor& at, std::string_view key) {
+    if (!at.has(key)) return std::nullopt;
+    return cases::read_course(at.member(key));
+  }
+
+  PlacedShape read_placed_shape(const JsonCursor& at) const {
+    const JsonCursor shape = at.member("shape");
+    PlacedShape body{shape.index(kMaxIndex), cases::read_pose(at.member("pose"))};
+    if (body.shape >= shape_count_) shape.fail("there is no such shape");
+    return body;
+  }
+
+  std::string answer_about_motions(const JsonCursor& request, Ask ask) const {
+    if (!shapes_) request.fail("no shapes are loaded");
+    if (!cases::is_about_motion(ask)) request.fail("has no pairs");
+    const JsonCursor bodies = request.member("bodies");
+    bodies.require_size(2);
+    const Question question{ask, cases::read_settings(request, ask),
+                            read_course(bodies.item(0), "motion"),
+                            read_course(bodies.item(1), "motion")};
+    const PlacedShape a = read_placed_shape(bodies.item(0));
+    const PlacedShape b = read_placed_shape(bodies.item(1));
+    const auto start = Clock::now();
+    const std::optional<CaseAnswer> answer = shapes_->answer_motion(question, a, b);
+    const std::string time = microseconds(start);
+    if (!answer) throw Unsupported("knows no such question about such shapes");
+    return "\"answer\":" + to_plain_json(*answer) + ",\"us\":" + time;
+  }
+
   std::string answer_about_shapes(const JsonCursor& request, Ask ask) const {
     if (!shapes_) request.fail("no shapes are loaded");
     if (ask != Ask::Any) throw Unsupported("knows no such question about shapes");
     std::vector<PlacedShape> bodies;
     const JsonCursor body_list = request.member("bodies");
-    for (std::size_t i = 0; i < body_list.size(); ++i) {
-      const JsonCursor body = body_list.item(i);
-      const JsonCursor shape = body.member("shape");
-      bodies.push_back({shape.index(kMaxIndex), cases::read_pose(body.member("pose"))});
-      if (bodies.back().shape >= shape_count_) shape.fail("there is no such shape");
-    }
+    for (std::size_t i = 0; i < body_list.size(); ++i)
+      bodies.push_back(read_placed_shape(body_list.item(i)));
     const auto read_body = [&](const JsonCursor& at) -> const PlacedShape& {
       const std::uint32_t body = at.index(kMaxIndex);
       if (body >= bodies.size()) at.fail("there is no such body");
