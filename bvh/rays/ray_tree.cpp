@@ -1,7 +1,7 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/rays/ray_groups.h>
 #include <graze/bvh/rays/ray_tree.h>
-
-#include <tbb/parallel_for.h>
+#include <graze/bvh/value/parallel.h>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -184,8 +184,9 @@ RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
   rays.line_count = std::size_t{laid.line_count} + 1;
   rays.lines = lines_in_large_pages(rays.line_count);
   std::memset(rays.lines.get() + laid.line_count, 0, sizeof(RayTree::Line));
-  tbb::parallel_for(std::size_t{0}, laid.nodes.size(), [&](std::size_t i) {
-    write(laid.nodes[i], tree, corners, rays.lines.get() + laid.line[i]);
+  for_in_parallel(std::size_t{0}, laid.nodes.size(), [&](std::size_t i) {
+    in_standard_arithmetic(
+        [&] { write(laid.nodes[i], tree, corners, rays.lines.get() + laid.line[i]); });
   });
   return rays;
 }
