@@ -119,7 +119,7 @@ TEST(Law14SweptWorld, FinerStepsFindNothingMore) {
   EXPECT_GT(touching, 50);
 }
 
-TEST(Law14SweptWorld, ThreadsChangeNothing) {
+TEST(Law14SweptWorldThreads, ChangeNothing) {
   RandomSource one(903), more(903);
   SweptWorld world(one, {}), shared(more, {.threads = 4});
   std::size_t listed = 0;
