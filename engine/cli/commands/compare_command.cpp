@@ -1,5 +1,6 @@
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
@@ -34,6 +35,11 @@ question: other questions have other names, and a run that is repeated writes th
 in the folder, and the run says how many there are. A folder that cannot be written stops nothing: stderr says so
 once, and "written" is false.
 
+--engine-command starts an engine of your own: a program that says who it is and answers lines of JSON on its
+standard output (engine/compare/peers/process/README.md; samples/engines has clients of a page). The line is
+run by /bin/sh once for each thread that asks, and again after a crash or a --timeout, which are engine errors. It
+takes part whatever --engines says: with --engines graze alone beside graze.
+
 Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
 the referee once gave. A case that cannot be made smaller stays where it is.
@@ -63,18 +69,26 @@ record of each pose, step or case as it is done, and goes on where a stopped run
 with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
+Only graze fails a comparison by itself. --fail-on ENGINE adds the wrong answers of an engine, :CLASS only those
+of a class (touching, pose-rounding, coplanar, degenerate, containment, real, engine-error), >SIZE only errors
+larger than so many metres; quote the >. The last line counts them: {"fail_on":2} with --json. --junit and --markdown
+write what fails, and the table of engines, for what shows them in a code host (samples/compare_in_ci.md).
+
 Examples:
   graze compare bolt.obj nut.stl --poses poses.txt --query pairs
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
   graze compare bolt.obj nut.stl --poses poses.txt --query first_contact
+  graze compare bolt.obj nut.stl --random 1000 --engines graze --engine-command ./mine --fail-on mine
+  graze compare bolt.obj nut.stl --grazing 1000 --fail-on 'fcl:real>1e-9' --junit fcl.xml
   graze compare data/regressions --save base
   graze compare data/regressions --against base --report out.html
   graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
 
 Exit codes:
   0  graze is right everywhere
-  1  exact arithmetic found an answer of graze to be wrong, or --against found a regression
+  1  exact arithmetic found an answer of graze to be wrong, or one that --fail-on names, or --against found
+     a regression
   2  bad input, with one line on stderr, or a folder of --cases that could not be written
   130  interrupted, with --resume: what is done is recorded)";
 
@@ -123,6 +137,18 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
       ->check(finite_number(Sign::NotNegative));
   command.add_option("--report", options.report, "also one self-contained page")
       ->type_name("HTML")
+      ->check(file_name());
+  command
+      .add_option("--fail-on", options.fail_on,
+                  "exit code 1 also if this engine is wrong; may be repeated")
+      ->type_name("ENGINE[:CLASS][>SIZE]")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--junit", options.junit, "what fails, as JUnit writes it")
+      ->type_name("XML")
+      ->check(file_name());
+  command.add_option("--markdown", options.markdown, "a summary for code hosts")
+      ->type_name("FILE")
       ->check(file_name());
   command.add_option("--save", options.save, "write what was answered")
       ->type_name("BASE")
@@ -175,6 +201,12 @@ void add_compare_command(CLI::App& program, Action& action,
       ->check(finite_number(Sign::NotNegative));
   command->add_option("--engines", options->engines, "names with commas (default: all)")
       ->type_name("NAMES");
+  command
+      ->add_option("--engine-command", options->engine_commands,
+                   "a program of your own that takes part; may be repeated")
+      ->type_name("COMMAND")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_pose_options(*command, *options);
   add_scene_options(*command, *options);
   add_output_options(*command, *options);
@@ -183,7 +215,7 @@ void add_compare_command(CLI::App& program, Action& action,
     action = [options](Output& output) {
       const compare::PeerSettings peers = {.timeout =
                                                std::chrono::duration<double>(options->timeout)};
-      return run_compare(*options, compare::all_engines(peers), output);
+      return run_compare(*options, engines_with(peers, options->engine_commands), output);
     };
   });
 }

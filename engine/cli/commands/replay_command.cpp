@@ -1,4 +1,5 @@
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/replay/replay_run.h>
 
@@ -34,7 +35,9 @@ names it says "fails":true.
 Only graze fails a replay by itself. --fail-on ENGINE adds the wrong answers of an engine, those that it gives
 now and those that a case records of it; --fail-on recorded those that cases record, whoever gave them. With
 :CLASS only errors of that class count: touching, pose-rounding, coplanar, degenerate, containment, real,
-engine-error.
+engine-error; with >SIZE behind only those larger than so many metres (quote the >).
+
+--engine-command starts an engine of your own, as for graze compare.
 
 Examples:
   graze replay odd.json
@@ -63,13 +66,19 @@ void add_replay_command(CLI::App& program, Action& action) {
                    "so long another engine may take for a question (default: 60)")
       ->type_name("SECONDS")
       ->check(finite_number(Sign::Positive));
+  command
+      ->add_option("--engine-command", options->engine_commands,
+                   "a program of your own that takes part; may be repeated")
+      ->type_name("COMMAND")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--same", options->is_change_failure,
                     "fail if an answer of graze is not the one that the case records");
   command
       ->add_option("--fail-on", options->fail_on,
                    "exit code 1 also if this engine is wrong, now or in a record; may be repeated")
-      ->type_name("ENGINE[:CLASS]")
+      ->type_name("ENGINE[:CLASS][>SIZE]")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--progress", options->has_progress,
@@ -79,7 +88,7 @@ void add_replay_command(CLI::App& program, Action& action) {
     action = [options](Output& output) {
       const compare::PeerSettings peers = {.timeout =
                                                std::chrono::duration<double>(options->timeout)};
-      return run_replay(*options, compare::all_engines(peers), output);
+      return run_replay(*options, engines_with(peers, options->engine_commands), output);
     };
   });
 }

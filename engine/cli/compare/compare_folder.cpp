@@ -57,7 +57,7 @@ ExitCode run_compare_folder(const CompareOptions& options,
                             std::span<const compare::EngineEntry> engines, Output& output) {
   check_folder_options(options);
   const Field field(engines, options.engines);
-  check_places(options);
+  check_before(options, field.engines());
   const std::vector<fs::path> files = case_files({options.mesh_a});
   const CaseJob job = read_job(options, files);
   const RecordedJob<PlaceRecord> recorded = {

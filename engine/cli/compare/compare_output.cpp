@@ -1,11 +1,14 @@
 #include <graze/engine/cli/compare/compare_output.h>
+#include <graze/engine/cli/compare/gate_files.h>
 #include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/progress.h>
+#include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
 
 #include <fmt/format.h>
@@ -30,13 +33,20 @@ const char* simd_target() {
   return hwy::TargetName(usable & -usable);  // the lowest bit is the best
 }
 
+FailOn fail_on_of(const CompareOptions& options, std::span<const compare::EngineEntry> field) {
+  return {options.fail_on, field, {}};
+}
+
 }  // namespace
 
-void check_places(const CompareOptions& options) {
+void check_before(const CompareOptions& options, std::span<const compare::EngineEntry> field) {
+  fail_on_of(options, field);
   const FilePlace report = {"--report", options.report};
+  const FilePlace junit = {"--junit", options.junit};
+  const FilePlace markdown = {"--markdown", options.markdown};
   const FilePlace save = {"--save", options.save};
   const FilePlace resume = {"--resume", options.resume};
-  for (const FilePlace& place : {report, save, resume}) {
+  for (const FilePlace& place : {report, junit, markdown, save, resume}) {
     if (place.path.empty()) continue;
     const fs::path folder = fs::path(place.path).parent_path();
     std::error_code ignored;
@@ -53,10 +63,10 @@ void check_places(const CompareOptions& options) {
   const std::array<FilePlace, 3> inputs = {{{"A itself", options.mesh_a},
                                             {"B itself", options.mesh_b},
                                             {"the file of --poses", options.poses.value_or("")}}};
-  check_outputs(std::array{report, save, resume}, inputs);
+  check_outputs(std::array{report, junit, markdown, save, resume}, inputs);
   // What a gate is held against may be what it saves for the next time: it is read before.
   const FilePlace against = {"the file of --against", options.against};
-  check_outputs(std::array{report, resume}, {&against, 1});
+  check_outputs(std::array{report, junit, markdown, resume}, {&against, 1});
   std::error_code ignored;
   if (!options.cases.empty() && fs::exists(options.cases, ignored) &&
       !fs::is_directory(options.cases, ignored)) {
@@ -99,7 +109,8 @@ namespace {
 /// What is said of an older run, and whether that is a regression.
 struct Regression {
   bool is_one = false;
-  std::string text;
+  std::string words;
+  std::string json;
 };
 
 Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
@@ -109,31 +120,29 @@ Regression regression_of(const CompareOptions& options, const CompareFindings& f
   const bool is_slower = ratio > options.time_tolerance;
   Regression result;
   result.is_one = !found.changed.empty() || !found.missing.empty() || is_slower;
-  if (options.is_json) {
-    result.text = fmt::format(
-        "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}"
-        "\n",
-        fmt::join(found.changed, ","), fmt::join(found.missing, ","), ratio, is_slower);
-    return result;
-  }
+  result.json = fmt::format(
+      "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}\n",
+      fmt::join(found.changed, ","), fmt::join(found.missing, ","), ratio, is_slower);
   std::string where;
   for (const std::size_t place : found.changed) {
     where += " " + (place < findings.names.size() ? mesh_io::printable(findings.names[place])
                                                   : std::to_string(place));
   }
-  result.text = fmt::format(
-      "against {}: {} answers of graze changed{}, {} missing; median time {:.2f} of what it "
-      "was{}\n",
+  result.words = fmt::format(
+      "against {}: {} answers of graze changed{}, {} missing; median time {:.2f} of what it was{}",
       mesh_io::printable(options.against), found.changed.size(),
       where.empty() ? "" : fmt::format(" in {}s{}", findings.place, where), found.missing.size(),
       ratio, is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
   return result;
 }
 
-bool is_graze_wrong(std::span<const compare::WrongAnswer> wrong) {
-  return std::any_of(wrong.begin(), wrong.end(), [](const compare::WrongAnswer& each) {
-    return each.answer->engine == "graze" || each.answer->engine == "world";
-  });
+/// What --fail-on has found; nothing where nobody has asked.
+std::string fail_on_text(const CompareOptions& options, const Gate& gate) {
+  if (options.fail_on.empty()) return "";
+  const std::size_t count = gate.named_by_fail_on();
+  return options.is_json
+             ? fmt::format("{{\"fail_on\":{}}}\n", count)
+             : fmt::format("{} wrong answer{} of --fail-on\n", count, count == 1 ? "" : "s");
 }
 
 std::string says_of(const compare::ShrunkCase& each) {
@@ -263,16 +272,22 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .cases = kept.cases});
   }
   const Regression regression = regression_of(options, findings);
-  const std::string text =
-      options.is_json ? findings.json + summary_json(findings.summaries, kept.cases, findings.place)
-                      : text_of(findings, kept, engines);
-  output.write(text + regression.text);
-  const bool is_bad = is_graze_wrong(findings.wrong) || regression.is_one;
+  const Gate gate(findings, fail_on_of(options, field), regression.is_one ? regression.words : "");
+  if (!options.junit.empty()) files::write_file(options.junit, junit_text(findings, gate));
+  if (!options.markdown.empty()) files::write_file(options.markdown, markdown_text(findings, gate));
+  if (options.is_json) {
+    output.write(findings.json + summary_json(findings.summaries, kept.cases, findings.place) +
+                 regression.json + fail_on_text(options, gate));
+  } else {
+    output.write(text_of(findings, kept, engines) +
+                 (findings.difference ? regression.words + "\n" : "") +
+                 fail_on_text(options, gate));
+  }
   if (kept.not_written > 0) {
     std::fprintf(stderr, "graze: %zu case%s not written: %s\n", kept.not_written,
                  kept.not_written == 1 ? "" : "s", kept.failure.c_str());
   }
-  if (is_bad) return ExitCode::GrazeWrong;
+  if (gate.is_closed()) return ExitCode::GrazeWrong;
   const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // asked for by name
   return is_missed ? ExitCode::BadInput : ExitCode::Answered;
 }

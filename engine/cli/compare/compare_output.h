@@ -14,8 +14,8 @@
 namespace graze::cli {
 
 /// Throws UsageError or FileError if a file that is to be written cannot be, or is also an input or
-/// another output: before a long run, not after.
-void check_places(const CompareOptions& options);
+/// another output, and for what --fail-on cannot mean: before a long run, not after.
+void check_before(const CompareOptions& options, std::span<const compare::EngineEntry> field);
 
 /// Throws UsageError if a record that is to be gone on with is of another job, or of other engines.
 void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
@@ -45,8 +45,9 @@ struct CompareFindings {
 
 /// Shrinks the worst answers of the engines that took part to cases, writes these and the report,
 /// and prints what was found; `engines` are all that there are. GrazeWrong if graze is wrong
-/// anywhere, or other than it was. Cases that cannot be written are named on stderr, and make
-/// BadInput of what else would be Answered if their folder was asked for.
+/// anywhere, or other than it was, or for a wrong answer that --fail-on names. Cases that cannot be
+/// written are named on stderr, and make BadInput of what else would be Answered if their folder
+/// was asked for.
 ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
                   std::span<const compare::EngineEntry> field, const CompareFindings& findings,
                   Output& output);

@@ -124,7 +124,7 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     return run_compare_folder(options, engines, output);
   }
   const Field field(engines, options.engines);
-  check_places(options);
+  check_before(options, field.engines());
   const ComparisonJob job = read_job(options);
   const RecordedJob<PlaceRecord> recorded = {
       .head = compare::head_of(job),

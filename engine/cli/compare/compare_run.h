@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace graze::cli {
 
@@ -43,8 +44,12 @@ struct CompareOptions {
   std::string mesh_folder = {};  ///< empty: that of the scene
   bool is_json = false;
   bool has_progress = false;
-  double shrink_seconds = 10;  ///< for all cases
-  std::string command = {};    ///< the line that was typed, for the report
+  double shrink_seconds = 10;                     ///< for all cases
+  std::string command = {};                       ///< the line that was typed, for the report
+  std::vector<std::string> engine_commands = {};  ///< each starts an engine of the user's own
+  std::vector<std::string> fail_on = {};          ///< whose wrong answers fail the run (FailOn)
+  std::string junit = {};                         ///< an XML file for what runs tests
+  std::string markdown = {};                      ///< a file for a code host's summary
 };
 
 /// Throws UsageError, PoseError, MeshError or CaseError. Bad input leaves standard output empty.

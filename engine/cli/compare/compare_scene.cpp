@@ -144,7 +144,7 @@ ExitCode run_compare_scene(const CompareOptions& options,
                            std::span<const compare::EngineEntry> engines, Output& output) {
   check_scene_options(options);
   const Field field(engines, options.engines);
-  check_places(options);
+  check_before(options, field.engines());
   const Scene scene = read_scene(options.mesh_a, {.mesh_folder = options.mesh_folder});
   const compare::SceneComparisonSettings settings{.steps = options.steps.value_or(scene.steps),
                                                   .step = options.step,

@@ -1,5 +1,6 @@
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/files/source.h>
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ std::vector<bool> chosen(std::string_view names, std::span<const EngineEntry> en
     is_chosen[static_cast<std::size_t>(at - engines.begin())] = true;
   }
   for (std::size_t i = 0; i < engines.size(); ++i)
-    if (engines[i].name == "graze") is_chosen[i] = true;
+    if (engines[i].name == "graze" || engines[i].is_users_own) is_chosen[i] = true;
   return is_chosen;
 }
 
@@ -52,6 +53,29 @@ class Borrowed : public compare::Engine {
 };
 
 }  // namespace
+
+std::vector<EngineEntry> engines_with(const compare::PeerSettings& settings,
+                                      std::span<const std::string> commands) {
+  std::vector<EngineEntry> engines = compare::all_engines(settings);
+  for (const std::string& command : commands) {
+    const auto refuse = [&](const std::string& why) {
+      throw UsageError("--engine-command " + mesh_io::quoted(command) + ": " + why);
+    };
+    try {
+      engines.push_back(compare::start_engine(command, settings));
+    } catch (const compare::EngineMissingError& error) {
+      refuse(error.what());
+    }
+    const std::string& name = engines.back().name;
+    const bool is_taken = name == compare::kRecorded || name == "world" ||
+                          std::any_of(engines.begin(), engines.end() - 1,
+                                      [&](const EngineEntry& entry) { return entry.name == name; });
+    if (is_taken) refuse("calls itself " + mesh_io::quoted(name) + ", as another engine does");
+    if (name.empty() || name.find(',') != name.npos)
+      refuse("calls itself " + mesh_io::quoted(name) + ", which --engines could not name");
+  }
+  return engines;
+}
 
 Field::Field(std::span<const EngineEntry> engines, std::string_view names) {
   const std::vector<bool> is_chosen = chosen(names, engines);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,12 +9,17 @@
 
 namespace graze::cli {
 
+/// All engines that this command knows, and those that the commands start. Throws UsageError for a
+/// command that starts none, or one of a name that is taken or that nobody could choose.
+std::vector<compare::EngineEntry> engines_with(const compare::PeerSettings& settings,
+                                               std::span<const std::string> commands);
+
 /// The engines that take part, as if there were no others.
 class Field {
  public:
   /// `names` are separated by commas; empty: all that are here. graze is always among them: it is
-  /// what is on trial. Throws UsageError for a name that is none, or of an engine that is not here.
-  /// The engines must outlive this.
+  /// what is on trial; and so are engines of the user's own. Throws UsageError for a name that is
+  /// none, or of an engine that is not here. The engines must outlive this.
   Field(std::span<const compare::EngineEntry> engines, std::string_view names);
 
   std::span<const compare::EngineEntry> engines() const { return engines_; }

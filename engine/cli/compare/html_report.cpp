@@ -1,5 +1,6 @@
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/compare/markup.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/files/output_file.h>
 
@@ -31,38 +32,6 @@ code { background: #f2f2f2; padding: 0.1em 0.4em; overflow-wrap: anywhere; }
 </head>
 <body>
 )";
-
-/// Text for a page: nothing in it is markup, and no byte is left that is no UTF-8.
-std::string escaped(const std::string& text) {
-  std::string out;
-  const std::string clean = cases::json_string(text);
-  for (std::size_t i = 1; i + 1 < clean.size(); ++i) {
-    const char c = clean[i];
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\\':
-        if (clean[i + 1] == '"' || clean[i + 1] == '\\') {
-          out += clean[++i] == '"' ? "&quot;" : "\\";
-          break;
-        }
-        [[fallthrough]];
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string summary_table(std::span<const EngineSummary> summaries) {
   std::string out =

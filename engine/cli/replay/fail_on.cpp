@@ -1,8 +1,11 @@
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/fail_on.h>
+#include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/files/source.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -11,8 +14,6 @@ namespace {
 
 using compare::EngineEntry;
 using compare::ErrorClass;
-
-constexpr const char* kRecorded = "recorded";
 
 std::string hyphenated(std::string_view name) {
   std::string out(name);
@@ -30,10 +31,25 @@ ErrorClass class_named(std::string_view name) {
   throw UsageError("--fail-on: there is no class " + mesh_io::quoted(name) + ", but " + known);
 }
 
+/// The size behind the last `>`, which goes with it; nothing if there is none.
+std::optional<double> take_size(std::string& word) {
+  const std::size_t at = word.rfind('>');
+  if (at == word.npos) return std::nullopt;
+  double size = 0;
+  const char* end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data() + at + 1, end, size);
+  if (error != std::errc() || rest != end || !(size >= 0) || !std::isfinite(size)) {
+    throw UsageError("--fail-on: " + mesh_io::quoted(word.substr(at + 1)) +
+                     " is no size in metres");
+  }
+  word.resize(at);
+  return size;
+}
+
 /// The names that can match something, in the order in which a refusal lists them.
 std::vector<std::string> known_engines(std::span<const EngineEntry> engines,
                                        const std::vector<std::string>& recorded_engines) {
-  std::vector<std::string> known = {kRecorded};
+  std::vector<std::string> known = {compare::kRecorded};
   for (const EngineEntry& entry : engines)
     if (entry.engine != nullptr) known.push_back(entry.name);
   const std::set<std::string> recorded(recorded_engines.begin(), recorded_engines.end());
@@ -52,8 +68,9 @@ FailOn::FailOn(std::span<const std::string> words, std::span<const EngineEntry> 
   const auto is_known = [&](std::string_view name) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
-  for (const std::string& word : words) {
+  for (std::string word : words) {
     // The name of an engine in a file may hold anything; that of a class holds no colon.
+    const std::optional<double> above = is_known(word) ? std::nullopt : take_size(word);
     const std::size_t colon = is_known(word) ? word.npos : word.rfind(':');
     const std::string name = word.substr(0, colon);
     if (!is_known(name)) {
@@ -67,7 +84,7 @@ FailOn::FailOn(std::span<const std::string> words, std::span<const EngineEntry> 
         names += (names.empty() ? "" : ", ") + mesh_io::printable(each);
       throw UsageError("--fail-on: there is no engine " + mesh_io::quoted(name) + ", but " + names);
     }
-    Rule rule{name, std::nullopt};
+    Rule rule{name, std::nullopt, above};
     if (colon != word.npos)
       rule.error_class = class_named(std::string_view(word).substr(colon + 1));
     rules_.push_back(std::move(rule));
@@ -76,10 +93,15 @@ FailOn::FailOn(std::span<const std::string> words, std::span<const EngineEntry> 
 
 bool FailOn::matches(const compare::Testimony& testimony) const {
   if (!testimony.is_wrong()) return false;
+  return matches(testimony.witness.engine, testimony.judgement) ||
+         (testimony.is_recorded && matches(compare::kRecorded, testimony.judgement));
+}
+
+bool FailOn::matches(const std::string& engine, const compare::Judgement& judgement) const {
   return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
-    const bool is_engine = rule.engine == testimony.witness.engine ||
-                           (rule.engine == kRecorded && testimony.is_recorded);
-    return is_engine && (!rule.error_class || *rule.error_class == testimony.judgement.error_class);
+    return rule.engine == engine &&
+           (!rule.error_class || *rule.error_class == judgement.error_class) &&
+           (!rule.above || judgement.error > *rule.above);
   });
 }
 

@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
+#include <graze/engine/compare/judge/judgement.h>
 #include <graze/engine/compare/run/trial.h>
 
 namespace graze::cli {
 
-/// Whose wrong answers make a replay fail, besides those of graze.
+/// Whose wrong answers make a replay or a comparison fail, besides those of graze.
 class FailOn {
  public:
-  /// Each word is `ENGINE` or `ENGINE:CLASS`. An engine is one that is asked, or whose answer a
-  /// case records; `recorded` is every answer that a case records. Spaces in a class may be
-  /// hyphens. Throws UsageError for what is none of these, and for engines that are not here.
+  /// Each word is `ENGINE`, `ENGINE:CLASS`, or one of these with `>SIZE`, metres, behind: then only
+  /// larger errors count. An engine is one that is asked, or whose answer a case records;
+  /// `recorded` is every answer that a case records. Spaces in a class may be hyphens. Throws
+  /// UsageError for what is none of these, and for engines that are not here.
   FailOn(std::span<const std::string> words, std::span<const compare::EngineEntry> engines,
          const std::vector<std::string>& recorded_engines);
 
@@ -23,10 +25,14 @@ class FailOn {
   /// A wrong answer that is one of these.
   bool matches(const compare::Testimony& testimony) const;
 
+  /// The same of what is known to be wrong. `engine` may be `recorded`.
+  bool matches(const std::string& engine, const compare::Judgement& judgement) const;
+
  private:
   struct Rule {
     std::string engine;
     std::optional<compare::ErrorClass> error_class;  ///< none: of any class
+    std::optional<double> above = {};                ///< metres; none: of any size
   };
 
   std::vector<Rule> rules_;

@@ -16,9 +16,10 @@ struct ReplayOptions {
   std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
   bool is_json = false;
   bool has_progress = false;
-  double timeout = 60;                    ///< seconds, of each question to another engine
+  std::vector<std::string> engine_commands = {};  ///< each starts an engine of the user's own
+  double timeout = 60;                            ///< seconds, of each question to another engine
   bool is_change_failure = false;         ///< an answer other than the recorded one is exit code 1
-  std::vector<std::string> fail_on = {};  ///< `ENGINE` or `ENGINE:CLASS`: wrong ones are, too
+  std::vector<std::string> fail_on = {};  ///< whose wrong answers are, too (FailOn)
 };
 
 /// All cases are read before the first is asked. What cannot be read is named, one line each on

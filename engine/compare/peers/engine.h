@@ -136,6 +136,7 @@ class Engine {
 struct EngineEntry {
   std::string name;
   std::unique_ptr<Engine> engine;  ///< null if it was not found when this was built
+  bool is_users_own = false;       ///< of start_engine()
 };
 
 /// How engines in processes of their own are asked.
@@ -153,6 +154,12 @@ std::vector<EngineEntry> all_engines(const PeerSettings& settings = {});
 
 /// In this process, from many threads.
 std::unique_ptr<Engine> make_graze_engine();
+
+/// An engine of a user's own: a program that speaks the protocol (peers/process/README.md), under
+/// the name that it gives itself. `command` is a line for the shell, which is run once for each
+/// thread that asks. Throws EngineMissingError, which tells what became of the program, if it does
+/// not say who it is.
+EngineEntry start_engine(const std::string& command, const PeerSettings& settings = {});
 
 /// What an engine answers to a case that it holds; nothing if it knows no such question.
 using LoadedQuestion = std::function<TimedAnswer()>;

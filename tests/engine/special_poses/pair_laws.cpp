@@ -136,6 +136,10 @@ class Laws {
     if (is_open()) return {};
     const double error = std::max(found_.distance - planes, found_.distance - found_.lower_bound);
     counts_.worst_distance = std::max(counts_.worst_distance, error / tolerance);
+    const double off = std::max(Surface(pair_.a).distance(pair_.pose_a, found_.point_a),
+                                Surface(pair_.b).distance(pair_.pose_b, found_.point_b));
+    if (off > kBelowSurface * tolerance + rounding_)
+      return "a nearest point beside its surface:" + numbers({off, scale_});
     if (error > tolerance + rounding_) {
       return "the distance is off by more than said:" +
              numbers({found_.distance, planes, found_.lower_bound, scale_});
@@ -274,6 +278,9 @@ class Laws {
   // Rounding of the planes that a normal sets, as a share of the scale.
   static constexpr double kPlanes = 0x1p-46;
   static constexpr double kSpread = 1e-4;
+  // Of a point is asked to be on its surface or below it by the tolerance; what Surface says of an
+  // ellipsoid is right to a ten-thousandth.
+  static constexpr double kBelowSurface = 1.001;
 
   const PlacedPair& pair_;
   const PairLawSettings& settings_;

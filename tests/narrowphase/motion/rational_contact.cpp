@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
+#include <string>
 
 #include "tests/narrowphase/motion/rational_polynomial.h"
 
@@ -166,6 +168,14 @@ std::string text(const Eigen::Vector3d& p) {
   return line;
 }
 
+/// Put together by append: of sums, g++ 12 says falsely at -O3 that parts of them overlap.
+std::string in_braces(std::initializer_list<std::string> parts) {
+  std::string result;
+  for (const std::string& part : parts)
+    result.append(result.empty() ? "{" : ", ").append(part);
+  return result.append("}");
+}
+
 }  // namespace
 
 std::optional<FirstContact> rational_first_contact(const PointPath& point,
@@ -188,15 +198,15 @@ std::string text_of(const std::optional<FirstContact>& contact) {
 }
 
 std::string text_of(const PointPath& path) {
-  return "{" + text(path.start) + ", " + text(path.end) + "}";
+  return in_braces({text(path.start), text(path.end)});
 }
 
 std::string text_of(const EdgePath& path) {
-  return "{" + text_of(path.a) + ", " + text_of(path.b) + "}";
+  return in_braces({text_of(path.a), text_of(path.b)});
 }
 
 std::string text_of(const TrianglePath& path) {
-  return "{" + text_of(path.a) + ", " + text_of(path.b) + ", " + text_of(path.c) + "}";
+  return in_braces({text_of(path.a), text_of(path.b), text_of(path.c)});
 }
 
 }  // namespace graze::oracle

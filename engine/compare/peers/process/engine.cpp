@@ -146,4 +146,14 @@ std::vector<EngineEntry> all_engines(const PeerSettings& settings) {
   return engines;
 }
 
+EngineEntry start_engine(const std::string& command, const PeerSettings& settings) {
+  PeerProgram program = program_of_command(command, settings);
+  try {
+    program.name = PeerSession(program).hello().witness.engine;
+  } catch (const EngineFailure& failure) {
+    throw EngineMissingError(failure.what());
+  }
+  return {program.name, make_process_engine(program), true};
+}
+
 }  // namespace graze::compare

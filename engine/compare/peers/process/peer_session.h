@@ -15,7 +15,7 @@ namespace graze::compare {
 
 /// An engine that speaks the protocol.
 struct PeerProgram {
-  std::string name;                  ///< of the engine, which it must give itself
+  std::string name;                  ///< of the engine, which it must give itself; empty: any
   std::vector<std::string> command;  ///< the program and its arguments
   ChildProcess::Seconds timeout{60};
   std::size_t longest_line = std::size_t{256} << 20;  ///< bytes

@@ -241,4 +241,8 @@ PeerProgram built_in_peer(const std::string& name, const PeerSettings& settings)
   return {.name = name, .command = {program.string(), name}, .timeout = settings.timeout};
 }
 
+PeerProgram program_of_command(const std::string& command, const PeerSettings& settings) {
+  return {.name = "", .command = {"/bin/sh", "-c", command}, .timeout = settings.timeout};
+}
+
 }  // namespace graze::compare

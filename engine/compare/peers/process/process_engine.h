@@ -18,4 +18,7 @@ std::unique_ptr<Engine> make_process_engine(PeerProgram program);
 /// An engine of this project's adaptors, in graze-peer.
 PeerProgram built_in_peer(const std::string& name, const PeerSettings& settings);
 
+/// What a line for the shell starts.
+PeerProgram program_of_command(const std::string& command, const PeerSettings& settings);
+
 }  // namespace graze::compare

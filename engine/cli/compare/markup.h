@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace graze::cli {
+
+/// Text for a page of HTML or XML: nothing in it is markup, and no byte is left that is no UTF-8.
+std::string escaped(const std::string& text);
+
+}  // namespace graze::cli

@@ -1,0 +1,107 @@
+// Engines of a user's own: the clients in samples/engines, and commands that start none.
+
+#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/run/comparison.h>
+#include <gtest/gtest.h>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::compare {
+namespace {
+
+const std::string kEngines = GRAZE_ENGINE_SAMPLES;
+
+/// Each engine's answer to the question in each pose of a box that goes past a torus.
+std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines, Ask ask) {
+  ComparisonJob job{.a = CaseMesh(tests::make_torus(1, 0.25, 10, 8), Pose::Identity()),
+                    .b = CaseMesh(tests::make_box({0.2, 0.2, 0.2}), Pose::Identity()),
+                    .poses_b = {},
+                    .question = {ask, {}},
+                    .threads = 2};
+  for (int i = 0; i < 12; ++i) {
+    Pose pose = Pose::Identity();
+    pose.translation() = Eigen::Vector3d(0.15 * i, 0.03, 0.01);
+    job.poses_b.push_back(pose);
+  }
+  std::vector<std::vector<AnswerRecord>> all(job.poses_b.size());
+  run_comparison(
+      job, engines, [](std::size_t) { return false; },
+      [&](const PlaceRecord& record) { all[record.place] = record.answers; });
+  return all;
+}
+
+std::vector<EngineEntry> graze_and(EngineEntry other) {
+  std::vector<EngineEntry> engines;
+  engines.push_back({"graze", make_graze_engine()});
+  engines.push_back(std::move(other));
+  return engines;
+}
+
+TEST(UsersEngine, OfBoxesAloneIsWrongInTheTorussHole) {
+  EngineEntry boxes = start_engine("python3 '" + kEngines + "/boxes.py'");
+  EXPECT_EQ(boxes.name, "boxes");
+  EXPECT_TRUE(boxes.is_users_own);
+  EXPECT_EQ(boxes.engine->name().version, "1");
+  const auto all = answers(graze_and(std::move(boxes)), Ask::Any);
+  std::size_t wrong = 0;
+  for (const std::vector<AnswerRecord>& answer : all) {
+    ASSERT_EQ(answer.size(), 2u);
+    EXPECT_FALSE(answer[0].is_wrong()) << "graze";
+    wrong += answer[1].is_wrong();
+  }
+  EXPECT_TRUE(all.front()[1].is_wrong()) << "in the middle of the hole";
+  EXPECT_EQ(all.front()[1].judgement.error_class, ErrorClass::Real);
+  EXPECT_FALSE(all.back()[1].is_wrong()) << "apart";
+  EXPECT_LT(wrong, all.size());
+}
+
+TEST(UsersEngine, IsNotAskedWhatItDoesNotKnow) {
+  const auto all =
+      answers(graze_and(start_engine("python3 '" + kEngines + "/boxes.py'")), Ask::Distance);
+  for (const std::vector<AnswerRecord>& answer : all)
+    EXPECT_EQ(answer.size(), 1u);
+}
+
+#ifdef GRAZE_FCL_ENGINE
+TEST(UsersEngine, OfFclSaysWhatFclSays) {
+  for (const Ask ask : {Ask::Any, Ask::Distance}) {
+    std::vector<EngineEntry> engines = graze_and(start_engine(GRAZE_FCL_ENGINE));
+    EXPECT_EQ(engines.back().name, "my-fcl");
+    for (EngineEntry& entry : all_engines())
+      if (entry.name == "fcl") engines.push_back(std::move(entry));
+    ASSERT_EQ(engines.size(), 3u);
+    for (const std::vector<AnswerRecord>& answer : answers(std::move(engines), ask)) {
+      ASSERT_EQ(answer.size(), 3u);
+      EXPECT_EQ(answer[1].brief, answer[2].brief) << name_of(ask);
+      EXPECT_FALSE(answer[1].is_wrong());
+      EXPECT_GT(answer[1].time, 0);
+    }
+  }
+}
+#endif
+
+/// What is said of a command that starts no engine.
+std::string refusal(const std::string& command) {
+  try {
+    start_engine(command, {.timeout = std::chrono::duration<double>(1)});
+  } catch (const EngineMissingError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(UsersEngine, ThatDoesNotSayWhoItIsIsRefused) {
+  EXPECT_NE(refusal("exit 3").find("exit code 3"), std::string::npos) << refusal("exit 3");
+  EXPECT_NE(refusal("/no/such/program").find("not found"), std::string::npos);
+  EXPECT_NE(refusal("echo hello").find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal("sleep 30").find("gave no answer in 1 s"), std::string::npos) << refusal("sleep 30");
+  EXPECT_NE(refusal("echo '{\"graze_peer\":2,\"engine\":\"late\"}'").find("version 2"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace graze::compare
