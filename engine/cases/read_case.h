@@ -7,6 +7,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/case.h>
+#include <graze/engine/cases/case_meshes.h>
 
 namespace graze {
 
@@ -14,6 +15,9 @@ namespace graze {
 struct ReadCaseSettings {
   /// Where the meshes lie that a case names by file. Empty: in the folder of the case.
   std::filesystem::path mesh_folder = {};
+
+  /// Where meshes of files are taken from, and kept for the next case. Null: each is read anew.
+  CaseMeshes* meshes = nullptr;
 };
 
 /// Reads a case, format version 1 (data/README.md, data/case.schema.json). Throws CaseError

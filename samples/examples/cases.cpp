@@ -51,6 +51,8 @@ void a_mesh_by_its_file(const std::filesystem::path& data) {
   const graze::CaseMesh bolt = graze::case_mesh_of_file(data, "meshes/bolt.obj", at(0, 0, 0));
   const graze::Mesh again = graze::load_case_mesh(*bolt.file, data);  // its hash is looked at
   expect(again.triangles().size() == bolt.mesh.triangles().size(), "a case need not hold vertices");
+  graze::CaseMeshes meshes;  // for many cases: each file is read once
+  expect(meshes.load(*bolt.file, data) == meshes.load(*bolt.file, data), "one mesh, two handles");
 }
 
 void what_a_world_says() {

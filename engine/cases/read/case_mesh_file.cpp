@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/case_mesh_file.h>
+#include <graze/engine/cases/case_meshes.h>
 #include <graze/engine/cases/text/inside_folder.h>
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/files/source.h>
@@ -16,16 +17,28 @@ std::string hash_of(const fs::path& file, const std::string& name) {
   return cases::sha256_of(mesh_io::read_file(file, name));
 }
 
+void require_hash(const CaseMeshFile& file, const std::string& hash) {
+  if (hash == file.sha256) return;
+  throw CaseError("the file " + mesh_io::quoted(file.path) + " has the SHA-256 " + hash + ", not " +
+                  file.sha256);
+}
+
 }  // namespace
 
 Mesh load_case_mesh(const CaseMeshFile& file, const fs::path& folder) {
   const fs::path path = cases::find_inside(folder, file.path, "case");
-  const std::string hash = hash_of(path, mesh_io::printable(file.path));
-  if (hash != file.sha256) {
-    throw CaseError("the file " + mesh_io::quoted(file.path) + " has the SHA-256 " + hash +
-                    ", not " + file.sha256);
-  }
+  require_hash(file, hash_of(path, mesh_io::printable(file.path)));
   return load_mesh(path);
+}
+
+Mesh CaseMeshes::load(const CaseMeshFile& file, const fs::path& folder) {
+  const fs::path path = cases::find_inside(folder, file.path, "case");
+  auto at = known_.find(path);
+  if (at == known_.end()) {
+    at = known_.emplace(path, Known{file.sha256, load_case_mesh(file, folder)}).first;
+  }
+  require_hash(file, at->second.sha256);
+  return at->second.mesh;
 }
 
 CaseMesh case_mesh_of_file(const fs::path& folder, const std::string& path, const Pose& pose) {

@@ -158,7 +158,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
     const Ask ask = read_question(root.member("question"));
     const bool has_b = !cases::is_about_one(ask);
     if (!has_b && root.has("b")) root.member("b").fail("the question is about A alone");
-    cases::CaseShapes shapes = read_shapes(root, has_b, settings.mesh_folder);
+    cases::CaseShapes shapes = read_shapes(root, has_b, settings);
     Case query{.note = root.has("note") ? root.member("note").text() : "",
                .ask = ask,
                .settings = cases::read_settings(root, ask),

@@ -2,13 +2,13 @@
 
 // How the parts of a case are read. Private to engine/cases.
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include <graze/engine/cases/case.h>
+#include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/json_cursor.h>
 
 namespace graze::cases {
@@ -19,7 +19,7 @@ struct CaseShapes {
   std::optional<CaseShape> b;
 };
 
-CaseShapes read_shapes(const JsonCursor& root, bool has_b, const std::filesystem::path& folder);
+CaseShapes read_shapes(const JsonCursor& root, bool has_b, const ReadCaseSettings& settings);
 
 /// Requires the settings that the question needs, and refuses those of other questions.
 CaseSettings read_settings(const JsonCursor& root, Ask ask);

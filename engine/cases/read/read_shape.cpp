@@ -79,8 +79,8 @@ CaseMeshFile read_mesh_file(const JsonCursor& at) {
 
 class ShapeReader {
  public:
-  ShapeReader(const JsonCursor& root, bool has_b, const std::filesystem::path& folder)
-      : root_(root), has_b_(has_b), folder_(folder) {}
+  ShapeReader(const JsonCursor& root, bool has_b, const ReadCaseSettings& settings)
+      : root_(root), has_b_(has_b), settings_(settings) {}
 
   CaseShape read(std::string_view side) const {
     const JsonCursor at = root_.member(side);
@@ -137,16 +137,21 @@ class ShapeReader {
     }
     if (at.has("file")) {
       const CaseMeshFile file = read_mesh_file(at);
-      CaseMesh mesh(at_place(at, [&] { return load_case_mesh(file, folder_); }), here);
+      CaseMesh mesh(at_place(at, [&] { return load(file); }), here);
       mesh.file = file;
       return mesh;
     }
     return {read_inline_mesh(at), here};
   }
 
+  Mesh load(const CaseMeshFile& file) const {
+    return settings_.meshes ? settings_.meshes->load(file, settings_.mesh_folder)
+                            : load_case_mesh(file, settings_.mesh_folder);
+  }
+
   const JsonCursor& root_;
   bool has_b_;
-  const std::filesystem::path& folder_;
+  const ReadCaseSettings& settings_;
 };
 
 bool refers(const JsonCursor& root, std::string_view side) {
@@ -193,8 +198,8 @@ Pose read_pose(const JsonCursor& at) {
   return pose;
 }
 
-CaseShapes read_shapes(const JsonCursor& root, bool has_b, const std::filesystem::path& folder) {
-  const ShapeReader reader(root, has_b, folder);
+CaseShapes read_shapes(const JsonCursor& root, bool has_b, const ReadCaseSettings& settings) {
+  const ShapeReader reader(root, has_b, settings);
   CaseShapes shapes{reader.read("a"), std::nullopt};
   if (!has_b) return shapes;
   shapes.b = reader.read("b");

@@ -36,9 +36,10 @@ void check_folder_options(const CompareOptions& options) {
 CaseJob read_job(const CompareOptions& options, const std::vector<fs::path>& files) {
   CaseJob job{.cases = {}, .threads = options.threads};
   job.cases.reserve(files.size());
+  CaseMeshes meshes;
   for (const fs::path& file : files) {
-    job.cases.push_back(
-        {file.filename().string(), read_case(file, {.mesh_folder = options.mesh_folder})});
+    job.cases.push_back({file.filename().string(),
+                         read_case(file, {.mesh_folder = options.mesh_folder, .meshes = &meshes})});
   }
   return job;
 }

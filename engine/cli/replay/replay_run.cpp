@@ -4,6 +4,7 @@
 #include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/cli/replay/replay_report.h>
 #include <graze/engine/cli/replay/replay_run.h>
+#include <graze/engine/compare/run/shared_loads.h>
 #include <graze/engine/files/source.h>
 
 #include <algorithm>
@@ -60,9 +61,11 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
                     Output& output) {
   std::vector<ReadFile> cases;
   std::vector<std::string> refusals;
+  CaseMeshes meshes;
   for (const fs::path& file : case_files(options.files)) {
     try {
-      cases.push_back({file, read_case(file, {.mesh_folder = options.mesh_folder})});
+      cases.push_back(
+          {file, read_case(file, {.mesh_folder = options.mesh_folder, .meshes = &meshes})});
     } catch (const Error& error) {
       refusals.emplace_back(error.what());
     }
@@ -79,12 +82,13 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress});
   ReplayReport report(output, fail_on, options.is_json);
   report.begin(engines);
+  const compare::SharedLoads shared(engines);
   bool is_all_read = refusals.empty();
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string file = cases[i].path.string();
     std::vector<compare::Testimony> testimonies;
     try {
-      testimonies = compare::try_case(cases[i].query, engines);
+      testimonies = compare::try_case(cases[i].query, shared.engines());
     } catch (const Error& error) {  // graze refuses the question
       name_refused(file + ": " + error.what());
       is_all_read = false;

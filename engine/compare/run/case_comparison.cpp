@@ -1,6 +1,7 @@
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/case_comparison.h>
+#include <graze/engine/compare/run/shared_loads.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
@@ -28,12 +29,13 @@ AnswerRecord record_of(const Testimony& testimony, const Case& query) {
 void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
                    const std::function<bool(std::size_t)>& is_done,
                    const std::function<void(PlaceRecord)>& on_record) {
+  const SharedLoads shared(engines);
   run_on_places<PlaceRecord>(
       job.threads, job.cases.size(), is_done,
       [&](std::size_t place) {
         const Case& query = job.cases[place].query;
         PlaceRecord record{place, {}};
-        for (const Testimony& testimony : try_case(query, engines))
+        for (const Testimony& testimony : try_case(query, shared.engines()))
           record.answers.push_back(record_of(testimony, query));
         return record;
       },

@@ -189,6 +189,26 @@ TEST_F(HostileCase, FilesWithAnotherHash) {
             "case.json:4: /b/mesh/sha256: is not a SHA-256 of 64 digits 0-9 a-f");
 }
 
+TEST_F(HostileCase, AFileThatIsReadOnceForManyCases) {
+  folder_.write("mesh.off", kMesh);
+  const std::string hash = cases::sha256_of(kMesh);
+  const auto with_hash = [&](const std::string& sha256) {
+    return with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"" + sha256 + "\"}");
+  };
+  CaseMeshes meshes;
+  const auto read = [&](const std::string& text) {
+    return parse_case(text, "case.json", {.mesh_folder = folder_.path(), .meshes = &meshes});
+  };
+  EXPECT_THROW(read(with_hash(std::string(64, '0'))), CaseError) << "of no such file";
+  const Case first = read(with_hash(hash));
+  folder_.write("mesh.off", "OFF\n0 0 0\n");
+  const Case second = read(with_hash(hash));
+  EXPECT_EQ(std::get<CaseMesh>(*first.b).mesh, std::get<CaseMesh>(*second.b).mesh) << "a handle";
+  EXPECT_THROW(read(with_hash(cases::sha256_of("OFF\n0 0 0\n"))), CaseError)
+      << "another file than the one that was read";
+  EXPECT_NE(error_of(with_hash(hash)), "") << "without them it is read anew";
+}
+
 TEST_F(HostileCase, PosesThatAreNotRigid) {
   EXPECT_EQ(error_of(with_mesh_b("{\"same_as\": \"a\"}, \"pose\": [2,0,0,0, 0,2,0,0, 0,0,2,0]")),
             "case.json:3: /b/pose: the pose: not a rotation, max |R^T R - I| is 3, above 1e-06");

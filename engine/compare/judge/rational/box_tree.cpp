@@ -48,39 +48,44 @@ double BoxTree::gap_below(const Box& a, const Box& b) {
 }
 
 BoxTree::BoxTree(std::span<const Triangle> triangles) : order_(triangles.size()) {
+  boxes_.reserve(triangles.size());
   for (const Triangle& triangle : triangles)
     boxes_.push_back(box_of(triangle));
   std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.push_back({{}, 0, static_cast<std::uint32_t>(order_.size()), 0});
-  build(0);
+  nodes_.reserve(2 * triangles.size());
+  nodes_.push_back(node_of(0, static_cast<std::uint32_t>(order_.size())));
 }
 
-// Halving keeps the depth below 32.
-void BoxTree::build(std::uint32_t index) {
-  const std::uint32_t first = nodes_[index].first;
-  const std::uint32_t count = nodes_[index].count;
+bool BoxTree::Node::is_leaf() const {
+  return count <= kLeafSize;
+}
+
+BoxTree::Node BoxTree::node_of(std::uint32_t first, std::uint32_t count) const {
   Box box = boxes_[order_[first]];
   for (std::uint32_t i = 1; i < count; ++i)
     include(box, boxes_[order_[first + i]]);
-  nodes_[index].box = box;
-  if (count <= kLeafSize) return;
+  return {box, first, count, 0};
+}
 
+// Halving keeps the depth below 32.
+std::uint32_t BoxTree::left_of(std::uint32_t index) const {
+  Node& node = nodes_[index];
+  if (node.left != 0) return node.left;
+  const Box& box = node.box;
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     if (box.max[i] / 2 - box.min[i] / 2 > box.max[axis] / 2 - box.min[axis] / 2) axis = i;
   }
-  const auto begin = order_.begin() + first;
-  const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+  const auto begin = order_.begin() + node.first;
+  const std::uint32_t half = node.count / 2;
+  std::nth_element(begin, begin + half, begin + node.count, [&](std::uint32_t a, std::uint32_t b) {
     return boxes_[a].min[axis] / 2 + boxes_[a].max[axis] / 2 <
            boxes_[b].min[axis] / 2 + boxes_[b].max[axis] / 2;
   });
-  const auto left = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[index].left = left;
-  nodes_.push_back({{}, first, half, 0});
-  nodes_.push_back({{}, first + half, count - half, 0});
-  build(left);
-  build(left + 1);
+  node.left = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(node_of(node.first, half));
+  nodes_.push_back(node_of(node.first + half, node.count - half));
+  return node.left;
 }
 
 struct BoxTree::OverlapWalk {
@@ -103,11 +108,13 @@ struct BoxTree::OverlapWalk {
     const Node& node_a = a.nodes_[index_a];
     const Node& node_b = b.nodes_[index_b];
     if (!overlap(node_a.box, node_b.box)) return true;
-    if (node_a.left == 0 && node_b.left == 0) return leaf_pairs(node_a, node_b);
-    if (node_b.left == 0 || (node_a.left != 0 && node_a.count >= node_b.count)) {
-      return walk(node_a.left, index_b) && walk(node_a.left + 1, index_b);
+    if (node_a.is_leaf() && node_b.is_leaf()) return leaf_pairs(node_a, node_b);
+    if (node_b.is_leaf() || (!node_a.is_leaf() && node_a.count >= node_b.count)) {
+      const std::uint32_t left = a.left_of(index_a);
+      return walk(left, index_b) && walk(left + 1, index_b);
     }
-    return walk(index_a, node_b.left) && walk(index_a, node_b.left + 1);
+    const std::uint32_t left = b.left_of(index_b);
+    return walk(index_a, left) && walk(index_a, left + 1);
   }
 };
 
@@ -135,11 +142,12 @@ struct BoxTree::NearWalk {
     if (gap(index_a, index_b) >= bound) return;
     const Node& node_a = a.nodes_[index_a];
     const Node& node_b = b.nodes_[index_b];
-    if (node_a.left == 0 && node_b.left == 0) return leaf_pairs(node_a, node_b);
-    const bool is_a_split = node_b.left == 0 || (node_a.left != 0 && node_a.count >= node_b.count);
+    if (node_a.is_leaf() && node_b.is_leaf()) return leaf_pairs(node_a, node_b);
+    const bool is_a_split = node_b.is_leaf() || (!node_a.is_leaf() && node_a.count >= node_b.count);
+    const std::uint32_t left = is_a_split ? a.left_of(index_a) : b.left_of(index_b);
     std::array<std::pair<std::uint32_t, std::uint32_t>, 2> next = {
-        {{is_a_split ? node_a.left : index_a, is_a_split ? index_b : node_b.left},
-         {is_a_split ? node_a.left + 1 : index_a, is_a_split ? index_b : node_b.left + 1}}};
+        {{is_a_split ? left : index_a, is_a_split ? index_b : left},
+         {is_a_split ? left + 1 : index_a, is_a_split ? index_b : left + 1}}};
     if (gap(next[1].first, next[1].second) < gap(next[0].first, next[0].second)) {
       std::swap(next[0], next[1]);
     }

@@ -11,7 +11,8 @@
 namespace graze::compare {
 
 /// The referee's own hierarchy: boxes of the placed doubles, halved at the median. Boxes are only
-/// compared, never computed with, so that nothing is rounded.
+/// compared, never computed with, so that nothing is rounded. A node is halved when a walk first
+/// comes to it: most trees are walked once, and along a few ways. One thread at a time.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Triangle> triangles);
@@ -34,7 +35,8 @@ class BoxTree {
     Box box;
     std::uint32_t first;  ///< of its triangles in order_
     std::uint32_t count;
-    std::uint32_t left;  ///< 0 for a leaf; the right child is the next one
+    std::uint32_t left;  ///< 0 until it is halved; the right child is the next one
+    bool is_leaf() const;
   };
   struct OverlapWalk;
   struct NearWalk;
@@ -43,11 +45,12 @@ class BoxTree {
   static void include(Box& box, const Box& other);
   static bool overlap(const Box& a, const Box& b);
   static double gap_below(const Box& a, const Box& b);
-  void build(std::uint32_t node);
+  Node node_of(std::uint32_t first, std::uint32_t count) const;
+  std::uint32_t left_of(std::uint32_t node) const;
 
   std::vector<Box> boxes_;
-  std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;
+  mutable std::vector<std::uint32_t> order_;
+  mutable std::vector<Node> nodes_;  ///< never moved: there is room for all
 };
 
 }  // namespace graze::compare
