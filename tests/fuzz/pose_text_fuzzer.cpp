@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/mesh/io/pose_array.h>
 #include <graze/engine/pose_text.h>
 
 #include <bit>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 // Whatever a line holds, it is a pose or a PoseError. A pose that was read is rigid, and its
 // numbers, written with all their digits, are read as the same pose, bit for bit.
@@ -34,12 +36,23 @@ bool have_equal_numbers(const Pose& p, const Pose& q) {
   return true;
 }
 
+/// An array of poses is read, or refused, whatever it holds.
+void read_array(std::string_view bytes) {
+  try {
+    for (const PoseLine& pose : mesh_io::poses_of_array(bytes, "array"))
+      check_rigid(pose.pose, "a pose of an array");
+  } catch (const PoseError&) {  // what is wrong with an input is no finding
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  if (mesh_io::is_array(bytes)) read_array(bytes);
   Pose pose;
   try {
-    pose = parse_pose({reinterpret_cast<const char*>(data), size}, "line");
+    pose = parse_pose(bytes, "line");
   } catch (const PoseError&) {
     return 0;  // what is wrong with an input is no finding
   }

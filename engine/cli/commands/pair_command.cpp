@@ -61,7 +61,7 @@ void add_pair_command(CLI::App& program, Action& action) {
   command->add_option("B", options->mesh_b, "second mesh")->required();
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
-  command->add_option("--poses", options->poses, "poses of B, one per line, each a query")
+  command->add_option("--poses", options->poses, "poses of B, one per line, or .npy, each a query")
       ->type_name("FILE");
   command
       ->add_option("--query", options->query,

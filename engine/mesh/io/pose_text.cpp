@@ -2,11 +2,13 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/files/number_list.h>
 #include <graze/engine/files/source.h>
+#include <graze/engine/mesh/io/pose_array.h>
 #include <graze/engine/pose_text.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace graze {
@@ -24,6 +26,16 @@ constexpr std::size_t kMaxLineLength = 1 << 16;
 
 [[noreturn]] void fail_in_file(const std::string& name, const std::string& why) {
   throw PoseError(name + ": " + why, {.file = name});
+}
+
+/// No line of text begins with it.
+constexpr int kFirstOfArray = 0x93;
+
+std::vector<PoseLine> poses_of_array(std::ifstream& file, const std::string& name) {
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) fail_in_file(name, "cannot be read to its end");
+  if (!mesh_io::is_array(bytes)) fail_in_file(name, "is no text, and no array of numpy's");
+  return mesh_io::poses_of_array(bytes, name);
 }
 
 }  // namespace
@@ -48,8 +60,9 @@ std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
     const std::string name = mesh_io::printable(path.string());
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) fail_in_file(name, "is a directory");
-    std::ifstream file(path);
+    std::ifstream file(path, std::ios::binary);
     if (!file) fail_in_file(name, std::strerror(errno));
+    if (file.peek() == kFirstOfArray) return poses_of_array(file, name);
 
     std::vector<PoseLine> poses;
     std::vector<char> buffer(kMaxLineLength);
