@@ -82,4 +82,7 @@ int main() {
   expect(graze::cast({cube}, graze::Obb{at(0, 0, 3), {1, 1, 1}}, Eigen::Vector3d(0, 0, -4))->time ==
              0.25,
          "or one with axes of its own");
+  const std::optional<graze::VolumeCast> ball =
+      graze::cast({cube}, graze::Sphere{{0, 0, 2.5}, 0.5}, Eigen::Vector3d(0, 0, -4));
+  expect(ball && ball->time == 0.25 && ball->normal.z() == 1, "a ball");
 }

@@ -83,6 +83,8 @@ std::vector<Question> triangle_questions() {
            add_contact(words, first_contact(moving.a, other, {.start = StartContact::IsLeft}));
            add_contact(words, cast(in.triangle_a, in.triangles[i], in.triangles[i + 1].a));
            add_contact(words,
+                       cast(in.triangle_a, Sphere{in.triangles[i].b, 0.25}, in.triangles[i + 1].a));
+           add_contact(words,
                        first_contact(EdgePath{moving.a, moving.b}, EdgePath{other.b, other.c}));
          }
        }},
