@@ -77,6 +77,7 @@ struct PlacedShapeView;
 struct ContactFeature;
 class Manifold;
 struct MeshSides;
+struct ShapeCast;
 struct ShapeContact;
 struct ShapeDistance;
 
