@@ -32,6 +32,7 @@ class RigidMotion;
 struct Topology;
 
 struct BatchSettings;
+struct CastSettings;
 struct ContactSettings;
 struct DistanceSettings;
 struct FirstContactSettings;

@@ -6,6 +6,11 @@
 
 namespace graze {
 
+/// How cast() asks.
+struct CastSettings {
+  StartContact start = StartContact::Counts;  ///< what a contact at t = 0 is
+};
+
 /// When triangle B, moved by `t displacement` (metres, t in [0, 1]), meets triangle A, which stays,
 /// or nothing if it never does (law 13). In real arithmetic on the given doubles, for every finite
 /// input: triangles that slide in one plane, touch in passing, have no area, are huge or tiny; a
@@ -26,7 +31,7 @@ namespace graze {
 /// Communications of the ACM 22(1), 1979.
 std::optional<FirstContact> cast(const Triangle& triangle_a, const Triangle& triangle_b,
                                  const Eigen::Vector3d& displacement,
-                                 const FirstContactSettings& settings = {});
+                                 const CastSettings& settings = {});
 
 /// When a closed ball, moved by `t displacement` (metres, t in [0, 1]), meets a triangle, which
 /// stays, or nothing if it never does (law 13). In real arithmetic on the given doubles, for every
@@ -47,6 +52,6 @@ std::optional<FirstContact> cast(const Triangle& triangle_a, const Triangle& tri
 /// 2005, section 5.5.6, has spheres that go straight).
 std::optional<FirstContact> cast(const Triangle& triangle, const Sphere& ball,
                                  const Eigen::Vector3d& displacement,
-                                 const FirstContactSettings& settings = {});
+                                 const CastSettings& settings = {});
 
 }  // namespace graze

@@ -5,7 +5,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
-#include <graze/narrowphase/first_contact.h>
+#include <graze/narrowphase/cast.h>
 
 #include <cstdint>
 #include <optional>
@@ -65,6 +65,6 @@ std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Obb& box,
 /// where coordinates are so large that sums of them could overflow.
 std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Sphere& ball,
                                const Eigen::Vector3d& displacement,
-                               const FirstContactSettings& settings = {}, Work* work = nullptr);
+                               const CastSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -10,7 +10,7 @@ namespace graze {
 
 std::optional<FirstContact> cast(const Triangle& triangle, const Sphere& ball,
                                  const Eigen::Vector3d& displacement,
-                                 const FirstContactSettings& settings) {
+                                 const CastSettings& settings) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<FirstContact> {
     narrowphase::check_settings(settings);
     narrowphase::check_displacement(displacement);

@@ -57,6 +57,10 @@ int main() {
   const graze::TrianglePath panel{bar.a, bar.b, falling};
   expect(graze::first_contact(panel, floor)->time == 0.25, "two triangles: the vertex comes first");
 
+  // When they come as near as half a metre, of two.
+  expect(graze::first_contact(falling, floor, {.separation = 0.5})->time < fallen->time,
+         "as exactly, and never late");
+
   // And when one goes straight as it is.
   const std::optional<graze::FirstContact> landed = graze::cast(flat, above, {0, 0, -8});
   expect(landed && landed->time == 0.25, "a quarter of eight metres");

@@ -113,8 +113,8 @@ class BallMover {
 }  // namespace
 
 std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Sphere& ball,
-                               const Eigen::Vector3d& displacement,
-                               const FirstContactSettings& settings, Work* work) {
+                               const Eigen::Vector3d& displacement, const CastSettings& settings,
+                               Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<VolumeCast> {
     CountedWork counted(work);
     narrowphase::check_settings(settings);

@@ -148,7 +148,7 @@ TEST(Law13MeshAndBall, TimesWithinOneDoubleAreOrdered) {
 
 TEST(Law13MeshAndBall, WhatRestsRollsOnUntilItComesToAnother) {
   const Sphere ball{{1, 1, 0.5}, 0.5};
-  const FirstContactSettings kLeft{.start = StartContact::IsLeft};
+  const CastSettings kLeft{.start = StartContact::IsLeft};
   EXPECT_TRUE(cast({kFloor}, ball, {2, 2, 0})->is_at_start);
   const auto rolled = cast({kFloor}, ball, {2, 2, 0}, kLeft);
   ASSERT_TRUE(rolled);

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-constexpr FirstContactSettings kLeft{.start = StartContact::IsLeft};
+constexpr CastSettings kLeft{.start = StartContact::IsLeft};
 
 const Triangle kFloor{{0, 0, 0}, {40, 0, 0}, {0, 40, 0}};
 
@@ -101,7 +101,7 @@ TEST(Law13BallPolicy, WhatLeavesOrRollsGoesOn) {
 }
 
 std::string message_of(const Triangle& t, const Sphere& ball, const Eigen::Vector3d& d,
-                       const FirstContactSettings& settings = {}) {
+                       const CastSettings& settings = {}) {
   try {
     cast(t, ball, d, settings);
   } catch (const InputError& error) {
