@@ -29,6 +29,7 @@ struct PlacedMesh;
 struct PlacedMeshView;
 class PairMemory;
 class RigidMotion;
+struct RigidPair;
 struct Topology;
 
 struct BatchSettings;

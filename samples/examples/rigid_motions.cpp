@@ -66,4 +66,9 @@ int main() {
   const std::vector<bool> free = graze::is_free(cube, rest, cube, edges);
   expect(free == std::vector<bool>{true, false, false, true}, "each edge as if asked alone");
   expect(graze::first_contact(cube, rest, cube, edges)[1] == met, "likewise");
+
+  // Or of many bodies, each in its own motion.
+  const std::vector<graze::RigidPair> pairs{{cube, rest, cube, slide}, {cube, screw, cube, rest}};
+  expect(graze::first_contact(pairs)[0] == met, "each pair as if asked alone");
+  expect(graze::is_free(pairs) == std::vector<bool>{false, true}, "likewise");
 }
