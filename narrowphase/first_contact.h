@@ -63,8 +63,9 @@ struct FirstContact {
 ///
 /// With a separation contact is when the two are no further apart than that, in real arithmetic,
 /// too: so a step to the time keeps at least that distance, and be the time a moment in passing.
-/// Takes some hundred nanoseconds where they are clearly further apart all the way, else up to
-/// milliseconds, on the heap.
+/// Takes some hundred nanoseconds where they are clearly further apart all the way, else about a
+/// millisecond, and up to a second for coordinates that are a thousand binary places apart, on the
+/// heap.
 ///
 /// Brochu, Edwards and Bridson, "Efficient geometrically exact continuous collision detection", ACM
 /// Transactions on Graphics 31(4), 2012, decide the parity of contacts exactly; Wang, Ferguson,

@@ -105,11 +105,13 @@ double LongRoot::rounded_down() {
   return std::ldexp(low_.numerator.shifted_down(dropped).to_double(), dropped - low_.bits);
 }
 
+// The basis on a stretch takes as long as dozens of halvings: it is found after 0, 1, 2, 4, ... of
+// them.
 Sign LongRoot::sign_of(const LongPolynomial& g) {
   if (g.is_zero()) return Sign::Zero;
   if (g.degree() == 0) return g.leading().sign();
   bool has_common = true;
-  for (int halvings = 0;; ++halvings) {
+  for (int halvings = 0;; halvings = std::max(2 * halvings, 1)) {
     if (is_dyadic_) return sign_at(g, low_);
     const Coefficients coefficients = bernstein(g, low_);
     if (count_changes(coefficients) == 0) {
@@ -119,13 +121,13 @@ Sign LongRoot::sign_of(const LongPolynomial& g) {
       }
     }
     if (has_common && halvings >= kPatience) {
-      const LongPolynomial common = greatest_common_divisor(*f_, g);
-      has_common = common.degree() > 0;
-      // Of its roots, which are simple ones of f, there is at most one in the stretch.
-      if (has_common && count_changes(bernstein(common, low_)) % 2 == 1) return Sign::Zero;
       has_common = false;
+      const LongPolynomial common = greatest_common_divisor(*f_, g);
+      // Of its roots, which are simple ones of f, there is at most one in the stretch.
+      if (common.degree() > 0 && count_changes(bernstein(common, low_)) % 2 == 1) return Sign::Zero;
     }
-    refine();
+    for (int i = 0; i < std::max(halvings, 1) && !is_dyadic_; ++i)
+      refine();
   }
 }
 
