@@ -29,9 +29,11 @@ struct PlacedMesh;
 struct PlacedMeshView;
 class PairMemory;
 class RigidMotion;
+struct RigidPair;
 struct Topology;
 
 struct BatchSettings;
+struct CastSettings;
 struct ContactSettings;
 struct DistanceSettings;
 struct FirstContactSettings;
@@ -77,6 +79,7 @@ struct PlacedShapeView;
 struct ContactFeature;
 class Manifold;
 struct MeshSides;
+struct ShapeCast;
 struct ShapeContact;
 struct ShapeDistance;
 

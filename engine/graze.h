@@ -56,6 +56,7 @@
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>

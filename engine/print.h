@@ -22,6 +22,7 @@
 #include <graze/engine/work.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/world.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/triangle.h>
@@ -69,6 +70,7 @@ std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);
 std::ostream& operator<<(std::ostream& out, const Separation& separation);
 std::ostream& operator<<(std::ostream& out, const RayHit& hit);
 std::ostream& operator<<(std::ostream& out, const ShapeDistance& distance);
+std::ostream& operator<<(std::ostream& out, const ShapeCast& cast);
 std::ostream& operator<<(std::ostream& out, const ShapeContact& contact);
 std::ostream& operator<<(std::ostream& out, const Manifold& manifold);
 std::ostream& operator<<(std::ostream& out, const BodyContact& contact);

@@ -2,6 +2,7 @@
 
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/narrowphase/cast.h>
 
 namespace graze {
 
@@ -43,7 +44,7 @@ struct MeshCast {
 /// displacement that is not finite, PoseError as intersects() does, and where coordinates are so
 /// large that sums of them could overflow.
 std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                             const Eigen::Vector3d& displacement,
-                             const FirstContactSettings& settings = {}, Work* work = nullptr);
+                             const Eigen::Vector3d& displacement, const CastSettings& settings = {},
+                             Work* work = nullptr);
 
 }  // namespace graze

@@ -61,15 +61,17 @@ struct MeshFirstContact {
 /// When the triangles of two meshes in motion meet first, or nothing if they never do (law 12):
 /// exact, never late. Of contacts of one time that of the lowest pair of triangles, then of the
 /// first kind of features, then of the lowest places: so the largest step that is free is to
-/// `time`, or to 1. With StartContact::IsLeft each vertex with each face and each pair of edges is
-/// asked so; triangles that cross at t = 0 meet there all the same.
+/// `time`, or to 1; with a separation the largest that keeps it. With StartContact::IsLeft each
+/// vertex with each face and each pair of edges is asked so; triangles that cross at t = 0 meet
+/// there all the same. Allocates for nothing but pairs of features that come near a separation.
 std::optional<MeshFirstContact> first_contact(const MeshPath& path_a, const MeshPath& path_b,
                                               const FirstContactSettings& settings = {},
                                               Work* work = nullptr);
 
 /// Of a mesh with itself, likewise, for a pair of triangles a < b. A vertex does not meet a
 /// triangle of its own, nor an edge one that it has a vertex in common with, and triangles with a
-/// common vertex are a hit at t = 0 only where they cross.
+/// common vertex are a hit at t = 0 only where they cross. With a separation that is above the
+/// lengths of edges, most vertices are near neighbours of their own triangles at t = 0.
 std::optional<MeshFirstContact> first_self_contact(const MeshPath& path,
                                                    const FirstContactSettings& settings = {},
                                                    Work* work = nullptr);

@@ -82,4 +82,23 @@ std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const
                           const RigidContactSettings& settings = {},
                           const BatchSettings& batch = {}, Work* work = nullptr);
 
+/// Two meshes in rigid motion: one of many pairs.
+struct RigidPair {
+  Mesh mesh_a;           ///< a handle
+  RigidMotion motion_a;  ///< of A
+  Mesh mesh_b;           ///< a handle, perhaps to the same mesh
+  RigidMotion motion_b;  ///< of B
+};
+
+/// What first_contact() and is_free() answer for each of many pairs, in their order, on all
+/// threads: the motions of many bodies beside one, or of each beside each. Trees of meshes that
+/// stand in several pairs are built once. They throw as these do, before the first answer where a
+/// motion is to blame, which the error names by the index of its pair.
+std::vector<RigidContact> first_contact(std::span<const RigidPair> pairs,
+                                        const RigidContactSettings& settings = {},
+                                        const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<bool> is_free(std::span<const RigidPair> pairs,
+                          const RigidContactSettings& settings = {},
+                          const BatchSettings& batch = {}, Work* work = nullptr);
+
 }  // namespace graze

@@ -161,6 +161,10 @@ std::ostream& operator<<(std::ostream& out, const VolumeCast& cast) {
              << Text(", triangle ", cast.triangle, ", point ", cast.point, ", normal ",
                      cast.normal);
 }
+std::ostream& operator<<(std::ostream& out, const ShapeCast& cast) {
+  return out << FirstContact{cast.time, cast.is_at_start}
+             << Text(", point ", cast.point, ", normal ", cast.normal);
+}
 std::ostream& operator<<(std::ostream& out, const RigidContact& contact) {
   if (contact.status == RigidStatus::Free) return out << "free";
   if (contact.status == RigidStatus::Hit)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/first_contact.h>
 
 #include <cstddef>
@@ -18,6 +19,7 @@ void check_paths(const TrianglePath& triangle_a, const TrianglePath& triangle_b,
                  std::size_t number = kNoNumber);
 
 void check_settings(const FirstContactSettings& settings);
+void check_settings(const CastSettings& settings);
 
 /// Throws for lengths that differ.
 void check_lengths(std::size_t length_a, std::size_t length_b, std::size_t contacts);

@@ -199,7 +199,10 @@ LongInteger<Capacity> LongInteger<Capacity>::product(const LongInteger& a, const
 
 template class LongInteger<200>;
 template class LongInteger<768>;
+template class LongInteger<1000>;
 template LongInteger<768>::LongInteger(const LongInteger<200>&);
 template LongInteger<200>::LongInteger(const LongInteger<768>&);
+template LongInteger<1000>::LongInteger(const LongInteger<200>&);
+template LongInteger<200>::LongInteger(const LongInteger<1000>&);
 
 }  // namespace graze::narrowphase

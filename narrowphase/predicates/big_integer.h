@@ -73,8 +73,13 @@ using BigInteger = LongInteger<200>;
 /// What signs at roots of polynomials may ask for (motion/root_sign.h).
 using HugeInteger = LongInteger<768>;
 
+/// What comparing the times of two faces that a ball meets may ask for
+/// (translation/ball_meetings.cpp).
+using VastInteger = LongInteger<1000>;
+
 extern template class LongInteger<200>;
 extern template class LongInteger<768>;
+extern template class LongInteger<1000>;
 
 /// The exponent of the lowest set bit of a finite double that is not zero.
 int exponent_of_lowest_bit(double value);

@@ -14,7 +14,7 @@ namespace narrowphase {
 namespace {
 
 std::optional<FirstContact> cast_of(const Triangle& triangle_a, const Triangle& triangle_b,
-                                    const double* d, const FirstContactSettings& settings) {
+                                    const double* d, const CastSettings& settings) {
   const TranslatedPair pair(triangle_a, triangle_b, d);
   if (decide(triangle_a, triangle_b).is_hit) {
     if (settings.start == StartContact::IsLeft && !crosses_from_start(pair)) return std::nullopt;
@@ -38,7 +38,7 @@ void check_displacement(const Eigen::Vector3d& displacement) {
 
 std::optional<FirstContact> cast(const Triangle& triangle_a, const Triangle& triangle_b,
                                  const Eigen::Vector3d& displacement,
-                                 const FirstContactSettings& settings) {
+                                 const CastSettings& settings) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<FirstContact> {
     narrowphase::check_settings(settings);
     narrowphase::check_displacement(displacement);

@@ -2,9 +2,7 @@
 #include <graze/narrowphase/predicates/exact_vector.h>
 #include <graze/narrowphase/translation/axes.h>
 #include <graze/narrowphase/translation/meeting_time.h>
-
-#include <algorithm>
-#include <cmath>
+#include <graze/narrowphase/translation/unit_vector.h>
 
 namespace graze::narrowphase {
 namespace {
@@ -51,34 +49,6 @@ class ExactPair {
   CommonUnit unit_;
   BigVector d_;
 };
-
-bool is_zero(const BigVector& v) {
-  return v.x.is_zero() && v.y.is_zero() && v.z.is_zero();
-}
-
-/// With length 1, against d as far as it is along it; zero stays.
-Eigen::Vector3d unit_against(const BigVector& n, const BigVector& d) {
-  const BigInteger* component[3] = {&n.x, &n.y, &n.z};
-  Eigen::Vector3d unit(0, 0, 0);
-  if (is_zero(n)) return unit;
-  int exponent = 0;
-  bool has_any = false;
-  for (const BigInteger* c : component) {
-    if (c->is_zero()) continue;
-    const int own = c->leading().exponent;
-    exponent = has_any ? std::max(exponent, own) : own;
-    has_any = true;
-  }
-  const BigInteger one = BigInteger::from_double(1, 0);
-  double v[3];
-  for (int k = 0; k < 3; ++k)
-    v[k] = rounded_ratio(*component[k], one, -exponent - 128);
-  double length = std::sqrt((v[0] * v[0] + v[1] * v[1]) + v[2] * v[2]);
-  if (dot(n, d).sign() == Sign::Positive) length = -length;
-  for (int k = 0; k < 3; ++k)
-    unit.data()[k] = v[k] / length;
-  return unit;
-}
 
 }  // namespace
 

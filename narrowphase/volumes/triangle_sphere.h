@@ -22,5 +22,11 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere);
 /// The exact stage alone. Throws as intersects() does.
 bool intersects_exactly(const Triangle& triangle, const Sphere& sphere);
 
+/// True only if the sphere, moved by t d, is apart from the triangle at all t from 0 to `until`,
+/// which is not negative: one plane separates the triangle from where the sphere is at either end.
+/// By the floating-point stage; false for what is not finite.
+bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
+                      double until);
+
 }  // namespace narrowphase
 }  // namespace graze

@@ -64,6 +64,8 @@ int main() {
   const auto all = graze::find_contacts_in_step(growing, resting);
   expect(all.size() > 4 && all[0].time == 0.5, "and all features that meet in the step");
   expect(graze::find_self_contacts_in_step(growing).empty(), "none of its own");
+  const auto near = graze::first_contact(growing, resting, {.separation = 0.125});
+  expect(near && near->time < met->time, "the largest step that keeps an eighth of a metre");
   expect(growing.start() == cube && growing.end() == tower && growing.bytes() > 0,
          "it holds both meshes, and a tree");
   expect(!graze::first_self_contact(growing), "and no part of it meets another");
@@ -82,4 +84,7 @@ int main() {
   expect(graze::cast({cube}, graze::Obb{at(0, 0, 3), {1, 1, 1}}, Eigen::Vector3d(0, 0, -4))->time ==
              0.25,
          "or one with axes of its own");
+  const std::optional<graze::VolumeCast> ball =
+      graze::cast({cube}, graze::Sphere{{0, 0, 2.5}, 0.5}, Eigen::Vector3d(0, 0, -4));
+  expect(ball && ball->time == 0.25 && ball->normal.z() == 1, "a ball");
 }

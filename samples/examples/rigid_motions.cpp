@@ -55,9 +55,20 @@ int main() {
       graze::first_contact(graze::HalfSpace{{0, 0, 1}}, rest, graze::Sphere{{0, 0, 0}, 0.5}, falls);
   expect(landed.status == graze::RigidStatus::Hit && landed.low <= 0.5, "halfway, never late");
 
+  // What goes straight needs no motion: never late, and exact for meshes, balls and boxes.
+  const std::optional<graze::ShapeCast> slid = graze::cast(
+      {graze::Box{{1, 1, 1}}}, {graze::Capsule{0.5, 1}, examples::at(4, 0, 0)}, {-5, 0, 0});
+  expect(slid && slid->time <= 0.5 && slid->time > 0.4999999, "two and a half metres of five");
+  expect(slid->normal.x() > 0.999999, "towards the capsule");
+
   // Edges of a roadmap, on all threads.
   const std::vector<graze::RigidMotion> edges{screw, slide, turned, thrown};
   const std::vector<bool> free = graze::is_free(cube, rest, cube, edges);
   expect(free == std::vector<bool>{true, false, false, true}, "each edge as if asked alone");
   expect(graze::first_contact(cube, rest, cube, edges)[1] == met, "likewise");
+
+  // Or of many bodies, each in its own motion.
+  const std::vector<graze::RigidPair> pairs{{cube, rest, cube, slide}, {cube, screw, cube, rest}};
+  expect(graze::first_contact(pairs)[0] == met, "each pair as if asked alone");
+  expect(graze::is_free(pairs) == std::vector<bool>{false, true}, "likewise");
 }

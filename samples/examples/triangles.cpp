@@ -57,9 +57,14 @@ int main() {
   const graze::TrianglePath panel{bar.a, bar.b, falling};
   expect(graze::first_contact(panel, floor)->time == 0.25, "two triangles: the vertex comes first");
 
+  // When they come as near as half a metre, of two.
+  expect(graze::first_contact(falling, floor, {.separation = 0.5})->time < fallen->time,
+         "as exactly, and never late");
+
   // And when one goes straight as it is.
   const std::optional<graze::FirstContact> landed = graze::cast(flat, above, {0, 0, -8});
   expect(landed && landed->time == 0.25, "a quarter of eight metres");
+  expect(graze::cast(flat, graze::Sphere{{0.25, 0.25, 3}, 1}, {0, 0, -8})->time == 0.25, "a ball");
 
   const std::optional<graze::TriangleRayHit> hit =
       graze::cast_ray(flat, graze::Ray{{0.25, 0.25, 3}, {0, 0, -1}});

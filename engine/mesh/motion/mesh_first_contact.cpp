@@ -2,6 +2,7 @@
 #include <graze/bvh/traverse/traverse_pair.h>
 #include <graze/bvh/traverse/traverse_self.h>
 #include <graze/engine/mesh/motion/feature_contacts.h>
+#include <graze/engine/mesh/motion/near_nodes.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 #include <graze/engine/mesh/query/node_volumes.h>
 #include <graze/engine/mesh/query/query_results.h>
@@ -13,15 +14,10 @@ namespace graze {
 
 namespace {
 
-/// Tells `contacts` of all pairs of triangles whose boxes meet.
-void ask_meshes(const MeshPath& path_a, const MeshPath& path_b, FeatureContacts& contacts,
-                Work& work) {
-  const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
-  const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
-  const Pose identity = Pose::Identity();
-  const bvh::RelativeFrame frame = relative_frame(PlacedFrame(identity, 0, a.tree.frame, a.bounds),
-                                                  PlacedFrame(identity, 0, b.tree.frame, b.bounds));
-  const bvh::NodeSeparation separation(frame, a.tree.nodes, b.tree.nodes);
+/// Tells `contacts` of all pairs of triangles whose boxes meet, or are near.
+template <typename Separation>
+void ask_meshes(const MeshPathAccess::Data& a, const MeshPathAccess::Data& b,
+                const Separation& separation, FeatureContacts& contacts, Work& work) {
   bvh::traverse_pair(a.tree, b.tree, CountedSeparation(separation, work),
                      [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
                        for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
@@ -35,9 +31,9 @@ void ask_meshes(const MeshPath& path_a, const MeshPath& path_b, FeatureContacts&
                      });
 }
 
-void ask_mesh(const MeshPath& path, FeatureContacts& contacts, Work& work) {
-  const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
-  const bvh::NodeOverlap separation(mesh.tree.nodes, mesh.tree.nodes);
+template <typename Separation>
+void ask_mesh(const MeshPathAccess::Data& mesh, const Separation& separation,
+              FeatureContacts& contacts, Work& work) {
   bvh::traverse_self(mesh.tree, CountedSeparation(separation, work),
                      [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
                        const bool is_same = &leaf_a == &leaf_b;
@@ -60,7 +56,17 @@ FeatureContacts contacts_of_meshes(const MeshPath& path_a, const MeshPath& path_
   narrowphase::check_settings(settings);
   CountedWork counted(work);
   FeatureContacts contacts(settings, kept);
-  ask_meshes(path_a, path_b, contacts, counted.work());
+  const MeshPathAccess::Data& a = MeshPathAccess::data(path_a);
+  const MeshPathAccess::Data& b = MeshPathAccess::data(path_b);
+  if (settings.separation > 0) {
+    ask_meshes(a, b, NearNodes(a.tree, b.tree, settings.separation), contacts, counted.work());
+    return contacts;
+  }
+  const Pose identity = Pose::Identity();
+  const bvh::RelativeFrame frame = relative_frame(PlacedFrame(identity, 0, a.tree.frame, a.bounds),
+                                                  PlacedFrame(identity, 0, b.tree.frame, b.bounds));
+  ask_meshes(a, b, bvh::NodeSeparation(frame, a.tree.nodes, b.tree.nodes), contacts,
+             counted.work());
   return contacts;
 }
 
@@ -69,7 +75,12 @@ FeatureContacts contacts_of_mesh(const MeshPath& path, const FirstContactSetting
   narrowphase::check_settings(settings);
   CountedWork counted(work);
   FeatureContacts contacts(settings, kept);
-  ask_mesh(path, contacts, counted.work());
+  const MeshPathAccess::Data& mesh = MeshPathAccess::data(path);
+  if (settings.separation > 0) {
+    ask_mesh(mesh, NearNodes(mesh.tree, mesh.tree, settings.separation), contacts, counted.work());
+  } else {
+    ask_mesh(mesh, bvh::NodeOverlap(mesh.tree.nodes, mesh.tree.nodes), contacts, counted.work());
+  }
   return contacts;
 }
 

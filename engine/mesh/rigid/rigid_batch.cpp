@@ -10,12 +10,24 @@
 namespace graze {
 namespace {
 
-/// Fills `answers`, one for each motion, by `ask(motion of B, work)`. Motions differ a thousandfold
-/// in what they take, so that each is a part by itself.
+/// Fills `answers` by `ask(i, work)`. Motions differ a thousandfold in what they take, so that each
+/// is a part by itself.
 template <typename Answer, typename Ask>
-void answer_all(const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
-                const BatchSettings& batch, Work* total, std::vector<Answer>& answers,
+void answer_all(const BatchSettings& batch, Work* total, std::vector<Answer>& answers,
                 const Ask& ask) {
+  std::mutex mutex;
+  for_each_part(answers.size(), batch.threads, [&](std::size_t i) {
+    Work work;
+    answers[i] = ask(i, work);
+    const std::scoped_lock lock(mutex);
+    if (total != nullptr) *total += work;
+  });
+}
+
+/// One answer for each motion of B.
+template <typename Answer, typename Ask>
+std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
+                                       const BatchSettings& batch, Work* total, const Ask& ask) {
   check_threads(batch.threads);
   for (std::size_t i = 0; i < motions_b.size(); ++i) {
     bvh::at_element("motion", i, [&] {
@@ -23,14 +35,30 @@ void answer_all(const Mesh& mesh_b, std::span<const RigidMotion> motions_b,
                   ("motion " + std::to_string(i) + " of mesh B").c_str());
     });
   }
-  answers.resize(motions_b.size());
-  std::mutex mutex;
-  for_each_part(motions_b.size(), batch.threads, [&](std::size_t i) {
-    Work work;
-    answers[i] = ask(motions_b[i], work);
-    const std::scoped_lock lock(mutex);
-    if (total != nullptr) *total += work;
-  });
+  std::vector<Answer> answers(motions_b.size());
+  answer_all(batch, total, answers,
+             [&](std::size_t i, Work& work) { return ask(motions_b[i], work); });
+  return answers;
+}
+
+/// One for each pair.
+template <typename Answer, typename Ask>
+std::vector<Answer> answers_of_pairs(std::span<const RigidPair> pairs,
+                                     const RigidContactSettings& settings,
+                                     const BatchSettings& batch, Work* total, const Ask& ask) {
+  check_settings(settings);
+  check_threads(batch.threads);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    bvh::at_element("pair", i, [&] {
+      const std::string of_pair = " of pair " + std::to_string(i);
+      const RigidPair& pair = pairs[i];
+      check_reach(pair.motion_a, pair.mesh_a.bounds(), ("motion of mesh A" + of_pair).c_str());
+      check_reach(pair.motion_b, pair.mesh_b.bounds(), ("motion of mesh B" + of_pair).c_str());
+    });
+  }
+  std::vector<Answer> answers(pairs.size());
+  answer_all(batch, total, answers, [&](std::size_t i, Work& work) { return ask(pairs[i], work); });
+  return answers;
 }
 
 }  // namespace
@@ -40,11 +68,10 @@ std::vector<RigidContact> first_contact(const Mesh& mesh_a, const RigidMotion& m
                                         const RigidContactSettings& settings,
                                         const BatchSettings& batch, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<RigidContact> {
-    std::vector<RigidContact> answers;
-    answer_all(mesh_b, motions_b, batch, work, answers, [&](const RigidMotion& b, Work& own) {
-      return first_contact(mesh_a, motion_a, mesh_b, b, settings, &own);
-    });
-    return answers;
+    return answers_of_motions<RigidContact>(
+        mesh_b, motions_b, batch, work, [&](const RigidMotion& b, Work& own) {
+          return first_contact(mesh_a, motion_a, mesh_b, b, settings, &own);
+        });
   });
 }
 
@@ -54,10 +81,34 @@ std::vector<bool> is_free(const Mesh& mesh_a, const RigidMotion& motion_a, const
                           Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
     // Bits of one word are no place for many threads to write to.
-    std::vector<char> answers;
-    answer_all(mesh_b, motions_b, batch, work, answers, [&](const RigidMotion& b, Work& own) {
-      return static_cast<char>(is_free(mesh_a, motion_a, mesh_b, b, settings, &own));
-    });
+    const std::vector<char> answers = answers_of_motions<char>(
+        mesh_b, motions_b, batch, work, [&](const RigidMotion& b, Work& own) {
+          return static_cast<char>(is_free(mesh_a, motion_a, mesh_b, b, settings, &own));
+        });
+    return {answers.begin(), answers.end()};
+  });
+}
+
+std::vector<RigidContact> first_contact(std::span<const RigidPair> pairs,
+                                        const RigidContactSettings& settings,
+                                        const BatchSettings& batch, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<RigidContact> {
+    return answers_of_pairs<RigidContact>(
+        pairs, settings, batch, work, [&](const RigidPair& pair, Work& own) {
+          return first_contact(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings,
+                               &own);
+        });
+  });
+}
+
+std::vector<bool> is_free(std::span<const RigidPair> pairs, const RigidContactSettings& settings,
+                          const BatchSettings& batch, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
+    const std::vector<char> answers =
+        answers_of_pairs<char>(pairs, settings, batch, work, [&](const RigidPair& pair, Work& own) {
+          return static_cast<char>(
+              is_free(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings, &own));
+        });
     return {answers.begin(), answers.end()};
   });
 }

@@ -89,11 +89,21 @@ CastDirections::Frame::Frame(const Aabb& box, const SweepUnits& units)
   }
 }
 
+CastDirections::Frame::Frame(const Sphere& ball, const SweepUnits& units)
+    : axis{}, unit(0), margin(kMargin) {
+  for (int k = 0; k < 3; ++k)
+    centre[k] = ball.centre.data()[k] * units.per_metre;
+}
+
 CastDirections::CastDirections(const FramedMesh& a, const FramedMesh& b, const SweepUnits& units,
                                const double (&direction)[3])
     : CastDirections(Frame(a, units), Frame(b, units), units, direction) {}
 
 CastDirections::CastDirections(const FramedMesh& a, const Aabb& b, const SweepUnits& units,
+                               const double (&direction)[3])
+    : CastDirections(Frame(a, units), Frame(b, units), units, direction) {}
+
+CastDirections::CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
                                const double (&direction)[3])
     : CastDirections(Frame(a, units), Frame(b, units), units, direction) {}
 
@@ -186,6 +196,23 @@ CastDirections::Span CastDirections::of_points(
   for (int i = 0; i < kPairs; ++i) {
     span.middle[i] = both(0.5) * (low[i] + high[i]);
     span.half[i] = both(0.5) * (high[i] - low[i]);
+  }
+  return span;
+}
+
+// Relative to its own centre. The square of n is off by 3 u of itself, for those of what says
+// something do not underflow in sum; the root by half of that and one more, and so are the two
+// products. What underflows of a radius is far below the margin.
+CastDirections::Span CastDirections::of_ball(const Sphere& ball) const {
+  constexpr double kBallGrowth = 1 + 8 * kUnitRoundoff;
+  const double radius = ball.radius * per_metre_ * kBallGrowth;
+  Span span;
+  for (int i = 0; i < kPairs; ++i) {
+    span.middle[i] = both(0);
+    for (int lane = 0; lane < 2; ++lane) {
+      const double n[3] = {vectors_.x[i][lane], vectors_.y[i][lane], vectors_.z[i][lane]};
+      span.half[i][lane] = std::sqrt(dot(n, n)) * radius;
+    }
   }
   return span;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <graze/bvh/sphere.h>
 #include <graze/bvh/value/float_box.h>
 #include <graze/engine/mesh/sweep/framed_mesh.h>
 #include <graze/engine/mesh/sweep/sweep.h>
@@ -31,12 +32,18 @@ class CastDirections {
   CastDirections(const FramedMesh& a, const Aabb& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
+  /// Of a mesh and a ball.
+  CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
+                 const double (&direction)[3]);
+
   Span of_box(Side side, const bvh::FloatBox& box) const;
   Span of_points(Side side, std::span<const Eigen::Vector3d* const> points) const;
   Span of_triangle(Side side, const Triangle& placed) const {
     const Eigen::Vector3d* const corners[3] = {&placed.a, &placed.b, &placed.c};
     return of_points(side, corners);
   }
+  /// Of the ball that this was made for.
+  Span of_ball(const Sphere& ball) const;
   /// Of two things of one mesh together.
   static Span around(const Span& s, const Span& t);
 
@@ -53,6 +60,7 @@ class CastDirections {
   struct Frame {
     Frame(const FramedMesh& mesh, const SweepUnits& units);
     Frame(const Aabb& box, const SweepUnits& units);
+    Frame(const Sphere& ball, const SweepUnits& units);
 
     double centre[3];
     double axis[3][3];

@@ -160,8 +160,8 @@ class CastWalk {
 }  // namespace
 
 std::optional<MeshCast> cast(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
-                             const Eigen::Vector3d& displacement,
-                             const FirstContactSettings& settings, Work* work) {
+                             const Eigen::Vector3d& displacement, const CastSettings& settings,
+                             Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::optional<MeshCast> {
     CountedWork counted(work);
     narrowphase::check_settings(settings);

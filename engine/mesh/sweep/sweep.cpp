@@ -28,6 +28,13 @@ double quarter_of_largest(const Aabb& box) {
   return largest;
 }
 
+double quarter_of_largest(const Sphere& ball) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k)
+    largest = std::max(largest, std::abs(0.25 * ball.centre.data()[k]));
+  return largest + 0.25 * ball.radius;
+}
+
 /// Likewise of each coordinate on the way into a frame: the sums are in the order of law 3, and
 /// rounding is monotone.
 double quarter_of_reach(const PlacedMeshView& placed, const Pose& frame) {
@@ -66,6 +73,9 @@ SweepUnits::SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b)
     : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
 
 SweepUnits::SweepUnits(const PlacedMeshView& a, const Aabb& b)
+    : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
+
+SweepUnits::SweepUnits(const PlacedMeshView& a, const Sphere& b)
     : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
 
 SweepUnits::SweepUnits(const PlacedMeshView& a, const Obb& b)

@@ -7,6 +7,7 @@
 // bound it tightly.
 
 #include <graze/bvh/obb.h>
+#include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/placed_mesh.h>
 
 #include <limits>
@@ -19,6 +20,7 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
 struct SweepUnits {
   SweepUnits(const PlacedMeshView& a, const PlacedMeshView& b);
   SweepUnits(const PlacedMeshView& a, const Aabb& b);
+  SweepUnits(const PlacedMeshView& a, const Sphere& b);
   /// In the frame of the box, too (law 3).
   SweepUnits(const PlacedMeshView& a, const Obb& b);
 

@@ -2,15 +2,11 @@
 // triangles with corners that are doubles.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
-#include <graze/bvh/traverse/traverse_nearest.h>
 #include <graze/bvh/value/checks.h>
-#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/mesh/sweep/cast_directions.h>
-#include <graze/engine/mesh/sweep/cast_nodes.h>
 #include <graze/engine/mesh/sweep/earliest_meeting.h>
-#include <graze/engine/mesh/sweep/swept_way.h>
+#include <graze/engine/mesh/sweep/volume_walk.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/triangle_box.h>
@@ -18,12 +14,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace graze {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kFaces = 12;
 
 /// The surface of a box.
@@ -63,63 +57,24 @@ struct BoxSpans {
   }
 };
 
-/// A walk over the mesh's tree, for traverse_nearest().
-class BoxCast {
+/// What goes, for VolumeWalk.
+class BoxMover {
  public:
-  BoxCast(const contacts::FramedMesh& mesh, const Aabb& box, const contacts::SweepUnits& units,
-          const SweptWay& way, EarliestMeeting& earliest, Work& work)
-      : tree_(tree_of(mesh.placed.mesh, &work)),
-        box_(box),
+  BoxMover(const Aabb& box, const contacts::CastDirections& directions, EarliestMeeting& earliest,
+           Work& work)
+      : box_(box),
         surface_(box),
-        way_(way),
+        directions_(directions),
         earliest_(earliest),
         work_(work),
-        limit_(way.at(earliest.limit())),
-        directions_(mesh, box, units, way.direction),
-        nodes_(contacts::CastDirections::Side::A, mesh, tree_, directions_),
-        spans_(surface_, directions_) {}
+        spans_(surface_, directions) {}
 
-  void run() {
-    bvh::traverse_nearest(tree_, *this, [&](const bvh::Node& leaf) {
-      ask_leaf(static_cast<std::uint32_t>(&leaf - tree_.nodes.data()));
-      return bvh::Walk::Continue;
-    });
-  }
-
-  double of(std::uint32_t node) {
-    ++work_.volume_tests;
-    const double bound = directions_.first_contact(nodes_.span_of(node), spans_.all, limit_);
-    work_.volume_rejections += bound == kNever;
-    return bound;
-  }
-  static bool is_missed(double bound) { return bound == kNever; }
-  bool is_beyond(double bound) const { return bound > limit_; }
-
- private:
-  void ask_leaf(std::uint32_t node) {
-    const bvh::Node& leaf = tree_.nodes[node];
-    const contacts::CastNodes::Leaf& in_leaf = nodes_.leaf(node);
-    bool is_sooner = false;
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const double bound = directions_.first_contact(in_leaf.span[i], spans_.all, limit_);
-      if (bound == kNever) continue;
-      const bool is_first =
-          ask(tree_.primitives[leaf.first + i], in_leaf.triangle[i], in_leaf.span[i], bound);
-      if (is_first) limit_ = way_.at(earliest_.limit());
-      is_sooner = is_sooner || is_first;
-    }
-    if (!is_sooner) return;
-    double normal[3];
-    earliest_.rough_normal(normal);
-    if (!directions_.take_normal(normal)) return;
-    nodes_.forget();
-    spans_ = BoxSpans(surface_, directions_);
-  }
+  const contacts::CastDirections::Span& span() const { return spans_.all; }
+  double limit() const { return earliest_.limit(); }
 
   bool ask(std::uint32_t index, const Triangle& a, const contacts::CastDirections::Span& span,
-           double bound) {
-    ++work_.triangle_tests;
-    if (bound <= 0) {
+           const MeetingBounds& bounds) {
+    if (bounds.low <= 0) {
       const narrowphase::Decision decision = narrowphase::decide(a, box_);
       work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
       if (decision.is_hit) {
@@ -129,21 +84,26 @@ class BoxCast {
     }
     bool is_first = false;
     for (std::uint32_t k = 0; k < kFaces; ++k) {
-      if (directions_.first_contact(span, spans_.triangle[k], limit_) == kNever) continue;
+      if (directions_.first_contact(span, spans_.triangle[k], bounds.limit) == kNeverMet) continue;
       if (earliest_.ask_later({index, k}, a, surface_.triangle[k])) is_first = true;
     }
     return is_first;
   }
 
-  const bvh::Tree& tree_;
+  bool turn(contacts::CastDirections& directions) {
+    double normal[3];
+    earliest_.rough_normal(normal);
+    if (!directions.take_normal(normal)) return false;
+    spans_ = BoxSpans(surface_, directions);
+    return true;
+  }
+
+ private:
   const Aabb& box_;
   BoxSurface surface_;
-  const SweptWay& way_;
+  const contacts::CastDirections& directions_;
   EarliestMeeting& earliest_;
   Work& work_;
-  double limit_;
-  contacts::CastDirections directions_;
-  contacts::CastNodes nodes_;
   BoxSpans spans_;
 };
 
@@ -173,7 +133,9 @@ std::optional<VolumeCast> cast_box(const contacts::FramedMesh& mesh, const Aabb&
                                    const contacts::SweepUnits& units, Work& work) {
   const SweptWay way(displacement, units);
   EarliestMeeting earliest(displacement.data(), StartContact::Counts);
-  BoxCast(mesh, box, units, way, earliest, work).run();
+  contacts::CastDirections directions(mesh, box, units, way.direction);
+  BoxMover mover(box, directions, earliest, work);
+  VolumeWalk<BoxMover>(mesh, directions, way, mover, work).run();
   const std::optional<MeshCast> met = earliest.result();
   if (!met) return std::nullopt;
   VolumeCast result{met->time, met->is_at_start, met->pair.a, met->point, met->normal};

@@ -192,4 +192,36 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   return Verdict::Unsure;
 }
 
+// Each coordinate of the centre at `until`, c + until d, is off by u of the product and u of the
+// sum, that is by less than 2.01 u (|c| + |until d|), and by n / 2 where the product underflows.
+// The centre is off by no more than the sum of these, at most 6.03 u (|c| + |until d|) with the
+// larger of both in any coordinate. So much larger a ball at the rounded centre holds the one that
+// is there. The hull of two balls is apart from what a plane separates from both.
+bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
+                      double until) {
+  constexpr double kCentreBound = 8 * kUnitRoundoff;
+  constexpr double kCentreUnderflow = 0x1p-1000;
+  Sphere later = sphere;
+  double largest = 0, longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = until * d.data()[k];
+    later.centre.data()[k] = sphere.centre.data()[k] + way;
+    largest = std::max(largest, std::abs(sphere.centre.data()[k]));
+    longest = std::max(longest, std::abs(way));
+  }
+  // Once more than the sum rounds off.
+  later.radius = (sphere.radius + (kCentreBound * (largest + longest) + kCentreUnderflow)) *
+                 (1 + 4 * kUnitRoundoff);
+  const Centred at_start = centred(triangle, sphere), at_end = centred(triangle, later);
+  if (!at_start.is_in_range || !at_end.is_in_range) return false;
+  Edges edge;
+  find_edges(triangle, edge);
+  for (const Centred* nearest : {&at_end, &at_start}) {
+    const Guess guess = guess_nearest(*nearest, edge);
+    if (is_apart_along(guess.direction, at_start) && is_apart_along(guess.direction, at_end))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace graze::narrowphase

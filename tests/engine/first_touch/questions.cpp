@@ -7,10 +7,8 @@
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/fit.h>
-#include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/mesh_intersection.h>
-#include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/pair_memory.h>
@@ -24,6 +22,7 @@
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
 
+#include "tests/engine/first_touch/motion_questions.h"
 #include "tests/shapes/pose_at.h"
 
 namespace graze::tests {
@@ -146,26 +145,6 @@ Digest separation(const Mesh& a, const Mesh& b) {
 Digest itself(const Mesh& a, const Mesh& b) {
   Digest digest = told(find_self_pairs(b, {.kind = SelfPairKind::Neighbour}));
   return digest << self_intersects(a);
-}
-
-/// Both rise by a metre in a step, and B back again.
-Digest on_the_way(const Mesh& a, const Mesh& b) {
-  const auto raised = [](const Mesh& mesh) {
-    std::vector<Eigen::Vector3d> vertices(mesh.vertices().begin(), mesh.vertices().end());
-    for (Eigen::Vector3d& vertex : vertices)
-      vertex.z() += 1;
-    return mesh.deformed(vertices);
-  };
-  const MeshPath rising(a, raised(a)), sinking(raised(b), b);
-  Digest digest;
-  for (const auto& met : {first_contact(rising, sinking), first_self_contact(rising)}) {
-    digest << met.has_value();
-    if (met) digest << met->time << met->pair.a << met->pair.b;
-  }
-  const auto cast_down = cast({a}, {b, near()}, Eigen::Vector3d(0.1, 0.2, -3));
-  digest << cast_down.has_value();
-  if (cast_down) digest << cast_down->time << cast_down->pair.a << cast_down->pair.b;
-  return digest;
 }
 
 template <typename Shape>
@@ -315,6 +294,10 @@ constexpr FirstQuestion kQuestions[] = {
     {"separation", separation},
     {"with itself", itself},
     {"on the way", on_the_way, WorkedOutBy::OneTbbToo},
+    {"in rigid motion", in_motion},
+    {"certified", certified},
+    {"many motions", many_motions, WorkedOutBy::OneTbbToo},
+    {"going straight", straight},
     {"a box", box},
     {"an oriented box", obb},
     {"a ball", ball},

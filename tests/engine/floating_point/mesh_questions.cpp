@@ -143,6 +143,10 @@ void ask_paths(const Inputs& in, Words& words) {
                           Eigen::Vector3d(0.3, -0.2, 0.7), {.start = start});
     words.add(met.has_value());
     if (met) words.add(met->time), words.add(met->point), words.add(met->normal);
+    const auto rolled = cast({meshes.a, in.pose_a}, Sphere{in.pose_b.translation(), 0.25},
+                             Eigen::Vector3d(0.3, -0.2, 0.7), {.start = start});
+    words.add(rolled.has_value());
+    if (rolled) words.add(rolled->time), words.add(rolled->point), words.add(rolled->normal);
   }
 }
 

@@ -38,6 +38,8 @@ void ask_pairs_of_shapes(const Inputs& in, Words& words) {
     for (std::size_t j = 0; j < shapes.size(); ++j) {
       const Pose& pose_b = in.body_poses[(i + j) % in.body_poses.size()];
       words.add(intersects({shapes[i], pose_a}, {shapes[j], pose_b}));
+      if (const auto met = cast({shapes[i], pose_a}, {shapes[j], pose_b}, in.ray.direction))
+        words.add(met->time), words.add(met->point), words.add(met->normal);
       if (i == 7 && j == 7) continue;  // two half-spaces have no contacts
       add_distance(words, distance({shapes[i], pose_a}, {shapes[j], pose_b}));
       add_manifold(words, find_contacts({shapes[i], pose_a}, {shapes[j], pose_b}));

@@ -19,7 +19,7 @@
 namespace graze {
 namespace {
 
-constexpr FirstContactSettings kLeft{.start = StartContact::IsLeft};
+constexpr CastSettings kLeft{.start = StartContact::IsLeft};
 
 struct CastQuestion {
   PlacedMesh a;

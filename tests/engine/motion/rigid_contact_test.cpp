@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <numbers>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "tests/shapes/formula_meshes.h"
@@ -257,6 +258,48 @@ TEST(Law14Threads, BatchesAnswerAsEachMotionAlone) {
     EXPECT_EQ(error.place().index, 7u);
   }
   EXPECT_THROW(is_free(a, motion_a, b, {}, {}, {.threads = -1}), InputError);
+}
+
+TEST(Law14Threads, BatchesOfPairsAnswerAsEachAlone) {
+  RandomSource source(1421);
+  const std::vector<Mesh> meshes{tests::make_torus(1, 0.25, 12, 8),
+                                 tests::make_torus(0.5, 0.2, 9, 6),
+                                 tests::random_soup({.count = 20, .extent = 0.5}, source)};
+  std::vector<RigidPair> pairs;
+  for (std::size_t i = 0; i < 30; ++i)
+    pairs.push_back({meshes[i % 3], random_motion(source, 1, 1), meshes[i / 3 % 3],
+                     random_motion(source, 2, 3)});
+  const RigidContactSettings settings{.clearance = 0.01};
+  int free_ones = 0;
+  for (const int threads : {0, 1, 2}) {
+    Work work;
+    const std::vector<RigidContact> found =
+        first_contact(pairs, settings, {.threads = threads}, &work);
+    const std::vector<bool> free = is_free(pairs, settings, {.threads = threads});
+    ASSERT_EQ(found.size(), pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const RigidPair& pair = pairs[i];
+      EXPECT_EQ(found[i],
+                first_contact(pair.mesh_a, pair.motion_a, pair.mesh_b, pair.motion_b, settings));
+      EXPECT_EQ(free[i], found[i].status == RigidStatus::Free);
+      free_ones += free[i];
+    }
+    EXPECT_GT(work.volume_tests, 0u);
+  }
+  EXPECT_GT(free_ones, 5);
+  EXPECT_LT(free_ones, 85);
+  EXPECT_TRUE(first_contact(std::vector<RigidPair>{}).empty());
+  pairs[7].motion_a = RigidMotion(Pose::Identity(), {.shift = {1e200, 0, 0}});
+  try {
+    first_contact(pairs);
+    FAIL();
+  } catch (const PoseError& error) {
+    EXPECT_EQ(error.place().index, 7u);
+    EXPECT_EQ(std::string(error.what()).rfind("motion of mesh A of pair 7", 0), 0u);
+  }
+  pairs[7].motion_a = pairs[7].motion_b;
+  EXPECT_THROW(is_free(pairs, {}, {.threads = -1}), InputError);
+  EXPECT_THROW(is_free(pairs, {.clearance = -1}), InputError);
 }
 
 TEST(Law14Order, TrianglesAndVerticesInAnotherOrderChangeNothing) {

@@ -121,21 +121,6 @@ Question question(const EdgePath& edge_a, const EdgePath& edge_b) {
   return result;
 }
 
-/// The roots in [0, 1] of all polynomials that are not zero, in their order, each once.
-std::vector<RationalRoot> all_roots(const std::vector<RationalPolynomial>& polynomials) {
-  std::vector<RationalRoot> all;
-  for (const RationalPolynomial& f : polynomials) {
-    for (RationalRoot root : roots_of(f)) {
-      auto place = all.begin();
-      int order = 1;
-      while (place != all.end() && (order = compare(root, *place)) > 0)
-        ++place;
-      if (place == all.end() || order != 0) all.insert(place, root);
-    }
-  }
-  return all;
-}
-
 std::optional<FirstContact> answer(const Question& question, StartContact start) {
   std::vector<RationalPolynomial> polynomials;
   for (const RationalPolynomial& f : question.all()) {

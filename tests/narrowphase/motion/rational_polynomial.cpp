@@ -243,4 +243,18 @@ double rounded_down(const RationalRoot& root) {
   return std::bit_cast<double>(low);
 }
 
+std::vector<RationalRoot> all_roots(const std::vector<RationalPolynomial>& polynomials) {
+  std::vector<RationalRoot> all;
+  for (const RationalPolynomial& f : polynomials) {
+    for (RationalRoot root : roots_of(f)) {
+      auto place = all.begin();
+      int order = 1;
+      while (place != all.end() && (order = compare(root, *place)) > 0)
+        ++place;
+      if (place == all.end() || order != 0) all.insert(place, root);
+    }
+  }
+  return all;
+}
+
 }  // namespace graze::oracle

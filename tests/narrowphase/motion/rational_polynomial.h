@@ -39,6 +39,10 @@ struct RationalRoot {
 /// All roots in [0, 1] of a polynomial without multiple roots, which must outlive them.
 std::vector<RationalRoot> roots_of(const RationalPolynomial& f);
 
+/// The roots in [0, 1] of polynomials that are not zero and have no multiple roots, which must
+/// outlive them, in their order, each once.
+std::vector<RationalRoot> all_roots(const std::vector<RationalPolynomial>& polynomials);
+
 /// The order of two roots: -1, 0 or 1. Their stretches are apart afterwards, or they are equal.
 int compare(RationalRoot& a, RationalRoot& b);
 

@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-constexpr FirstContactSettings kLeft{.start = StartContact::IsLeft};
+constexpr CastSettings kLeft{.start = StartContact::IsLeft};
 
 const Triangle kFloor{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
@@ -102,7 +102,7 @@ TEST(Law13Policy, LaterContactsAreTheSame) {
 }
 
 std::string message_of(const Triangle& a, const Triangle& b, const Eigen::Vector3d& d,
-                       const FirstContactSettings& settings = {}) {
+                       const CastSettings& settings = {}) {
   try {
     cast(a, b, d, settings);
   } catch (const InputError& error) {

@@ -1,0 +1,57 @@
+#include <graze/engine/world/rigid/straight_advance.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/pair_input.h>
+
+#include <cmath>
+
+namespace graze {
+namespace {
+
+using narrowphase::Core;
+using narrowphase::Vec3;
+
+// Newton's method on a convex function needs a dozen steps, and some thirty where the two hardly
+// touch in passing.
+constexpr int kMostSteps = 1000;
+
+// Of the scale: planes at right angles to the normal of a gap are no nearer to each other than its
+// lower bound but for 2^-46 (shape_pairs.h); where the moving set is at t, the sum of an offset and
+// a product, is off by less than 2^-50; so are unit vectors.
+constexpr double kGapRounding = 0x1p-45;
+constexpr double kRateRounding = 0x1p-48;
+
+// A quotient of what is rounded down and up, and a sum of times, each by less than 2^-52.
+constexpr double kTimeRounding = 1 - 0x1p-50;
+
+}  // namespace
+
+double StraightPair::scale() const {
+  return pair_scale(still, moving) + length(way);
+}
+
+std::optional<StraightMeeting> first_meeting(const StraightPair& pair, const TimeStretch& stretch,
+                                             Work& work) {
+  const double scale = pair.scale(), way = length(pair.way);
+  Core moved = pair.moving;
+  StraightMeeting last{stretch.from, {}, {0, 0, 1}};
+  for (int step = 0;; ++step) {
+    moved.at = pair.moving.at + pair.way * last.time;
+    const SetGap gap = gap_of_sets(pair.still, moved);
+    ++work.convex_tests;
+    if (gap.is_apart || step == 0) last.normal = gap.normal;
+    last.point = gap.point_a;
+    const double left = gap.lower - kGapRounding * scale;
+    // The gap closes by no more than this in all of time.
+    const double rate = kRateRounding * way - dot(last.normal, pair.way);
+    if (left > 0 && !(left * kTimeRounding < rate * (stretch.until - last.time)))
+      return std::nullopt;
+    const bool is_open = step == kMostSteps;
+    if (is_open || gap.lower <= kTouchTolerance * scale) {
+      work.convex_failures += is_open || gap.status == PairStatus::NotConverged;
+      return last;
+    }
+    last.time = (last.time + left / rate * kTimeRounding) * kTimeRounding;
+  }
+}
+
+}  // namespace graze

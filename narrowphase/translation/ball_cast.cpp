@@ -1,0 +1,33 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/checks.h>
+#include <graze/narrowphase/cast.h>
+#include <graze/narrowphase/motion/path_checks.h>
+#include <graze/narrowphase/translation/ball_meeting.h>
+#include <graze/narrowphase/translation/displacement.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
+
+namespace graze {
+
+std::optional<FirstContact> cast(const Triangle& triangle, const Sphere& ball,
+                                 const Eigen::Vector3d& displacement,
+                                 const CastSettings& settings) {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<FirstContact> {
+    narrowphase::check_settings(settings);
+    narrowphase::check_displacement(displacement);
+    narrowphase::check_finite(triangle, "triangle");
+    bvh::check_sphere(ball, "ball");
+    const narrowphase::Corners<double> corners = narrowphase::corners_of(triangle);
+    const narrowphase::MovingBall moving(ball, displacement.data());
+    if (narrowphase::decide(triangle, ball).is_hit) {
+      if (settings.start == StartContact::IsLeft && !goes_in_from_start(corners, moving))
+        return std::nullopt;
+      return FirstContact{0, true};
+    }
+    if (narrowphase::is_surely_passed(triangle, ball, displacement, 1)) return std::nullopt;
+    const std::optional<narrowphase::BallMeeting> first = first_meeting(corners, moving);
+    if (!first) return std::nullopt;
+    return FirstContact{first->time, false};
+  });
+}
+
+}  // namespace graze
