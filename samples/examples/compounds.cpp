@@ -12,7 +12,7 @@ int main() {
     table.add({graze::Capsule{0.05, 0.4}, at(x, 0, 0.5)}, {.user_data = 7});
   graze::World world;
   const graze::BodyId body = world.add({graze::share(table), at(5, 0, 0)});
-  const graze::BodyId ball = world.add({graze::Sphere{{0, 0, 0}, 0.5}, at(5, 0, 1.5)});
+  const graze::BodyId ball = world.add({graze::Sphere{{0, 0, 0}, 0.5}, at(5, 0, 1.54)});
   const graze::WorldUpdate update = world.update();
   expect(update.begun.size() == 1 && update.contacts[0].manifold.part_a() == top, "on the top");
   const graze::Compound* seen = graze::compound_of(world.shape(body));

@@ -129,14 +129,6 @@ PlacedPart CompoundBody::placed(const Pose& pose, std::uint32_t slot) const {
   return {shape.get(), of_part, shape->bounds(of_part), filter ? &*filter : nullptr, number};
 }
 
-std::vector<PlacedPart> CompoundBody::all(const Pose& pose) const {
-  std::vector<PlacedPart> parts;
-  parts.reserve(slots_.size());
-  for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
-    parts.push_back(placed(pose, slot));
-  return parts;
-}
-
 std::vector<PlacedPart> CompoundBody::near(const Pose& pose, const Aabb& box, double room) const {
   const Aabb around = room > 0 ? grown(box, room) : box;
   const Aabb whole = bounds(pose);

@@ -35,8 +35,6 @@ class CompoundBody final : public BodyShape {
   explicit CompoundBody(const Compound& compound);
 
   const Compound& compound() const { return compound_; }
-  /// All parts in a pose, ascending.
-  std::vector<PlacedPart> all(const Pose& pose) const;
   /// Those whose boxes, with room around them, metres, share a point with a box in the world, but
   /// for such that are surely farther from all that is in it; ascending.
   std::vector<PlacedPart> near(const Pose& pose, const Aabb& box, double room) const;

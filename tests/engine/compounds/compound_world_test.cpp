@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "tests/engine/body_world/users_ball.h"
 #include "tests/engine/compounds/twins.h"
 #include "tests/engine/motion/moving_bodies.h"
 #include "tests/shapes/formula_meshes.h"
@@ -162,6 +164,33 @@ TEST(CompoundWorld, PartsAreAddedReplacedAndRemovedOneByOne) {
     contacts += twins.update();
   }
   EXPECT_GT(contacts, 500u);
+}
+
+/// A ball that knows when two of it touch, and no more than a user's class has to.
+TEST(CompoundWorld, MeetsAUsersOwnShapePartByPart) {
+  for (const int threads : {1, 3}) {
+    World world({.threads = threads});
+    Compound rail;
+    for (int i = 0; i < 20; ++i)
+      rail.add({Box{{0.25, 0.5, 0.5}}, at(i)});
+    const BodyId body = world.add({share(rail), at(0)});
+    const auto ball = std::make_shared<tests::UsersBall>(0.25);
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 19; ++i)
+      balls.push_back(world.add({ball, at(i + (i % 3 == 0 ? 0.5 : 0.375))}));
+    const WorldUpdate update = world.update();
+    std::size_t touching = 0;
+    for (int i = 0; i < 19; ++i) {
+      const std::size_t parts = i % 3 == 0 ? 2 : 1;  // it touches both of its neighbours exactly
+      const std::vector<BodyContact> contacts = world.contacts(balls[static_cast<std::size_t>(i)]);
+      ASSERT_EQ(contacts.size(), parts) << i;
+      for (std::size_t k = 0; k < parts; ++k)
+        EXPECT_EQ(contacts[k].manifold.part_a(), static_cast<std::uint32_t>(i) + k);
+      touching += parts;
+    }
+    EXPECT_EQ(update.contacts.size(), touching);
+    EXPECT_EQ(world.touching(body), balls);
+  }
 }
 
 TEST(CompoundWorldThreads, SayTheSame) {
