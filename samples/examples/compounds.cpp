@@ -15,6 +15,10 @@ int main() {
   const graze::BodyId ball = world.add({graze::Sphere{{0, 0, 0}, 0.5}, at(5, 0, 1.54)});
   const graze::WorldUpdate update = world.update();
   expect(update.begun.size() == 1 && update.contacts[0].manifold.part_a() == top, "on the top");
+  graze::Manifold kept =
+      update.contacts[0].manifold;  // the ball has no parts, and counts as its own
+  expect(kept.part_b() == 0, "part 0");
+  kept.set_parts(7, 7);  // what is kept may be called otherwise
   const graze::Compound* seen = graze::compound_of(world.shape(body));
   expect(seen->settings(top).material == 2 && seen->size() == 3, "what is known of the part");
   expect(world.cast_ray({{5, 0, 9}, {0, 0, -1}})->id == ball, "a ray meets the ball, not the part");
