@@ -234,12 +234,12 @@ class World {
   std::vector<BodyPair> near_pairs(BodyId id) const;
   std::vector<BodyId> touching(BodyId id) const;
 
-  /// The islands: sets of solid dynamic bodies, such that whom a body of a set touches is in it,
-  /// too, and no smaller one would do. Static and kinematic bodies and sensors join none, and none
-  /// to another; a body that touches no other is an island of its own. As the last update found
-  /// them, without bodies that were removed since; those that came since are in none. Each
-  /// ascending, and the islands by their first bodies. Throws InputError if the settings ask for
-  /// none (WorldSettings::islands). O(bodies log bodies).
+  /// The islands: sets of solid dynamic bodies, such that those of them that a body of a set
+  /// touches are in it, too, and no smaller one would do. Static and kinematic bodies and sensors
+  /// join none, and none to another; a body that touches no other is an island of its own. As the
+  /// last update found them, without bodies that were removed since; those that came since are in
+  /// none. Each ascending, and the islands by their first bodies. Throws InputError if the settings
+  /// ask for none (WorldSettings::islands). O(bodies log bodies).
   std::vector<std::vector<BodyId>> islands() const;
   /// The island that a body is in, itself included; none for one that is in no island. Throws
   /// likewise. O(n log n) for n bodies in it.

@@ -73,9 +73,10 @@ struct WorldWork {
   /// Pairs that were asked for their first contact: the boxes around all places of both met.
   std::uint64_t pairs_swept = 0;
 
-  /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
-  /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
-  /// world, by prepare() - is counted until an update looks at a body that has it.
+  /// Meshes of bodies that are there, but for those of compounds, each once however many bodies
+  /// share it, of whose tree nothing is built, because nobody has walked it. One that was built
+  /// elsewhere - by a query, by another world, by prepare() - is counted until an update looks at a
+  /// body that has it.
   std::uint64_t trees_unbuilt = 0;
 
   /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other

@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <typeinfo>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -29,6 +30,9 @@ constexpr double kFarthestShare = 0x1p28;
 constexpr double kSmallDeviation = 0x1p-22;
 constexpr double kLargestShare = 0x1p12;
 constexpr double kFarthestRay = 0x1p19;
+
+// So many are looked at one by one, which takes less than to look them up, and less memory.
+constexpr std::size_t kFew = 16;
 
 // As bounds of shapes have it (shape_bounds.cpp), and what placing rounds.
 constexpr double kBoundsShare = 0x200p-53;
@@ -85,10 +89,29 @@ CompoundBody::CompoundBody(const Compound& compound) : compound_(compound) {
   radius_ = radius_of(own_);
   if (!(radius_ <= kLargestLength))
     throw PoseError("share: the compound reaches beyond the largest length");
+  for (Aabb& box : boxes)
+    box = grown(box, kIndexRoom * radius_);
+  if (boxes.size() <= kFew) {
+    few_boxes_ = std::move(boxes);
+    return;
+  }
+  boxes_ = std::make_unique<BroadPhase>();
   for (const Aabb& box : boxes)
-    boxes_.add(grown(box, kIndexRoom * radius_));
-  std::vector<std::uint32_t> none;
-  boxes_.find_overlapping(own_, none);  // sorts them, once for all threads
+    boxes_->add(box);
+  slots_near(own_);  // sorts them, once for all threads
+}
+
+/// Ascending.
+std::vector<std::uint32_t> CompoundBody::slots_near(const Aabb& own_box) const {
+  std::vector<std::uint32_t> slots;
+  if (boxes_) {
+    boxes_->find_overlapping(own_box, slots);
+    std::sort(slots.begin(), slots.end());
+  }
+  for (std::uint32_t slot = 0; slot < few_boxes_.size(); ++slot) {
+    if (share_a_point(few_boxes_[slot], own_box)) slots.push_back(slot);
+  }
+  return slots;
 }
 
 /// The sum of the deviations, at most three times that of the body for each entry, or each part.
@@ -140,8 +163,7 @@ std::vector<PlacedPart> CompoundBody::near(const Pose& pose, const Aabb& box, do
   std::vector<std::uint32_t> slots;
   if (is_known) {
     const Aabb common{around.min.cwiseMax(whole.min), around.max.cwiseMin(whole.max)};
-    boxes_.find_overlapping(taken_back(pose, common), slots);
-    std::sort(slots.begin(), slots.end());
+    slots = slots_near(taken_back(pose, common));
   }
   std::vector<PlacedPart> parts;
   for (std::uint32_t i = 0; i < (is_known ? slots.size() : slots_.size()); ++i) {
@@ -184,7 +206,7 @@ std::optional<PartRayHit> CompoundBody::first_hit(const Pose& pose, const Ray& r
     shorter.max_distance = hit->distance;
   };
   double skipped = 0;
-  const std::optional<Ray> own = own_ray(pose, ray, skipped);
+  const std::optional<Ray> own = boxes_ ? own_ray(pose, ray, skipped) : std::nullopt;
   if (!own) {
     for (std::uint32_t slot = 0; slot < slots_.size(); ++slot)
       ask(slot);
@@ -196,7 +218,7 @@ std::optional<PartRayHit> CompoundBody::first_hit(const Pose& pose, const Ray& r
       return std::max(shorter.max_distance - skipped, 0.0) + kIndexRoom * radius_;
     });
   };
-  boxes_.visit_along(*own, std::cref(look));  // a reference: nothing is allocated
+  boxes_->visit_along(*own, std::cref(look));  // a reference: nothing is allocated
   return first;
 }
 

@@ -63,13 +63,16 @@ class CompoundBody final : public BodyShape {
   };
 
   PlacedPart placed(const Pose& pose, std::uint32_t slot) const;
+  std::vector<std::uint32_t> slots_near(const Aabb& own_box) const;
   void check_poses_of_parts(const Pose& pose, double deviation) const;
   std::optional<Ray> own_ray(const Pose& pose, const Ray& ray, double& skipped) const;
 
   Compound compound_;
-  std::vector<Slot> slots_;  ///< by index in boxes_, numbers ascending
-  BroadPhase boxes_;         ///< of the parts in the compound's frame, with kIndexRoom
-  Aabb own_;                 ///< around all of these
+  std::vector<Slot> slots_;  ///< numbers ascending
+  // Boxes of the parts in the compound's frame, with kIndexRoom: a few in a list, more looked up.
+  std::vector<Aabb> few_boxes_;
+  std::unique_ptr<BroadPhase> boxes_;  ///< by indices of slots
+  Aabb own_;                           ///< around all of these
   double radius_ = 0;
   double deviation_ = 0;  ///< of a part's pose from a rotation, at most
 };

@@ -106,6 +106,7 @@ std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const Com
         nearest = {found, part.number};
     }
     if (is_all || (nearest && nearest->distance.distance <= reach)) return nearest;
+    if (nearest) width = std::max(width, (nearest->distance.distance - apart) / 4);
   }
 }
 

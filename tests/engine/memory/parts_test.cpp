@@ -22,6 +22,15 @@ TEST(CompoundMemory, IsWhatThePageSays) {
   EXPECT_GE(bytes, 250) << "a shape, a pose and two boxes alone take as much";
 }
 
+TEST(CompoundMemory, IsNoMoreForFewParts) {
+  Compound compound;
+  for (int i = 0; i < 4; ++i)
+    compound.add({Box{{0.5, 0.5, 0.5}}, tests::at(i)});
+  const auto before = static_cast<double>(tests::allocated_bytes());
+  const auto shared = share(compound);
+  EXPECT_LE(static_cast<double>(tests::allocated_bytes()) - before, 4 * 512 + 512);
+}
+
 /// A floor of boxes, each of which touches its four neighbours, and no more.
 double held_by_floor(bool has_islands) {
   const auto before = static_cast<double>(tests::allocated_bytes());
