@@ -55,7 +55,7 @@ class MeshError : public Error {
   using Error::Error;
 };
 
-/// An id of what was removed, or which was never given out.
+/// An id of what was removed, or which was never given out, or only by another world.
 class StaleIdError : public Error {
  public:
   using Error::Error;

@@ -22,6 +22,7 @@ struct TrianglePath;
 template <int K>
 struct KDop;
 
+class Compound;
 class Mesh;
 class MeshPath;
 struct MeshInPoses;
@@ -42,6 +43,7 @@ struct ManifoldSettings;
 struct MemoryPairSettings;
 struct MemoryQuerySettings;
 struct PairSettings;
+struct PartSettings;
 struct PrepareSettings;
 struct QuerySettings;
 struct RigidContactSettings;

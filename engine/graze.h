@@ -50,6 +50,7 @@
 #include <graze/engine/work.h>
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/convex_hull.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
@@ -61,6 +62,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/world.h>
+#include <graze/engine/world/world_update.h>
 #include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/first_contact.h>

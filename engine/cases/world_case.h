@@ -3,7 +3,8 @@
 // What a world says of its bodies, as cases about their shapes where the bodies are now: to be made
 // before one of them is moved again. A world asks no more than the queries of shapes do, so that
 // these answer the case. All throw StaleIdError for a body that is gone, and UnsupportedPairError
-// for a shape of a user's own, which no file can hold.
+// for a shape of a user's own, which no file can hold, and for a compound where no part of it is
+// named: of a part they are about it alone.
 
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/world/world.h>

@@ -2,11 +2,13 @@
 
 #include <compare>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <graze/engine/scenes/body_path.h>
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/shape.h>
 
 namespace graze {
@@ -17,15 +19,23 @@ struct SceneShape {
   Shape shape;       ///< in its own frame
 };
 
+/// A part of a body that has several.
+struct ScenePart {
+  std::size_t shape = 0;         ///< index into Scene::shapes
+  Pose pose = Pose::Identity();  ///< in the body's frame
+  PartSettings settings = {};    ///< as a Compound takes it
+};
+
 /// A body of a scene, and how it moves.
 struct SceneBody {
   std::string name;                           ///< of its own in the scene
-  std::size_t shape = 0;                      ///< index into Scene::shapes
+  std::size_t shape = 0;                      ///< index into Scene::shapes, if it has no parts
   Pose pose;                                  ///< at time 0
   BodyKind kind = BodyKind::Dynamic;          ///< as a world takes it
   Filter filter = {};                         ///< whom it meets
   BodyPath path = {};                         ///< how it moves by itself
   Detection detection = Detection::Discrete;  ///< whether it is swept from step to step
+  std::vector<ScenePart> parts = {};          ///< of a Compound, in its order; else empty
 };
 
 /// Two bodies by their indices, the smaller first.
@@ -49,6 +59,9 @@ struct Scene {
 inline Pose pose_at(const SceneBody& body, double time) {
   return pose_at(body.path, body.pose, time);
 }
+
+/// What a world takes as the body's shape. Throws what share() throws.
+std::shared_ptr<const BodyShape> body_shape(const Scene& scene, const SceneBody& body);
 
 /// The pairs that a world looks at, ascending: one of the two is dynamic, filters let them pass and
 /// nothing excludes them. Quadratic in the bodies.

@@ -205,16 +205,26 @@ std::ostream& operator<<(std::ostream& out, const Manifold& manifold) {
   return write_list(out, manifold, "contacts");
 }
 std::ostream& operator<<(std::ostream& out, const BodyContact& contact) {
-  return out << contact.pair << Text(": ") << contact.manifold;
+  out << contact.pair << Text(": ");
+  const Manifold& manifold = contact.manifold;
+  if (manifold.part_a() != 0 || manifold.part_b() != 0)
+    out << Text("parts ", manifold.part_a(), " and ", manifold.part_b(), ", ");
+  return out << manifold;
+}
+/// A body, and its part if that has a number other than 0.
+static std::ostream& write_found(std::ostream& out, const BodyId& id, std::uint32_t part) {
+  out << id;
+  if (part != 0) out << Text(", part ", part);
+  return out << Text(": ");
 }
 std::ostream& operator<<(std::ostream& out, const BodyDistance& found) {
-  return out << found.id << Text(": ") << found.distance;
+  return write_found(out, found.id, found.part) << found.distance;
 }
 std::ostream& operator<<(std::ostream& out, const BodyRayHit& found) {
-  return out << found.id << Text(": ") << found.hit;
+  return write_found(out, found.id, found.part) << found.hit;
 }
 std::ostream& operator<<(std::ostream& out, const BodyCast& found) {
-  return out << found.id << Text(": ") << found.contact;
+  return write_found(out, found.id, found.part) << found.contact;
 }
 
 std::ostream& operator<<(std::ostream& out, const Work& work) {

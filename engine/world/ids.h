@@ -13,7 +13,8 @@
 namespace graze {
 
 /// A body of a World, by value. An index is used again when its body is gone; the generation tells
-/// its users apart.
+/// its users apart, and in its highest 8 bits worlds that have numbers (WorldSettings::number): an
+/// id of another world is refused.
 struct BodyId {
   std::uint32_t index = 0xffffffffu;  ///< a small number, which may serve as index of an array; of
                                       ///< no body as it is here

@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 #include <graze/bvh/hash.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -47,8 +48,8 @@ class Manifold {
   static constexpr std::size_t kMostOfRegion = 4;  ///< contacts of one region
 
   Manifold() = default;
-  Manifold(Manifold&&) noexcept = default;
-  Manifold& operator=(Manifold&&) noexcept = default;
+  Manifold(Manifold&& other) noexcept { *this = std::move(other); }
+  Manifold& operator=(Manifold&& other) noexcept;
   /// Copies the contacts that there are, mostly one or two of four.
   Manifold(const Manifold& other) { *this = other; }
   Manifold& operator=(const Manifold& other);
@@ -65,31 +66,46 @@ class Manifold {
   std::size_t region_count() const { return count_ == 0 ? 0 : (*this)[count_ - 1].region + 1; }
   std::span<const ShapeContact> region(std::size_t index) const;
 
+  /// Which part of A and of B it is about, if they are compounds in a world; else 0.
+  std::uint32_t part_a() const { return part_a_; }
+  std::uint32_t part_b() const { return part_b_; }
+  void set_parts(std::uint32_t of_a, std::uint32_t of_b) { part_a_ = of_a, part_b_ = of_b; }
+
   void clear() { count_ = 0; }
   /// Adds a contact of the last region, or of the next; there may be more than four.
   void add(const ShapeContact& contact);
 
   bool operator==(const Manifold& other) const {
-    return std::equal(begin(), end(), other.begin(), other.end());
+    return part_a_ == other.part_a_ && part_b_ == other.part_b_ &&
+           std::equal(begin(), end(), other.begin(), other.end());
   }
 
  private:
-  const ShapeContact* data() const { return count_ <= kMostOfRegion ? few_.data() : all_.data(); }
-  ShapeContact* data() { return count_ <= kMostOfRegion ? few_.data() : all_.data(); }
+  const ShapeContact* data() const { return count_ <= kMostOfRegion ? few_.data() : all_.get(); }
+  ShapeContact* data() { return count_ <= kMostOfRegion ? few_.data() : all_.get(); }
+  void make_room(std::size_t count);
 
+  std::uint32_t part_a_ = 0, part_b_ = 0;
   std::size_t count_ = 0;
-  std::vector<ShapeContact> all_;                ///< if there are more than four
+  std::size_t capacity_ = 0;                     ///< of all_
+  std::unique_ptr<ShapeContact[]> all_;          ///< if there are more than four
   std::array<ShapeContact, kMostOfRegion> few_;  ///< else
 };
 
 inline Manifold& Manifold::operator=(const Manifold& other) {
+  if (other.count_ > kMostOfRegion) make_room(other.count_);
   count_ = other.count_;
-  if (count_ > kMostOfRegion) {
-    all_ = other.all_;
-  } else {
-    std::copy(other.few_.begin(), other.few_.begin() + static_cast<std::ptrdiff_t>(count_),
-              few_.begin());
-  }
+  set_parts(other.part_a_, other.part_b_);
+  std::copy(other.begin(), other.end(), data());
+  return *this;
+}
+
+inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
+  std::swap(capacity_, other.capacity_);
+  all_.swap(other.all_);
+  count_ = std::exchange(other.count_, 0);
+  set_parts(other.part_a_, other.part_b_);
+  if (count_ <= kMostOfRegion) std::copy_n(other.few_.begin(), count_, few_.begin());
   return *this;
 }
 

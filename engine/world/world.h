@@ -7,6 +7,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/world_update.h>
 
 #include <cstdint>
 #include <functional>
@@ -34,6 +35,9 @@ struct BodySettings {
   Detection detection = Detection::Discrete;
 };
 
+/// The largest WorldSettings::number.
+inline constexpr std::uint32_t kLargestWorldNumber = 255;
+
 /// How a World works. What need not be done is left out: each setting that begins with `skip_`
 /// switches one such saving off, which changes no answer, only what it costs.
 struct WorldSettings {
@@ -42,6 +46,16 @@ struct WorldSettings {
   /// (BodyShape::allows_concurrent_calls()). No result depends on it, nor does WorldWork.
   int threads = 1;
   bool contacts = true;  ///< update() finds contacts; without, only World::contacts() does
+  /// Which of several worlds it is, from 1 to kLargestWorldNumber; its ids carry it, and are
+  /// refused by all worlds but those of its number. 0: none, and nothing tells its ids from those
+  /// of others without one. A world with a number uses an index 2^23 times, others 2^31 times. A
+  /// world that is restored takes the number of the world that the snapshot is of, as all its ids
+  /// do.
+  std::uint32_t number = 0;
+  /// update() keeps up islands, for World::islands() and island(): at the cost of the pairs that
+  /// begin and end, of 36 bytes for each body and 24 for each pair of two in islands, and up to as
+  /// much again while they become more.
+  bool islands = false;
   RigidContactSettings sweeps = {};  ///< how first contacts of bodies that are swept are found
   /// Metres. A convex body that is swept and touches a mesh slides along those triangles of it that
   /// it gets no deeper behind than this, beyond how deep it is already: they are not listed again.
@@ -51,91 +65,6 @@ struct WorldSettings {
   bool skip_at_rest = true;       ///< pairs in which nothing moved are not tested again
   bool skip_unused_trees = true;  ///< a mesh's tree is built where a query first walks it; else
                                   ///< when a body takes the mesh
-};
-
-/// Where two solid bodies that touch meet, or that are near, if they have a margin. Half-spaces
-/// among themselves, and shapes of a user's own that tell of none, touch with an empty manifold.
-struct BodyContact {
-  BodyPair pair;      ///< touches, or is near: then no depth is above 0
-  Manifold manifold;  ///< as find_contacts() says, normals from pair.a to pair.b
-
-  bool operator==(const BodyContact&) const = default;
-};
-
-/// Two bodies of which one is swept (Detection) and which are not proved to stay apart from one
-/// update to the next. Times go from 0, the last update, to 1, this one.
-struct BodyFirstContact {
-  BodyPair pair;  ///< as all pairs: sensors too, and as filters say now
-  /// Hit or Close: first_contact() of both in motion. Close from 0 on, out of budget, where a shape
-  /// of a user's own does not know.
-  RigidContact contact;
-  /// Whether they touch at 0: then `low` is 0, and what a solver does with the contacts of the last
-  /// update is all that there is to do. A convex body that is no further than the tolerance from a
-  /// mesh at 0, which does not turn, is listed with it once more, with the first triangle that it
-  /// comes to after that and does not slide along (WorldSettings::sliding_depth), as a wall is for
-  /// what lies on the floor beside it; two meshes, or convex bodies, that are so near are not.
-  bool touches_at_start;
-  /// At `low`, unit, from pair.a to pair.b; zero where nothing tells it: for two half-spaces and
-  /// for shapes of a user's own.
-  Eigen::Vector3d normal;
-  Eigen::Vector3d point;  ///< at `low`, between the two, in the world's frame; likewise
-
-  bool operator==(const BodyFirstContact&) const = default;
-};
-
-/// What an update did, and what it could leave out.
-struct WorldWork {
-  /// Pairs of bodies that do not meet: of those whose boxes began to overlap, or for whom a filter,
-  /// kind, role or exclusion changed. After that they cost nothing, and are not counted.
-  std::uint64_t pairs_filtered = 0;
-  std::uint64_t pairs_at_rest = 0;  ///< pairs with overlapping boxes in which nothing changed
-  std::uint64_t pairs_asleep = 0;   ///< pairs in which something changed, but neither body is awake
-  std::uint64_t pairs_apart = 0;    ///< pairs in which something moved, but by less than their gap
-  std::uint64_t shape_tests = 0;    ///< pairs that were asked whether they touch
-  std::uint64_t gaps_measured = 0;  ///< gaps of pairs that were tested
-  std::uint64_t pairs_near = 0;     ///< tested pairs that are within their margin and do not touch
-  std::uint64_t contacts_found = 0;  ///< pairs whose contacts were asked for
-  /// Pairs in `moved`, or near, without contacts: the settings ask for none, or one is a sensor.
-  std::uint64_t contacts_skipped = 0;
-
-  /// Pairs that were asked for their first contact: the boxes around all places of both met.
-  std::uint64_t pairs_swept = 0;
-
-  /// Meshes of bodies that are there, each once however many bodies share it, of whose tree nothing
-  /// is built, because nobody has walked it. One that was built elsewhere - by a query, by another
-  /// world, by prepare() - is counted until an update looks at a body that has it.
-  std::uint64_t trees_unbuilt = 0;
-
-  /// What tests, gaps and contacts of Shapes did. Above all the trees that it built, those of other
-  /// meshes being left until something walks them; and searches among convex shapes that proved
-  /// neither answer, which count as hits, or no least depth. Not what World::contacts() does.
-  Work shapes;
-
-  bool operator==(const WorldWork&) const = default;
-};
-
-/// What changed between two updates, each list in ascending order. The spans are valid until the
-/// world's next update() or restore(): a loop that reads them may add, move and remove bodies.
-struct WorldUpdate {
-  std::span<const BodyPair> begun;  ///< touch now and did not
-  std::span<const BodyPair> ended;  ///< touched and do not now, also because one body is gone, or a
-                                    ///< filter keeps them apart
-  /// Pairs that touch now and of which one body moved, came, woke or changed its filter.
-  std::span<const BodyPair> moved;
-  /// Of the solid pairs in `moved`, and of those that would be there if to be near were to touch;
-  /// if the settings ask.
-  std::span<const BodyContact> contacts;
-  WorldWork work;  ///< what it did and could leave out
-
-  /// Pairs with a margin that are within it now, touching or not, and were not. All lists but these
-  /// two mean the touch.
-  std::span<const BodyPair> begun_near;
-  std::span<const BodyPair> ended_near;  ///< were within their margin and are not
-
-  /// First contacts of the bodies that are swept and moved, in ascending order of pairs, those of a
-  /// pair by time. Whatever
-  /// the bodies do after that is not looked at: who stops a body there moves it, and updates again.
-  std::span<const BodyFirstContact> first_contacts;
 };
 
 /// Which bodies a query of a world is about.
@@ -149,22 +78,25 @@ struct BodyQuerySettings {
 struct BodyDistance {
   BodyId id;               ///< of the body
   ShapeDistance distance;  ///< from the shape to the body
+  std::uint32_t part = 0;  ///< of a Compound: the nearest, of equals that of the least number
 
   bool operator==(const BodyDistance&) const = default;
 };
 
 /// A body and where a ray meets it first.
 struct BodyRayHit {
-  BodyId id;   ///< of the body
-  RayHit hit;  ///< where the ray meets it first
+  BodyId id;               ///< of the body
+  RayHit hit;              ///< where the ray meets it first
+  std::uint32_t part = 0;  ///< of a Compound: of equal distances the least number
 
   bool operator==(const BodyRayHit&) const = default;
 };
 
 /// A body that a shape in motion comes to, and when.
 struct BodyCast {
-  BodyId id;             ///< of the body
-  RigidContact contact;  ///< Hit or Close: first_contact() of the shape, A, and the body
+  BodyId id;               ///< of the body
+  RigidContact contact;    ///< Hit or Close: first_contact() of the shape, A, and the body
+  std::uint32_t part = 0;  ///< of a Compound: that whose `low` is least, of equals by number
 
   bool operator==(const BodyCast&) const = default;
 };
@@ -236,13 +168,17 @@ class World {
   /// filter keeps them apart or one is removed. What wakes is listed with all that it touches.
   ///
   /// The world wakes nobody: a body that comes to touch one that sleeps is listed with it in each
-  /// update in which it moves, and one that leaves it in `ended`. Whom that wakes, and with whom,
-  /// is for a solver to decide, who knows of speeds and of islands.
+  /// update in which it moves, and one that leaves it in `ended`. Whom that wakes is for a solver
+  /// to decide, who knows of speeds; with whom says island().
   ///
   /// A static body is not awake, unless it is a sensor; but its pairs are looked at in the update
   /// after it changed. To put a body to sleep that sleeps, or wake one that is awake, does nothing.
   void sleep(BodyId id);
   void wake(BodyId id);
+  /// The same of many bodies, such as an island(). All or none: an error names the element that is
+  /// to blame.
+  void sleep(std::span<const BodyId> ids);
+  void wake(std::span<const BodyId> ids);
 
   /// Two bodies never meet, or may meet again. An exclusion ends with either body.
   void exclude(BodyId a, BodyId b);
@@ -255,6 +191,8 @@ class World {
   /// Whether the id is of a body that is there.
   bool contains(BodyId id) const;
   std::size_t size() const;
+  /// All bodies, or those that are asked for, in ascending order.
+  std::vector<BodyId> bodies(const BodyQuerySettings& settings = {}) const;
   /// Where the body was put last.
   const Pose& pose(BodyId id) const;
   /// What it was added with; valid until the body is gone or takes another.
@@ -289,10 +227,30 @@ class World {
   /// or not.
   std::vector<BodyPair> near_pairs() const;
 
+  /// Those pairs of both kinds that one body is of, and the bodies that it touched at the last
+  /// update, likewise. While changes wait for an update O(all pairs), else what bodies around it
+  /// cost.
+  std::vector<BodyPair> pairs(BodyId id) const;
+  std::vector<BodyPair> near_pairs(BodyId id) const;
+  std::vector<BodyId> touching(BodyId id) const;
+
+  /// The islands: sets of solid dynamic bodies, such that those of them that a body of a set
+  /// touches are in it, too, and no smaller one would do. Static and kinematic bodies and sensors
+  /// join none, and none to another; a body that touches no other is an island of its own. As the
+  /// last update found them, without bodies that were removed since; those that came since are in
+  /// none. Each ascending, and the islands by their first bodies. Throws InputError if the settings
+  /// ask for none (WorldSettings::islands). O(bodies log bodies).
+  std::vector<std::vector<BodyId>> islands() const;
+  /// The island that a body is in, itself included; none for one that is in no island. Throws
+  /// likewise. O(n log n) for n bodies in it.
+  std::vector<BodyId> island(BodyId id) const;
+
   /// The contacts of all solid pairs that touch or are near, in ascending order. Computes each: for
   /// bodies that were put to sleep where they were moved to from where they are, which may be none.
   /// Throws InputError while changes wait for an update.
   std::vector<BodyContact> contacts() const;
+  /// Those of one body's pairs. Throws likewise.
+  std::vector<BodyContact> contacts(BodyId id) const;
 
   /// The bodies whose boxes share a point with `box`, in ascending order.
   std::vector<BodyId> find_in_box(const Aabb& box, const BodyQuerySettings& settings = {}) const;

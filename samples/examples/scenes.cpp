@@ -17,7 +17,7 @@ constexpr const char* kText = R"({
   "step": 0.25, "steps": 8,
   "shapes": [{"name": "ball", "sphere": {"radius": 0.5}}],
   "bodies": [
-    {"name": "still", "shape": "ball"},
+    {"name": "still", "parts": [{"shape": "ball"}, {"shape": "ball", "pose": {"position": [-0.5, 0, 0]}}]},
     {"name": "mover", "shape": "ball", "pose": {"position": [3, 0, 0]}, "path": {"velocity": [-2, 0, 0]}}
   ]
 })";
@@ -33,6 +33,8 @@ int main(int argc, char** argv) {
   std::filesystem::remove(file);
 
   expect(graze::pose_at(scene.bodies[1], 1).translation().x() == 1, "where a body is at a time");
+  const auto still = graze::body_shape(scene, scene.bodies[0]);
+  expect(graze::compound_of(*still)->size() == 2, "a body of two parts, as a world takes it");
   expect(graze::meeting_pairs(scene).size() == 1, "who can meet whom");
   graze::check_paths(scene, 10);  // throws PoseError if a path leads out of the world
 

@@ -1,5 +1,5 @@
-// A world: bodies that come, move, sleep and go; which pairs touch; what is near; and back to where
-// it was.
+// A world: bodies that come, move, sleep and go; which pairs touch; what is near; islands; and
+// back to where it was.
 
 #include "samples/examples/example.h"
 
@@ -102,6 +102,26 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   expect(casts[0].contact.low <= casts[0].contact.high, "never late, and with a witness");
 }
 
+/// Which bodies there are, who touches whom, and who hangs together.
+void who_is_with_whom() {
+  graze::World world({.number = 1, .islands = true});  // its ids are refused by other worlds
+  const graze::BodyId ground =
+      world.add({graze::Box{{5, 5, 0.5}}, at(0, 0, -0.5)}, {.kind = graze::BodyKind::Static});
+  const graze::BodyId lower = world.add({kBall, at(0, 0, 0.5)});
+  const graze::BodyId upper = world.add({kBall, at(0, 0, 1.5)});
+  const graze::BodyId apart = world.add({kBall, at(3, 0, 0.5)});
+  world.update();
+  expect(world.bodies().size() == 4, "all bodies");
+  expect(world.touching(lower) == std::vector{ground, upper}, "whom one touches");
+  expect(world.pairs(lower).size() == 2 && world.near_pairs(lower).empty(), "as pairs");
+  expect(world.contacts(upper).size() == 1, "and where");
+  expect(world.islands().size() == 2, "static bodies join no island");
+  expect(world.island(upper) == std::vector{lower, upper}, "what a solver wakes together");
+  world.sleep(world.island(lower));
+  expect(!world.is_awake(upper) && world.is_awake(apart), "a whole island sleeps");
+  world.wake(world.island(lower));
+}
+
 }  // namespace
 
 int main() {
@@ -116,6 +136,7 @@ int main() {
   what_has_a_margin(world, ball);
   what_is_fast(world);
   what_is_near(world, floor, ball);
+  who_is_with_whom();
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");
   expect(world.sides(floor).sides == graze::Sides::Surface, "what is in a mesh may count, too");

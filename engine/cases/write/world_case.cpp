@@ -1,9 +1,22 @@
 #include <graze/engine/cases/world_case.h>
+#include <graze/engine/world/compound.h>
 
 namespace graze {
 
+/// A part of a body, or the body if it has none.
+static CaseBody part_of(const World& world, BodyId id, std::uint32_t number) {
+  const Compound* compound = compound_of(world.shape(id));
+  if (compound == nullptr) return case_body(world, id);
+  const PlacedShape& part = compound->part(number);
+  return {part.shape, placed_part(world.pose(id), part.pose)};
+}
+
 CaseBody case_body(const World& world, BodyId id) {
   const Shape* shape = world.shape(id).shape();
+  if (compound_of(world.shape(id)) != nullptr) {
+    throw UnsupportedPairError(
+        "to_case: a body is a compound, and only its parts can be in a case");
+  }
   if (shape == nullptr) {
     throw UnsupportedPairError("to_case: a body has a shape of a user's own, which is in no case");
   }
@@ -15,8 +28,9 @@ Case to_case(const World& world, const BodyPair& pair, bool touches) {
 }
 
 Case to_case(const World& world, const BodyContact& contact) {
-  return to_case(case_body(world, contact.pair.a), case_body(world, contact.pair.b),
-                 contact.manifold);
+  const BodyPair& pair = contact.pair;
+  return to_case(part_of(world, pair.a, contact.manifold.part_a()),
+                 part_of(world, pair.b, contact.manifold.part_b()), contact.manifold);
 }
 
 Case to_case(const World& world, const CaseBody& asked, BodyId body, bool touches) {
@@ -24,11 +38,11 @@ Case to_case(const World& world, const CaseBody& asked, BodyId body, bool touche
 }
 
 Case to_case(const World& world, const CaseBody& asked, const BodyDistance& found) {
-  return to_case(asked, case_body(world, found.id), found.distance);
+  return to_case(asked, part_of(world, found.id, found.part), found.distance);
 }
 
 Case to_case(const World& world, const Ray& ray, const BodyRayHit& found) {
-  return to_case(CaseShape(case_body(world, found.id)), ray, found.hit);
+  return to_case(CaseShape(part_of(world, found.id, found.part)), ray, found.hit);
 }
 
 }  // namespace graze

@@ -33,11 +33,13 @@ With --json each step gives one line:
 "contacts" is there only with --contacts. Where bodies are swept there is also
   "first_contacts":[{"a":"a","b":"b","status":"hit"|"close","time":S,"low":0..1,"high":0..1,
    "is_out_of_budget":false,"touches_at_start":false,"normal":[x,y,z],"point":[x,y,z]},...]
-with "low" and "high" as shares of the step.
+with "low" and "high" as shares of the step. Of a body of several shapes ("parts" in the scene) each part that
+meets has an entry of its own, with its place in the list of parts as "part_a" or "part_b".
 
 Examples:
   graze simulate data/scenes/shapes.json
   graze simulate data/scenes/fast.json --json
+  graze simulate data/scenes/parts.json --contacts
   graze simulate data/scenes/machine.json --meshes data/meshes --steps 20 --contacts --json
 
 Exit codes:

@@ -40,6 +40,22 @@ struct Names {
     return mesh_io::printable(scene.bodies[pair.a.index].name) + " - " +
            mesh_io::printable(scene.bodies[pair.b.index].name);
   }
+  /// The same of bodies that may have parts.
+  std::string text(const BodyPair& pair, std::uint32_t part_a, std::uint32_t part_b) const {
+    return text_of_part(pair.a, part_a) + " - " + text_of_part(pair.b, part_b);
+  }
+  std::string text_of_part(BodyId id, std::uint32_t part) const {
+    const SceneBody& body = scene.bodies[id.index];
+    const std::string name = mesh_io::printable(body.name);
+    return body.parts.empty() ? name : fmt::format("{}, part {}", name, part);
+  }
+  /// The two bodies as members of an object, with parts of those that have any.
+  std::string members(const BodyPair& pair, std::uint32_t part_a, std::uint32_t part_b) const {
+    std::string out = fmt::format("\"a\":{},\"b\":{}", json(pair.a), json(pair.b));
+    if (!scene.bodies[pair.a.index].parts.empty()) out += fmt::format(",\"part_a\":{}", part_a);
+    if (!scene.bodies[pair.b.index].parts.empty()) out += fmt::format(",\"part_b\":{}", part_b);
+    return out;
+  }
 };
 
 std::string json_of(const WorldWork& work) {
@@ -109,8 +125,8 @@ std::string SimulateReport::text_of(std::size_t step, double time,
       out += fmt::format(
           "  contact: {}: depth {:.6g}, normal ({:.6g}, {:.6g}, {:.6g}), point ({:.6g}, "
           "{:.6g}, {:.6g})\n",
-          names.text(each.pair), c.depth, c.normal.x(), c.normal.y(), c.normal.z(), c.point.x(),
-          c.point.y(), c.point.z());
+          names.text(each.pair, each.manifold.part_a(), each.manifold.part_b()), c.depth,
+          c.normal.x(), c.normal.y(), c.normal.z(), c.point.x(), c.point.y(), c.point.z());
     }
   }
   return out;
@@ -118,20 +134,20 @@ std::string SimulateReport::text_of(std::size_t step, double time,
 
 std::string SimulateReport::text_of(const BodyFirstContact& met, double time) const {
   const Names names{scene_};
-  if (met.touches_at_start) return "  touched before: " + names.text(met.pair) + "\n";
+  const std::string pair = names.text(met.pair, met.part_a, met.part_b);
+  if (met.touches_at_start) return "  touched before: " + pair + "\n";
   return fmt::format(
       "  {}: {}: at {:.6g} s, normal ({:.6g}, {:.6g}, {:.6g}), point ({:.6g}, {:.6g}, {:.6g})\n",
-      met.contact.status == RigidStatus::Hit ? "met" : "came close", names.text(met.pair),
-      time_of(met, time), met.normal.x(), met.normal.y(), met.normal.z(), met.point.x(),
-      met.point.y(), met.point.z());
+      met.contact.status == RigidStatus::Hit ? "met" : "came close", pair, time_of(met, time),
+      met.normal.x(), met.normal.y(), met.normal.z(), met.point.x(), met.point.y(), met.point.z());
 }
 
 std::string SimulateReport::json_of(const BodyFirstContact& met, double time) const {
   const Names names{scene_};
   return fmt::format(
-      "{{\"a\":{},\"b\":{},\"status\":\"{}\",\"time\":{},\"low\":{},\"high\":{},"
+      "{{{},\"status\":\"{}\",\"time\":{},\"low\":{},\"high\":{},"
       "\"is_out_of_budget\":{},\"touches_at_start\":{},\"normal\":{},\"point\":{}}}",
-      names.json(met.pair.a), names.json(met.pair.b),
+      names.members(met.pair, met.part_a, met.part_b),
       met.contact.status == RigidStatus::Hit ? "hit" : "close", time_of(met, time), met.contact.low,
       met.contact.high, met.contact.is_out_of_budget, met.touches_at_start, vector_json(met.normal),
       vector_json(met.point));
@@ -156,8 +172,9 @@ std::string SimulateReport::json_of(std::size_t step, double time,
     line += ",\"contacts\":[";
     const char* separator = "";
     for (const BodyContact& each : update.contacts) {
-      fmt::format_to(std::back_inserter(line), "{}{{\"a\":{},\"b\":{},\"points\":{}}}", separator,
-                     names.json(each.pair.a), names.json(each.pair.b), cli::json_of(each.manifold));
+      fmt::format_to(std::back_inserter(line), "{}{{{},\"points\":{}}}", separator,
+                     names.members(each.pair, each.manifold.part_a(), each.manifold.part_b()),
+                     cli::json_of(each.manifold));
       separator = ",";
     }
     line += "]";

@@ -304,6 +304,11 @@ void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
                    const SceneComparisonSettings& settings,
                    const std::function<bool(std::size_t)>& is_done,
                    const std::function<void(StepRecord)>& on_record) {
+  for (const SceneBody& body : scene.bodies) {
+    if (body.parts.empty()) continue;
+    throw UnsupportedPairError("body \"" + body.name +
+                               "\" has parts: other engines are asked about single shapes");
+  }
   const std::vector<SceneEngine> loaded = load_all(scene, engines);
   const std::vector<ScenePair> meeting = meeting_pairs(scene);
   SharedWorld world(scene, settings, is_done);

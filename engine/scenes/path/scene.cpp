@@ -4,6 +4,14 @@
 
 namespace graze {
 
+std::shared_ptr<const BodyShape> body_shape(const Scene& scene, const SceneBody& body) {
+  if (body.parts.empty()) return share(scene.shapes[body.shape].shape);
+  Compound compound;
+  for (const ScenePart& part : body.parts)
+    compound.add({scene.shapes[part.shape].shape, part.pose}, part.settings);
+  return share(compound);
+}
+
 std::vector<ScenePair> meeting_pairs(const Scene& scene) {
   const std::set<ScenePair> excluded(scene.exclusions.begin(), scene.exclusions.end());
   std::vector<ScenePair> pairs;

@@ -2,7 +2,6 @@
 #include <graze/engine/scenes/simulation.h>
 
 #include <graze/bvh/error.h>
-#include <graze/engine/world/shape_bounds.h>
 
 #include <cmath>
 #include <memory>
@@ -42,8 +41,9 @@ Simulation::Simulation(const Scene& scene, const SimulationSettings& settings)
     ids_.reserve(scene.bodies.size());
     for (const SceneBody& body : scene.bodies) {
       check_turn(body, step_);
+      const auto shape = body.parts.empty() ? shapes[body.shape] : body_shape(scene, body);
       ids_.push_back(
-          world_.add({shapes[body.shape], pose_at(body, 0)},
+          world_.add({shape, pose_at(body, 0)},
                      {.kind = body.kind, .filter = body.filter, .detection = body.detection}));
     }
     for (const ScenePair& exclusion : scene.exclusions)
@@ -86,7 +86,7 @@ void check_paths(const Scene& scene, double end) {
   bvh::in_standard_arithmetic([&] {
     for (const SceneBody& body : scene.bodies) {
       try {
-        bounding_aabb({scene.shapes[body.shape].shape, pose_at(body, end)});
+        body_shape(scene, body)->bounds(pose_at(body, end));
       } catch (const PoseError& error) {
         refuse(body, end, error);
       }

@@ -3,13 +3,13 @@
 #include <graze/engine/files/source.h>
 #include <graze/engine/scenes/path/turn.h>
 #include <graze/engine/scenes/read/scene_parts.h>
-#include <graze/engine/world/shape_bounds.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace graze::scenes {
 namespace {
@@ -60,7 +60,7 @@ Pose read_rows(const JsonCursor& at, const SceneUnits& units) {
   return pose;
 }
 
-Pose read_pose(const JsonCursor& at, const SceneUnits& units, const Shape& shape) {
+Pose read_pose(const JsonCursor& at, const SceneUnits& units, const BodyShape& shape) {
   Pose pose = Pose::Identity();
   if (at.is_object()) {
     at.require_keys({"position", "axis", "angle"});
@@ -78,11 +78,32 @@ Pose read_pose(const JsonCursor& at, const SceneUnits& units, const Shape& shape
   } else {
     pose = read_rows(at, units);
   }
-  at_place(at, [&] { return bounding_aabb({shape, pose}); });  // the door of a world
+  at_place(at, [&] { return shape.bounds(pose); });  // the door of a world
   return pose;
 }
 
-KeyPath read_keys(const JsonCursor& at, const SceneUnits& units, const Shape& shape) {
+std::vector<ScenePart> read_parts(const JsonCursor& at, const SceneUnits& units, const Scene& scene,
+                                  const NameTable& shapes) {
+  if (at.size() == 0) at.fail("has no parts");
+  std::vector<ScenePart> parts;
+  parts.reserve(at.size());
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const JsonCursor each = at.item(i);
+    each.require_keys({"shape", "pose", "filter", "user_data", "material"});
+    ScenePart part;
+    part.shape = shapes.find(each.member("shape"));
+    const Shape& shape = scene.shapes[part.shape].shape;
+    if (each.has("pose")) part.pose = read_pose(each.member("pose"), units, *share(shape));
+    if (each.has("filter")) part.settings.filter = read_filter(each.member("filter"));
+    if (each.has("user_data")) part.settings.user_data = read_bits(each.member("user_data"));
+    if (each.has("material")) part.settings.material = read_bits(each.member("material"));
+    at_place(each, [&] { return Compound().add({shape, part.pose}); });
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+KeyPath read_keys(const JsonCursor& at, const SceneUnits& units, const BodyShape& shape) {
   if (at.size() == 0) at.fail("has no keys");
   KeyPath path;
   path.keys.reserve(at.size());
@@ -109,7 +130,7 @@ SteadyPath read_steady(const JsonCursor& at, const SceneUnits& units) {
   return path;
 }
 
-BodyPath read_path(const JsonCursor& at, const SceneUnits& units, const Shape& shape) {
+BodyPath read_path(const JsonCursor& at, const SceneUnits& units, const BodyShape& shape) {
   at.require_keys({"keys", "velocity", "axis", "rate"});
   if (!at.has("keys")) return read_steady(at, units);
   if (at.has("velocity") || at.has("axis") || at.has("rate")) {
@@ -149,20 +170,25 @@ std::size_t NameTable::find(const JsonCursor& at) const {
 
 SceneBody read_body(const JsonCursor& at, const SceneUnits& units, const Scene& scene,
                     const NameTable& shapes) {
-  at.require_keys({"name", "shape", "pose", "motion", "detection", "filter", "path"});
+  at.require_keys({"name", "shape", "parts", "pose", "motion", "detection", "filter", "path"});
   SceneBody body;
   body.name = at.member("name").text();
-  body.shape = shapes.find(at.member("shape"));
-  const Shape& shape = scene.shapes[body.shape].shape;
+  if (at.has("parts")) {
+    if (at.has("shape")) at.fail("has a shape and parts; a body has one or the other");
+    body.parts = read_parts(at.member("parts"), units, scene, shapes);
+  } else {
+    body.shape = shapes.find(at.member("shape"));
+  }
+  const auto shape = at_place(at, [&] { return body_shape(scene, body); });
   body.pose = Pose::Identity();
-  if (at.has("pose")) body.pose = read_pose(at.member("pose"), units, shape);
+  if (at.has("pose")) body.pose = read_pose(at.member("pose"), units, *shape);
   if (at.has("motion")) body.kind = read_motion(at.member("motion"));
   if (at.has("detection")) body.detection = read_detection(at.member("detection"));
   if (at.has("filter")) body.filter = read_filter(at.member("filter"));
   if (!at.has("path")) return body;
   const JsonCursor path = at.member("path");
   if (body.kind == BodyKind::Static) path.fail("a static body has no path");
-  body.path = read_path(path, units, shape);
+  body.path = read_path(path, units, *shape);
   if (!std::holds_alternative<KeyPath>(body.path)) return body;
   if (at.has("pose")) at.member("pose").fail("a body with keys begins where they say");
   body.pose = pose_at(body, 0);

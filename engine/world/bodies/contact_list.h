@@ -15,12 +15,13 @@ namespace graze {
 class ContactList {
  public:
   void clear() {
-    count_ = 0;
+    count_ = further_ = 0;
     is_ascending_ = true;
   }
+  /// Those of the parts of a pair come one after the other, in their order.
   void add(const BodyPair& pair, const Manifold& manifold) {
     if (count_ == list_.size()) list_.emplace_back();
-    if (count_ != 0 && !(last_ < pair)) is_ascending_ = false;
+    if (count_ != 0 && !(last_ < pair)) note_no_less(pair);
     last_ = pair;
     write(pair, manifold, list_[count_++]);
     if (count_ < list_.size()) fetch(list_[count_]);
@@ -34,12 +35,14 @@ class ContactList {
     is_ascending_ &= part.is_ascending_ && (count_ == 0 || last_ < part.list_[0].pair);
     last_ = part.last_;
     count_ += part.count_;
+    further_ += part.further_;
     if (list_.size() < count_) list_.resize(count_);
     return place;
   }
-  /// Room for the contacts of so many pairs, which put() has to write in ascending order.
-  void make_room(std::size_t pairs) {
-    count_ = pairs;
+  /// Room for as many as another list has, which put() has to write in ascending order.
+  void make_room_for_all(const ContactList& other) {
+    count_ = other.count_;
+    further_ = other.further_;
     is_ascending_ = true;
     if (list_.size() < count_) list_.resize(count_);
   }
@@ -50,8 +53,17 @@ class ContactList {
 
   std::span<const BodyContact> all() const { return {list_.data(), count_}; }
   bool is_ascending() const { return is_ascending_; }
+  /// Of how many pairs they are: of two parts each, where there are compounds.
+  std::size_t pair_count() const { return count_ - further_; }
 
  private:
+  void note_no_less(const BodyPair& pair) {
+    if (last_ == pair) {
+      ++further_;
+    } else {
+      is_ascending_ = false;
+    }
+  }
   static void write(const BodyPair& pair, const Manifold& manifold, BodyContact& contact) {
     contact.pair = pair;
     contact.manifold = manifold;
@@ -66,6 +78,7 @@ class ContactList {
 
   std::vector<BodyContact> list_;
   std::size_t count_ = 0;
+  std::size_t further_ = 0;  ///< those of a pair beside its first
   BodyPair last_;
   bool is_ascending_ = true;
 };

@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
 #include <tbb/global_control.h>
@@ -44,13 +45,19 @@ World::State::State(const WorldSettings& chosen)
     : settings(chosen),
       threads(threads_of(chosen)),
       workers(static_cast<int>(threads)),
-      broad({.threads = chosen.threads}) {}
+      broad({.threads = chosen.threads}) {
+  if (settings.number == 0) return;
+  all.number_bits = settings.number << Bodies::kNumberShift;
+  all.ids.set_limit(std::uint32_t{1} << Bodies::kNumberShift);
+}
 
 const Bodies::Body& World::State::body(BodyId id, const char* what) const {
-  if (!all.ids.is_live(id.index, id.generation)) {
+  if (!all.has(id)) {
+    const bool is_of_another = (id.generation ^ all.number_bits) >> Bodies::kNumberShift != 0;
     throw StaleIdError(std::string(what) + ": there is no body with index " +
                            std::to_string(id.index) + " and generation " +
-                           std::to_string(id.generation),
+                           std::to_string(id.generation) +
+                           (is_of_another ? ": the id is of another world" : ""),
                        {.element = "body", .index = id.index});
   }
   return all.bodies[id.index];
@@ -117,8 +124,13 @@ void World::State::insert_box(std::uint32_t index, const Aabb& box) {
 const Mesh* World::State::prepared_mesh(const BodyShape& shape, bool is_users) const {
   const Shape* known = known_shape(shape, is_users);
   const Mesh* mesh = known == nullptr ? nullptr : known->as<Mesh>();
-  if (mesh != nullptr && !settings.skip_unused_trees) {
-    prepare(*mesh, {.queries = PreparedFor::All});
+  if (settings.skip_unused_trees) return mesh;
+  if (mesh != nullptr) prepare(*mesh, {.queries = PreparedFor::All});
+  if (const Compound* compound = compound_of(shape)) {
+    for (const std::uint32_t part : compound->parts()) {
+      if (const Mesh* of_part = compound->part(part).shape.as<Mesh>())
+        prepare(*of_part, {.queries = PreparedFor::All});
+    }
   }
   return mesh;
 }
@@ -132,6 +144,7 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
   const bool is_unbuilt = unbuilt.add(mesh);
   drop_shape(index);
   all.bodies[index].is_users = is_users;
+  all.bodies[index].has_parts = compound_of(*shape) != nullptr;
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
   all.changes[index].has_unbuilt_tree = is_unbuilt;
@@ -148,6 +161,11 @@ void World::State::drop_shape(std::uint32_t index) {
 
 World::World(const WorldSettings& settings) {
   check_threads(settings.threads);
+  if (settings.number > kLargestWorldNumber) {
+    throw InputError("number: a world has a number of at most " +
+                     std::to_string(kLargestWorldNumber) + ", not " +
+                     std::to_string(settings.number));
+  }
   check_settings(settings.sweeps);
   check_margin(settings.sliding_depth, "sliding depth");
   state_ = std::make_unique<State>(settings);
@@ -278,17 +296,6 @@ void World::set_margin(BodyId id, double margin) {
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
   state_->body(id, "set_user_data").user_data = data;
-}
-
-void World::sleep(BodyId id) {
-  state_->body(id, "sleep").is_awake = false;
-}
-
-void World::wake(BodyId id) {
-  Bodies::Body& body = state_->body(id, "wake");
-  if (body.is_awake) return;
-  state_->note_change(id.index);
-  body.is_awake = true;
 }
 
 void World::exclude(BodyId a, BodyId b) {

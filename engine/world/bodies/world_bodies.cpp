@@ -5,7 +5,7 @@
 namespace graze {
 
 bool World::contains(BodyId id) const {
-  return state_->all.ids.is_live(id.index, id.generation);
+  return state_->all.has(id);
 }
 
 std::size_t World::size() const {

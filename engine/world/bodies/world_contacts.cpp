@@ -11,29 +11,24 @@
 #include <string>
 
 namespace graze {
-namespace {
-
-PairAnswer::Kind kind_of(Nearness nearness) {
-  using enum PairAnswer::Kind;
-  if (nearness == Nearness::Apart) return Apart;
-  return nearness == Nearness::Near ? Near : Touching;
-}
-
-}  // namespace
-
 void World::State::check_is_updated(const char* what) const {
-  if (changed.empty() && removed == 0 && !is_cut_short) return;
+  if (is_updated()) return;
   throw InputError(std::string(what) + ": changes wait for an update");
 }
 
-BodyContact World::State::contact_of(const BodyPair& pair) const {
+void World::State::add_contacts(const BodyPair& pair, std::vector<BodyContact>& list) const {
   const BoxPair boxes{pair.a.index, pair.b.index};
+  if (all.has_parts(boxes)) return add_contacts_of_parts(pair, list);
   const ManifoldSettings asked = all.settings(boxes);
-  if (!are_plain(asked)) return {pair, contacts_within(boxes, asked)};
+  if (!are_plain(asked)) {
+    list.push_back({pair, contacts_within(boxes, asked)});
+    return;
+  }
   const Bodies::Body& a = all.bodies[pair.a.index];
   const Bodies::Body& b = all.bodies[pair.b.index];
-  return {pair,
-          a.ask([&](const BodyShape& shape) { return shape.contacts(a.pose, *b.shape, b.pose); })};
+  list.push_back({pair, a.ask([&](const BodyShape& shape) {
+                    return shape.contacts(a.pose, *b.shape, b.pose);
+                  })});
 }
 
 bool World::State::do_touch(BoxPair pair) const {
@@ -45,6 +40,7 @@ bool World::State::do_touch(BoxPair pair) const {
 /// How the two stand to each other, to their margin and to their sides.
 PairAnswer::Kind World::State::stand(BoxPair pair) const {
   using enum PairAnswer::Kind;
+  if (all.has_parts(pair)) return stand_of_parts(pair);
   const ManifoldSettings asked = all.settings(pair);
   if (are_plain(asked)) return do_touch(pair) ? Touching : Apart;
   const Bodies::Body& a = all.bodies[pair.a];
@@ -95,6 +91,7 @@ PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings&
 PairAnswer::Kind World::State::meet(BoxPair pair, ContactList& into) const {
   using enum PairAnswer::Kind;
   if (!settings.contacts || !all.are_solid(pair.a, pair.b)) return stand(pair);
+  if (all.has_parts(pair)) return meet_by_parts(pair, into);
   if (const ManifoldSettings asked = all.settings(pair); !are_plain(asked))
     return meet_within(pair, asked, into);
   const Bodies::Body& a = all.bodies[pair.a];
@@ -121,51 +118,41 @@ void World::State::sort_contacts() {
     const std::span<const BodyContact> list = news.contacts.all();
     order.resize(list.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t s, std::uint32_t t) { return list[s].pair < list[t].pair; });
-    contacts.make_room(list.size());
+    std::sort(order.begin(), order.end(), [&](std::uint32_t s, std::uint32_t t) {
+      return list[s].pair != list[t].pair ? list[s].pair < list[t].pair : s < t;
+    });
+    contacts.make_room_for_all(news.contacts);
     constexpr std::size_t kPart = 1024;
     workers.for_each((list.size() + kPart - 1) / kPart, [&](std::size_t part) {
       for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, list.size()); ++i)
         contacts.put(i, list[order[i]]);
     });
   }
-  news.work.contacts_found = contacts.all().size();
-  news.work.contacts_skipped = news.moved.size() + news.work.pairs_near - contacts.all().size();
+  news.work.contacts_found = contacts.pair_count();
+  news.work.contacts_skipped = news.moved.size() + news.work.pairs_near - contacts.pair_count();
 }
 
-/// Those of bodies that are there and of which `is_asked_for(at)` is true, in ascending order.
-template <typename IsAskedFor>
-std::vector<BodyPair> World::State::list_pairs(const IsAskedFor& is_asked_for) const {
-  std::vector<BodyPair> pairs;
-  for (std::uint32_t at = 0; at < candidates.list().size(); ++at) {
-    const BoxPair pair = candidates.list()[at];
-    if (is_asked_for(at) && all.ids.is_live(pair.a) && all.ids.is_live(pair.b))
-      pairs.push_back(all.id_pair(pair));
+std::vector<BodyContact> World::State::contacts_of(std::span<const BodyPair> pairs) const {
+  std::vector<BodyContact> list;
+  for (const BodyPair& pair : pairs) {
+    if (all.are_solid(pair.a.index, pair.b.index)) add_contacts(pair, list);
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-std::vector<BodyPair> World::pairs() const {
-  return state_->list_pairs([&](std::uint32_t at) { return state_->candidates.touches(at); });
-}
-
-std::vector<BodyPair> World::near_pairs() const {
-  return state_->list_pairs([&](std::uint32_t at) { return state_->candidates.is_near(at); });
+  return list;
 }
 
 std::vector<BodyContact> World::contacts() const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyContact> {
     state_->check_is_updated("contacts");
-    std::vector<BodyContact> contacts;
-    const CandidatePairs& candidates = state_->candidates;
-    for (const BodyPair& pair : state_->list_pairs(
-             [&](std::uint32_t at) { return candidates.touches(at) || candidates.is_near(at); })) {
-      if (state_->all.are_solid(pair.a.index, pair.b.index))
-        contacts.push_back(state_->contact_of(pair));
-    }
-    return contacts;
+    return state_->contacts_of(state_->list_pairs(PairState::Either));
+  });
+}
+
+std::vector<BodyContact> World::contacts(BodyId id) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyContact> {
+    const State& state = *state_;
+    state.body(id, "contacts");
+    state.check_is_updated("contacts");
+    return state.contacts_of(state.list_pairs_of(id.index, PairState::Either));
   });
 }
 

@@ -3,6 +3,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
 #include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/body_shapes/part_pairs.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/narrowphase/volumes/aabb_overlap.h>
 
@@ -16,9 +17,14 @@ namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// A distance as computed is off by less than this share of itself, beyond what boxes have room for
-// (shape_bounds.cpp).
-constexpr double kDistanceRounding = 0x1p-44;
+bool do_touch_any_part(const PosedBody& a, const PosedBody& b) {
+  bool do_touch = false;
+  for_part_pairs(a, b, [&](const PlacedPart& s, const PlacedPart& t) {
+    do_touch = nearness_of(s, t, {}) == Nearness::Touching;
+    return !do_touch;
+  });
+  return do_touch;
+}
 
 bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
   if (s.distance.distance != t.distance.distance) return s.distance.distance < t.distance.distance;
@@ -26,25 +32,6 @@ bool is_nearer(const BodyDistance& s, const BodyDistance& t) {
 }
 
 }  // namespace
-
-double width_of(const Aabb& box) {
-  double most = 0;
-  for (int i = 0; i < 3; ++i)
-    most = std::max(most, box.max.data()[i] - box.min.data()[i]);
-  return std::min(most, kLargestLength);
-}
-
-Aabb grown(const Aabb& box, double width) {
-  Aabb larger;
-  const double room = width + kDistanceRounding * width;
-  for (int i = 0; i < 3; ++i) {
-    const double low = std::nextafter(box.min.data()[i] - room, -kLargest);
-    const double high = std::nextafter(box.max.data()[i] + room, kLargest);
-    larger.min.data()[i] = std::max(low, -kLargest);
-    larger.max.data()[i] = std::min(high, kLargest);
-  }
-  return larger;
-}
 
 bool World::State::is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const {
   const Bodies::Body& body = all.bodies[index];
@@ -69,15 +56,23 @@ std::vector<std::uint32_t> World::State::find_bodies(const Aabb& box,
   return bodies;
 }
 
-BodyDistance World::State::distance_to(std::uint32_t index, const Shape& shape,
-                                       const Pose& pose) const {
+/// Nothing for a compound that has no part within `most` metres that is asked for.
+std::optional<BodyDistance> World::State::distance_to(std::uint32_t index,
+                                                      const PlacedShapeView& placed,
+                                                      const BodyQuerySettings& query,
+                                                      double most) const {
   const Bodies::Body& body = all.bodies[index];
+  if (const CompoundBody* compound = as_compound(*body.shape)) {
+    const auto found = nearest_part(placed, *compound, body.pose, query.filter, most);
+    if (!found) return std::nullopt;
+    return BodyDistance{all.id(index), found->distance, found->part};
+  }
   if (body.shape->shape() == nullptr) {
-    throw UnsupportedPairError("distance of a " + std::string(name_of(shape.kind())) +
+    throw UnsupportedPairError("distance of a " + std::string(name_of(placed.shape.kind())) +
                                " and the body with index " + std::to_string(index) +
                                ": its shape is a user's own");
   }
-  return {all.id(index), distance({shape, pose}, {*body.shape->shape(), body.pose})};
+  return BodyDistance{all.id(index), distance(placed, {*body.shape->shape(), body.pose})};
 }
 
 bool World::State::asks_for_any(const BodyQuerySettings& query) const {
@@ -106,7 +101,11 @@ std::vector<BodyId> World::find_touching(const PlacedShapeView& placed,
     std::vector<BodyId> touching;
     for (const std::uint32_t index : state.find_bodies(bounding_aabb({shape, pose}), settings)) {
       const Bodies::Body& body = state.all.bodies[index];
-      if (asked->touches(pose, *body.shape, body.pose)) touching.push_back(state.all.id(index));
+      const bool is_hit = body.has_parts
+                              ? do_touch_any_part({*asked, pose, 0, settings.filter},
+                                                  {*body.shape, body.pose, 0, body.filter})
+                              : asked->touches(pose, *body.shape, body.pose);
+      if (is_hit) touching.push_back(state.all.id(index));
     }
     return touching;
   });
@@ -122,8 +121,8 @@ std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, doub
     std::vector<BodyDistance> near;
     const Aabb box = grown(bounding_aabb({shape, pose}), clearance);
     for (const std::uint32_t index : state.find_bodies(box, settings)) {
-      const BodyDistance found = state.distance_to(index, shape, pose);
-      if (found.distance.distance <= clearance) near.push_back(found);
+      const auto found = state.distance_to(index, placed, settings, clearance);
+      if (found && found->distance.distance <= clearance) near.push_back(*found);
     }
     return near;
   });
@@ -146,8 +145,8 @@ std::optional<BodyDistance> World::find_closest(const PlacedShapeView& placed,
       std::vector<std::uint32_t> found = state.find_bodies(box, settings);
       for (const std::uint32_t index : found) {
         if (std::binary_search(seen.begin(), seen.end(), index)) continue;
-        const BodyDistance next = state.distance_to(index, shape, pose);
-        if (!best || is_nearer(next, *best)) best = next;
+        const auto next = state.distance_to(index, placed, settings, kLargest);
+        if (next && (!best || is_nearer(*next, *best))) best = next;
       }
       seen = std::move(found);
       if (is_all || seen.size() == state.all.ids.live_count()) return best;

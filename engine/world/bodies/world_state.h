@@ -3,13 +3,16 @@
 #include <graze/bvh/box_set/search/pair_index.h>
 #include <graze/bvh/box_set/store/workers.h>
 #include <graze/engine/world/bodies/body_motion.h>
+#include <graze/engine/world/bodies/islands.h>
 #include <graze/engine/world/bodies/movers.h>
 #include <graze/engine/world/bodies/pair_batches.h>
 #include <graze/engine/world/bodies/pair_news.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
-#include <graze/engine/world/bodies/users_shape.h>
+#include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/boxes/id_table.h>
 #include <graze/engine/world/broad_phase.h>
+#include <graze/engine/world/contacts/margin/nearness.h>
+#include <graze/engine/world/shapes/grown_box.h>
 #include <graze/engine/world/world.h>
 
 #include <algorithm>
@@ -34,7 +37,8 @@ struct Bodies {
     Role role = Role::Solid;
     Detection detection = Detection::Discrete;
     bool is_awake = true;
-    bool is_users = false;  ///< whether a user wrote the shape's class
+    bool is_users = false;   ///< whether a user wrote the shape's class
+    bool has_parts = false;  ///< whether the shape is a compound
     /// What `question(shape)` says, computed as its author does.
     template <typename Question>
     auto ask(const Question& question) const {
@@ -43,6 +47,7 @@ struct Bodies {
     /// Metres: how far from its shape it may meet another.
     double room() const { return margin + sides.thickness; }
     bool is_static() const { return kind == BodyKind::Static && role == Role::Solid; }
+    bool joins_islands() const { return kind == BodyKind::Dynamic && role == Role::Solid; }
   };
 
   /// What a walk over all pairs reads of each body. It is kept apart from the rest, so that it
@@ -64,11 +69,15 @@ struct Bodies {
   std::vector<Changes> changes;      ///< by index
   std::set<std::uint64_t> excluded;  ///< pairs in both orders, one index in the high half
   std::function<bool(BodyId, BodyId)> pair_filter;
+  std::uint32_t number_bits = 0;  ///< the world's number, as generations in ids have it
+  static constexpr int kNumberShift = 24;
 
+  /// Whether the id is of a body that is there, and not of another world's.
+  bool has(BodyId id) const { return ids.is_live(id.index, id.generation ^ number_bits); }
   /// The id of a body that is there, or was until the last update.
   BodyId id(std::uint32_t index) const {
     const std::uint32_t generation = ids.generation(index);
-    return {index, ids.is_live(index) ? generation : generation - 1};
+    return {index, (ids.is_live(index) ? generation : generation - 1) | number_bits};
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
   bool meet(std::uint32_t a, std::uint32_t b) const;
@@ -81,10 +90,16 @@ struct Bodies {
   ManifoldSettings settings(BoxPair pair) const {
     return {margin(pair), bodies[pair.a].sides, bodies[pair.b].sides};
   }
+  bool has_parts(BoxPair pair) const {
+    return bodies[pair.a].has_parts || bodies[pair.b].has_parts;
+  }
   bool are_solid(std::uint32_t a, std::uint32_t b) const {
     return bodies[a].role == Role::Solid && bodies[b].role == Role::Solid;
   }
 };
+
+/// What of a pair a list asks for, as bits of its state.
+enum class PairState : std::uint8_t { Touching = 1, Near = 2, Either = 3 };
 
 /// The pairs of bodies whose boxes overlap and which no filter keeps apart, and which of them
 /// touch.
@@ -117,6 +132,9 @@ class CandidatePairs {
   bool touches(std::uint32_t at) const { return (states_[at] & kTouches) != 0; }
   /// Whether the pair was within a margin above 0, touching or not.
   bool is_near(std::uint32_t at) const { return (states_[at] & kIsNear) != 0; }
+  bool is(std::uint32_t at, PairState state) const {
+    return (states_[at] & static_cast<std::uint8_t>(state)) != 0;
+  }
   void set(std::uint32_t at, bool touches, bool is_near) {
     states_[at] = static_cast<std::uint8_t>((touches ? kTouches : 0) | (is_near ? kIsNear : 0));
   }
@@ -133,7 +151,8 @@ class CandidatePairs {
   std::span<const std::uint8_t> all_states() const { return states_; }
 
  private:
-  static constexpr std::uint8_t kTouches = 1, kIsNear = 2;
+  static constexpr auto kTouches = static_cast<std::uint8_t>(PairState::Touching);
+  static constexpr auto kIsNear = static_cast<std::uint8_t>(PairState::Near);
 
   bvh::PairBuffer list_;
   bvh::PairIndex index_;
@@ -154,11 +173,11 @@ struct WorldSnapshot::State {
 Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
                const char* what);
 
-/// The box with room around it, outward, for all that may be that far away or nearer, metres.
-Aabb grown(const Aabb& box, double width);
-
-/// The longest side, at most kLargestLength.
-double width_of(const Aabb& box);
+inline PairAnswer::Kind kind_of(Nearness nearness) {
+  using enum PairAnswer::Kind;
+  if (nearness == Nearness::Apart) return Apart;
+  return nearness == Nearness::Near ? Near : Touching;
+}
 
 inline BoxPair ordered_pair(std::uint32_t s, std::uint32_t t) {
   return {std::min(s, t), std::max(s, t)};
@@ -186,6 +205,7 @@ struct SweptBody {
 /// What a pair has to say of its first contact: nothing if it is free.
 struct SweptAnswer {
   std::optional<BodyFirstContact> first, after_sliding;
+  std::vector<BodyFirstContact> of_parts;  ///< where one of the two is a compound
 };
 
 /// A part of the pairs that are asked for a first contact.
@@ -225,6 +245,9 @@ struct World::State {
   std::vector<BoxId> boxes_to_move;
   std::vector<Aabb> places;
   std::vector<double> bounding_radii;
+  Islands islands;
+  std::vector<std::uint32_t> island_changes;  ///< bodies that are to come into islands or to leave
+  std::vector<BoxPair> island_touches;        ///< that are to be added
   Movers movers;
   std::vector<SweptBody> swept;
   std::vector<BoxPair> swept_pairs;
@@ -242,6 +265,7 @@ struct World::State {
   }
   /// Throws if a filter or a shape that an update asks tries to change the world.
   void check_is_free(const char* what) const;
+  void check_bodies(std::span<const BodyId> ids, const char* what) const;
   void make_room_for_changes(std::size_t more);
   void note_change(std::uint32_t index);
   void note_other_filter(std::uint32_t index);
@@ -298,20 +322,52 @@ struct World::State {
   bool is_asked_for(std::uint32_t index, const BodyQuerySettings& query) const;
   bool asks_for_any(const BodyQuerySettings& query) const;
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
-  BodyDistance distance_to(std::uint32_t index, const Shape& shape, const Pose& pose) const;
+  std::optional<BodyDistance> distance_to(std::uint32_t index, const PlacedShapeView& placed,
+                                          const BodyQuerySettings& query, double most) const;
+  void cast_at_parts(std::uint32_t index, const Shape& shape, const RigidMotion& motion,
+                     const RigidContactSettings& contact, const BodyQuerySettings& query,
+                     std::vector<BodyCast>& casts) const;
   template <typename OnHit>
   void for_each_hit(const Ray& ray, const BodyQuerySettings& query, OnHit&& on_hit) const;
+  bool is_updated() const { return changed.empty() && removed == 0 && !is_cut_short; }
   void check_is_updated(const char* what) const;
-  template <typename IsAskedFor>
-  std::vector<BodyPair> list_pairs(const IsAskedFor& is_asked_for) const;
-  BodyContact contact_of(const BodyPair& pair) const;
+  void note_island_changes();
+  void list_island_touches();
+  void keep_up_islands();
+  void rebuild_islands();
+  void check_islands(const char* what) const;
+  std::vector<BodyId> island_of(std::uint32_t index) const;
+  template <typename Visit>
+  void for_candidates_of(std::uint32_t index, const Visit& visit) const;
+  std::vector<BodyPair> list_pairs(PairState state) const;
+  std::vector<BodyPair> list_pairs_of(std::uint32_t index, PairState state) const;
+  std::vector<BodyContact> contacts_of(std::span<const BodyPair> pairs) const;
+  void add_contacts(const BodyPair& pair, std::vector<BodyContact>& list) const;
   bool do_touch(BoxPair pair) const;
   PairAnswer::Kind stand(BoxPair pair) const;
   PairAnswer::Kind meet(BoxPair pair, ContactList& into) const;
   PairAnswer::Kind meet_within(BoxPair pair, const ManifoldSettings& asked,
                                ContactList& into) const;
+  template <typename Visit>
+  void for_parts_of(BoxPair pair, const Visit& visit) const;
+  PairAnswer::Kind stand_of_parts(BoxPair pair) const;
+  PairAnswer::Kind meet_by_parts(BoxPair pair, ContactList& into) const;
+  void add_contacts_of_parts(const BodyPair& pair, std::vector<BodyContact>& list) const;
   Manifold contacts_within(BoxPair pair, const ManifoldSettings& asked) const;
   void sort_contacts();
 };
+
+/// Calls `visit(at)` for the candidates of a body, where its box is the one that they are of.
+template <typename Visit>
+void World::State::for_candidates_of(std::uint32_t index, const Visit& visit) const {
+  const std::uint32_t box = all.bodies[index].box;
+  std::vector<std::uint32_t> boxes;
+  broad.find_overlapping(broad.box(broad.id(box)), boxes);
+  for (const std::uint32_t other : boxes) {
+    if (other == box) continue;
+    const std::uint32_t at = candidates.position(ordered_pair(index, body_of_box[other]));
+    if (at != CandidatePairs::kNowhere) visit(at);
+  }
+}
 
 }  // namespace graze

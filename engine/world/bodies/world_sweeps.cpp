@@ -2,8 +2,8 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/body_shapes/moving_parts.h>
 #include <graze/engine/world/manifold.h>
-#include <graze/engine/world/rigid/moving_shape.h>
 #include <graze/engine/world/rigid/sliding_contact.h>
 #include <graze/engine/world/shapes/shape_work.h>
 #include <graze/narrowphase/volumes/aabb_overlap.h>
@@ -51,8 +51,20 @@ struct BodyInMotion {
   std::optional<RigidMotion> motion;  ///< none if it cannot be computed
 };
 
-const Shape* known_shape(const BodyInMotion& moving) {
-  return moving.body.ask([](const BodyShape& shape) { return shape.shape(); });
+/// What of a body meets another: its shape, or a part of that.
+struct ShapeInMotion {
+  const BodyShape& shape;
+  const std::optional<RigidMotion>& motion;
+  std::uint32_t part = 0;
+
+  template <typename Question>
+  auto ask(const Question& question) const {
+    return ask_shape(is_users_shape(shape), [&] { return question(shape); });
+  }
+};
+
+const Shape* known_shape(const ShapeInMotion& moving) {
+  return moving.ask([](const BodyShape& shape) { return shape.shape(); });
 }
 
 /// None where a pose deviates from a rotation as far as the door lets in: turning it could go too
@@ -66,30 +78,22 @@ BodyInMotion in_motion(const Bodies::Body& body, const Mover* mover) {
   }
 }
 
-/// A box around all places of a body. Of a user's own shape no more is known than how far it
-/// reaches from its origin.
+/// A box around all places of a body.
 Aabb swept_box(const BodyInMotion& moving) {
   if (!moving.motion) return everything();
   try {
-    if (const Shape* known = known_shape(moving))
-      return swept_bounds(MovingShape(*known, *moving.motion, "sweep"));
-    const double radius =
-        std::max(moving.body.ask([](const BodyShape& shape) { return shape.bounding_radius(); }),
-                 kSmallestLength);
-    if (!(radius <= kLargestLength)) return everything();
-    const Shape ball = Sphere{Eigen::Vector3d::Zero(), radius};
-    return swept_bounds(MovingShape(ball, *moving.motion, "sweep"));
+    return swept_box(*moving.body.shape, *moving.motion);
   } catch (const PoseError&) {
     return everything();  // so far away that numbers could overflow
   }
 }
 
-RigidContact contact_of(const BodyInMotion& a, const BodyInMotion& b,
+RigidContact contact_of(const ShapeInMotion& a, const ShapeInMotion& b,
                         const RigidContactSettings& settings) {
   if (!a.motion || !b.motion) return kUnknown;
   try {
-    return a.body.ask([&](const BodyShape& shape) {
-      return shape.first_contact(*a.motion, *b.body.shape, *b.motion, settings);
+    return a.ask([&](const BodyShape& shape) {
+      return shape.first_contact(*a.motion, b.shape, *b.motion, settings);
     });
   } catch (const PoseError&) {
     return kUnknown;  // so far away that numbers could overflow
@@ -99,18 +103,21 @@ RigidContact contact_of(const BodyInMotion& a, const BodyInMotion& b,
 }
 
 /// Adds the first contact of a pair, if there is one, and what comes after it.
-void add_first_contacts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotion& b,
-                        const WorldSettings& settings, SweptAnswer& to) {
+template <typename Add>
+void add_first_contacts(const BodyPair& pair, const ShapeInMotion& a, const ShapeInMotion& b,
+                        const WorldSettings& settings, const Add& add) {
   BodyFirstContact found{.pair = pair,
                          .contact = contact_of(a, b, settings.sweeps),
                          .touches_at_start = false,
                          .normal = Eigen::Vector3d::Zero(),
-                         .point = Eigen::Vector3d::Zero()};
+                         .point = Eigen::Vector3d::Zero(),
+                         .part_a = a.part,
+                         .part_b = b.part};
   const double low = found.contact.low;
   if (found.contact.status == RigidStatus::Free) return;
   if (a.motion && b.motion && low == 0) {
-    found.touches_at_start = a.body.ask([&](const BodyShape& shape) {
-      return shape.touches(a.motion->start(), *b.body.shape, b.motion->start());
+    found.touches_at_start = a.ask([&](const BodyShape& shape) {
+      return shape.touches(a.motion->start(), b.shape, b.motion->start());
     });
   }
   const Shape* shape_a = known_shape(a);
@@ -121,11 +128,35 @@ void add_first_contacts(const BodyPair& pair, const BodyInMotion& a, const BodyI
         meeting_of({*shape_a, a.motion->at(low)}, {*shape_b, b.motion->at(low)});
     found.normal = meeting.normal, found.point = meeting.point;
   }
-  to.first = found;
+  add(found);
   if (!are_known || low > 0) return;
   const auto next = contact_after_sliding(*shape_a, *a.motion, *shape_b, *b.motion, settings.sweeps,
                                           settings.sliding_depth, shape_work());
-  if (next) to.after_sliding = {pair, next->contact, false, next->normal, next->point};
+  if (next) add({pair, next->contact, false, next->normal, next->point, a.part, b.part});
+}
+
+/// Adds those of all pairs of parts, by time. Where motions are too far away to look parts up, it
+/// is the compounds that are unknown.
+void add_of_parts(const BodyPair& pair, const BodyInMotion& a, const BodyInMotion& b,
+                  const WorldSettings& settings, std::vector<BodyFirstContact>& to) {
+  const auto add = [&](const BodyFirstContact& found) { to.push_back(found); };
+  try {
+    for_moving_part_pairs(
+        {*a.body.shape, *a.motion, a.body.filter}, {*b.body.shape, *b.motion, b.body.filter},
+        settings.sweeps, [&](const PartOnWay& s, const PartOnWay& t) {
+          add_first_contacts(pair, {*s.placed.shape, s.motion, s.placed.number},
+                             {*t.placed.shape, t.motion, t.placed.number}, settings, add);
+        });
+  } catch (const PoseError&) {
+    to.assign(1, {.pair = pair,
+                  .contact = kUnknown,
+                  .touches_at_start = false,
+                  .normal = Eigen::Vector3d::Zero(),
+                  .point = Eigen::Vector3d::Zero()});
+  }
+  std::stable_sort(to.begin(), to.end(), [](const BodyFirstContact& s, const BodyFirstContact& t) {
+    return s.contact.low < t.contact.low;
+  });
 }
 
 }  // namespace
@@ -197,8 +228,16 @@ void World::State::list_partners_of(std::uint32_t index, const Aabb& box, double
 
 SweptAnswer World::State::ask_swept_pair(BoxPair pair) const {
   SweptAnswer answer;
-  add_first_contacts(all.id_pair(pair), in_motion(all.bodies[pair.a], movers.find(pair.a)),
-                     in_motion(all.bodies[pair.b], movers.find(pair.b)), settings, answer);
+  const BodyInMotion a = in_motion(all.bodies[pair.a], movers.find(pair.a));
+  const BodyInMotion b = in_motion(all.bodies[pair.b], movers.find(pair.b));
+  if (all.has_parts(pair) && a.motion && b.motion) {
+    add_of_parts(all.id_pair(pair), a, b, settings, answer.of_parts);
+    return answer;
+  }
+  add_first_contacts(all.id_pair(pair), {*a.body.shape, a.motion}, {*b.body.shape, b.motion},
+                     settings, [&](const BodyFirstContact& found) {
+                       (answer.first ? answer.after_sliding : answer.first) = found;
+                     });
   return answer;
 }
 
@@ -231,6 +270,8 @@ void World::State::ask_swept_pairs() {
     if (is_for_caller(swept_pairs[i])) answers[i] = ask_swept_pair(swept_pairs[i]);
     if (answers[i].first) news.first_contacts.push_back(*answers[i].first);
     if (answers[i].after_sliding) news.first_contacts.push_back(*answers[i].after_sliding);
+    for (const BodyFirstContact& of_parts : answers[i].of_parts)
+      news.first_contacts.push_back(of_parts);
   }
 }
 

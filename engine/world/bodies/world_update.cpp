@@ -153,6 +153,7 @@ void World::State::find_changes() {
   }
   test_changed();
   if (!settings.skip_at_rest) test_pairs_at_rest();
+  note_island_changes();
   for (const std::uint32_t index : changed) {
     Bodies::Changes& record = all.changes[index];
     record.has_changed = record.has_other_filter = record.has_other_shape = false;
@@ -196,6 +197,7 @@ WorldUpdate World::update() {
       state.find_changes();
       state.find_first_contacts();
       state.list_changes();
+      state.keep_up_islands();
       state.all.ids.next_round();
     }
     state.is_cut_short = false;
@@ -230,6 +232,7 @@ void World::restore(const WorldSnapshot& snapshot) {
     }
     fresh->broad.update();
     fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->states);
+    fresh->rebuild_islands();
     state_ = std::move(fresh);
   });
 }

@@ -44,7 +44,7 @@ void IdTable<Generation>::free(std::uint32_t index) {
   prepare_free();
   --live_count_;
   ++generation_[index];
-  if (generation_[index] != 0) resting_[0].push_back(index);
+  if (generation_[index] != limit_) resting_[0].push_back(index);
 }
 
 template <typename Generation>

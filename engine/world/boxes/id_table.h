@@ -9,10 +9,14 @@ namespace graze {
 
 /// Which indices are in use, and by which generation. A freed index rests for two rounds before it
 /// is given out again, so that no list of the last round can name two different things by it. An
-/// index whose generations are used up, half as many as the type has, is not given out again.
+/// index whose generations are used up, half as many as the type has or are allowed, is not given
+/// out again.
 template <typename Generation>
 class IdTable {
  public:
+  /// Generations stay below the limit, which is even; 0 for all that the type has.
+  void set_limit(Generation limit) { limit_ = limit; }
+
   std::uint32_t take();
   void free(std::uint32_t index);
 
@@ -43,6 +47,7 @@ class IdTable {
   std::vector<std::uint32_t> free_;     ///< indices that may be taken, the last first
   std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
+  Generation limit_ = 0;
 };
 
 }  // namespace graze

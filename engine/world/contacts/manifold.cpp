@@ -172,14 +172,25 @@ std::span<const ShapeContact> Manifold::region(std::size_t index) const {
   return {first, last};
 }
 
+/// Memory for so many contacts, more than fit into the manifold itself.
+void Manifold::make_room(std::size_t count) {
+  if (count <= capacity_) return;
+  const std::size_t capacity = std::max(count, 2 * capacity_);
+  auto larger = std::make_unique<ShapeContact[]>(capacity);
+  if (count_ > kMostOfRegion) std::copy_n(all_.get(), count_, larger.get());
+  all_ = std::move(larger);
+  capacity_ = capacity;
+}
+
 void Manifold::add(const ShapeContact& contact) {
   if (count_ < kMostOfRegion) {
-    few_[count_] = contact;
-  } else {
-    if (count_ == kMostOfRegion) all_.assign(few_.begin(), few_.end());
-    all_.push_back(contact);
+    few_[count_++] = contact;
+    return;
   }
-  ++count_;
+  const ShapeContact added = contact;  // which may be one of these
+  make_room(count_ + 1);
+  if (count_ == kMostOfRegion) std::copy(few_.begin(), few_.end(), all_.get());
+  all_[count_++] = added;
 }
 
 }  // namespace graze

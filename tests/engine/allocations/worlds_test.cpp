@@ -2,6 +2,7 @@
 // that throws has not happened; an update that throws is made up for by the next one: both then say
 // the same, so that no pair is lost, and none is told twice.
 
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -76,10 +77,16 @@ class TwinWorlds {
 
   std::shared_ptr<const BodyShape> shape() {
     static const Mesh box = make_box({0.5, 0.5, 0.5}), ball = make_sphere(0.5, 3, 4);
-    const auto kind = source_.integer(0, 4);
+    const auto kind = source_.integer(0, 5);
     if (kind == 0) return share(Shape(Sphere{{0, 0, 0}, 0.5}));
     if (kind == 1) return share(Shape(Box{{0.5, 0.5, 0.5}}));
     if (kind == 2) return share(Shape(Capsule{0.25, 0.25}));
+    if (kind == 5) {
+      Compound two;
+      two.add({Sphere{{0, 0, 0}, 0.25}, at(0.25)});
+      two.add({box, at(-0.25, 0.125)});
+      return share(two);
+    }
     const Mesh& mesh = kind == 3 ? box : ball;
     return share(Shape(Mesh(mesh.vertices(), mesh.triangles())));
   }
@@ -184,6 +191,11 @@ class TwinWorlds {
       digest << closest->id.index << closest->distance.distance;
     for (const BodyDistance& near : world.find_within({Sphere{{0, 0, 0}, 1}, at(1, 0.5)}, 0.2))
       digest << near.id.index << near.distance.distance;
+    for (const std::vector<BodyId>& island : world.islands()) {
+      for (const BodyId id : island)
+        digest << id.index;
+      digest << world.touching(island.front()).size();
+    }
     return digest;
   }
 
@@ -209,6 +221,7 @@ struct WorldHistory {
 
 WorldSettings settings_of(const WorldHistory& history) {
   return {.threads = history.threads,
+          .islands = true,
           .skip_apart = history.seed % 3 != 0,
           .skip_at_rest = history.seed % 5 != 4};
 }

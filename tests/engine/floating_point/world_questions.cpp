@@ -101,6 +101,36 @@ void ask_world(const Inputs& in, Words& words, int threads) {
   ask_about_bodies(world, in, words);
 }
 
+/// Half of the shapes in one body.
+void ask_compound(const Inputs& in, Words& words, int threads) {
+  const std::vector<Shape> shapes = all_shapes(in);
+  Compound compound;
+  for (std::size_t i = 0; i < 7; i += 2)
+    compound.add({shapes[i], in.body_poses[i]});
+  compound.replace(0, {shapes[1], in.body_poses[1]});
+  const auto shared = share(compound);
+  const Pose& pose = in.body_poses[4];
+  words.add(shared->bounds(pose)), words.add(shared->bounding_radius());
+  words.add(placed_part(pose, in.body_poses[6]));
+  World world({.threads = threads, .islands = true});
+  std::vector<BodyId> ids{world.add({shared, pose})};
+  for (std::size_t i = 1; i < shapes.size(); i += 2) {
+    ids.push_back(world.add({shapes[i], in.body_poses[i]}));
+    words.add(shared->touches(pose, world.shape(ids.back()), in.body_poses[i]));
+    add_manifold(words,
+                 shared->contacts_within(pose, world.shape(ids.back()), in.body_poses[i], 0.125));
+  }
+  add_update(words, world.update());
+  ask_about_bodies(world, in, words);
+  for (const BodyContact& contact : world.contacts(ids[0]))
+    add_manifold(words, contact.manifold);
+  if (const auto hit = shared->cast_ray(pose, in.ray)) words.add(hit->point);
+  world.move(ids[0], in.body_poses[2]);
+  add_update(words, world.update());
+  for (const BodyId id : world.island(ids[0]))
+    words.add(std::uint64_t{id.index});
+}
+
 void add_pairs(Words& words, std::span<const BoxPair> pairs) {
   words.add(std::uint64_t{pairs.size()});
   for (const BoxPair& pair : pairs)
@@ -138,6 +168,8 @@ void ask_broad_phase(const Inputs& in, Words& words, int threads) {
 std::vector<Question> world_questions(int threads) {
   return {{"pairs of shapes", ask_pairs_of_shapes},
           {"a world", [threads](const Inputs& in, Words& words) { ask_world(in, words, threads); }},
+          {"a compound",
+           [threads](const Inputs& in, Words& words) { ask_compound(in, words, threads); }},
           {"a broad phase",
            [threads](const Inputs& in, Words& words) { ask_broad_phase(in, words, threads); }}};
 }

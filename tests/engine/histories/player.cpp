@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "tests/engine/histories/contestant.h"
@@ -52,7 +54,7 @@ class Player {
     all_.emplace_back("world without contacts", setting,
                       WorldSettings{.threads = 4, .contacts = false});
     all_.back().finds_contacts = false;
-    all_.emplace_back("restored world", setting, WorldSettings{});
+    all_.emplace_back("restored world", setting, WorldSettings{.islands = true});
     all_.back().is_restored_often = true;
     all_.emplace_back("world in another order", setting, WorldSettings{});
     all_.back().is_shuffled = true;
@@ -78,6 +80,7 @@ class Player {
   void save(const Operation& operation);
   void restore(const Operation& operation);
   void update();
+  static void check_islands(const World& world);
   void check_update(const WorldUpdate& update, const std::vector<NamePair>& now);
   void check_contacts(const std::vector<NamedContacts>& found, const char* what);
   void check_body(std::uint32_t name);
@@ -222,6 +225,7 @@ void Player::update() {
           [](auto& s, auto& t) { return s.pair == t.pair && are_equal(s.manifold, t.manifold); });
       expect(is_same || !each.finds_contacts, is("contacts differ from those of the first"));
     }
+    if (each.is_restored_often) check_islands(each.world);
     if (is_time && !each.finds_contacts)
       check_contacts(each.named(each.world.contacts(), oracle_), "contacts()");
     if (each.is_restored_often && sights_.updates % 5 == 0)
@@ -229,6 +233,34 @@ void Player::update() {
   }
   before_ = now;
   oracle_.settle();
+}
+
+/// Islands beside a search through all pairs that touch.
+void Player::check_islands(const World& world) {
+  const auto joins = [&](BodyId id) {
+    return world.kind(id) == BodyKind::Dynamic && world.role(id) == Role::Solid;
+  };
+  std::map<BodyId, std::vector<BodyId>> beside;
+  for (const BodyId id : world.bodies()) {
+    if (joins(id)) beside[id];
+  }
+  for (const auto& [a, b] : world.pairs()) {
+    if (joins(a) && joins(b)) beside[a].push_back(b), beside[b].push_back(a);
+  }
+  std::vector<std::vector<BodyId>> wanted;
+  std::set<BodyId> seen;
+  for (const auto& [first, unused] : beside) {
+    if (!seen.insert(first).second) continue;
+    std::vector<BodyId> island{first};
+    for (std::size_t i = 0; i < island.size(); ++i) {
+      for (const BodyId next : beside[island[i]]) {
+        if (seen.insert(next).second) island.push_back(next);
+      }
+    }
+    std::sort(island.begin(), island.end());
+    wanted.push_back(island);
+  }
+  expect(world.islands() == wanted, "islands() differs");
 }
 
 void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>& now) {

@@ -64,8 +64,8 @@ TEST_F(HostileScene, KeysAndTypes) {
             "s.json:1: /shapes: is an object, not an array");
   EXPECT_EQ(
       error_of(with_body(", \"mass\": 1")),
-      "s.json:3: /bodies/0: unknown key \"mass\"; there are name, shape, pose, motion, detection, "
-      "filter, path");
+      "s.json:3: /bodies/0: unknown key \"mass\"; there are name, shape, parts, pose, motion, "
+      "detection, filter, path");
   EXPECT_EQ(error_of(with_body(", \"motion\": \"static\",\n\"motion\": \"static\"")),
             "s.json:4: the key \"motion\" stands twice in one object");
   EXPECT_EQ(error_of(with_body(", \"detection\": \"fast\"")),

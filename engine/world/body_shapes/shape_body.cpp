@@ -2,8 +2,9 @@
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance.h>
-#include <graze/engine/world/bodies/users_shape.h>
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_motion.h>
@@ -247,7 +248,7 @@ double BodyShape::bounding_radius() const {
 }
 
 bool is_users_shape(const BodyShape& shape) {
-  return typeid(shape) != typeid(ShapeBody);
+  return typeid(shape) != typeid(ShapeBody) && as_compound(shape) == nullptr;
 }
 
 std::shared_ptr<const BodyShape> share(const Shape& shape) {

@@ -1,0 +1,76 @@
+#include <graze/engine/world/body_shapes/moving_parts.h>
+#include <graze/engine/world/body_shapes/users_shape.h>
+#include <graze/engine/world/rigid/moving_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graze {
+namespace {
+
+Aabb everything() {
+  const Eigen::Vector3d all = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
+  return {-all, all};
+}
+
+/// Of what does not turn any point goes straight: its own origin, then, which is not far away.
+RigidMotion part_motion(const RigidMotion& body, const Pose& start) {
+  const bool does_turn = body.angle() != 0;
+  return RigidMotion(start, {.centre = does_turn ? body.centre() : start.translation(),
+                             .shift = body.shift(),
+                             .axis = body.axis(),
+                             .angle = body.angle()});
+}
+
+/// No point that is at most `radius` from the body's origin is ever farther from where it was at
+/// the start, metres.
+double longest_way(const RigidMotion& motion, double radius) {
+  const double reach = length_of(motion.start().translation() - motion.centre()) + radius;
+  const double way = length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * reach;
+  // What poses deviate from rotations and places are rounded by, at most (MovingShape::kStretch).
+  return way * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : reach) +
+         0x1p-40 * (reach + length_of(motion.centre()));
+}
+
+}  // namespace
+
+Aabb swept_box(const BodyShape& shape, const RigidMotion& motion) {
+  const bool is_users = is_users_shape(shape);
+  if (const Shape* known = ask_shape(is_users, [&] { return shape.shape(); }))
+    return swept_bounds(MovingShape(*known, motion, "sweep"));
+  const double radius =
+      std::max(ask_shape(is_users, [&] { return shape.bounding_radius(); }), kSmallestLength);
+  if (!(radius <= kLargestLength)) return everything();
+  const Shape ball = Sphere{Eigen::Vector3d::Zero(), radius};
+  return swept_bounds(MovingShape(ball, motion, "sweep"));
+}
+
+std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box) {
+  std::vector<PartOnWay> parts;
+  const CompoundBody* compound = as_compound(body.shape);
+  const Pose& start = body.motion.start();
+  if (compound == nullptr) {
+    const Aabb swept = swept_box(body.shape, body.motion);
+    if (share_a_point(swept, box))
+      parts.push_back({{&body.shape, start, swept, nullptr, 0}, body.motion, swept});
+    return parts;
+  }
+  const double way = longest_way(body.motion, compound->bounding_radius());
+  for (PlacedPart& part : compound->near(start, grown(box, way), 0)) {
+    const RigidMotion motion = part_motion(body.motion, part.pose);
+    const Aabb swept = swept_box(*part.shape, motion);
+    if (share_a_point(swept, box)) parts.push_back({part, motion, swept});
+  }
+  return parts;
+}
+
+RigidContact first_contact_of(const PartOnWay& a, const PartOnWay& b,
+                              const RigidContactSettings& settings) {
+  const BodyShape& shape = *a.placed.shape;
+  return ask_shape(is_users_shape(shape), [&] {
+    return shape.first_contact(a.motion, *b.placed.shape, b.motion, settings);
+  });
+}
+
+}  // namespace graze

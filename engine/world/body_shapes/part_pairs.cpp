@@ -1,0 +1,113 @@
+#include <graze/engine/world/body_shapes/part_pairs.h>
+#include <graze/engine/world/body_shapes/users_shape.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/pair_input.h>
+#include <graze/engine/world/shapes/shape_work.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+/// What `question(shape)` says of what is no compound, computed as its author does.
+template <typename Question>
+auto ask(const PlacedPart& part, const Question& question) {
+  return ask_shape(is_users_shape(*part.shape), [&] { return question(*part.shape); });
+}
+
+const Shape* known_shape(const PlacedPart& part) {
+  return ask(part, [](const BodyShape& shape) { return shape.shape(); });
+}
+
+bool do_touch(const PlacedPart& a, const PlacedPart& b) {
+  return ask(a, [&](const BodyShape& s) { return s.touches(a.pose, *b.shape, b.pose); });
+}
+
+}  // namespace
+
+Aabb box_with_room(const PosedBody& body) {
+  const Aabb box =
+      ask_shape(is_users_shape(body.shape), [&] { return body.shape.bounds(body.pose); });
+  return body.room > 0 ? grown(box, body.room) : box;
+}
+
+std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box) {
+  if (const CompoundBody* compound = as_compound(body.shape))
+    return compound->near(body.pose, box, body.room);
+  if (!share_a_point(box_with_room(body), box)) return {};
+  return {{&body.shape, body.pose, box_with_room({body.shape, body.pose}), nullptr, 0}};
+}
+
+bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody& b,
+                   const PlacedPart& part_b) {
+  if (part_a.filter == nullptr && part_b.filter == nullptr) return true;
+  const Filter* of_a = part_a.filter != nullptr ? part_a.filter : a.filter ? &*a.filter : nullptr;
+  const Filter* of_b = part_b.filter != nullptr ? part_b.filter : b.filter ? &*b.filter : nullptr;
+  return of_a == nullptr || of_b == nullptr || lets_pass(*of_a, *of_b);
+}
+
+Nearness nearness_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings) {
+  const Shape *of_a = known_shape(a), *of_b = known_shape(b);
+  const bool is_plain = are_plain(settings);
+  if (of_a != nullptr && of_b != nullptr) {
+    if (!is_plain) return nearness({*of_a, a.pose}, {*of_b, b.pose}, settings, shape_work());
+    const bool is_hit = intersect_in_boxes({*of_a, a.pose}, {*of_b, b.pose}, shape_work());
+    return is_hit ? Nearness::Touching : Nearness::Apart;
+  }
+  if (do_touch(a, b)) return Nearness::Touching;
+  if (is_plain) return Nearness::Apart;
+  const Manifold found = ask(a, [&](const BodyShape& s) {
+    return s.contacts_within(a.pose, *b.shape, b.pose, settings.margin);
+  });
+  return found.empty() ? Nearness::Apart : Nearness::Near;
+}
+
+Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings,
+                     Manifold& found) {
+  const Shape *of_a = known_shape(a), *of_b = known_shape(b);
+  const bool is_plain = are_plain(settings);
+  if (of_a != nullptr && of_b != nullptr) {
+    if (!is_plain)
+      return contacts_within({*of_a, a.pose}, {*of_b, b.pose}, settings, shape_work(), found);
+    contacts_in_boxes({*of_a, a.pose}, {*of_b, b.pose}, shape_work(), found);
+    return found.empty() ? Nearness::Apart : Nearness::Touching;
+  }
+  const Nearness nearness = nearness_of(a, b, settings);
+  found.clear();
+  if (nearness == Nearness::Apart) return nearness;
+  found = ask(a, [&](const BodyShape& s) {
+    return is_plain ? s.contacts(a.pose, *b.shape, b.pose)
+                    : s.contacts_within(a.pose, *b.shape, b.pose, settings.margin);
+  });
+  return nearness;
+}
+
+// Looks at the parts in a box around the shape that grows until the nearest part is nearer than all
+// outside can be. Those whose boxes are farther than the nearest so far need not be asked:
+// distance() never says less than boxes do.
+std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
+                                         const Pose& pose, const std::optional<Filter>& filter,
+                                         double most) {
+  const Aabb own = bounding_aabb(shape);
+  const double whole = 4 * (compound.bounding_radius() + width_of(own));
+  const double apart = gap_between(own, compound.bounds(pose)).gap;
+  if (apart > most) return std::nullopt;
+  std::optional<PartDistance> nearest;
+  for (double width = 0x1p-6 * compound.bounding_radius();; width *= 4) {
+    const bool is_all = width >= whole || apart + width >= most;
+    const double reach = std::min(apart + width, most);
+    nearest.reset();
+    for (const PlacedPart& part : compound.near(pose, grown(own, reach), 0)) {
+      if (!lets_part_meet(part.filter, filter)) continue;
+      if (nearest && gap_between(own, part.box).gap > nearest->distance.distance) continue;
+      const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
+      if (found.distance <= most && (!nearest || found.distance < nearest->distance.distance))
+        nearest = {found, part.number};
+    }
+    if (is_all || (nearest && nearest->distance.distance <= reach)) return nearest;
+    if (nearest) width = std::max(width, (nearest->distance.distance - apart) / 4);
+  }
+}
+
+}  // namespace graze

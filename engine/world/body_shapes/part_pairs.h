@@ -1,0 +1,66 @@
+#pragma once
+
+// Pairs of parts of two bodies, of which each may be a compound. Private to engine/world.
+
+#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/contacts/margin/nearness.h>
+#include <graze/engine/world/shapes/grown_box.h>
+
+#include <vector>
+
+namespace graze {
+
+/// A body's shape in its pose.
+struct PosedBody {
+  const BodyShape& shape;
+  const Pose& pose;
+  double room = 0;                    ///< metres around its box, or that of each of its parts
+  std::optional<Filter> filter = {};  ///< the body's, if it is known
+};
+
+/// Its parts whose boxes, with its room, meet a box in the world; ascending.
+std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box);
+
+/// Whether the filters of two parts, or those of their bodies where these have none, let them meet.
+/// Those of the bodies themselves are asked before.
+bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody& b,
+                   const PlacedPart& part_b);
+
+/// The box that the broad phase has of it.
+Aabb box_with_room(const PosedBody& body);
+
+/// Calls `visit(part_a, part_b)` for the parts that may meet, by their numbers ascending, until it
+/// returns false.
+template <typename Visit>
+void for_part_pairs(const PosedBody& a, const PosedBody& b, const Visit& visit) {
+  const bool is_b_whole = as_compound(b.shape) == nullptr;
+  const Aabb box_b = box_with_room(b);
+  std::vector<PlacedPart> parts_b;
+  if (is_b_whole) parts_b = parts_near(b, box_b);
+  for (const PlacedPart& part_a : parts_near(a, box_b)) {
+    if (!is_b_whole) parts_b = parts_near(b, a.room > 0 ? grown(part_a.box, a.room) : part_a.box);
+    for (const PlacedPart& part_b : parts_b) {
+      if (do_parts_meet(a, part_a, b, part_b) && !visit(part_a, part_b)) return;
+    }
+  }
+}
+
+/// How two parts stand to each other, as two bodies of their own would.
+Nearness nearness_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings);
+
+/// The same with their contacts, in the place of what `found` held: none if they are apart.
+Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSettings& settings,
+                     Manifold& found);
+
+/// How far a part is from a shape that is A.
+struct PartDistance {
+  ShapeDistance distance;
+  std::uint32_t part = 0;
+};
+/// The nearest part that a filter, if there is one, lets meet it and that is not farther than
+/// `most`, metres; of equal distances that of the least number. Of a pose that was checked.
+std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
+                                         const Pose& pose, const std::optional<Filter>& filter,
+                                         double most);
+
+}  // namespace graze
