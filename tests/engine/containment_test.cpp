@@ -153,7 +153,9 @@ TEST(Law10Containment, OpenMeshesAreRefusedWithTheirBoundary) {
     contains(tests::make_row(3), {0, 0, 0});
     FAIL();
   } catch (const MeshError& error) {
-    EXPECT_STREQ(error.what(), "the mesh is not closed: it has 9 boundary edges");
+    EXPECT_STREQ(error.what(),
+                 "the mesh is not closed: it has 9 boundary edges, the first from vertex 0 to "
+                 "vertex 1 of triangle 0");
   }
 }
 

@@ -12,14 +12,6 @@
 namespace graze {
 namespace {
 
-void check_point(const Eigen::Vector3d& point) {
-  for (int k = 0; k < 3; ++k) {
-    if (!std::isfinite(point.data()[k])) {
-      throw InputError(std::string("point: coordinate ") + "xyz"[k] + " is not finite");
-    }
-  }
-}
-
 bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
   bool is_inside = true;
   for (int k = 0; k < 3; ++k) {
@@ -30,9 +22,17 @@ bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
 
 }  // namespace
 
+void check_point(const Eigen::Vector3d& point, const std::string& what) {
+  for (int k = 0; k < 3; ++k) {
+    if (!std::isfinite(point.data()[k])) {
+      throw InputError(what + ": coordinate " + "xyz"[k] + " is not finite");
+    }
+  }
+}
+
 bool contains(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work* work) {
   return bvh::in_standard_arithmetic([&]() -> bool {
-    check_point(point);
+    check_point(point, "point");
     check_placement(placed.pose, placed.mesh.bounds(), "pose of the mesh");
     check_closed(placed.mesh, "the mesh");
     // The identity changes no vertex (law 1), and what lies where it was needs no frames.

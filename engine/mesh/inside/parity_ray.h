@@ -32,11 +32,12 @@ inline AxisRay shortest_ray(const Aabb& bounds, const Eigen::Vector3d& point) {
   return direction;
 }
 
-/// Whether an odd number of the triangles `triangle_at(index)` cross the moved point's ray. No node
-/// for which `is_apart(node)` speaks may hold one that does.
-template <typename Apart, typename TriangleAt>
-bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, TriangleAt&& triangle_at,
-                      const Eigen::Vector3d& point, const AxisRay& direction, Work& work) {
+/// Calls `on_crossed(index)` for each triangle that crosses the moved point's ray, where
+/// `crossing_at(index)` says that it crosses the line of that. No node for which `is_apart(node)`
+/// speaks may hold one that does.
+template <typename Apart, typename CrossingAt, typename OnCrossed>
+void for_each_crossed(const bvh::Tree& tree, Apart&& is_apart, CrossingAt&& crossing_at,
+                      const AxisRay& direction, Work& work, OnCrossed&& on_crossed) {
   ++work.points_tested;
   const auto is_counted_apart = [&](std::uint32_t node) {
     ++work.volume_tests;
@@ -44,17 +45,22 @@ bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, TriangleAt&& tria
     work.volume_rejections += is_pruned;
     return is_pruned;
   };
-  bool is_odd = false;
   const auto count_leaf = [&](const bvh::Node& leaf) {
     for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-      const Triangle triangle = triangle_at(tree.primitives[i]);
-      const narrowphase::LineCrossing crossing =
-          narrowphase::cross_axis_line(triangle, point.data(), direction.axis);
-      is_odd ^= crossing == direction.side;
+      if (crossing_at(tree.primitives[i]) == direction.side) on_crossed(tree.primitives[i]);
     }
     return bvh::Walk::Continue;
   };
   bvh::traverse_volume(tree, is_counted_apart, count_leaf);
+}
+
+/// Whether an odd number of triangles do.
+template <typename Apart, typename CrossingAt>
+bool is_crossed_oddly(const bvh::Tree& tree, Apart&& is_apart, CrossingAt&& crossing_at,
+                      const AxisRay& direction, Work& work) {
+  bool is_odd = false;
+  for_each_crossed(tree, is_apart, crossing_at, direction, work,
+                   [&](std::uint32_t) { is_odd = !is_odd; });
   return is_odd;
 }
 
