@@ -23,7 +23,8 @@ With --check, what is wrong with the mesh, and where, in numbers of vertices and
 count from 0: open edges, where the surface ends; non-manifold edges, of more than two triangles;
 turned edges, whose triangles face opposite sides; degenerate and duplicate triangles; inside-out
 parts, closed ones that do not face outwards, or into the cavity that they bound; and triangles that
-cross. --json lists the first thousand of each.
+cross. Beside a triangle stands the line of the file, counted from 1, or the byte, counted from 0,
+at which its polygon begins. --json lists the first thousand of each.
 
 With --fit, of the bounding volumes around the mesh, how much space each leaves empty: of a closed mesh the
 share of the volume that the mesh does not enclose, in per cent; of an open one its volume relative

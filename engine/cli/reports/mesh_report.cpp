@@ -3,6 +3,7 @@
 #include <graze/engine/cli/reports/mesh_report.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/io/format.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/self.h>
 
@@ -57,6 +58,13 @@ std::optional<MeshFit> fit_of(const Mesh& mesh) {
   }
 }
 
+/// Only a mesh that has faults is worth to be read once more. Nothing if the file has changed.
+std::vector<mesh_io::Place> places_in(const std::string& file, const Mesh& mesh) {
+  std::vector<mesh_io::Place> places = mesh_io::find_triangle_places(file);
+  if (places.size() != mesh.triangles().size()) places.clear();
+  return places;
+}
+
 /// How far the steps of a report have come.
 class Steps {
  public:
@@ -96,7 +104,8 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
                     .levels = {},
                     .tree = bvh::statistics_of(tree_of(mesh)),
                     .crossing_pairs = std::nullopt,
-                    .health = std::nullopt};
+                    .health = std::nullopt,
+                    .places = {}};
   steps.end_one();
   if (settings.has_fits) {
     report.fit = fit_of(mesh);
@@ -108,6 +117,7 @@ MeshReport report_mesh(const std::string& file, const MeshReportSettings& settin
     report.health = check(mesh, {.on_progress = [&](std::size_t done, std::size_t total) {
                             steps.update(static_cast<double>(done) / static_cast<double>(total));
                           }});
+    if (!report.health->is_healthy()) report.places = places_in(file, mesh);
     steps.end_one();
   }
   if (settings.has_crossing_pairs) {
@@ -137,7 +147,7 @@ std::string to_json(const MeshReport& report) {
     json["levels"] = levels_array(report.levels);
   }
   json["tree"] = to_object(report.tree);
-  if (report.health) json["health"] = health_object(*report.health);
+  if (report.health) json["health"] = health_object(*report.health, report.places);
   if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
   // File names need not be UTF-8, JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -164,7 +174,7 @@ std::string to_text(const MeshReport& report) {
   append(text, report.tree);
   if (report.has_fits) text += levels_text(report.levels);
   if (report.health) {
-    for (const auto& [name, value] : health_lines(*report.health))
+    for (const auto& [name, value] : health_lines(*report.health, report.places))
       append(text, name, value);
   }
   if (report.crossing_pairs) {

@@ -8,6 +8,7 @@
 
 #include <graze/bvh/tree/statistics.h>
 #include <graze/engine/cli/reports/level_report.h>
+#include <graze/engine/files/source.h>
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_health.h>
@@ -27,6 +28,7 @@ struct MeshReport {
   bvh::TreeStatistics tree;
   std::optional<std::size_t> crossing_pairs;  ///< if asked for
   std::optional<MeshHealth> health;           ///< if asked for
+  std::vector<mesh_io::Place> places;         ///< of the triangles, if any of them is faulty
 };
 
 /// What may take long is only done if it is asked for.

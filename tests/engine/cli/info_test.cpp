@@ -170,21 +170,55 @@ TEST_F(CliInfo, CheckSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(bad["healthy"], false);
   EXPECT_EQ(bad["open_edges"]["count"], 0);
   EXPECT_EQ(bad["non_manifold_edges"]["first"][0],
-            (Json{{"vertices", {4, 5}}, {"triangle", 4}, {"triangle_count", 3}}));
+            (Json{{"vertices", {4, 5}}, {"triangle", 4}, {"triangle_count", 3}, {"line", 14}}));
   EXPECT_EQ(bad["duplicate_triangles"]["first"],
-            (Json{{{"triangle", 5}, {"earlier", 4}}, {{"triangle", 6}, {"earlier", 4}}}));
+            (Json{{{"triangle", 5}, {"earlier", 4}, {"line", 15}},
+                  {{"triangle", 6}, {"earlier", 4}, {"line", 16}}}));
   EXPECT_EQ(bad["inside_out_parts"]["first"],
-            (Json{{{"triangle", 0}, {"triangle_count", 4}, {"depth", 0}}}));
-  EXPECT_EQ(bad["self_intersections"]["first"], (Json{{4, 5}, {4, 6}, {5, 6}}));
+            (Json{{{"triangle", 0}, {"triangle_count", 4}, {"depth", 0}, {"line", 10}}}));
+  EXPECT_EQ(bad["self_intersections"]["first"][2],
+            (Json{{"triangle", 5}, {"other", 6}, {"line", 15}}));
   EXPECT_EQ(report["crossing_pairs"], 3);
 
   const std::string table = graze({"info", "--check", "bad.off"}).out;
   EXPECT_NE(table.find("  health                  not healthy\n"), std::string::npos) << table;
-  EXPECT_NE(table.find("  duplicate               2: triangle 5 is 4, triangle 6 is 4\n"),
+  EXPECT_NE(
+      table.find(
+          "  duplicate               2: triangle 5 is 4 (line 15), triangle 6 is 4 (line 16)\n"),
+      std::string::npos)
+      << table;
+  EXPECT_NE(table.find("  inside-out parts        1: the 4 about triangle 0 (line 10)\n"),
             std::string::npos)
       << table;
-  EXPECT_NE(table.find("  inside-out parts        1: the 4 about triangle 0\n"), std::string::npos)
-      << table;
+}
+
+/// What stands in the file where the only faulty triangle is said to be.
+TEST_F(CliInfo, CheckNamesTheLineOrTheByteInEveryFormat) {
+  write("bad.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n# a square, and a segment\nf 1 2 4 3\n\nf 1 2 2\n");
+  write("bad.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n");
+  const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
+  write("bad.stl", "solid s\n" + facet + "vertex 0 1 0\nendloop\nendfacet\n" + facet +
+                       "vertex 1 0 0\nendloop\nendfacet\nendsolid s\n");
+  std::string binary(80, ' ');
+  binary += std::string("\2\0\0\0", 4) + std::string(2 * 50, '\0');
+  binary[84 + 12 + 12 + 3] = 63, binary[84 + 12 + 12 + 2] = '\x80';          // 1 0 0
+  binary[84 + 12 + 24 + 4 + 3] = 63, binary[84 + 12 + 24 + 4 + 2] = '\x80';  // 0 1 0
+  write("bytes.stl", binary);
+  const auto place_in = [&](const std::string& file) {
+    const CommandResult result = graze({"info", "--check", "--json", file});
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    Json fault = Json::parse(result.out)["health"]["degenerate_triangles"]["first"][0];
+    fault.erase("triangle");
+    return fault;
+  };
+  EXPECT_EQ(place_in("bad.obj"), (Json{{"line", 8}}));
+  EXPECT_EQ(place_in("bad.ply"), (Json{{"line", 14}}));
+  EXPECT_EQ(place_in("bad.stl"), (Json{{"line", 9}}));
+  EXPECT_EQ(place_in("bytes.stl"), (Json{{"byte", 134}}));
 }
 
 TEST_F(CliInfo, CheckListsTheFirstThousand) {
