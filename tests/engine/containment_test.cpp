@@ -136,7 +136,7 @@ TEST(Containment, ACavityIsOutside) {
   EXPECT_FALSE(contains(hollow, {2.5, 0, 0}));
 }
 
-TEST(Containment, TheSurfaceIsSettledBeforeCrossingsAreCounted) {
+TEST(Containment, TrianglesAroundThePointAloneAreAskedToHoldIt) {
   const Mesh sphere = tests::make_sphere(1, 30, 30);
   Work far, on, inside;
   EXPECT_FALSE(contains(sphere, {2, 0, 0}, &far));

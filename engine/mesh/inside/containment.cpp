@@ -4,7 +4,6 @@
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/mesh/volume_query.h>
 
 #include <cmath>
 #include <string>
@@ -39,9 +38,8 @@ bool contains(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work* 
     const bool is_in_place = placed.pose.matrix() == Eigen::Matrix4d::Identity();
     if (is_in_place && !is_within(placed.mesh.bounds(), point)) return false;
     CountedWork counted(work);
-    return intersects(placed, Aabb{point, point}, &counted.work()) ||
-           (is_in_place ? is_moved_point_enclosed(placed.mesh, point, counted.work())
-                        : is_moved_point_enclosed(placed, point, counted.work()));
+    return is_in_place ? is_on_or_enclosed(placed.mesh, point, counted.work())
+                       : is_on_or_enclosed(placed, point, counted.work());
   });
 }
 

@@ -53,19 +53,27 @@ void check_closed(const Mesh& mesh, const char* what) {
 
 namespace {
 
-template <typename OnCrossed>
-void for_each_crossed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,
-                      OnCrossed&& on_crossed) {
+/// By `crossing(triangle)`, which speaks of the line along the ray's axis.
+template <typename Crossing, typename OnCrossed>
+void for_each_crossed(const Mesh& mesh, const Eigen::Vector3d& point, const AxisRay& direction,
+                      Work& work, Crossing&& crossing, OnCrossed&& on_crossed) {
   const bvh::Tree& tree = tree_of(mesh, &work);
-  const AxisRay direction = shortest_ray(mesh.bounds(), point);
   const bvh::FloatBox box = box_along(direction, tree.frame, point);
   const auto is_apart = [&](std::uint32_t node) {
     return !bvh::overlap(tree.nodes[node].box, box);
   };
-  const auto crossing_at = [&](std::uint32_t index) {
-    return narrowphase::cross_axis_line(mesh.triangle(index), point.data(), direction.axis);
-  };
+  const auto crossing_at = [&](std::uint32_t index) { return crossing(mesh.triangle(index)); };
   for_each_crossed(tree, is_apart, crossing_at, direction, work, on_crossed);
+}
+
+template <typename OnCrossed>
+void for_each_crossed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,
+                      OnCrossed&& on_crossed) {
+  const AxisRay direction = shortest_ray(mesh.bounds(), point);
+  const auto crossing = [&](const Triangle& triangle) {
+    return narrowphase::cross_axis_line(triangle, point.data(), direction.axis);
+  };
+  for_each_crossed(mesh, point, direction, work, crossing, on_crossed);
 }
 
 }  // namespace
@@ -74,6 +82,17 @@ bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Wor
   bool is_odd = false;
   for_each_crossed(mesh, point, work, [&](std::uint32_t) { is_odd = !is_odd; });
   return is_odd;
+}
+
+bool is_on_or_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work) {
+  const AxisRay direction = shortest_ray(mesh.bounds(), point);
+  CrossingsAndContacts seen(point, direction.axis, work);
+  bool is_odd = false;
+  for_each_crossed(
+      mesh, point, direction, work,
+      [&](const Triangle& triangle) { return seen.crossing(triangle); },
+      [&](std::uint32_t) { is_odd = !is_odd; });
+  return seen.is_on() || is_odd;
 }
 
 void crossed_triangles(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,

@@ -27,6 +27,11 @@ void check_closed(const Mesh& mesh, const char* what);
 /// Whether the moved point is enclosed by a closed mesh. `point` must lie within the mesh's bounds.
 bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work);
 
+/// Whether the point lies on a placed triangle of a closed mesh (law 1) or is enclosed by them, in
+/// one walk. Exact. For the identity `point` must lie within the mesh's bounds.
+bool is_on_or_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work);
+bool is_on_or_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work);
+
 /// The triangles of any mesh that one ray of the moved point, along an axis, crosses: of each
 /// closed part that encloses it an odd number. `point` must lie within the mesh's bounds.
 void crossed_triangles(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,

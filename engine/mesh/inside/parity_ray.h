@@ -6,7 +6,9 @@
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/ray/axis_line.h>
+#include <graze/narrowphase/triangle_box.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace graze {
@@ -31,6 +33,45 @@ inline AxisRay shortest_ray(const Aabb& bounds, const Eigen::Vector3d& point) {
   }
   return direction;
 }
+
+/// How triangles cross the line of a moved point along an axis, and whether the point itself lies
+/// on one: nodes that are apart from its ray are apart from it.
+class CrossingsAndContacts {
+ public:
+  CrossingsAndContacts(const Eigen::Vector3d& point, int axis, Work& work)
+      : point_(point), axis_(axis), work_(work) {}
+
+  narrowphase::LineCrossing crossing(const Triangle& triangle) {
+    is_on_ |= is_around(triangle) && holds(triangle);
+    return narrowphase::cross_axis_line(triangle, point_.data(), axis_);
+  }
+
+  bool is_on() const { return is_on_; }
+
+ private:
+  /// Whether the box of a triangle holds the point.
+  bool is_around(const Triangle& triangle) const {
+    bool is_around = true;
+    for (int k = 0; k < 3; ++k) {
+      const double a = triangle.a.data()[k], b = triangle.b.data()[k], c = triangle.c.data()[k];
+      is_around &= std::min(a, std::min(b, c)) <= point_.data()[k];
+      is_around &= std::max(a, std::max(b, c)) >= point_.data()[k];
+    }
+    return is_around;
+  }
+
+  bool holds(const Triangle& triangle) const {
+    ++work_.triangle_tests;
+    const narrowphase::Decision decision = narrowphase::decide(triangle, Aabb{point_, point_});
+    work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
+    return decision.is_hit;
+  }
+
+  const Eigen::Vector3d& point_;
+  int axis_;
+  Work& work_;
+  bool is_on_ = false;
+};
 
 /// Calls `on_crossed(index)` for each triangle that crosses the moved point's ray, where
 /// `crossing_at(index)` says that it crosses the line of that. No node for which `is_apart(node)`

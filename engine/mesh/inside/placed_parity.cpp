@@ -96,6 +96,16 @@ bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, CrossingAt
   return is_crossed_oddly(tree, is_apart, crossing_at, direction, work);
 }
 
+/// The ray of a point from which it leaves a placed mesh soonest.
+struct PointRay {
+  PointRay(const Aabb& bounds, const Eigen::Vector3d& point)
+      : direction(shortest_ray(bounds, point)),
+        framed(ray_from(point, direction, bounds), Pose::Identity()) {}
+
+  AxisRay direction;
+  FramedRay framed;
+};
+
 /// Whether a point that is as near to `point` as can be is enclosed, where `crossing(triangle,
 /// axis)` says how a placed triangle crosses its line along an axis.
 template <typename Crossing>
@@ -103,12 +113,12 @@ bool is_enclosed_near(const PlacedMeshView& placed, const Eigen::Vector3d& point
                       Crossing&& crossing, Work& work) {
   const Aabb bounds = placed_bounds(placed);
   if (!is_within(bounds, point)) return false;
-  const AxisRay direction = shortest_ray(bounds, point);
-  const FramedRay ray(ray_from(point, direction, bounds), Pose::Identity());
+  const PointRay ray(bounds, point);
   const auto crossing_at = [&](std::uint32_t index) {
-    return crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)), direction.axis);
+    return crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
+                    ray.direction.axis);
   };
-  return is_odd_along(placed, ray, crossing_at, direction, work);
+  return is_odd_along(placed, ray.framed, crossing_at, ray.direction, work);
 }
 
 }  // namespace
@@ -119,6 +129,18 @@ bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d
     return narrowphase::cross_axis_line(triangle, point.data(), axis);
   };
   return is_enclosed_near(placed, point, crossing, work);
+}
+
+bool is_on_or_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work) {
+  const Aabb bounds = placed_bounds(placed);
+  if (!is_within(bounds, point)) return false;
+  const PointRay ray(bounds, point);
+  CrossingsAndContacts seen(point, ray.direction.axis, work);
+  const auto crossing_at = [&](std::uint32_t index) {
+    return seen.crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)));
+  };
+  const bool is_odd = is_odd_along(placed, ray.framed, crossing_at, ray.direction, work);
+  return seen.is_on() || is_odd;
 }
 
 bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::FaceSample& sample,

@@ -3,12 +3,14 @@
 #include <graze/engine/mesh/data/orientation.h>
 #include <graze/engine/mesh/mesh_health.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/print.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
@@ -231,6 +233,14 @@ TEST(MeshHealth, NestedPartsFaceByTheirDepth) {
   }
   EXPECT_EQ(deepest, 4u);
   EXPECT_GT(count, 100u);
+}
+
+TEST(MeshHealth, IsPrintedByItsCounts) {
+  std::ostringstream text;
+  text << std::showpos << std::hex << check(tests::make_row(4));
+  EXPECT_EQ(text.str(),
+            "12 open, 0 non-manifold and 0 turned edges, 0 degenerate and 0 duplicate triangles, "
+            "0 parts inside out, 0 self-intersections");
 }
 
 TEST(MeshHealth, ProgressGrowsToTheEnd) {

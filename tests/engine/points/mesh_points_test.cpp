@@ -6,10 +6,12 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/narrowphase/derived/point_distance.h>
+#include <graze/print.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -187,6 +189,12 @@ TEST(Points, NoneAndMany) {
   Work inside;
   contains_points(torus, many, {}, &inside);
   EXPECT_GT(inside.points_tested, 1000u);
+}
+
+TEST(Points, AreNearestInPrint) {
+  std::ostringstream text;
+  text << std::hex << nearest_point(tests::make_box({1, 1, 1}), {0.5, 0.25, 3});
+  EXPECT_EQ(text.str().find("distance 2 to (0.5, 0.25, 1) in triangle "), 0u) << text.str();
 }
 
 template <typename Error, typename Ask>
