@@ -92,8 +92,7 @@ class NearestSearch::Descent {
 };
 
 NearestSearch::NearestSearch(const PlacedMeshView& placed, double deviation, Work& work)
-    : placed_(placed),
-      tree_(tree_of(placed.mesh, &work)),
+    : tree_(tree_of(placed.mesh, &work)),
       frame_(placed.pose, deviation, tree_.frame, placed.mesh.bounds()),
       triangles_(placed),
       largest_(largest_of(placed)),

@@ -25,7 +25,6 @@ class NearestSearch {
  private:
   class Descent;
 
-  const PlacedMeshView& placed_;
   const bvh::Tree& tree_;
   PlacedFrame frame_;
   PlacedTriangles triangles_;

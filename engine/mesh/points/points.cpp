@@ -72,7 +72,7 @@ class PointRows {
   std::ptrdiff_t column_stride_;
 };
 
-/// Fills `answers`, one for each point, by `ask(first, last, work)` for parts of them.
+/// Calls `ask(first, last, work)` for parts of so many points, on any thread.
 template <typename Ask>
 void ask_all(std::size_t count, const BatchSettings& batch, Work* total, Ask&& ask) {
   check_threads(batch.threads);
@@ -101,7 +101,6 @@ double with_side(double distance, const PlacedMeshView& mesh, const Eigen::Vecto
 
 std::vector<bool> contains_each(const PlacedMeshView& mesh, const PointRows& points,
                                 const BatchSettings& batch, Work* work) {
-  check_threads(batch.threads);
   check_pose(mesh);
   check_closed(mesh.mesh, "the mesh");
   // Bits of one word are no place for many threads to write to.
