@@ -25,6 +25,7 @@
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_health.h>
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
@@ -61,6 +62,7 @@
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
+#include <graze/engine/world/shape_separation.h>
 #include <graze/engine/world/world.h>
 #include <graze/engine/world/world_update.h>
 #include <graze/narrowphase/cast.h>

@@ -12,6 +12,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/mesh_contacts.h>
+#include <graze/engine/mesh/mesh_health.h>
 #include <graze/engine/mesh/mesh_path.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/rigid_contact.h>
@@ -65,6 +66,8 @@ std::ostream& operator<<(std::ostream& out, const MeshCast& cast);
 std::ostream& operator<<(std::ostream& out, const VolumeCast& cast);
 std::ostream& operator<<(std::ostream& out, const RigidContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshDistance& distance);
+std::ostream& operator<<(std::ostream& out, const NearestPoint& nearest);
+std::ostream& operator<<(std::ostream& out, const MeshHealth& health);
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact);
 std::ostream& operator<<(std::ostream& out, const MeshContacts& contacts);
 std::ostream& operator<<(std::ostream& out, const Separation& separation);

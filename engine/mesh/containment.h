@@ -1,8 +1,12 @@
 #pragma once
 
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/work.h>
 #include <Eigen/Core>
+
+#include <span>
+#include <vector>
 
 namespace graze {
 
@@ -15,5 +19,15 @@ namespace graze {
 /// Throws MeshError, with the number of boundary edges, if the mesh is not closed, InputError for a
 /// point that is not finite, and PoseError for a pose that is refused by law 10 or by law 1.
 bool contains(const PlacedMeshView& mesh, const Eigen::Vector3d& point, Work* work = nullptr);
+
+/// contains() for each of many points, which threads share, bit for bit, in their order. Points are
+/// a span, or the rows of a matrix of three columns in any storage order. Throws as contains()
+/// does, before the first answer, and names the point by its index; InputError for another number
+/// of columns.
+std::vector<bool> contains_points(const PlacedMeshView& mesh,
+                                  std::span<const Eigen::Vector3d> points,
+                                  const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<bool> contains_points(const PlacedMeshView& mesh, const MatrixView<double>& points,
+                                  const BatchSettings& batch = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <graze/engine/mesh/pair.h>
+
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace graze {
 
@@ -37,5 +41,48 @@ MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b
 /// for a clearance that is negative or NaN.
 bool within(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b, double clearance,
             const DistanceSettings& settings = {}, Work* work = nullptr);
+
+/// The point of a placed mesh that is nearest to another point, in the common frame.
+struct NearestPoint {
+  double distance;         ///< metres; 0 if and only if the point lies on the surface
+  Eigen::Vector3d point;   ///< of the surface
+  std::uint32_t triangle;  ///< in which it lies; of several the lowest
+
+  bool operator==(const NearestPoint&) const = default;
+};
+
+/// The point of the placed surface (law 1) that is nearest to `point`, metres, within the bounds of
+/// law 7: the distance is off by at most 4 ulp of the largest difference of coordinates, each
+/// coordinate by at most 2 ulp of the largest one. Of equal distances, as they are returned, the
+/// lowest triangle counts. Throws InputError for a point that is not finite and PoseError for a
+/// pose that is refused by law 10 or by law 1. About O(log n) for points near compact meshes; the
+/// first call builds the tree. Depth first, nearer boxes before others.
+NearestPoint nearest_point(const PlacedMeshView& mesh, const Eigen::Vector3d& point,
+                           Work* work = nullptr);
+
+/// The distance of nearest_point(), metres, negative if the mesh encloses the point (contains(),
+/// the even-odd rule: whatever way triangles are wound). Throws as both of these do.
+double signed_distance(const PlacedMeshView& mesh, const Eigen::Vector3d& point,
+                       Work* work = nullptr);
+
+// Points in one call, which threads share: for each what the single query answers, bit for bit, in
+// their order. These throw as it does, before the first answer, and name the point by its index.
+// Points are a span, or the rows of a matrix of three columns in any storage order; InputError for
+// another number of columns.
+
+/// nearest_point() for each.
+std::vector<NearestPoint> nearest_points(const PlacedMeshView& mesh,
+                                         std::span<const Eigen::Vector3d> points,
+                                         const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<NearestPoint> nearest_points(const PlacedMeshView& mesh,
+                                         const MatrixView<double>& points,
+                                         const BatchSettings& batch = {}, Work* work = nullptr);
+
+/// signed_distance() for each.
+std::vector<double> signed_distances(const PlacedMeshView& mesh,
+                                     std::span<const Eigen::Vector3d> points,
+                                     const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<double> signed_distances(const PlacedMeshView& mesh, const MatrixView<double>& points,
+                                     const BatchSettings& batch = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -177,6 +177,18 @@ std::ostream& operator<<(std::ostream& out, const MeshDistance& gap) {
                      ", triangles ")
              << gap.pair;
 }
+std::ostream& operator<<(std::ostream& out, const NearestPoint& nearest) {
+  return out << Text("distance ", nearest.distance, " to ", nearest.point, " in triangle ",
+                     nearest.triangle);
+}
+std::ostream& operator<<(std::ostream& out, const MeshHealth& health) {
+  return out << Text(health.open_edges.size(), " open, ", health.non_manifold_edges.size(),
+                     " non-manifold and ", health.turned_edges.size(), " turned edges, ",
+                     health.degenerate_triangles.size(), " degenerate and ",
+                     health.duplicate_triangles.size(), " duplicate triangles, ",
+                     health.inside_out_parts.size(), " parts inside out, ",
+                     health.self_intersections.size(), " self-intersections");
+}
 std::ostream& operator<<(std::ostream& out, const MeshContact& contact) {
   return out << Text("[depth ", contact.depth, ", normal ", contact.normal, ", from ",
                      contact.point_a, " to ", contact.point_b, "]");

@@ -28,6 +28,11 @@ int main() {
   expect(graze::within({cube}, {cube, at(3, 0, 0)}, 2), "at most 2 m apart");
   expect(!graze::within({cube}, {cube, at(3, 0, 0)}, 1.99), "but not less");
 
+  // As open solids: cubes that lie against each other do not overlap, equal ones do.
+  expect(!graze::interiors_intersect({cube}, {cube, at(1, 0, 0)}), "wall against wall");
+  expect(graze::interiors_intersect({cube}, {cube, at(0.5, 0, 0)}), "four faces in one plane each");
+  expect(graze::interiors_intersect({cube}, {cube}), "no two of their triangles cross");
+
   // One answer for each pose, on all threads.
   const std::vector<graze::Pose> poses{at(0.5, 0.5, 0.5), at(3, 0, 0)};
   expect(graze::intersects({cube}, {cube, poses}) == std::vector<bool>{true, false}, "yes and no");

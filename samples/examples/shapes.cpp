@@ -34,6 +34,14 @@ int main() {
   expect(near.size() == 4 && near[0].depth == -0.125, "and with a margin before they touch");
   expect(std::abs(manifold[0].depth - 0.125) < 1e-9 && manifold[0].normal.z() > 0.99, "upward");
 
+  // Both in one number: positive apart, negative where they reach past each other.
+  const graze::ShapeSeparation over =
+      graze::find_separation({graze::Box{{1, 1, 1}}}, {graze::Box{{1, 1, 1}}, at(0, 0, 1.875)});
+  expect(over.distance == -manifold[0].depth && over.normal == manifold[0].normal, "the deepest");
+  const graze::ShapeSeparation apart =
+      graze::find_separation({graze::Box{{1, 1, 1}}}, {capsule, aside});
+  expect(apart.distance == gap.distance && apart.point_b == gap.point_b, "the distance");
+
   // A plank on two trestles, which are one mesh: it meets them in two regions of up to four
   // contacts.
   std::vector<Eigen::Vector3d> corners;

@@ -136,7 +136,7 @@ TEST(Containment, ACavityIsOutside) {
   EXPECT_FALSE(contains(hollow, {2.5, 0, 0}));
 }
 
-TEST(Containment, TheSurfaceIsSettledBeforeCrossingsAreCounted) {
+TEST(Containment, TrianglesAroundThePointAloneAreAskedToHoldIt) {
   const Mesh sphere = tests::make_sphere(1, 30, 30);
   Work far, on, inside;
   EXPECT_FALSE(contains(sphere, {2, 0, 0}, &far));
@@ -153,7 +153,9 @@ TEST(Law10Containment, OpenMeshesAreRefusedWithTheirBoundary) {
     contains(tests::make_row(3), {0, 0, 0});
     FAIL();
   } catch (const MeshError& error) {
-    EXPECT_STREQ(error.what(), "the mesh is not closed: it has 9 boundary edges");
+    EXPECT_STREQ(error.what(),
+                 "the mesh is not closed: it has 9 boundary edges, the first from vertex 0 to "
+                 "vertex 1 of triangle 0");
   }
 }
 

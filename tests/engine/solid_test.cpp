@@ -334,8 +334,12 @@ std::string message_of(const Mesh& a, const Mesh& b) {
 TEST(Law10Solid, OpenMeshesAreRefusedAndNamed) {
   const Mesh box = tests::make_box({1, 1, 1});
   const Mesh open = tests::make_row(3);
-  EXPECT_EQ(message_of(open, box), "mesh A is not closed: it has 9 boundary edges");
-  EXPECT_EQ(message_of(box, open), "mesh B is not closed: it has 9 boundary edges");
+  EXPECT_EQ(message_of(open, box),
+            "mesh A is not closed: it has 9 boundary edges, the first from vertex 0 to "
+            "vertex 1 of triangle 0");
+  EXPECT_EQ(message_of(box, open),
+            "mesh B is not closed: it has 9 boundary edges, the first from vertex 0 to "
+            "vertex 1 of triangle 0");
   EXPECT_EQ(message_of(box, box), "");
   EXPECT_THROW(intersects({open}, Aabb{{0, 0, 0}, {1, 1, 1}}, kSolidMesh), MeshError);
   EXPECT_THROW(intersects({open}, Sphere{{0, 0, 0}, 1}, kSolidMesh), MeshError);

@@ -4,6 +4,7 @@
 #include <graze/graze.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -54,6 +55,10 @@ TEST_F(ReadmePrograms, OfTheTour) {
   EXPECT_FALSE(proof.has_value());
   EXPECT_FALSE(pairs.empty());
   EXPECT_FALSE(curves.empty());
+  EXPECT_EQ(foot.distance, std::abs(graze::signed_distance({bolt, pose}, p)));
+  EXPECT_EQ(depths.size(), nut.vertices().size());
+  EXPECT_TRUE(clash);
+  EXPECT_TRUE(health.is_healthy());
   EXPECT_FALSE(contacts.empty());
   EXPECT_GT(apart.distance, 0);
   EXPECT_EQ(gap.distance, 0);

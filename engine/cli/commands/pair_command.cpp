@@ -27,7 +27,9 @@ and --check adds "fcl":{"intersects":...,"pairs":...,"differences":[{"pair":[a,b
 "fcl":...,"truth":...}],"graze_wrong":0,"fcl_wrong":0}. With --query any there is no "pairs".
 With --touch exclude, "intersects", "pairs" and "list" speak of triangles that cross.
 With --solid, which needs closed meshes, "intersects" is true also where one is wholly inside the
-other; pairs stay pairs of triangles, and there may be none.
+other; pairs stay pairs of triangles, and there may be none. With both, "intersects" is true if the
+open interiors have a point in common: solids that merely touch, as walls do that lie against each
+other, do not, however much of their surfaces they share.
 Volumes are wide (oriented boxes, eight to a node), aabb, sphere, obb and kdop. Times are in
 microseconds; the first query's time
 includes building both trees and their volumes.
@@ -37,6 +39,7 @@ Examples:
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" --list
   graze pair bolt.obj nut.stl --poses path.txt --query any --json
   graze pair bolt.obj nut.stl --poses path.txt --check fcl
+  graze pair bolt.obj nut.stl --solid --touch exclude
   graze pair bolt.obj nut.stl --threads 0
 
 Exit codes:

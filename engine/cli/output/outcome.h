@@ -8,7 +8,7 @@ namespace graze::cli {
 enum class ExitCode {
   Answered = 0,    ///< an answer was given, whatever it is
   GrazeWrong = 1,  ///< a check was asked for, and the referee overruled graze
-  Failed = 1,      ///< the same to the caller: a wrong answer that --fail-on names, or no proof
+  Failed = 1,      ///< the same: a wrong answer that --fail-on names, no proof, a faulty mesh
   BadInput = 2,  ///< no answer: usage, meshes, poses, memory or output; one line on stderr says why
   Interrupted = 130,  ///< by SIGINT: what is done is in the file of --resume
 };

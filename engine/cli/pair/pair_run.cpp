@@ -41,9 +41,6 @@ void check_combinations(const PairOptions& options) {
   if (!options.threads.empty() && (options.query == "any" || options.volume != "wide")) {
     throw UsageError("--threads needs --query pairs and --volume wide: no other query is shared");
   }
-  if (options.touch == "exclude" && options.is_solid) {
-    throw UsageError("--solid needs --touch include");
-  }
 }
 
 /// The poses of B, with line 0 for one that comes from the command line.
@@ -118,8 +115,12 @@ PairJob read_job(const PairOptions& options) {
   return job;
 }
 
-QuerySettings settings_of(const PairJob& job) {
-  return {.volume = job.volume, .hit = hit_of(job.touch, job.interior)};
+/// What "intersects" says where triangles alone do not tell.
+bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
+  const PlacedMeshView a{job.mesh_a, job.pose_a}, b{job.mesh_b, pose_b};
+  if (job.interior == Interior::Solid && job.touch == Touch::Exclude)
+    return interiors_intersect(a, b, &work);
+  return intersects(a, b, {.volume = job.volume, .hit = hit_of(job.touch, job.interior)}, &work);
 }
 
 PairAnswer ask(const PairJob& job, std::size_t index) {
@@ -128,17 +129,14 @@ PairAnswer ask(const PairJob& job, std::size_t index) {
   answer.pose = index;
   const auto start = std::chrono::steady_clock::now();
   if (job.query == PairQuery::Any) {
-    answer.intersects =
-        intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b}, settings_of(job), &answer.work);
+    answer.intersects = do_intersect(job, pose_b, answer.work);
   } else {
     answer.pairs = find_triangle_pairs(
         {job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
         {.volume = job.volume, .touch = job.touch, .threads = job.threads}, &answer.work);
     answer.intersects = !answer.pairs->empty();
-    if (!answer.intersects && job.interior == Interior::Solid) {
-      answer.intersects = intersects({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
-                                     settings_of(job), &answer.work);
-    }
+    if (job.interior == Interior::Solid && (!answer.intersects || job.touch == Touch::Exclude))
+      answer.intersects = do_intersect(job, pose_b, answer.work);
   }
   answer.time = std::chrono::steady_clock::now() - start;
   if (job.fcl && job.query == PairQuery::Any) {

@@ -1,7 +1,9 @@
 #include <graze/engine/cli/reports/fit_report.h>
+#include <graze/engine/cli/reports/health_report.h>
 #include <graze/engine/cli/reports/mesh_report.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/io/format.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/self.h>
 
@@ -56,20 +58,72 @@ std::optional<MeshFit> fit_of(const Mesh& mesh) {
   }
 }
 
+/// Only a mesh that has faults is worth to be read once more. Nothing if the file has changed.
+std::vector<mesh_io::Place> places_in(const std::string& file, const Mesh& mesh) {
+  std::vector<mesh_io::Place> places = mesh_io::find_triangle_places(file);
+  if (places.size() != mesh.triangles().size()) places.clear();
+  return places;
+}
+
+/// How far the steps of a report have come.
+class Steps {
+ public:
+  explicit Steps(const MeshReportSettings& settings)
+      : settings_(settings), count_(1 + 2 * settings.has_fits + settings.has_health) {
+    update(0);
+  }
+
+  /// A share of the step that is being done, from 0 to 1.
+  void update(double share) const {
+    settings_.on_progress(static_cast<std::size_t>(100 * (done_ + share) / count_));
+  }
+
+  void end_one() {
+    ++done_;
+    update(0);
+  }
+
+ private:
+  const MeshReportSettings& settings_;
+  int count_;
+  int done_ = 0;
+};
+
 }  // namespace
 
 MeshReport report_mesh(const std::string& file, const MeshReportSettings& settings) {
   const Mesh mesh = load_mesh(file);
+  Steps steps(settings);
   MeshReport report{.file = file,
                     .triangles = mesh.triangles().size(),
                     .vertices = mesh.vertices().size(),
                     .bounds = mesh.bounds(),
                     .topology = mesh.topology(),
-                    .fit = fit_of(mesh),
-                    .levels = fit_by_level(mesh),
+                    .has_fits = settings.has_fits,
+                    .fit = std::nullopt,
+                    .levels = {},
                     .tree = bvh::statistics_of(tree_of(mesh)),
-                    .crossing_pairs = std::nullopt};
-  if (settings.has_crossing_pairs) report.crossing_pairs = find_self_pairs(mesh).size();
+                    .crossing_pairs = std::nullopt,
+                    .health = std::nullopt,
+                    .places = {}};
+  steps.end_one();
+  if (settings.has_fits) {
+    report.fit = fit_of(mesh);
+    steps.end_one();
+    report.levels = fit_by_level(mesh);
+    steps.end_one();
+  }
+  if (settings.has_health) {
+    report.health = check(mesh, {.on_progress = [&](std::size_t done, std::size_t total) {
+                            steps.update(static_cast<double>(done) / static_cast<double>(total));
+                          }});
+    if (!report.health->is_healthy()) report.places = places_in(file, mesh);
+    steps.end_one();
+  }
+  if (settings.has_crossing_pairs) {
+    report.crossing_pairs =
+        report.health ? report.health->self_intersections.size() : find_self_pairs(mesh).size();
+  }
   return report;
 }
 
@@ -88,9 +142,12 @@ std::string to_json(const MeshReport& report) {
   json["boundary_edges"] = topology.boundary_edges;
   json["degenerate_triangles"] = topology.degenerate_triangles;
   json["duplicate_triangles"] = topology.duplicate_triangles;
-  json["fit"] = report.fit ? fit_object(*report.fit) : nullptr;
-  json["levels"] = levels_array(report.levels);
+  if (report.has_fits) {
+    json["fit"] = report.fit ? fit_object(*report.fit) : nullptr;
+    json["levels"] = levels_array(report.levels);
+  }
   json["tree"] = to_object(report.tree);
+  if (report.health) json["health"] = health_object(*report.health, report.places);
   if (report.crossing_pairs) json["crossing_pairs"] = *report.crossing_pairs;
   // File names need not be UTF-8, JSON must be.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -110,10 +167,16 @@ std::string to_text(const MeshReport& report) {
   append(text, "boundary edges", std::to_string(topology.boundary_edges));
   append(text, "degenerate triangles", std::to_string(topology.degenerate_triangles));
   append(text, "duplicate triangles", std::to_string(topology.duplicate_triangles));
-  for (const auto& [name, value] : fit_lines(report.fit))
-    append(text, name, value);
+  if (report.has_fits) {
+    for (const auto& [name, value] : fit_lines(report.fit))
+      append(text, name, value);
+  }
   append(text, report.tree);
-  text += levels_text(report.levels);
+  if (report.has_fits) text += levels_text(report.levels);
+  if (report.health) {
+    for (const auto& [name, value] : health_lines(*report.health, report.places))
+      append(text, name, value);
+  }
   if (report.crossing_pairs) {
     append(text, "crossing pairs", std::to_string(*report.crossing_pairs));
   }

@@ -84,30 +84,71 @@ struct FramedRay {
   bvh::Node node;
 };
 
-template <typename TriangleAt>
-bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, TriangleAt&& triangle_at,
-                  const Eigen::Vector3d& point, const AxisRay& direction, Work& work) {
+template <typename CrossingAt>
+bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, CrossingAt&& crossing_at,
+                  const AxisRay& direction, Work& work) {
   const bvh::Tree& tree = tree_of(placed.mesh, &work);
   const bvh::RelativeFrame relative = relative_frame(
       {placed.pose, rotation_deviation(placed.pose), tree.frame, placed.mesh.bounds()},
       {ray.pose, ray.deviation, ray.frame, ray.bounds});
   const bvh::NodeSeparation separation(relative, tree.nodes, {&ray.node, 1});
   const auto is_apart = [&](std::uint32_t node) { return separation.are_apart(node, 0); };
-  return is_crossed_oddly(tree, is_apart, triangle_at, point, direction, work);
+  return is_crossed_oddly(tree, is_apart, crossing_at, direction, work);
+}
+
+/// The ray of a point from which it leaves a placed mesh soonest.
+struct PointRay {
+  PointRay(const Aabb& bounds, const Eigen::Vector3d& point)
+      : direction(shortest_ray(bounds, point)),
+        framed(ray_from(point, direction, bounds), Pose::Identity()) {}
+
+  AxisRay direction;
+  FramedRay framed;
+};
+
+/// Whether a point that is as near to `point` as can be is enclosed, where `crossing(triangle,
+/// axis)` says how a placed triangle crosses its line along an axis.
+template <typename Crossing>
+bool is_enclosed_near(const PlacedMeshView& placed, const Eigen::Vector3d& point,
+                      Crossing&& crossing, Work& work) {
+  const Aabb bounds = placed_bounds(placed);
+  if (!is_within(bounds, point)) return false;
+  const PointRay ray(bounds, point);
+  const auto crossing_at = [&](std::uint32_t index) {
+    return crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
+                    ray.direction.axis);
+  };
+  return is_odd_along(placed, ray.framed, crossing_at, ray.direction, work);
 }
 
 }  // namespace
 
 bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point,
                              Work& work) {
+  const auto crossing = [&](const Triangle& triangle, int axis) {
+    return narrowphase::cross_axis_line(triangle, point.data(), axis);
+  };
+  return is_enclosed_near(placed, point, crossing, work);
+}
+
+bool is_on_or_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work) {
   const Aabb bounds = placed_bounds(placed);
   if (!is_within(bounds, point)) return false;
-  const AxisRay direction = shortest_ray(bounds, point);
-  const FramedRay ray(ray_from(point, direction, bounds), Pose::Identity());
-  const auto triangle_at = [&](std::uint32_t index) {
-    return narrowphase::place(placed.pose, placed.mesh.triangle(index));
+  const PointRay ray(bounds, point);
+  CrossingsAndContacts seen(point, ray.direction.axis, work);
+  const auto crossing_at = [&](std::uint32_t index) {
+    return seen.crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)));
   };
-  return is_odd_along(placed, ray, triangle_at, point, direction, work);
+  const bool is_odd = is_odd_along(placed, ray.framed, crossing_at, ray.direction, work);
+  return seen.is_on() || is_odd;
+}
+
+bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::FaceSample& sample,
+                        Work& work) {
+  const auto crossing = [&](const Triangle& triangle, int axis) {
+    return narrowphase::cross_axis_line(triangle, sample, axis);
+  };
+  return is_enclosed_near(placed, sample.triangle.a, crossing, work);
 }
 
 // The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.
@@ -124,11 +165,13 @@ bool is_moved_centre_enclosed(const PlacedMeshView& placed, const Obb& box, Work
   const AxisRay direction{0, LineCrossing::Above};
   const Eigen::Vector3d end(reach, 0, 0);
   const FramedRay ray({-end, end}, box.pose);
-  const auto triangle_at = [&](std::uint32_t index) {
-    return narrowphase::into_frame(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
-                                   box.pose);
+  const auto crossing_at = [&](std::uint32_t index) {
+    return narrowphase::cross_axis_line(
+        narrowphase::into_frame(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
+                                box.pose),
+        origin.data(), direction.axis);
   };
-  return is_odd_along(placed, ray, triangle_at, origin, direction, work);
+  return is_odd_along(placed, ray, crossing_at, direction, work);
 }
 
 }  // namespace graze

@@ -5,12 +5,14 @@
 #include <graze/engine/mesh/load_mesh.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace graze {
 namespace {
 
 using mesh_io::Format;
 using mesh_io::MeshArrays;
+using mesh_io::ReadSettings;
 
 const Format& format_of(const std::filesystem::path& path, const std::string& name) {
   const std::string extension = path.extension().string();
@@ -26,18 +28,26 @@ const Format& format_of(const std::filesystem::path& path, const std::string& na
   mesh_io::fail({name, {}}, why);
 }
 
+MeshArrays read_arrays(const std::filesystem::path& path, const std::string& name,
+                       const ReadSettings& settings) {
+  mesh_io::require_regular_file(path, name);
+  const Format& format = format_of(path, name);
+  const std::string bytes = mesh_io::read_file(path, name);
+  return format.read({name, bytes}, settings);
+}
+
 }  // namespace
+
+std::vector<mesh_io::Place> mesh_io::find_triangle_places(const std::filesystem::path& path) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Place> {
+    return read_arrays(path, printable(path.string()), {.has_places = true}).places;
+  });
+}
 
 Mesh load_mesh(const std::filesystem::path& path) {
   return bvh::in_standard_arithmetic([&]() -> Mesh {
     const std::string name = mesh_io::printable(path.string());
-    mesh_io::require_regular_file(path, name);
-    const Format& format = format_of(path, name);
-    MeshArrays arrays;
-    {
-      const std::string bytes = mesh_io::read_file(path, name);
-      arrays = format.read({name, bytes});
-    }
+    const MeshArrays arrays = read_arrays(path, name, {});
     try {
       return Mesh(arrays.vertices, arrays.triangles);
     } catch (const MeshError& error) {

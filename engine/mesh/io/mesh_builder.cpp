@@ -26,6 +26,7 @@ void MeshBuilder::end_polygon(Place place) {
   const std::size_t first = arrays_.triangles.size();
   const std::size_t count = corners_.size() - 2;
   arrays_.triangles.resize(first + count);
+  if (settings_.has_places) arrays_.places.resize(first + count, place);
   if (*std::max_element(corners_.begin(), corners_.end()) >= vertex_count()) {
     waiting_.push_back({waiting_corners_.size(), corners_.size(), first, place});
     waiting_corners_.insert(waiting_corners_.end(), corners_.begin(), corners_.end());

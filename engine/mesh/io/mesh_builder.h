@@ -13,6 +13,12 @@ namespace graze::mesh_io {
 struct MeshArrays {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<TriangleIndices> triangles;
+  std::vector<Place> places;  ///< of each triangle's polygon in the file, if they are asked for
+};
+
+/// What a reader is asked for.
+struct ReadSettings {
+  bool has_places = false;  ///< MeshArrays::places: sixteen bytes more for each triangle
 };
 
 /// How a format counts vertices.
@@ -25,7 +31,8 @@ struct IndexRules {
 /// triangles. A polygon may name vertices that come later.
 class MeshBuilder {
  public:
-  MeshBuilder(const Source& source, IndexRules rules) : source_(source), rules_(rules) {}
+  MeshBuilder(const Source& source, IndexRules rules, const ReadSettings& settings)
+      : source_(source), rules_(rules), settings_(settings) {}
 
   /// Room for what the file claims; the caller bounds it by what the file can hold.
   void reserve_vertices(std::uint64_t count) { arrays_.vertices.reserve(count); }
@@ -59,6 +66,7 @@ class MeshBuilder {
 
   Source source_;
   IndexRules rules_;
+  ReadSettings settings_;
   MeshArrays arrays_;
   Triangulator triangulator_;
   std::vector<std::uint32_t> corners_;  ///< of the polygon that is being read, counted from 0

@@ -27,9 +27,9 @@ constexpr std::array kUnsupported = {"cstype"sv, "deg"sv,  "bmat"sv, "step"sv, "
 
 class ObjReader {
  public:
-  explicit ObjReader(const Source& source)
+  ObjReader(const Source& source, const ReadSettings& settings)
       : cursor_(source, {.comment = '#', .has_continued_lines = true}),
-        builder_(source, {.first = 1}) {}
+        builder_(source, {.first = 1}, settings) {}
 
   MeshArrays read() {
     if (cursor_.find_token()) read_counts();
@@ -140,8 +140,8 @@ class ObjReader {
 
 }  // namespace
 
-MeshArrays read_obj(const Source& source) {
-  return ObjReader(source).read();
+MeshArrays read_obj(const Source& source, const ReadSettings& settings) {
+  return ObjReader(source, settings).read();
 }
 
 }  // namespace graze::mesh_io

@@ -82,12 +82,12 @@ void read_face(TextCursor& cursor, MeshBuilder& builder) {
 
 }  // namespace
 
-MeshArrays read_off(const Source& source) {
+MeshArrays read_off(const Source& source, const ReadSettings& settings) {
   TextCursor cursor(source, {.comment = '#'});
   read_keyword(cursor);
   cursor.require_token("the counts of vertices and faces");
   const Counts counts = read_counts(cursor);
-  MeshBuilder builder(source, {.total = counts.vertices});
+  MeshBuilder builder(source, {.total = counts.vertices}, settings);
   read_vertices(cursor, counts.vertices, builder);
   builder.reserve_triangles(std::min(counts.faces, cursor.remaining() / kFaceBytes + 1));
   for (std::uint64_t i = 0; i < counts.faces; ++i) {

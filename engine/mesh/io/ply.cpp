@@ -17,8 +17,9 @@ std::uint64_t vertex_count(const PlyHeader& header) {
 template <typename Rows>
 class PlyReader {
  public:
-  PlyReader(const Source& source, const PlyHeader& header, const Rows& rows)
-      : header_(header), rows_(rows), builder_(source, {.total = vertex_count(header)}) {}
+  PlyReader(const Source& source, const ReadSettings& settings, const PlyHeader& header,
+            const Rows& rows)
+      : header_(header), rows_(rows), builder_(source, {.total = vertex_count(header)}, settings) {}
 
   MeshArrays read() {
     for (const PlyElement& element : header_.elements) {
@@ -83,15 +84,16 @@ class PlyReader {
 
 }  // namespace
 
-MeshArrays read_ply(const Source& source) {
+MeshArrays read_ply(const Source& source, const ReadSettings& settings) {
   TextCursor cursor(source, {});
   const PlyHeader header = read_ply_header(source, cursor);
   if (header.encoding == PlyEncoding::Ascii) {
-    return PlyReader(source, header, PlyAsciiRows(cursor)).read();
+    return PlyReader(source, settings, header, PlyAsciiRows(cursor)).read();
   }
   const std::endian order =
       header.encoding == PlyEncoding::BinaryLittleEndian ? std::endian::little : std::endian::big;
-  return PlyReader(source, header, PlyBinaryRows(ByteCursor(source, cursor.offset(), order)))
+  return PlyReader(source, settings, header,
+                   PlyBinaryRows(ByteCursor(source, cursor.offset(), order)))
       .read();
 }
 

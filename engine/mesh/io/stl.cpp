@@ -26,14 +26,14 @@ bool looks_like_text(const Source& source) {
 
 }  // namespace
 
-MeshArrays read_stl(const Source& source) {
-  if (has_binary_size(source)) return read_stl_binary(source);
-  if (looks_like_text(source)) return read_stl_ascii(source);
+MeshArrays read_stl(const Source& source, const ReadSettings& settings) {
+  if (has_binary_size(source)) return read_stl_binary(source, settings);
+  if (looks_like_text(source)) return read_stl_ascii(source, settings);
   if (source.bytes.size() < kStlPrefixBytes) {
     fail(source,
          "neither text that begins with \"solid\" nor the 84 bytes of a binary STL's header");
   }
-  return read_stl_binary(source);
+  return read_stl_binary(source, settings);
 }
 
 }  // namespace graze::mesh_io

@@ -8,7 +8,8 @@ namespace {
 
 class StlAsciiReader {
  public:
-  explicit StlAsciiReader(const Source& source) : cursor_(source, {}) {}
+  StlAsciiReader(const Source& source, const ReadSettings& settings)
+      : cursor_(source, {}), settings_(settings) {}
 
   /// Some files hold several solids: all their triangles count.
   MeshArrays read() {
@@ -31,6 +32,7 @@ class StlAsciiReader {
   /// From behind the word on: next_token() has seen it.
   void read_facet() {
     if (!is_keyword(last_, "facet")) fail_expected("\"facet\" or \"endsolid\"");
+    if (settings_.has_places) mesh_.places.push_back(cursor_.place());
     expect("normal");
     // Not parsed: the corners say all, and writers put "nan" here for triangles without area.
     for (int k = 0; k < 3; ++k)
@@ -71,6 +73,7 @@ class StlAsciiReader {
   }
 
   TextCursor cursor_;
+  ReadSettings settings_;
   PositionIndex positions_;
   MeshArrays mesh_;
   std::string_view last_;
@@ -78,8 +81,8 @@ class StlAsciiReader {
 
 }  // namespace
 
-MeshArrays read_stl_ascii(const Source& source) {
-  return StlAsciiReader(source).read();
+MeshArrays read_stl_ascii(const Source& source, const ReadSettings& settings) {
+  return StlAsciiReader(source, settings).read();
 }
 
 }  // namespace graze::mesh_io

@@ -23,7 +23,7 @@ std::uint32_t read_corner(ByteCursor& cursor, PositionIndex& positions) {
 
 }  // namespace
 
-MeshArrays read_stl_binary(const Source& source) {
+MeshArrays read_stl_binary(const Source& source, const ReadSettings& settings) {
   ByteCursor cursor(source, kStlHeaderBytes, std::endian::little);
   const Place count_place = cursor.place();
   const std::uint64_t count = cursor.read<std::uint32_t>("the triangle count");
@@ -36,6 +36,7 @@ MeshArrays read_stl_binary(const Source& source) {
   PositionIndex positions;
   mesh.triangles.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
+    if (settings.has_places) mesh.places.push_back(cursor.place());
     cursor.skip(kNormalBytes, "a triangle");
     TriangleIndices& triangle = mesh.triangles.emplace_back();
     for (std::uint32_t& corner : triangle)

@@ -1,6 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/traverse/traverse_self.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/pairs/self_pairs.h>
 #include <graze/engine/mesh/query/node_volumes.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/self.h>
@@ -102,15 +103,17 @@ void with_own_separation(Volume volume, const NodeVolumes& volumes, Use&& use) {
   with_separation(volume, own_frame(), volumes, volumes, use);
 }
 
-/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop.
-template <typename OnPair>
+/// Calls `on_pair(pair)`, a < b, for each pair of that kind, until it answers Stop, and
+/// `on_leaf(triangle_count)` for each leaf once.
+template <typename OnPair, typename OnLeaf>
 void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& work,
-                        OnPair&& on_pair) {
+                        OnPair&& on_pair, OnLeaf&& on_leaf) {
   const NodeVolumes volumes = volumes_of(mesh, settings.volume, work);
   const bvh::Tree& tree = tree_of(mesh);
   SelfQuery query(mesh, work);
   const auto test_leaves = [&](const bvh::Node& leaf_a, const bvh::Node& leaf_b) {
     const bool is_same = &leaf_a == &leaf_b;
+    if (is_same) on_leaf(leaf_a.count);
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
       const std::uint32_t first = is_same ? i + 1 : leaf_b.first;
       for (std::uint32_t j = first; j < leaf_b.first + leaf_b.count; ++j) {
@@ -126,7 +129,26 @@ void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& wo
   });
 }
 
+template <typename OnPair>
+void for_each_self_pair(const Mesh& mesh, const SelfSettings& settings, Work& work,
+                        OnPair&& on_pair) {
+  for_each_self_pair(mesh, settings, work, on_pair, [](std::uint32_t) {});
+}
+
 }  // namespace
+
+void for_each_crossing_self_pair(const Mesh& mesh, Work& work,
+                                 const std::function<void(TrianglePair)>& on_pair,
+                                 const std::function<void(std::size_t)>& on_done) {
+  std::size_t done = 0;
+  for_each_self_pair(
+      mesh, {}, work,
+      [&](TrianglePair pair) {
+        on_pair(pair);
+        return bvh::Walk::Continue;
+      },
+      [&](std::uint32_t count) { on_done(done += count); });
+}
 
 bool self_intersects(const Mesh& mesh, Work* work) {
   return self_intersects(mesh, SelfQuerySettings{}, work);

@@ -1,6 +1,7 @@
 // What queries call back may throw at any call, on one thread and on many: what it threw comes out,
 // and the next query is as if there had been none.
 
+#include <graze/engine/mesh/mesh_health.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/mesh/write_voxels.h>
 #include <graze/engine/world/broad_phase.h>
@@ -64,6 +65,17 @@ TEST(QueryCallbacks, ProgressOfVoxelsMayThrowAtEveryCall) {
       EXPECT_GT(thrown, 5);
     }
   }
+}
+
+TEST(QueryCallbacks, ProgressOfACheckMayThrowAtEveryCall) {
+  const Mesh mesh = make_sphere(1, 20, 20);
+  Fuse fuse;
+  const long thrown = throw_at_every_call(fuse, [&] {
+    const MeshHealth health =
+        check(mesh, {.on_progress = [&](std::size_t, std::size_t) { fuse.burn(); }});
+    EXPECT_TRUE(health.is_healthy());
+  });
+  EXPECT_GT(thrown, 100);
 }
 
 TEST(QueryCallbacks, AFileIsRemovedWhereverItsProgressThrows) {

@@ -88,10 +88,27 @@ TEST_F(CliPair, SolidsHoldWhatIsWhollyInside) {
 
 TEST_F(CliPair, SolidsAreClosedMeshes) {
   write_mesh("open.off", make_row(2));
-  expect_refusal({"pair", "a.off", "open.off", "--solid"},
-                 "graze: --solid: open.off is not closed: it has 6 boundary edges");
-  expect_refusal({"pair", "a.off", "b.off", "--solid", "--touch", "exclude"},
-                 "graze: --solid needs --touch include");
+  expect_refusal(
+      {"pair", "a.off", "open.off", "--solid"},
+      "graze: --solid: open.off is not closed: it has 6 boundary edges, the first from vertex 0 to "
+      "vertex 1 of triangle 0");
+}
+
+TEST_F(CliPair, SolidsThatTouchDoNotOverlap) {
+  write_mesh("a.off", make_box({1, 1, 1}));
+  write_mesh("b.off", make_box({1, 1, 1}));
+  const auto ask = [&](const std::string& x, const std::string& query) {
+    return json_lines({"--solid", "--touch", "exclude", "--query", query, "--pose-b",
+                       "1 0 0 " + x + " 0 1 0 0 0 0 1 0"})
+        .at(0);
+  };
+  for (const char* query : {"any", "pairs"}) {
+    EXPECT_EQ(ask("2", query)["intersects"], false) << "wall against wall";
+    EXPECT_EQ(ask("1", query)["intersects"], true) << "no triangles cross";
+    EXPECT_EQ(ask("0", query)["intersects"], true) << "equal solids";
+    EXPECT_EQ(ask("9", query)["intersects"], false);
+  }
+  EXPECT_EQ(ask("0", "pairs")["pairs"], 0);
 }
 
 TEST_F(CliPair, AnswersAreTheLibrarys) {

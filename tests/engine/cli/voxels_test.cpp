@@ -96,8 +96,10 @@ TEST_F(CliVoxels, BadNumbersAreRefused) {
     refuse("--threads", value, "0 to 1024");
   // A leading zero is no octal number.
   EXPECT_EQ(graze({"voxels", "torus.off", "-o", "v.obj", "--resolution", "010"}).exit_code, 0);
-  expect_refusal({"voxels", "row.off", "-o", "v.obj", "--resolution", "65535", "--solid"},
-                 "graze: row.off: the mesh is not closed: it has 6 boundary edges");
+  expect_refusal(
+      {"voxels", "row.off", "-o", "v.obj", "--resolution", "65535", "--solid"},
+      "graze: row.off: the mesh is not closed: it has 6 boundary edges, the first from vertex 0 to "
+      "vertex 1 of triangle 0");
 }
 
 TEST_F(CliVoxels, BadFilesAreRefused) {

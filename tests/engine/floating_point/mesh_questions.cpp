@@ -87,6 +87,15 @@ void ask_about_contact(const Inputs& in, Words& words) {
   add_separation(words, separating_translation(a, b));
 }
 
+/// Tetrahedra that go through each other may leave no answer.
+void ask_for_interiors(const Inputs& in, const Meshes& meshes, Words& words) {
+  try {
+    words.add(interiors_intersect({meshes.a, in.pose_a}, {meshes.b, in.pose_b}));
+  } catch (const MeshError& error) {
+    words.add(std::uint64_t{error.place().index.value_or(0)});
+  }
+}
+
 void ask_about_itself(const Inputs& in, Words& words) {
   const Meshes meshes(in);
   words.add(self_intersects(meshes.a)), words.add(find_self_pairs(meshes.a));
@@ -95,6 +104,11 @@ void ask_about_itself(const Inputs& in, Words& words) {
     words.add(contains(meshes.a, point));
   words.add(contains(meshes.a, in.point));
   words.add(intersects({meshes.a}, {meshes.b}, {.hit = Hit::Solid}));
+  ask_for_interiors(in, meshes, words);
+  for (const Mesh& mesh : {meshes.a, meshes.b}) {
+    const MeshHealth health = check(mesh);
+    words.add(std::uint64_t{health.fault_count()}), words.add(health.self_intersections);
+  }
   const Topology& topology = meshes.a.topology();
   words.add(std::uint64_t{topology.degenerate_triangles});
   words.add(std::uint64_t{topology.welded_vertices}), words.add(meshes.a.bounds());
@@ -186,6 +200,21 @@ void ask_rays(const Inputs& in, Words& words) {
     add_hit(words, hit);
 }
 
+void ask_about_points(const Inputs& in, Words& words, int threads) {
+  const Meshes meshes(in);
+  const PlacedMesh a{meshes.a, in.pose_a};
+  const NearestPoint nearest = nearest_point(a, in.point);
+  words.add(nearest.distance), words.add(nearest.point), words.add(std::uint64_t{nearest.triangle});
+  words.add(signed_distance(a, in.point));
+  const BatchSettings batch{.threads = threads};
+  for (const NearestPoint& each : nearest_points(a, in.vertices_b, batch))
+    words.add(each.distance), words.add(each.point);
+  for (const double each : signed_distances(a, meshes.b.vertex_matrix(), batch))
+    words.add(each);
+  for (const bool is : contains_points(a, in.vertices_b, batch))
+    words.add(is);
+}
+
 void ask_batches(const Inputs& in, Words& words, int threads) {
   const Meshes meshes(in);
   const PlacedMesh a{meshes.a, in.pose_a};
@@ -226,6 +255,11 @@ Question batches(int threads) {
           [threads](const Inputs& in, Words& words) { ask_batches(in, words, threads); }};
 }
 
+Question points(int threads) {
+  return {"points",
+          [threads](const Inputs& in, Words& words) { ask_about_points(in, words, threads); }};
+}
+
 Question voxels(int threads) {
   return {"voxels", [threads](const Inputs& in, Words& words) { ask_voxels(in, words, threads); }};
 }
@@ -256,7 +290,7 @@ void ask_trees(const Inputs& in, Words& words) {
 }  // namespace
 
 std::vector<Question> parallel_questions(int threads) {
-  return {pairs_by_threads(threads), batches(threads), voxels(threads),
+  return {pairs_by_threads(threads), batches(threads), points(threads), voxels(threads),
           world_questions(threads).back()};
 }
 
@@ -295,6 +329,7 @@ std::vector<Question> mesh_questions(int threads) {
       {"meshes that move and turn", ask_rigid_motions},
       {"rays at a mesh", ask_rays},
       batches(threads),
+      points(threads),
       voxels(threads),
   };
 }

@@ -1,0 +1,65 @@
+#include <graze/engine/mesh/curves/disjoint_sets.h>
+#include <graze/engine/mesh/health/mesh_parts.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace graze {
+namespace {
+
+/// Numbers the sets in the order of their lowest triangles, and lists their triangles.
+void number_parts(contacts::DisjointSets& sets, MeshParts& parts) {
+  const auto count = static_cast<std::uint32_t>(parts.part_of.size());
+  std::vector<std::uint32_t> sizes;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t lowest = sets.lowest(i);
+    if (lowest == i) sizes.push_back(0);
+    parts.part_of[i] =
+        lowest == i ? static_cast<std::uint32_t>(sizes.size() - 1) : parts.part_of[lowest];
+    ++sizes[parts.part_of[i]];
+  }
+  parts.first.assign(sizes.size() + 1, 0);
+  for (std::size_t part = 0; part < sizes.size(); ++part)
+    parts.first[part + 1] = parts.first[part] + sizes[part];
+  std::vector<std::uint32_t> next(parts.first.begin(), parts.first.end() - 1);
+  parts.triangles.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i)
+    parts.triangles[next[parts.part_of[i]]++] = i;
+}
+
+/// Marks the parts of which more triangles go along this edge one way than the other.
+void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
+  if (edge.size() == 2) {  // both of one part
+    if (excess_of(edge) != 0) parts.is_oriented[parts.part_of[edge[0].of.triangle]] = false;
+    return;
+  }
+  std::vector<std::pair<std::uint32_t, int>> ways;
+  for (const DirectedEdge& each : edge)
+    ways.emplace_back(parts.part_of[each.of.triangle], each.is_ascending ? 1 : -1);
+  std::sort(ways.begin(), ways.end());
+  for (std::size_t i = 0; i < ways.size();) {
+    const std::uint32_t part = ways[i].first;
+    long excess = 0;
+    for (; i < ways.size() && ways[i].first == part; ++i)
+      excess += ways[i].second;
+    if (excess != 0) parts.is_oriented[part] = false;
+  }
+}
+
+}  // namespace
+
+MeshParts parts_of(const Mesh& mesh, std::span<const DirectedEdge> edges) {
+  MeshParts parts;
+  parts.part_of.resize(mesh.triangles().size());
+  contacts::DisjointSets sets(parts.part_of.size());
+  for_each_edge(edges, [&](std::span<const DirectedEdge> edge) {
+    if (edge.size() == 2) sets.join(edge[0].of.triangle, edge[1].of.triangle);
+  });
+  number_parts(sets, parts);
+  parts.is_oriented.assign(parts.first.size() - 1, true);
+  // A triangle that repeats a vertex has no edges, and is a part that encloses nothing.
+  for_each_edge(edges, [&](std::span<const DirectedEdge> edge) { mark_unbalanced(edge, parts); });
+  return parts;
+}
+
+}  // namespace graze

@@ -1,0 +1,33 @@
+#pragma once
+
+// The parts of a surface that edges connect. Private to the library.
+
+#include <graze/engine/mesh/data/directed_edges.h>
+#include <graze/engine/mesh/mesh.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// The triangles of a mesh, in parts that are connected across edges with two triangles: what meets
+/// at an edge of more belongs together in no way that a mesh tells.
+struct MeshParts {
+  std::vector<std::uint32_t> part_of;    ///< for each triangle
+  std::vector<std::uint32_t> first;      ///< for each part, and one more: its first in `triangles`
+  std::vector<std::uint32_t> triangles;  ///< of each part, ascending
+  /// For each part, whether as many of its triangles go along each edge one way as the other: then
+  /// it is closed and consistently wound, and encloses a volume with a sign.
+  std::vector<bool> is_oriented;
+
+  std::size_t size() const { return is_oriented.size(); }
+  std::span<const std::uint32_t> triangles_of(std::uint32_t part) const {
+    return {triangles.data() + first[part], first[part + 1] - first[part]};
+  }
+};
+
+/// In the order of their lowest triangles. O(n) after directed_edges_of().
+MeshParts parts_of(const Mesh& mesh, std::span<const DirectedEdge> edges);
+
+}  // namespace graze

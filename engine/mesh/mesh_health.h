@@ -1,0 +1,88 @@
+#pragma once
+
+#include <graze/engine/mesh/mesh.h>
+#include <graze/engine/mesh/triangle_pairs.h>
+#include <graze/engine/work.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace graze {
+
+// Vertices are welded here, as in Mesh::topology(): equal positions are one vertex, which goes by
+// the lowest index among them. A triangle that repeats a welded vertex is degenerate, and takes no
+// part in what is said of edges and parts.
+
+/// An edge at which something is wrong.
+struct FaultyEdge {
+  std::array<std::uint32_t, 2> vertices;  ///< its ends, ascending
+  std::uint32_t triangle;                 ///< the lowest triangle at it
+  std::uint32_t triangle_count;           ///< how many triangles there are at it
+
+  bool operator==(const FaultyEdge&) const = default;
+};
+
+/// A triangle with the same vertices as another one, in any order.
+struct DuplicateTriangle {
+  std::uint32_t triangle;  ///< which
+  std::uint32_t earlier;   ///< the lowest triangle with these vertices
+
+  bool operator==(const DuplicateTriangle&) const = default;
+};
+
+/// A closed part of the surface that faces the wrong way.
+struct InsideOutPart {
+  std::uint32_t triangle;        ///< its lowest triangle
+  std::uint32_t triangle_count;  ///< how many it has
+  std::uint32_t depth;  ///< inside how many other parts it lies: it should face outwards where that
+                        ///< is even, and into the cavity that it bounds where that is odd
+
+  bool operator==(const InsideOutPart&) const = default;
+};
+
+/// What check() finds. Every list is complete, ascending, and empty in a healthy mesh.
+struct MeshHealth {
+  /// Where the surface ends: one triangle alone. By their vertices. Together with those edges of
+  /// the next list that have an odd number of triangles, they are topology()'s boundary edges.
+  std::vector<FaultyEdge> open_edges;
+  /// More than two triangles.
+  std::vector<FaultyEdge> non_manifold_edges;
+  /// Where triangles are wound inconsistently: at least two more go along the edge one way than the
+  /// other, so that neighbours face opposite sides.
+  std::vector<FaultyEdge> turned_edges;
+  /// Triangles without area, exactly.
+  std::vector<std::uint32_t> degenerate_triangles;
+  std::vector<DuplicateTriangle> duplicate_triangles;  ///< by triangle
+  /// Closed parts, connected across edges that have two triangles and consistently wound, that
+  /// enclose less than nothing (exactly) but should face outwards, or the other way round. What
+  /// crosses or touches a part is left out where it is counted what it lies in, and a part all of
+  /// whose vertices others have as well is left out itself. By triangle.
+  std::vector<InsideOutPart> inside_out_parts;
+  /// All pairs of triangles that cross: those of find_self_pairs(), duplicates among them.
+  TrianglePairs self_intersections;
+
+  /// Whether there is nothing in any list: the surface is closed, manifold at its edges,
+  /// consistently wound with its front outside, and crosses itself nowhere.
+  bool is_healthy() const;
+  /// How many entries there are in all lists.
+  std::size_t fault_count() const;
+
+  bool operator==(const MeshHealth&) const = default;
+};
+
+/// What check() can be told.
+struct CheckSettings {
+  /// Called on the caller's thread about every half per cent of the way, with the number of
+  /// triangles that are done and their total. What it throws ends the check.
+  std::function<void(std::size_t done, std::size_t total)> on_progress = {};
+};
+
+/// All that is wrong with a mesh, and where, exactly: by combinatorics of welded vertices, exact
+/// predicates, and exact signs of volumes; no epsilon. Most of the time goes into looking for
+/// triangles that cross: O(n log n) for compact meshes.
+MeshHealth check(const Mesh& mesh, const CheckSettings& settings = {}, Work* work = nullptr);
+
+}  // namespace graze

@@ -1,0 +1,54 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/query/wide_query.h>
+#include <graze/narrowphase/predicates/predicates.h>
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+namespace graze {
+
+/// On which side of its triangles a placed closed mesh lies, for those that are asked about; each
+/// is looked at once.
+class FaceSides {
+ public:
+  FaceSides(const PlacedMeshView& placed, Work& work)
+      : placed_(placed), triangles_(placed), work_(work) {}
+
+  const PlacedMeshView& placed() const { return placed_; }
+  Triangle triangle(std::uint32_t index) const { return triangles_[index]; }
+  /// Whether the placed triangle has an area.
+  bool has_area(std::uint32_t index) const;
+
+  /// The lowest other triangle of the mesh that has area and meets the inside of this one, which
+  /// has area; nothing if there is none. Then the mesh lies on one side of it, which is the same
+  /// all over its inside.
+  std::optional<std::uint32_t> intruder(std::uint32_t index);
+
+  /// Whether the mesh encloses what is beside the inside of a triangle that has area, near its
+  /// first corner: above, where its normal points, and below.
+  struct Enclosed {
+    bool above;
+    bool below;
+
+    /// Where the mesh lies on one side alone: Positive for above. Else Zero.
+    narrowphase::Sign side() const {
+      using narrowphase::Sign;
+      return above == below ? Sign::Zero : above ? Sign::Positive : Sign::Negative;
+    }
+  };
+  Enclosed enclosed(std::uint32_t index);
+
+ private:
+  const PlacedMeshView& placed_;
+  PlacedTriangles triangles_;
+  Work& work_;
+  std::unordered_map<std::uint32_t, std::optional<std::uint32_t>> intruders_;
+  std::unordered_map<std::uint32_t, Enclosed> enclosed_;
+};
+
+}  // namespace graze
