@@ -199,8 +199,9 @@ class Laws {
     return {};
   }
 
-  /// Each point of a contact is on the surface that it names. Not asked of two meshes, where faces
-  /// that lie in each other but for rounding cross in segments that nobody knows in plain doubles.
+  /// Each point of a contact is on the surface that it names, unless a search left the hit open. Not
+  /// asked of two meshes, where faces that lie in each other but for rounding cross in segments that
+  /// nobody knows in plain doubles.
   std::string points() {
     const bool are_meshes = pair_.a.kind() == ShapeKind::Mesh && pair_.b.kind() == ShapeKind::Mesh;
     if (!is_hit_ || are_meshes) return {};
@@ -209,6 +210,10 @@ class Laws {
     for (const ShapeContact& contact : manifold_) {
       const double off = std::max(of_a.distance(pair_.pose_a, contact.point_a),
                                   of_b.distance(pair_.pose_b, contact.point_b));
+      if (is_open()) {
+        note_open(off);
+        continue;
+      }
       counts_.worst_point = std::max(counts_.worst_point, off / most);
       if (!(off <= most)) return "a contact beside a surface:" + numbers({off, scale_});
       const double aside =
