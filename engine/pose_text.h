@@ -24,10 +24,11 @@ struct PoseLine {
 /// that is not rigid.
 Pose parse_pose(std::string_view text, const std::string& place);
 
-/// Reads one pose per line; blank lines are skipped. Or an array that numpy has saved (.npy, told by
-/// its first bytes): float64 in C order of the shape (n, 3, 4) or (n, 4, 4), whose poses are counted
-/// from 1 in place of lines. Throws PoseError as parse_pose() does, naming `file:line`, and for a
-/// file that cannot be read or holds no poses. Linear time; an array takes its size in memory.
+/// Reads one pose per line; blank lines are skipped. Or an array that numpy has saved (.npy, told
+/// by its first bytes): float64 in C order of the shape (n, 3, 4) or (n, 4, 4), whose poses are
+/// counted from 1 in place of lines. Throws PoseError as parse_pose() does, naming `file:line`, and
+/// for a file that cannot be read or holds no poses. Linear time; an array takes its size in
+/// memory.
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path);
 
 /// The same poses without their lines.

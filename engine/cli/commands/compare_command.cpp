@@ -95,7 +95,8 @@ Exit codes:
 void add_pose_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
   command.add_option("--pose-b", options.pose_b, "pose of B (default: identity)")->type_name("P");
-  command.add_option("--poses", options.poses, "poses of B, one per line, or .npy")->type_name("FILE");
+  command.add_option("--poses", options.poses, "poses of B, one per line, or .npy")
+      ->type_name("FILE");
   command.add_option("--random", options.random, "so many random poses of B")
       ->type_name("N")
       ->check(whole_number(1, 100'000'000));
