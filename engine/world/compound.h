@@ -37,6 +37,7 @@ class Compound {
   void set_settings(std::uint32_t part, const PartSettings& settings);
   void remove(std::uint32_t part);
 
+  /// Whether there is a part of this number.
   bool contains(std::uint32_t part) const;
   /// How many parts there are.
   std::size_t size() const { return count_; }

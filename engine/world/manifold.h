@@ -48,6 +48,7 @@ class Manifold {
   static constexpr std::size_t kMostOfRegion = 4;  ///< contacts of one region
 
   Manifold() = default;
+  /// Takes over what memory there is, and leaves `other` with valid contacts that nobody knows.
   Manifold(Manifold&& other) noexcept { *this = std::move(other); }
   Manifold& operator=(Manifold&& other) noexcept;
   /// Copies the contacts that there are, mostly one or two of four.
@@ -148,8 +149,8 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing if
 /// Work::penetration_failures counts the pair. Of two meshes the one of the two points that a
 /// corner or an edge has is on its surface; the other is on the plane of the face that it is
-/// behind, which where a surface is curved leaves it by the height of a facet's neighbours. Of a hit
-/// that a search left open (PairStatus::NotConverged) no distance of points is promised.
+/// behind, which where a surface is curved leaves it by the height of a facet's neighbours. Of a
+/// hit that a search left open (PairStatus::NotConverged) no distance of points is promised.
 ///
 /// Of all that a region offers four remain: the deepest, and those that are far from all that
 /// remain. So that features persist, edges of two faces that are within a 256th of the smaller
