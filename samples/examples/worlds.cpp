@@ -122,6 +122,24 @@ void who_is_with_whom() {
   world.wake(world.island(lower));
 }
 
+/// Counts what a renderer would show.
+class Counter : public graze::WorldDrawer {
+ public:
+  void line(const graze::DrawnLine&) override { ++lines; }
+  void point(const graze::DrawnPoint&) override { ++points; }
+  void label(const graze::DrawnLabel&) override { ++labels; }
+  int lines = 0, points = 0, labels = 0;
+};
+
+void how_it_looks(const graze::World& world) {
+  Counter all;
+  graze::draw(world, all, {.has_boxes = true, .has_labels = true});
+  expect(all.lines > 12 && all.labels == static_cast<int>(world.size()), "lines and words");
+  Counter box;
+  graze::draw(graze::Shape(graze::Box{{1, 1, 1}}), box);
+  expect(box.lines == 12, "of a shape alone");
+}
+
 }  // namespace
 
 int main() {
@@ -137,6 +155,8 @@ int main() {
   what_is_fast(world);
   what_is_near(world, floor, ball);
   who_is_with_whom();
+  world.update();
+  how_it_looks(world);
   world.remove(ball);
   expect(!world.contains(ball) && world.size() == 1, "it is gone");
   expect(world.sides(floor).sides == graze::Sides::Surface, "what is in a mesh may count, too");
