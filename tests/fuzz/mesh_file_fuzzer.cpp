@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const graze::mesh_io::Source source{"file", {reinterpret_cast<const char*>(data), size}};
   for (const graze::mesh_io::Format& format : graze::mesh_io::all_formats()) {
     try {
-      const graze::mesh_io::MeshArrays arrays = format.read(source);
+      const graze::mesh_io::MeshArrays arrays = format.read(source, {});
       static_cast<void>(graze::Mesh(arrays.vertices, arrays.triangles));
     } catch (const graze::MeshError&) {
       // What is wrong with an input is no finding.

@@ -49,7 +49,7 @@ Pose turned() {
 }
 
 TEST(WorldDrawing, OutlinesLieOnTheirShapes) {
-  tests::RandomSource source(5);
+  RandomSource source(5);
   for (const ShapeKind kind : kShapeKinds) {
     for (int n = 0; n < 5; ++n) {
       const Shape shape = tests::random_shape(kind, 2, source);

@@ -19,7 +19,7 @@ bool is_mesh(const Format& format, std::string_view bytes) {
   // A copy of just this size: a sanitizer sees every byte that is read behind it.
   const std::vector<char> copy(bytes.begin(), bytes.end());
   try {
-    const MeshArrays arrays = format.read({"file", {copy.data(), copy.size()}});
+    const MeshArrays arrays = format.read({"file", {copy.data(), copy.size()}}, {});
     Mesh(arrays.vertices, arrays.triangles);
     return true;
   } catch (const MeshError&) {
