@@ -40,8 +40,10 @@ struct BallMeeting {
   double time;
 };
 
-/// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact.
-std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball);
+/// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact, up to
+/// `until`: what meets later than that may be told to meet later still, or not at all.
+std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
+                                         double until = 1);
 
 /// Of a ball and one of several triangles.
 struct TriangleMeeting {

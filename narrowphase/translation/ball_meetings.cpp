@@ -13,6 +13,7 @@
 
 #include <graze/narrowphase/motion/root_sign.h>
 #include <graze/narrowphase/translation/ball_features.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <utility>
 
@@ -38,15 +39,44 @@ void visit_closing(const Polynomial& gap, const Visit& visit) {
   });
 }
 
+/// What rounded arithmetic tells of which features a ball may meet up to a time.
+class MetFeatures {
+ public:
+  MetFeatures(const Corners<double>& triangle, const MovingBall& ball, double until)
+      : triangle_(triangle),
+        ball_{{ball.centre[0], ball.centre[1], ball.centre[2]}, ball.radius},
+        displacement_(ball.displacement[0], ball.displacement[1], ball.displacement[2]),
+        until_(until) {}
+
+  /// True only of a corner, or an edge with its ends, that the ball does not meet.
+  bool is_passed(const BallFeature& feature) const {
+    if (feature.kind == BallFeature::Kind::Face) return false;
+    const int last = feature.kind == BallFeature::Kind::Edge ? 1 : 0;
+    const Eigen::Vector3d from = corner(feature.place), to = corner(feature.place + last);
+    return is_surely_passed({from, to, to}, ball_, displacement_, until_);
+  }
+
+ private:
+  Eigen::Vector3d corner(int i) const {
+    const double* p = triangle_.point[i % 3];
+    return {p[0], p[1], p[2]};
+  }
+
+  const Corners<double>& triangle_;
+  Sphere ball_;
+  Eigen::Vector3d displacement_;
+  double until_;
+};
+
 template <typename Integer>
 class FirstMeeting {
  public:
   FirstMeeting(const Corners<double>& triangle, const MovingBall& ball)
       : features_(triangle, ball) {}
 
-  std::optional<BallMeeting> find() {
+  std::optional<BallMeeting> find(const MetFeatures& met) {
     for (const BallFeature& feature : kBallFeatures) {
-      if (!features_.has(feature)) continue;
+      if (met.is_passed(feature) || !features_.has(feature)) continue;
       const Polynomial gap = features_.gap(feature);
       visit_closing<Integer>(gap, [&](const Root<Integer>& root) { ask(feature, gap, root); });
     }
@@ -73,8 +103,9 @@ class FirstMeeting {
 
 template <typename Integer>
 [[gnu::noinline]] std::optional<BallMeeting> first_meeting_in(const Corners<double>& triangle,
-                                                              const MovingBall& ball) {
-  return FirstMeeting<Integer>(triangle, ball).find();
+                                                              const MovingBall& ball,
+                                                              const MetFeatures& met) {
+  return FirstMeeting<Integer>(triangle, ball).find(met);
 }
 
 template <typename Integer>
@@ -104,11 +135,13 @@ bool are_one_feature(const TriangleMeeting& s, const TriangleMeeting& t) {
 
 }  // namespace
 
-std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball) {
+std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
+                                         double until) {
+  const MetFeatures met(triangle, ball, until);
   try {
-    return first_meeting_in<BigInteger>(triangle, ball);
+    return first_meeting_in<BigInteger>(triangle, ball, met);
   } catch (const CapacityExceeded&) {
-    return first_meeting_in<VastInteger>(triangle, ball);
+    return first_meeting_in<VastInteger>(triangle, ball, met);
   }
 }
 
