@@ -203,6 +203,26 @@ MovedBall moved(const Sphere& sphere, const Eigen::Vector3d& d, double until) {
   return later;
 }
 
+/// Roughly, as seen from where the way, up to a time, is nearest to the point of these weights.
+Centred passing_by(const double* weight, const Centred& at_start, const Eigen::Vector3d& d,
+                   double until) {
+  const double total = (weight[0] + weight[1]) + weight[2];
+  double along = 0, square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = d.data()[k];
+    for (int i = 0; i < 3; ++i)
+      along += weight[i] * at_start.corner[i][k] * way;
+    square += way * way;
+  }
+  const double time = std::clamp(along / (total * square), 0.0, until);
+  Centred passing = at_start;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      passing.corner[i][k] -= time * d.data()[k];
+  }
+  return passing;
+}
+
 // Once more than the sum rounds off.
 constexpr double kLargerBall = 1 + 4 * kUnitRoundoff;
 constexpr double kSmallerBall = 1 - 4 * kUnitRoundoff;
@@ -221,19 +241,28 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   return Verdict::Unsure;
 }
 
-// The hull of two balls is apart from what a plane separates from both.
+// The hull of two balls is apart from what a plane separates from both. Where the nearest points at
+// neither end give such a plane, the ball passes the triangle in between: going from a point of the
+// triangle to the nearest of the way, and back, leads to where.
 bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
                       double until) {
+  constexpr int kSteps = 4;
   MovedBall later = moved(sphere, d, until);
   later.at.radius = (sphere.radius + later.room) * kLargerBall;
   const Centred at_start = centred(triangle, sphere), at_end = centred(triangle, later.at);
   if (!at_start.is_in_range || !at_end.is_in_range) return false;
   Edges edge;
   find_edges(triangle, edge);
-  for (const Centred* nearest : {&at_end, &at_start}) {
-    const Guess guess = guess_nearest(*nearest, edge);
-    if (is_apart_along(guess.direction, at_start) && is_apart_along(guess.direction, at_end))
-      return true;
+  const auto separates = [&](const Guess& guess) {
+    return is_apart_along(guess.direction, at_start) && is_apart_along(guess.direction, at_end);
+  };
+  if (separates(guess_nearest(at_end, edge))) return true;
+  Guess guess = guess_nearest(at_start, edge);
+  for (int step = 0; step < kSteps; ++step) {
+    if (separates(guess)) return true;
+    const Centred passing = passing_by(guess.weight, at_start, d, until);
+    if (is_touching_at(guess.weight, passing)) return false;
+    guess = guess_nearest(passing, edge);
   }
   return false;
 }
