@@ -18,7 +18,7 @@ namespace {
 constexpr double kRoom = 0x1p-47;
 
 /// Of a ball whose centre is 0 at t = 0.
-struct Meeting {
+struct RoughMeeting {
   double time = 2;         ///< above 1: none
   Eigen::Vector3d offset;  ///< from the feature to the centre then
 };
@@ -29,15 +29,15 @@ double time_of_approach(const Eigen::Vector3d& v, const Eigen::Vector3d& w, doub
   return c / (b + std::sqrt(b * b - a * c));
 }
 
-class Guess {
+class MeetingGuess {
  public:
-  Guess(const Triangle& triangle, const Sphere& ball, const Eigen::Vector3d& d)
+  MeetingGuess(const Triangle& triangle, const Sphere& ball, const Eigen::Vector3d& d)
       : corner_{triangle.a - ball.centre, triangle.b - ball.centre, triangle.c - ball.centre},
         d_(d),
         radius_(ball.radius) {}
 
   /// The face comes before all that is around it, and an edge before its ends.
-  Meeting find() {
+  RoughMeeting find() {
     const Eigen::Vector3d normal = (corner_[1] - corner_[0]).cross(corner_[2] - corner_[0]);
     if (ask_face(normal)) return first_;
     for (int i = 0; i < 3; ++i)
@@ -48,7 +48,7 @@ class Guess {
   }
 
   /// By a step of Newton's method, where the difference from the radius is small.
-  double refined(const Meeting& meeting) const {
+  double refined(const RoughMeeting& meeting) const {
     const double length = meeting.offset.norm();
     return meeting.time - (length - radius_) * length / meeting.offset.dot(d_);
   }
@@ -93,15 +93,15 @@ class Guess {
   Eigen::Vector3d corner_[3];
   const Eigen::Vector3d& d_;
   double radius_;
-  Meeting first_;
+  RoughMeeting first_;
 };
 
 }  // namespace
 
 std::optional<BallBracket> bracket_meeting(const Triangle& triangle, const Sphere& ball,
                                            const Eigen::Vector3d& d) {
-  Guess guess(triangle, ball, d);
-  const Meeting meeting = guess.find();
+  MeetingGuess guess(triangle, ball, d);
+  const RoughMeeting meeting = guess.find();
   if (!(meeting.time <= 1)) return std::nullopt;
   const double time = guess.refined(meeting);
   const double speed = -meeting.offset.dot(d) / meeting.offset.norm();

@@ -26,7 +26,10 @@ std::optional<FirstContact> cast(const Triangle& triangle, const Sphere& ball,
     }
     if (narrowphase::is_surely_passed(triangle, ball, displacement, 1)) return std::nullopt;
     const auto bracket = narrowphase::bracket_meeting(triangle, ball, displacement);
-    const auto first = first_meeting(corners, moving, bracket ? bracket->high : 1);
+    const narrowphase::BallStretch stretch =
+        bracket ? narrowphase::BallStretch{bracket->low, bracket->high}
+                : narrowphase::BallStretch{};
+    const auto first = first_meeting(corners, moving, stretch);
     if (!first) return std::nullopt;
     return FirstContact{first->time, false};
   });

@@ -40,10 +40,17 @@ struct BallMeeting {
   double time;
 };
 
+/// Where a first meeting is looked for: up to `from` the two are known to be apart, and what meets
+/// first after `until` is of no interest.
+struct BallStretch {
+  double from = 0;
+  double until = 1;
+};
+
 /// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact, up to
-/// `until`: what meets later than that may be told to meet later still, or not at all.
+/// the end of the stretch: what meets later may be told to meet later still, or not at all.
 std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
-                                         double until = 1);
+                                         const BallStretch& stretch);
 
 /// Of a ball and one of several triangles.
 struct TriangleMeeting {

@@ -28,10 +28,25 @@ Sign order_of(const RootSigns<Integer>& sign_of, const Polynomial& g) {
   return -sign;
 }
 
-/// Calls `visit(root)` with the smaller root of a gap that is open at 0, if it is in [0, 1].
+/// Calls `visit(root)` with the smaller root of a gap that is open at 0, if it is in [0, 1]; one
+/// outside a stretch may be left out.
 template <typename Integer, typename Visit>
-void visit_closing(const Polynomial& gap, const Visit& visit) {
+void visit_closing(const Polynomial& gap, const BallStretch& stretch, const Visit& visit) {
   if (gap.degree < 2 || gap.coefficient[0].sign() != Sign::Positive) return;
+  const Dyadic<Integer> from(stretch.from), until(stretch.until);
+  if (sign_at(gap, from) != Sign::Positive) return;
+  const Sign last = sign_at(gap, until);
+  if (last == Sign::Positive) {
+    const Polynomial slope = derivative(gap);
+    if (sign_at(slope, from) != Sign::Negative || sign_at(slope, until) != Sign::Positive) return;
+  }
+  if (last == Sign::Negative) {
+    const IntegerPolynomial<Integer> f = in_integers<Integer>(gap);
+    Root<Integer> root{f, {from, until, 1, false}};
+    narrow(root);
+    visit(root);
+    return;
+  }
   visit_roots<Integer>(gap, 0, [&](Root<Integer>& root) {
     narrow(root);
     visit(root);
@@ -42,18 +57,20 @@ void visit_closing(const Polynomial& gap, const Visit& visit) {
 /// What rounded arithmetic tells of which features a ball may meet up to a time.
 class MetFeatures {
  public:
-  MetFeatures(const Corners<double>& triangle, const MovingBall& ball, double until)
+  MetFeatures(const Corners<double>& triangle, const MovingBall& ball, const BallStretch& stretch)
       : triangle_(triangle),
         ball_{{ball.centre[0], ball.centre[1], ball.centre[2]}, ball.radius},
         displacement_(ball.displacement[0], ball.displacement[1], ball.displacement[2]),
-        until_(until) {}
+        stretch_(stretch) {}
+
+  const BallStretch& stretch() const { return stretch_; }
 
   /// True only of a corner, or an edge with its ends, that the ball does not meet.
   bool is_passed(const BallFeature& feature) const {
     if (feature.kind == BallFeature::Kind::Face) return false;
     const int last = feature.kind == BallFeature::Kind::Edge ? 1 : 0;
     const Eigen::Vector3d from = corner(feature.place), to = corner(feature.place + last);
-    return is_surely_passed({from, to, to}, ball_, displacement_, until_);
+    return is_surely_passed({from, to, to}, ball_, displacement_, stretch_.until);
   }
 
  private:
@@ -65,7 +82,7 @@ class MetFeatures {
   const Corners<double>& triangle_;
   Sphere ball_;
   Eigen::Vector3d displacement_;
-  double until_;
+  BallStretch stretch_;
 };
 
 template <typename Integer>
@@ -78,7 +95,8 @@ class FirstMeeting {
     for (const BallFeature& feature : kBallFeatures) {
       if (met.is_passed(feature) || !features_.has(feature)) continue;
       const Polynomial gap = features_.gap(feature);
-      visit_closing<Integer>(gap, [&](const Root<Integer>& root) { ask(feature, gap, root); });
+      visit_closing<Integer>(gap, met.stretch(),
+                             [&](const Root<Integer>& root) { ask(feature, gap, root); });
     }
     return first_;
   }
@@ -112,7 +130,7 @@ template <typename Integer>
 [[gnu::noinline]] Sign compare_in(const Polynomial& s, const Polynomial& t) {
   Sign order = Sign::Zero;
   visit_closing<Integer>(
-      s, [&](const Root<Integer>& root) { order = order_of(RootSigns<Integer>(root), t); });
+      s, {}, [&](const Root<Integer>& root) { order = order_of(RootSigns<Integer>(root), t); });
   return order;
 }
 
@@ -136,8 +154,8 @@ bool are_one_feature(const TriangleMeeting& s, const TriangleMeeting& t) {
 }  // namespace
 
 std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
-                                         double until) {
-  const MetFeatures met(triangle, ball, until);
+                                         const BallStretch& stretch) {
+  const MetFeatures met(triangle, ball, stretch);
   try {
     return first_meeting_in<BigInteger>(triangle, ball, met);
   } catch (const CapacityExceeded&) {

@@ -113,7 +113,8 @@ class BallMover {
   bool find_meeting(MetTriangle& met) {
     if (met.meeting) return true;
     ++work_.exact_tests;
-    met.meeting = first_meeting(narrowphase::corners_of(met.triangle), moving_, met.high);
+    met.meeting =
+        first_meeting(narrowphase::corners_of(met.triangle), moving_, {met.low, met.high});
     if (!met.meeting) return false;
     met.low = met.meeting->time;
     met.high = std::min(1.0, narrowphase::next_double(met.low));

@@ -16,17 +16,17 @@ using narrowphase::BallBracket;
 using narrowphase::bracket_meeting;
 using narrowphase::is_surely_met;
 
-const Triangle kFloor{{0, 0, 0}, {40, 0, 0}, {0, 40, 0}};
+const Triangle kTable{{0, 0, 0}, {40, 0, 0}, {0, 40, 0}};
 
 TEST(BallMet, IsOnlySaidOfWhatIsMet) {
   const Sphere ball{{5, 5, 3}, 1};
-  EXPECT_FALSE(is_surely_met(kFloor, ball, {0, 0, -8}, 0.25));
-  EXPECT_TRUE(is_surely_met(kFloor, ball, {0, 0, -8}, 0.26));
-  EXPECT_FALSE(is_surely_met(kFloor, ball, {0, 0, -8}, 0.6));  // gone through
-  EXPECT_FALSE(is_surely_met(kFloor, ball, {0, 0, 8}, 1));
-  EXPECT_FALSE(is_surely_met(kFloor, Sphere{{5, 5, 3}, 0}, {0, 0, -8}, 0.375));
-  EXPECT_FALSE(is_surely_met(kFloor, ball, {0, 0, -1e200}, 1));
-  EXPECT_FALSE(is_surely_met(kFloor, ball, {0, 0, -8}, std::nan("")));
+  EXPECT_FALSE(is_surely_met(kTable, ball, {0, 0, -8}, 0.25));
+  EXPECT_TRUE(is_surely_met(kTable, ball, {0, 0, -8}, 0.26));
+  EXPECT_FALSE(is_surely_met(kTable, ball, {0, 0, -8}, 0.6));  // gone through
+  EXPECT_FALSE(is_surely_met(kTable, ball, {0, 0, 8}, 1));
+  EXPECT_FALSE(is_surely_met(kTable, Sphere{{5, 5, 3}, 0}, {0, 0, -8}, 0.375));
+  EXPECT_FALSE(is_surely_met(kTable, ball, {0, 0, -1e200}, 1));
+  EXPECT_FALSE(is_surely_met(kTable, ball, {0, 0, -8}, std::nan("")));
 }
 
 TEST(BallBracketOfAMeeting, IsNarrowOnFacesEdgesAndCorners) {
@@ -37,12 +37,12 @@ TEST(BallBracketOfAMeeting, IsNarrowOnFacesEdgesAndCorners) {
     EXPECT_LT(found->high - found->low, 0x1p-40);
     EXPECT_GT(found->normal.z(), 0);
   };
-  expect_around(0.25, bracket_meeting(kFloor, Sphere{{5, 5, 3}, 1}, {0, 0, -8}));
-  expect_around(0.5, bracket_meeting(kFloor, Sphere{{5, -3, 8}, 5}, {0, 0, -8}));
-  expect_around(0.5, bracket_meeting(kFloor, Sphere{{-3, 0, 8}, 5}, {0, 0, -8}));
-  EXPECT_FALSE(bracket_meeting(kFloor, Sphere{{5, 5, 3}, 1}, {0, 0, 8}));
-  EXPECT_FALSE(bracket_meeting(kFloor, Sphere{{5, 5, 3}, 1}, {0, 0, -1}));
-  EXPECT_FALSE(bracket_meeting(kFloor, Sphere{{5, 5, 3}, 1}, {0, 0, 0}));
+  expect_around(0.25, bracket_meeting(kTable, Sphere{{5, 5, 3}, 1}, {0, 0, -8}));
+  expect_around(0.5, bracket_meeting(kTable, Sphere{{5, -3, 8}, 5}, {0, 0, -8}));
+  expect_around(0.5, bracket_meeting(kTable, Sphere{{-3, 0, 8}, 5}, {0, 0, -8}));
+  EXPECT_FALSE(bracket_meeting(kTable, Sphere{{5, 5, 3}, 1}, {0, 0, 8}));
+  EXPECT_FALSE(bracket_meeting(kTable, Sphere{{5, 5, 3}, 1}, {0, 0, -1}));
+  EXPECT_FALSE(bracket_meeting(kTable, Sphere{{5, 5, 3}, 1}, {0, 0, 0}));
 }
 
 TEST(BallBracketOfAMeeting, HoldsTheRationalTime) {
