@@ -13,8 +13,9 @@
 namespace graze::narrowphase {
 namespace {
 
-// Of the largest length: what the two proofs want of room, some 24 roundoffs, with as much for the
-// guess. Less, and some proof fails, more, and times of neighbours are told apart less often.
+// Of all lengths together: 64 roundoffs, of which the proofs want some 24 (triangle_sphere.h), and
+// the rest is for the guess. If that is not enough a meeting is found exactly; with more of it
+// times of neighbours are told apart less often.
 constexpr double kRoom = 0x1p-47;
 
 /// Of a ball whose centre is 0 at t = 0.

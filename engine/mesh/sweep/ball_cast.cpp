@@ -121,7 +121,7 @@ class BallMover {
     return true;
   }
 
-  /// Whether it may be met before all others, which then sooner ends the walk.
+  /// True if what is met later than this one is of no more interest: if its `high` is the least.
   bool take(const MetTriangle& met) {
     if (count_ > 0 && met.low > limit()) return false;
     const auto is_later = [&](const MetTriangle& other) { return other.low > met.high; };

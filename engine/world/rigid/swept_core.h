@@ -6,9 +6,9 @@
 
 namespace graze {
 
-/// Seen along a few directions: two axes across the way and the two between them, the way itself,
-/// the normal of a contact, around which both surfaces are thin, and a triangle's own normal. That
-/// spares most triangles whose boxes are met a search for the gap.
+/// Seen along a few directions: two axes across the way and the two between them, the normal of a
+/// contact, around which both surfaces are thin, or the way while there is none, and a triangle's
+/// own normal. That spares most triangles whose boxes are met a search for the gap.
 class SweptCore {
  public:
   /// The set is no triangle, and moves by t `way`, metres. `room` has more than 2^-45 of all
