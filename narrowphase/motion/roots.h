@@ -218,14 +218,20 @@ bool visit_cubic_roots(const IntegerPolynomial<Integer>& f, double from, const V
   return visit_simple_roots(line(a * slope, other_offset), from, visit) || stops;
 }
 
-/// As visit_simple_roots(), for any polynomial that is not zero. A multiple root is visited once,
-/// and a simple one beside it after it, whichever comes first.
-template <typename Integer, typename Visit>
-bool visit_roots(const Polynomial& given, double from, const Visit& visit) {
+template <typename Integer>
+IntegerPolynomial<Integer> in_integers(const Polynomial& given) {
   IntegerPolynomial<Integer> f;
   for (int i = 0; i <= given.degree; ++i)
     f.coefficient[i] = Integer(given.coefficient[i]);
   f.degree = given.degree;
+  return f;
+}
+
+/// As visit_simple_roots(), for any polynomial that is not zero. A multiple root is visited once,
+/// and a simple one beside it after it, whichever comes first.
+template <typename Integer, typename Visit>
+bool visit_roots(const Polynomial& given, double from, const Visit& visit) {
+  const IntegerPolynomial<Integer> f = in_integers<Integer>(given);
   if (f.degree < 2) return visit_simple_roots(f, from, visit);
   Sign sign[4];
   bernstein_signs(f, Dyadic<Integer>(from), Dyadic<Integer>(1), sign);

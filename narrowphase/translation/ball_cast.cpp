@@ -2,6 +2,7 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/motion/path_checks.h>
+#include <graze/narrowphase/translation/ball_bracket.h>
 #include <graze/narrowphase/translation/ball_meeting.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
@@ -24,7 +25,11 @@ std::optional<FirstContact> cast(const Triangle& triangle, const Sphere& ball,
       return FirstContact{0, true};
     }
     if (narrowphase::is_surely_passed(triangle, ball, displacement, 1)) return std::nullopt;
-    const std::optional<narrowphase::BallMeeting> first = first_meeting(corners, moving);
+    const auto bracket = narrowphase::bracket_meeting(triangle, ball, displacement);
+    const narrowphase::BallStretch stretch =
+        bracket ? narrowphase::BallStretch{bracket->low, bracket->high}
+                : narrowphase::BallStretch{};
+    const auto first = first_meeting(corners, moving, stretch);
     if (!first) return std::nullopt;
     return FirstContact{first->time, false};
   });

@@ -40,8 +40,17 @@ struct BallMeeting {
   double time;
 };
 
-/// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact.
-std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball);
+/// Where a first meeting is looked for: up to `from` the two are known to be apart, and what meets
+/// first after `until` is of no interest.
+struct BallStretch {
+  double from = 0;
+  double until = 1;
+};
+
+/// The first meeting in (0, 1] with a triangle from which the ball is apart at t = 0. Exact, up to
+/// the end of the stretch: what meets later may be told to meet later still, or not at all.
+std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
+                                         const BallStretch& stretch);
 
 /// Of a ball and one of several triangles.
 struct TriangleMeeting {

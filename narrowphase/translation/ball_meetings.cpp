@@ -13,6 +13,7 @@
 
 #include <graze/narrowphase/motion/root_sign.h>
 #include <graze/narrowphase/translation/ball_features.h>
+#include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <utility>
 
@@ -27,10 +28,25 @@ Sign order_of(const RootSigns<Integer>& sign_of, const Polynomial& g) {
   return -sign;
 }
 
-/// Calls `visit(root)` with the smaller root of a gap that is open at 0, if it is in [0, 1].
+/// Calls `visit(root)` with the smaller root of a gap that is open at 0, if it is in [0, 1]; one
+/// outside a stretch may be left out.
 template <typename Integer, typename Visit>
-void visit_closing(const Polynomial& gap, const Visit& visit) {
+void visit_closing(const Polynomial& gap, const BallStretch& stretch, const Visit& visit) {
   if (gap.degree < 2 || gap.coefficient[0].sign() != Sign::Positive) return;
+  const Dyadic<Integer> from(stretch.from), until(stretch.until);
+  if (sign_at(gap, from) != Sign::Positive) return;
+  const Sign last = sign_at(gap, until);
+  if (last == Sign::Positive) {
+    const Polynomial slope = derivative(gap);
+    if (sign_at(slope, from) != Sign::Negative || sign_at(slope, until) != Sign::Positive) return;
+  }
+  if (last == Sign::Negative) {
+    const IntegerPolynomial<Integer> f = in_integers<Integer>(gap);
+    Root<Integer> root{f, {from, until, 1, false}};
+    narrow(root);
+    visit(root);
+    return;
+  }
   visit_roots<Integer>(gap, 0, [&](Root<Integer>& root) {
     narrow(root);
     visit(root);
@@ -38,17 +54,49 @@ void visit_closing(const Polynomial& gap, const Visit& visit) {
   });
 }
 
+/// What rounded arithmetic tells of which features a ball may meet up to a time.
+class MetFeatures {
+ public:
+  MetFeatures(const Corners<double>& triangle, const MovingBall& ball, const BallStretch& stretch)
+      : triangle_(triangle),
+        ball_{{ball.centre[0], ball.centre[1], ball.centre[2]}, ball.radius},
+        displacement_(ball.displacement[0], ball.displacement[1], ball.displacement[2]),
+        stretch_(stretch) {}
+
+  const BallStretch& stretch() const { return stretch_; }
+
+  /// True only of a corner, or an edge with its ends, that the ball does not meet.
+  bool is_passed(const BallFeature& feature) const {
+    if (feature.kind == BallFeature::Kind::Face) return false;
+    const int last = feature.kind == BallFeature::Kind::Edge ? 1 : 0;
+    const Eigen::Vector3d from = corner(feature.place), to = corner(feature.place + last);
+    return is_surely_passed({from, to, to}, ball_, displacement_, stretch_.until);
+  }
+
+ private:
+  Eigen::Vector3d corner(int i) const {
+    const double* p = triangle_.point[i % 3];
+    return {p[0], p[1], p[2]};
+  }
+
+  const Corners<double>& triangle_;
+  Sphere ball_;
+  Eigen::Vector3d displacement_;
+  BallStretch stretch_;
+};
+
 template <typename Integer>
 class FirstMeeting {
  public:
   FirstMeeting(const Corners<double>& triangle, const MovingBall& ball)
       : features_(triangle, ball) {}
 
-  std::optional<BallMeeting> find() {
+  std::optional<BallMeeting> find(const MetFeatures& met) {
     for (const BallFeature& feature : kBallFeatures) {
-      if (!features_.has(feature)) continue;
+      if (met.is_passed(feature) || !features_.has(feature)) continue;
       const Polynomial gap = features_.gap(feature);
-      visit_closing<Integer>(gap, [&](const Root<Integer>& root) { ask(feature, gap, root); });
+      visit_closing<Integer>(gap, met.stretch(),
+                             [&](const Root<Integer>& root) { ask(feature, gap, root); });
     }
     return first_;
   }
@@ -73,15 +121,16 @@ class FirstMeeting {
 
 template <typename Integer>
 [[gnu::noinline]] std::optional<BallMeeting> first_meeting_in(const Corners<double>& triangle,
-                                                              const MovingBall& ball) {
-  return FirstMeeting<Integer>(triangle, ball).find();
+                                                              const MovingBall& ball,
+                                                              const MetFeatures& met) {
+  return FirstMeeting<Integer>(triangle, ball).find(met);
 }
 
 template <typename Integer>
 [[gnu::noinline]] Sign compare_in(const Polynomial& s, const Polynomial& t) {
   Sign order = Sign::Zero;
   visit_closing<Integer>(
-      s, [&](const Root<Integer>& root) { order = order_of(RootSigns<Integer>(root), t); });
+      s, {}, [&](const Root<Integer>& root) { order = order_of(RootSigns<Integer>(root), t); });
   return order;
 }
 
@@ -104,11 +153,13 @@ bool are_one_feature(const TriangleMeeting& s, const TriangleMeeting& t) {
 
 }  // namespace
 
-std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball) {
+std::optional<BallMeeting> first_meeting(const Corners<double>& triangle, const MovingBall& ball,
+                                         const BallStretch& stretch) {
+  const MetFeatures met(triangle, ball, stretch);
   try {
-    return first_meeting_in<BigInteger>(triangle, ball);
+    return first_meeting_in<BigInteger>(triangle, ball, met);
   } catch (const CapacityExceeded&) {
-    return first_meeting_in<VastInteger>(triangle, ball);
+    return first_meeting_in<VastInteger>(triangle, ball, met);
   }
 }
 

@@ -28,5 +28,10 @@ bool intersects_exactly(const Triangle& triangle, const Sphere& sphere);
 bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
                       double until);
 
+/// True only if the sphere, moved by t d, meets the triangle at t = `at`, which is not negative. By
+/// the floating-point stage; false for what is not finite.
+bool is_surely_met(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
+                   double at);
+
 }  // namespace narrowphase
 }  // namespace graze

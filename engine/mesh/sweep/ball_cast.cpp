@@ -6,11 +6,13 @@
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/narrowphase/motion/path_checks.h>
 #include <graze/narrowphase/motion/times.h>
+#include <graze/narrowphase/translation/ball_bracket.h>
 #include <graze/narrowphase/translation/ball_meeting.h>
 #include <graze/narrowphase/translation/displacement.h>
 #include <graze/narrowphase/volumes/triangle_sphere.h>
 
 #include <algorithm>
+#include <array>
 
 namespace graze {
 namespace {
@@ -18,7 +20,20 @@ namespace {
 using narrowphase::BallMeeting;
 using narrowphase::Sign;
 
-/// What goes, for VolumeWalk, and what it has met first.
+/// A triangle that the ball meets, and two doubles between which it does: they are apart up to
+/// `low`, but for `low` itself where the meeting is known, and meet no later than at `high`.
+struct MetTriangle {
+  std::uint32_t index;
+  Triangle triangle;
+  double low = 0;
+  double high = 1;
+  std::optional<Eigen::Vector3d> normal = {};  ///< roughly, from the triangle to the centre
+  std::optional<BallMeeting> meeting = {};     ///< once it was asked for
+};
+
+/// What goes, for VolumeWalk, and what it has met first. Brackets of times order most triangles;
+/// those whose brackets overlap wait side by side, as all around an edge or a corner do that may
+/// not be met in the end, and which of them is first is decided exactly when the walk is over.
 class BallMover {
  public:
   BallMover(const Sphere& ball, const Eigen::Vector3d& displacement, StartContact start,
@@ -32,8 +47,8 @@ class BallMover {
 
   const contacts::CastDirections::Span& span() const { return span_; }
   double limit() const {
-    if (!found_) return 1;
-    return found_->meeting ? std::min(1.0, narrowphase::next_double(found_->meeting->time)) : 0;
+    if (at_start_) return 0;
+    return count_ > 0 ? first_[0].high : 1;
   }
 
   bool ask(std::uint32_t index, const Triangle& triangle,
@@ -43,62 +58,103 @@ class BallMover {
       work_.exact_tests += decision.stage == narrowphase::Stage::Exact;
       if (decision.is_hit) return ask_at_start(index, triangle);
     }
-    if (is_at_start() || narrowphase::is_surely_passed(triangle, ball_, displacement_, limit()))
+    if (at_start_ || narrowphase::is_surely_passed(triangle, ball_, displacement_, limit()))
       return false;
-    ++work_.exact_tests;
-    const auto meeting = first_meeting(narrowphase::corners_of(triangle), moving_);
-    if (!meeting || !is_earlier(index, triangle, *meeting)) return false;
-    found_ = Found{index, triangle, meeting};
-    return true;
+    MetTriangle met{index, triangle};
+    if (const auto bracket = narrowphase::bracket_meeting(triangle, ball_, displacement_)) {
+      met.low = bracket->low;
+      met.high = bracket->high;
+      met.normal = bracket->normal;
+    } else {
+      met.high = limit();
+      if (!find_meeting(met)) return false;
+    }
+    return take(met);
   }
 
   bool turn(contacts::CastDirections& directions) {
-    if (is_at_start()) return false;
-    const Eigen::Vector3d normal = place().normal;
+    if (at_start_) return false;
+    const MetTriangle& first = first_[0];
+    const Eigen::Vector3d normal = first.normal ? *first.normal : place_of_meeting(first).normal;
     if (!directions.take_normal({normal.x(), normal.y(), normal.z()})) return false;
     span_ = directions.of_ball(ball_);
     return true;
   }
 
-  std::optional<VolumeCast> result() const {
-    if (!found_) return std::nullopt;
-    const narrowphase::BallPlace at =
-        is_at_start() ? place_at_start(narrowphase::corners_of(found_->triangle), moving_)
-                      : place();
-    return VolumeCast{is_at_start() ? 0 : found_->meeting->time, is_at_start(), found_->index,
-                      at.point, at.normal};
+  std::optional<VolumeCast> result() {
+    if (at_start_) {
+      const auto at = place_at_start(narrowphase::corners_of(at_start_->triangle), moving_);
+      return VolumeCast{0, true, at_start_->index, at.point, at.normal};
+    }
+    if (count_ == 0) return std::nullopt;
+    settle();
+    const narrowphase::BallPlace at = place_of_meeting(first_[0]);
+    return VolumeCast{first_[0].meeting->time, false, first_[0].index, at.point, at.normal};
   }
 
  private:
-  struct Found {
+  static constexpr std::uint32_t kMost = 16;
+
+  struct StartTriangle {
     std::uint32_t index;
     Triangle triangle;
-    std::optional<BallMeeting> meeting;  ///< none if it is at t = 0
   };
 
-  bool is_at_start() const { return found_ && !found_->meeting; }
-
   bool ask_at_start(std::uint32_t index, const Triangle& triangle) {
-    if (is_at_start() && found_->index < index) return false;
+    if (at_start_ && at_start_->index < index) return false;
     if (start_ == StartContact::IsLeft &&
         !goes_in_from_start(narrowphase::corners_of(triangle), moving_))
       return false;
-    found_ = Found{index, triangle, std::nullopt};
+    at_start_ = {index, triangle};
     return true;
   }
 
-  bool is_earlier(std::uint32_t index, const Triangle& triangle, const BallMeeting& meeting) const {
-    if (!found_) return true;
-    const narrowphase::Corners<double> corners = narrowphase::corners_of(triangle);
-    const narrowphase::Corners<double> others = narrowphase::corners_of(found_->triangle);
-    const Sign order = compare({corners, meeting}, {others, *found_->meeting}, moving_);
-    return order == Sign::Negative || (order == Sign::Zero && index < found_->index);
+  /// False if there is no meeting up to `high`.
+  bool find_meeting(MetTriangle& met) {
+    if (met.meeting) return true;
+    ++work_.exact_tests;
+    met.meeting =
+        first_meeting(narrowphase::corners_of(met.triangle), moving_, {met.low, met.high});
+    if (!met.meeting) return false;
+    met.low = met.meeting->time;
+    met.high = std::min(1.0, narrowphase::next_double(met.low));
+    return true;
   }
 
-  /// Of what is met after t = 0.
-  narrowphase::BallPlace place() const {
-    const narrowphase::Corners<double> corners = narrowphase::corners_of(found_->triangle);
-    return place_of({corners, *found_->meeting}, moving_);
+  /// True if what is met later than this one is of no more interest: if its `high` is the least.
+  bool take(const MetTriangle& met) {
+    if (count_ > 0 && met.low > limit()) return false;
+    const auto is_later = [&](const MetTriangle& other) { return other.low > met.high; };
+    const auto end = std::remove_if(first_.begin(), first_.begin() + count_, is_later);
+    count_ = static_cast<std::uint32_t>(end - first_.begin());
+    if (count_ == kMost) settle();
+    const bool is_sooner = count_ == 0 || met.high < limit();
+    first_[count_++] = met;
+    if (is_sooner) std::swap(first_[0], first_[count_ - 1]);
+    return is_sooner;
+  }
+
+  /// Leaves the first one.
+  void settle() {
+    find_meeting(first_[0]);
+    for (std::uint32_t i = 1; i < count_; ++i) {
+      if (is_earlier(first_[i], first_[0])) first_[0] = first_[i];
+    }
+    count_ = 1;
+  }
+
+  bool is_earlier(MetTriangle& met, const MetTriangle& than) {
+    if (met.low > than.high) return false;
+    find_meeting(met);
+    const narrowphase::Corners<double> corners = narrowphase::corners_of(met.triangle);
+    const narrowphase::Corners<double> others = narrowphase::corners_of(than.triangle);
+    const Sign order = compare({corners, *met.meeting}, {others, *than.meeting}, moving_);
+    return order == Sign::Negative || (order == Sign::Zero && met.index < than.index);
+  }
+
+  /// Of a meeting that is known.
+  narrowphase::BallPlace place_of_meeting(const MetTriangle& met) const {
+    return place_of({narrowphase::corners_of(met.triangle), *met.meeting}, moving_);
   }
 
   const Sphere& ball_;
@@ -107,7 +163,9 @@ class BallMover {
   narrowphase::MovingBall moving_;
   Work& work_;
   contacts::CastDirections::Span span_;
-  std::optional<Found> found_;
+  std::optional<StartTriangle> at_start_;
+  std::array<MetTriangle, kMost> first_;  ///< none is surely later than another; of these the one
+  std::uint32_t count_ = 0;               ///< with the least `high` is the first
 };
 
 }  // namespace

@@ -7,9 +7,11 @@
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/rigid/straight_advance.h>
+#include <graze/engine/world/rigid/swept_core.h>
 #include <graze/engine/world/rigid/tree_sweep.h>
 #include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
 #include <graze/narrowphase/translation/displacement.h>
 
@@ -110,7 +112,8 @@ class CoreToMesh {
         way_(to_vec3(displacement)),
         work_(work),
         descent_(mesh, core_, origin_, work),
-        sweep_(descent_, mesh, displacement, room(mesh, displacement)) {}
+        sweep_(descent_, mesh, displacement, room(mesh, displacement)),
+        swept_(core_, way_, room(mesh, displacement)) {}
 
   std::optional<ShapeCast> first() {
     bvh::traverse_nearest(descent_.tree(), *this, [&](const bvh::Node& leaf) {
@@ -148,11 +151,13 @@ class CoreToMesh {
   void ask(std::uint32_t index) {
     const NearTimes times = sweep_.of_triangle(index);
     if (!(times.first <= times.last) || is_beyond(times.first)) return;
-    ++work_.triangle_tests;
+    const Core triangle = descent_.triangle(index);
     const double until = best_ ? std::min(times.last, best_->time) : times.last;
-    const auto met =
-        first_meeting({descent_.triangle(index), core_, way_}, {times.first, until}, work_);
-    if (met && (!best_ || met->time < best_->time)) best_ = met;
+    if (swept_.is_surely_passed(triangle, until)) return;
+    const auto met = first_meeting({triangle, core_, way_}, {times.first, until}, work_);
+    if (!met || (best_ && met->time >= best_->time)) return;
+    best_ = met;
+    swept_.take_normal(met->normal);
   }
 
   Eigen::Vector3d origin_;
@@ -161,6 +166,7 @@ class CoreToMesh {
   Work& work_;
   MeshDescent descent_;
   TreeSweep sweep_;
+  SweptCore swept_;
   std::optional<StraightMeeting> best_;
 };
 

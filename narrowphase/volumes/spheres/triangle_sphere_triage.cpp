@@ -178,6 +178,55 @@ bool is_apart_along(const Vector& q, const Centred& t) {
   return a > least && b > least && c > least;
 }
 
+// Each coordinate of the centre at `until`, c + until d, is off by u of the product and u of the
+// sum, that is by less than 2.01 u (|c| + |until d|), and by n / 2 where the product underflows.
+// The centre is off by no more than the sum of these, at most 6.03 u (|c| + |until d|) with the
+// larger of both in any coordinate. A ball at the rounded centre that is so much larger holds the
+// one that is there, and one that is so much smaller is held by it.
+struct MovedBall {
+  Sphere at;    ///< with the radius that it has
+  double room;  ///< what radii differ by
+};
+
+MovedBall moved(const Sphere& sphere, const Eigen::Vector3d& d, double until) {
+  constexpr double kCentreBound = 8 * kUnitRoundoff;
+  constexpr double kCentreUnderflow = 0x1p-1000;
+  MovedBall later{sphere, 0};
+  double largest = 0, longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = until * d.data()[k];
+    later.at.centre.data()[k] = sphere.centre.data()[k] + way;
+    largest = std::max(largest, std::abs(sphere.centre.data()[k]));
+    longest = std::max(longest, std::abs(way));
+  }
+  later.room = kCentreBound * (largest + longest) + kCentreUnderflow;
+  return later;
+}
+
+/// Roughly, as seen from where the way, up to a time, is nearest to the point of these weights.
+Centred passing_by(const double* weight, const Centred& at_start, const Eigen::Vector3d& d,
+                   double until) {
+  const double total = (weight[0] + weight[1]) + weight[2];
+  double along = 0, square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double way = d.data()[k];
+    for (int i = 0; i < 3; ++i)
+      along += weight[i] * at_start.corner[i][k] * way;
+    square += way * way;
+  }
+  const double time = std::clamp(along / (total * square), 0.0, until);
+  Centred passing = at_start;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      passing.corner[i][k] -= time * d.data()[k];
+  }
+  return passing;
+}
+
+// Once more than the sum rounds off.
+constexpr double kLargerBall = 1 + 4 * kUnitRoundoff;
+constexpr double kSmallerBall = 1 - 4 * kUnitRoundoff;
+
 }  // namespace
 
 Verdict triage(const Triangle& triangle, const Sphere& sphere) {
@@ -192,36 +241,41 @@ Verdict triage(const Triangle& triangle, const Sphere& sphere) {
   return Verdict::Unsure;
 }
 
-// Each coordinate of the centre at `until`, c + until d, is off by u of the product and u of the
-// sum, that is by less than 2.01 u (|c| + |until d|), and by n / 2 where the product underflows.
-// The centre is off by no more than the sum of these, at most 6.03 u (|c| + |until d|) with the
-// larger of both in any coordinate. So much larger a ball at the rounded centre holds the one that
-// is there. The hull of two balls is apart from what a plane separates from both.
+// The hull of two balls is apart from what a plane separates from both. Where the nearest points at
+// neither end give such a plane, the ball passes the triangle in between: going from a point of the
+// triangle to the nearest of the way, and back, leads to where.
 bool is_surely_passed(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
                       double until) {
-  constexpr double kCentreBound = 8 * kUnitRoundoff;
-  constexpr double kCentreUnderflow = 0x1p-1000;
-  Sphere later = sphere;
-  double largest = 0, longest = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double way = until * d.data()[k];
-    later.centre.data()[k] = sphere.centre.data()[k] + way;
-    largest = std::max(largest, std::abs(sphere.centre.data()[k]));
-    longest = std::max(longest, std::abs(way));
-  }
-  // Once more than the sum rounds off.
-  later.radius = (sphere.radius + (kCentreBound * (largest + longest) + kCentreUnderflow)) *
-                 (1 + 4 * kUnitRoundoff);
-  const Centred at_start = centred(triangle, sphere), at_end = centred(triangle, later);
+  constexpr int kSteps = 4;
+  MovedBall later = moved(sphere, d, until);
+  later.at.radius = (sphere.radius + later.room) * kLargerBall;
+  const Centred at_start = centred(triangle, sphere), at_end = centred(triangle, later.at);
   if (!at_start.is_in_range || !at_end.is_in_range) return false;
   Edges edge;
   find_edges(triangle, edge);
-  for (const Centred* nearest : {&at_end, &at_start}) {
-    const Guess guess = guess_nearest(*nearest, edge);
-    if (is_apart_along(guess.direction, at_start) && is_apart_along(guess.direction, at_end))
-      return true;
+  const auto separates = [&](const Guess& guess) {
+    return is_apart_along(guess.direction, at_start) && is_apart_along(guess.direction, at_end);
+  };
+  if (separates(guess_nearest(at_end, edge))) return true;
+  Guess guess = guess_nearest(at_start, edge);
+  for (int step = 0; step < kSteps; ++step) {
+    if (separates(guess)) return true;
+    const Centred passing = passing_by(guess.weight, at_start, d, until);
+    if (is_touching_at(guess.weight, passing)) return false;
+    guess = guess_nearest(passing, edge);
   }
   return false;
+}
+
+bool is_surely_met(const Triangle& triangle, const Sphere& sphere, const Eigen::Vector3d& d,
+                   double at) {
+  MovedBall later = moved(sphere, d, at);
+  later.at.radius = (sphere.radius - later.room) * kSmallerBall;
+  const Centred centred_there = centred(triangle, later.at);
+  if (!centred_there.is_in_range) return false;
+  Edges edge;
+  find_edges(triangle, edge);
+  return is_touching_at(guess_nearest(centred_there, edge).weight, centred_there);
 }
 
 }  // namespace graze::narrowphase

@@ -130,6 +130,48 @@ TEST(Law13MeshAndBall, OfTrianglesMetAtOnceTheLowestCounts) {
   EXPECT_EQ(*landed, (VolumeCast{0.25, false, 1, {1, 1, 0}, {0, 0, 1}}));
 }
 
+TEST(Law13MeshAndBall, OfManyAroundACornerTheLowestCounts) {
+  constexpr std::uint32_t kAround = 48;
+  std::vector<Eigen::Vector3d> vertices{{0, 0, 0}};
+  std::vector<TriangleIndices> triangles;
+  for (std::uint32_t i = 0; i < kAround; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / kAround;
+    vertices.emplace_back(4 * std::cos(angle), 4 * std::sin(angle), -2);
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % kAround});
+  }
+  // The ball comes askew to a corner that all have, more than wait side by side.
+  const Sphere ball{{0.5, 0.25, 4}, 1};
+  const auto met = cast({Mesh(vertices, triangles)}, ball, {-0.75, -0.375, -4.5});
+  ASSERT_TRUE(met);
+  EXPECT_EQ(met->triangle, 0u);
+  EXPECT_EQ(met->point, Eigen::Vector3d(0, 0, 0));
+  // Another corner stands out by less than brackets of times tell.
+  vertices.emplace_back(0, 0, 0x1p-50);
+  triangles.push_back({1 + kAround, 1, 2});
+  const auto sooner = cast({Mesh(vertices, triangles)}, ball, {-0.75, -0.375, -4.5});
+  ASSERT_TRUE(sooner);
+  EXPECT_EQ(sooner->triangle, kAround);
+  EXPECT_LE(sooner->time, met->time);
+}
+
+TEST(Law13MeshAndBall, OfLargeAndSmallOnesTheLowestCounts) {
+  // Times of the large one are known less well.
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Eigen::Vector3d> vertices{{-400 * side, -400, 0}, {-400 * side, 400, 0},
+                                          {4 * side, 0, 0},       {-side, -1, 0},
+                                          {-side, 1, 0},          {side, 0, 0}};
+    std::vector<TriangleIndices> triangles{{0, 1, 2}, {3, 4, 5}};
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const double x = (i < 4 ? -200 : 2) * side, y = 4.0 * (i % 4);
+      vertices.insert(vertices.end(), {{x, y + 3, -1}, {x + 1, y + 3, -1}, {x, y + 4, -1}});
+      triangles.push_back({6 + 3 * i, 7 + 3 * i, 8 + 3 * i});
+    }
+    const auto met = cast({Mesh(vertices, triangles)}, Sphere{{0, 0, 2}, 1}, {0, 0, -3});
+    ASSERT_TRUE(met);
+    EXPECT_EQ(met->triangle, 0u);
+  }
+}
+
 TEST(Law13MeshAndBall, TimesWithinOneDoubleAreOrdered) {
   // At (1 - height) / 3.
   const Mesh steps(
