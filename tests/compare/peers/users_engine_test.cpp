@@ -98,7 +98,8 @@ TEST(UsersEngine, ThatDoesNotSayWhoItIsIsRefused) {
   EXPECT_NE(refusal("exit 3").find("exit code 3"), std::string::npos) << refusal("exit 3");
   EXPECT_NE(refusal("/no/such/program").find("not found"), std::string::npos);
   EXPECT_NE(refusal("echo hello").find("cannot be read"), std::string::npos);
-  EXPECT_NE(refusal("sleep 30").find("gave no answer in 1 s"), std::string::npos) << refusal("sleep 30");
+  EXPECT_NE(refusal("sleep 30").find("gave no answer in 1 s"), std::string::npos)
+      << refusal("sleep 30");
   EXPECT_NE(refusal("echo '{\"graze_peer\":2,\"engine\":\"late\"}'").find("version 2"),
             std::string::npos);
 }

@@ -199,9 +199,9 @@ class Laws {
     return {};
   }
 
-  /// Each point of a contact is on the surface that it names, unless a search left the hit open. Not
-  /// asked of two meshes, where faces that lie in each other but for rounding cross in segments that
-  /// nobody knows in plain doubles.
+  /// Each point of a contact is on the surface that it names, unless a search left the hit open.
+  /// Not asked of two meshes, where faces that lie in each other but for rounding cross in segments
+  /// that nobody knows in plain doubles.
   std::string points() {
     const bool are_meshes = pair_.a.kind() == ShapeKind::Mesh && pair_.b.kind() == ShapeKind::Mesh;
     if (!is_hit_ || are_meshes) return {};
