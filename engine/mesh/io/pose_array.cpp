@@ -62,7 +62,8 @@ Layout layout_of(std::string_view header, const std::string& name) {
   const bool are_poses = shape.size() == 3 && (shape[1] == 3 || shape[1] == 4) && shape[2] == 4;
   if (!are_poses) {
     std::string why = "has the shape ";
-    why.append(text.substr(0, text.find(')') + 1)).append(", poses have (n, 3, 4) or (n, 4, 4)");
+    why.append(printable(text.substr(0, text.find(')') + 1)))
+        .append(", poses have (n, 3, 4) or (n, 4, 4)");
     fail(name, why);
   }
   return {shape[0], shape[1]};

@@ -221,6 +221,7 @@ void World::remove(BodyId id) {
   State& state = *state_;
   Bodies::Body& body = state.body(id, "remove");
   state.all.ids.prepare_free();
+  if (state.islands.has(id.index)) state.left_islands.push_back(id.index);
   state.broad.remove(state.broad.id(body.box));
   auto& excluded = state.all.excluded;
   for (auto next = excluded.lower_bound(pair_key(id.index, 0)); body.exclusions != 0;) {
@@ -244,10 +245,14 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     const bool is_users = is_users_shape(*shape);
     check_sides(known_shape(*shape, is_users), body.sides, "set_shape");
     const Aabb box = bounds_of(*shape, is_users, body.pose, body.room(), "set_shape");
+    const double radius = is_users
+                              ? bvh::in_users_arithmetic([&] { return shape->bounding_radius(); })
+                              : shape->bounding_radius();
     const Mesh* mesh = state.prepared_mesh(*shape, is_users);
     state.make_room_for_changes(1);
     state.take_shape(id.index, std::move(shape), mesh);
     state.broad.move(state.broad.id(body.box), box);
+    if (state.movers.find(id.index) != nullptr) state.note_way(id.index, body.pose, radius);
     body.is_awake = true;
     state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);

@@ -58,6 +58,11 @@ void World::State::keep_up_islands() {
   for (const std::uint32_t index : island_changes) {
     if (!joins(index)) islands.remove(index);
   }
+  // Nobody has taken their indices yet: these rest until an update has listed what ended.
+  for (const std::uint32_t index : left_islands) {
+    if (islands.has(index)) islands.remove(index);
+  }
+  left_islands.clear();
   const IslandWork work = islands.take_work();
   news.work.islands_merged = work.merged;
   news.work.islands_split = work.split;
@@ -67,6 +72,7 @@ void World::State::keep_up_islands() {
 /// Of a world that has just been restored, which is as an update left it.
 void World::State::rebuild_islands() {
   if (!settings.islands) return;
+  left_islands.clear();
   island_changes.clear();
   for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
     if (all.ids.is_live(index) && all.bodies[index].joins_islands())

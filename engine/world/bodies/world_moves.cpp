@@ -35,7 +35,10 @@ void World::State::move_prepared(std::span<const BodyId> ids, std::span<const Po
     Bodies::Body& mover = all.bodies[ids[i].index];
     double& path = all.changes[ids[i].index].path;
     path = longer_path(path, motion_bound(mover.pose, poses[i], bounding_radii[i]));
-    if (movers.are_noted()) note_way(ids[i].index, poses[i], bounding_radii[i]);
+    if (movers.are_noted()) {
+      note_way(ids[i].index, poses[i], bounding_radii[i]);
+      movers.find(ids[i].index)->motion.reset();
+    }
     mover.pose = poses[i];
     mover.is_awake = true;
     note_change(ids[i].index);
@@ -46,7 +49,6 @@ void World::State::note_way(std::uint32_t index, const Pose& to, double bounding
   Mover* mover = movers.find(index);
   if (mover == nullptr) mover = &movers.note(index, all.bodies[index].pose);
   mover->way = way_bound(mover->before, to, bounding_radius);
-  mover->motion.reset();
 }
 
 void World::move(BodyId id, const Pose& pose) {

@@ -247,6 +247,7 @@ struct World::State {
   std::vector<double> bounding_radii;
   Islands islands;
   std::vector<std::uint32_t> island_changes;  ///< bodies that are to come into islands or to leave
+  std::vector<std::uint32_t> left_islands;    ///< those that were removed since the last update
   std::vector<BoxPair> island_touches;        ///< that are to be added
   Movers movers;
   std::vector<SweptBody> swept;

@@ -102,7 +102,11 @@ void candidates_of_mesh_volume(const PlacedShapeView& a, const PlacedShapeView& 
   candidates.origin = middle_of(a.shape, a.pose);
   const Core core = core_of(a.shape, a.pose, candidates.origin);
   const ExactVolume volume(a);
-  MeshDescent descent(mesh, core, candidates.origin, work);
+  // The test reads a box by law 3, as the tree does not: where its pose deviates from a rotation by
+  // d the two differ by less than 8 d of its size.
+  Core wide = core;
+  wide.radius += 8 * rotation_deviation(a.pose) * core.bounding_radius;
+  MeshDescent descent(mesh, wide, candidates.origin, work);
   TriangleCandidates found(core, mesh, candidates, work);
   descent.for_each_near([&](std::uint32_t index) {
     const Triangle placed = narrowphase::place(mesh.pose, mesh.mesh.triangle(index));

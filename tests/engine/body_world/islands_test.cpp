@@ -248,6 +248,29 @@ TEST(WorldIslands, GoToSleepAndWakeAsAWhole) {
   EXPECT_THROW(row.world.wake(stale), StaleIdError);
 }
 
+TEST(WorldIslands, ABodyThatTakesTheIndexOfAnotherIsInNoneUntilAnUpdate) {
+  World world({.threads = 1, .islands = true});
+  const BodyId a = world.add({kBall, at(0)});
+  const BodyId b = world.add({kBall, at(0.5)});
+  world.update();
+  EXPECT_EQ(world.islands(), (BodySets{{a, b}}));
+  world.remove(a);
+  EXPECT_EQ(world.islands(), (BodySets{{b}}));
+  BodyId c = a;
+  for (int n = 0; n < 8 && (n == 0 || c.index != a.index); ++n) {
+    if (n > 0) world.remove(c);
+    world.update();
+    world.update();
+    c = world.add({kBall, at(9)});
+  }
+  ASSERT_EQ(c.index, a.index) << "the index is used again";
+  EXPECT_EQ(world.islands(), (BodySets{{b}}));
+  EXPECT_TRUE(world.island(c).empty());
+  world.update();
+  EXPECT_EQ(world.islands(), islands_from_scratch(world));
+  EXPECT_EQ(world.island(c), Bodies{c});
+}
+
 TEST(WorldIds, ThoseOfAnotherWorldAreRefused) {
   World one({.number = 1}), other({.number = 2}), without;
   const BodyId in_one = one.add({kBall, at(0)}), in_other = other.add({kBall, at(7)});

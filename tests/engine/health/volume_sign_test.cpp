@@ -76,6 +76,20 @@ TEST(VolumeSign, IsThatOfRationalNumbers) {
   EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 300);
 }
 
+// Products of two differences are lost before they meet a large third.
+TEST(VolumeSign, OfWhatUnderflowsBesideWhatIsLarge) {
+  const double l = 0x1p600, w = 0x1p-540, s = 0x1p-200;
+  const std::vector<Eigen::Vector3d> vertices = {{0, 0, 0},  {l, 0, 0},  {0, w, 0}, {0, 0, w},
+                                                 {-s, 0, 0}, {-s, 0, s}, {-s, s, 0}};
+  const std::vector<TriangleIndices> triangles = {{0, 1, 3}, {0, 2, 1}, {1, 2, 3}, {0, 3, 6},
+                                                  {0, 6, 4}, {2, 0, 4}, {2, 4, 5}, {3, 2, 5},
+                                                  {3, 5, 6}, {4, 6, 5}};
+  const Mesh mesh(vertices, triangles);
+  EXPECT_EQ(sign_of(mesh), 1);
+  EXPECT_EQ(sign_of(mesh), sign_in_rationals(mesh));
+  EXPECT_EQ(sign_of(turned(mesh)), -1);
+}
+
 // A sheet of two sides that are apart by one unit in the last place, far from the origin: rounded
 // sums say nothing.
 TEST(VolumeSign, OfWhatIsThinAndFarAway) {

@@ -120,6 +120,24 @@ TEST(FastBody, MeetsWhatMovesWithoutBeingSwept) {
   }
 }
 
+TEST(FastBody, MeetsWhatGrowsOnceItHasMoved) {
+  for (const bool is_set_first : {true, false}) {
+    World world({.threads = 1});
+    const BodyId rod = world.add({Shape(Sphere{{0, 0, 0}, 0.1})});
+    const BodyId bullet = world.add({Shape(Sphere{{0, 0, 0}, 0.1}), tests::at(0, 4, 1)},
+                                    {.detection = Detection::Continuous});
+    world.update();
+    const Shape long_one = Box{{5, 0.1, 0.1}};
+    Pose turned = Pose::Identity();
+    turned.linear() = Eigen::AngleAxisd(3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    if (is_set_first) world.set_shape(rod, long_one);
+    world.move(rod, turned);
+    if (!is_set_first) world.set_shape(rod, long_one);
+    world.move(bullet, tests::at(0, 4, -1));
+    EXPECT_EQ(world.update().first_contacts.size(), 1u) << is_set_first;
+  }
+}
+
 TEST(FastBody, GoesAlongTheMotionThatItIsGiven) {
   World world;
   const BodyId rod = world.add({Capsule{0.05, 0.5}, at(0, 3, 1)}, kSwept);

@@ -15,6 +15,7 @@
 
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
+#include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
 
 namespace graze {
@@ -306,6 +307,19 @@ TEST(KnownConfigurations, OthersThatARobotMet) {
   EXPECT_EQ(counts.pairs, 7u);
   EXPECT_EQ(counts.unconverged, 0u);
   EXPECT_EQ(counts.unproved, 0u);
+}
+
+// A box in a pose that law 10 just lets in is read otherwise by its test than by its support: what
+// the one says touches has contacts.
+TEST(KnownConfigurations, ABoxWhosePoseDeviatesHasContactsWithTheMeshThatItTouches) {
+  Pose pose = Pose::Identity();
+  pose.linear()(1, 1) = 1 - 0x1p-30;
+  pose.translation() = Eigen::Vector3d(0.25, 2, 0.25);
+  const Mesh mesh = tests::make_box({1, 1, 1});
+  const Shape box = Box{{1, 1, 1}};
+  ASSERT_TRUE(intersects({mesh}, {box, pose}));
+  EXPECT_FALSE(find_contacts({mesh}, {box, pose}).empty());
+  EXPECT_FALSE(find_contacts({box, pose}, {mesh}).empty());
 }
 
 }  // namespace
