@@ -15,7 +15,7 @@ struct ShapeSeparation {
   Eigen::Vector3d point_a;  ///< of A: apart, the nearest to B; else the deepest in B
   Eigen::Vector3d point_b;  ///< of B, likewise
   Eigen::Vector3d normal;   ///< unit, from A to B: moving B by minus a negative distance along it
-                            ///< parts the two
+                            ///< parts the two, but for the tolerance of depths (manifold.h)
   PairStatus status;        ///< whether the distance, or that the depth is the least, is proved
 
   bool operator==(const ShapeSeparation&) const = default;

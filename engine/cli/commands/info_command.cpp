@@ -26,13 +26,14 @@ parts, closed ones that do not face outwards, or into the cavity that they bound
 cross. Beside a triangle stands the line of the file, counted from 1, or the byte, counted from 0,
 at which its polygon begins. --json lists the first thousand of each.
 
-With --fit, of the bounding volumes around the mesh, how much space each leaves empty: of a closed mesh the
-share of the volume that the mesh does not enclose, in per cent; of an open one its volume relative
-to that of the box along the axes. What a mesh encloses follows from the sense of its triangles: a
-mesh that crosses itself may count parts twice. The volumes are the box along the axes (aabb), the
-smallest sphere, the tightest oriented box found (obb) and the polytope of 18 half-spaces (kdop).
-Level by level of the tree, from the root down, the volume of all boxes, and that of the other
-volumes over the same nodes relative to it: what lies below a node is an open patch of surface.
+With --fit, of the bounding volumes around the mesh, how much space each leaves empty: of a closed
+mesh the share of the volume that the mesh does not enclose, in per cent; of an open one its
+volume relative to that of the box along the axes. What a mesh encloses follows from the sense of
+its triangles: a mesh that crosses itself may count parts twice. The volumes are the box along the
+axes (aabb), the smallest sphere, the tightest oriented box found (obb) and the polytope of 18
+half-spaces (kdop). Level by level of the tree, from the root down, the volume of all boxes, and
+that of the other volumes over the same nodes relative to it: what lies below a node is an open
+patch of surface.
 
 Examples:
   graze info bolt.obj

@@ -249,7 +249,7 @@ TEST(SpecialPoses, PairsThatOnceBrokeAPromiseKeepEveryOne) {
       EXPECT_EQ(broken_scaling(*pair, factor), "") << text_of(*pair);
   }
   EXPECT_GE(counts.pairs, 26u);
-  EXPECT_LE(counts.unconverged, 2u);  // of what is lost in a cone's or a hull's rounding
+  EXPECT_LE(counts.unconverged, 3u);  // of what is lost in a cone's, a hull's or a box's rounding
 }
 
 /// One pose's axis along the other's, turned about it, apart by `gap` along a direction across it.

@@ -64,6 +64,8 @@ TEST_P(Law12SeparationsSlow, AreExactForEachKindOfPaths) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllKinds, Law12Separations, testing::Range(0, tests::kSeparationKinds));
+INSTANTIATE_TEST_SUITE_P(AllKinds, Law12SeparationsSlow,
+                         testing::Range(0, tests::kSeparationKinds));
 
 }  // namespace
 }  // namespace graze

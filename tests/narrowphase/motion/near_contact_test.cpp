@@ -114,8 +114,11 @@ TEST(Law12Near, TheRoundedStageIsRight) {
   for (int n = 0; n < 400; ++n) {
     const tests::SeparationQuery query = tests::random_separation(n % 9, source);
     const FirstContactSettings settings{.separation = query.separation};
-    const narrowphase::FourPaths point(query.paths.point(), query.paths.triangle());
-    const narrowphase::FourPaths edges(query.paths.edge_a(), query.paths.edge_b());
+    const PointPath one = query.paths.point();  // what FourPaths refers to
+    const TrianglePath triangle = query.paths.triangle();
+    const EdgePath a = query.paths.edge_a(), b = query.paths.edge_b();
+    const narrowphase::FourPaths point(one, triangle);
+    const narrowphase::FourPaths edges(a, b);
     for (const auto* paths : {&point, &edges}) {
       if (!narrowphase::are_surely_further(*paths, query.separation, 1)) continue;
       ++passed;
