@@ -82,7 +82,8 @@ struct CheckSettings {
 
 /// All that is wrong with a mesh, and where, exactly: by combinatorics of welded vertices, exact
 /// predicates, and exact signs of volumes; no epsilon. Most of the time goes into looking for
-/// triangles that cross: O(n log n) for compact meshes.
+/// triangles that cross: O(n log n) for compact meshes, and as much as there are surfaces of the
+/// mesh around each of its parts.
 MeshHealth check(const Mesh& mesh, const CheckSettings& settings = {}, Work* work = nullptr);
 
 }  // namespace graze

@@ -58,7 +58,8 @@ std::optional<VolumeCast> cast(const PlacedMeshView& mesh, const Obb& box,
 /// The point is the one of the triangle that is met, each coordinate off by at most 0.52 ulp of the
 /// largest coordinate of the triangle; at t = 0 the one nearest to the centre. The normal leads
 /// from there to the centre; where that is the point itself it is the triangle's, against the
-/// displacement. A ball without a radius is a point; its normal is as for two meshes.
+/// displacement, or, moved within its plane, on either side. A ball without a radius is a point;
+/// its normal is as for two meshes.
 ///
 /// O(log n) for compact meshes; allocates nothing once the tree is built. Throws InputError for a
 /// displacement that is not finite and for an invalid ball, PoseError as intersects() does, and

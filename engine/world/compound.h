@@ -40,7 +40,7 @@ class Compound {
   /// Whether there is a part of this number.
   bool contains(std::uint32_t part) const;
   /// How many parts there are.
-  std::size_t size() const { return count_; }
+  std::size_t size() const { return parts_.size() - free_.size(); }
   /// Their numbers, ascending.
   std::vector<std::uint32_t> parts() const;
   /// The part in the compound's frame.
@@ -58,15 +58,15 @@ class Compound {
 
   std::vector<std::optional<Part>> parts_;  ///< by number
   std::vector<std::uint32_t> free_;
-  std::size_t count_ = 0;
 };
 
 /// The compound as a world asks it, for World::add() and World::set_shape(): one for many bodies.
 /// What it meets, where and when is what its parts meet as bodies of their own, each in the pose
-/// placed_part(body, part). Moving such a body costs nothing for each part; an answer costs the
-/// parts near the other, which are looked up in boxes: O(log n + near). Throws InputError for one
-/// without parts, PoseError for one that reaches beyond kLargestLength. O(n log n); it takes up to
-/// 512 bytes, and as much for each part.
+/// placed_part(body, part); times of casts differ by less than their tolerance, which for a body of
+/// its own grows with the distance of the world's origin. Moving such a body costs nothing for each
+/// part; an answer costs the parts near the other, which are looked up in boxes: O(log n + near).
+/// Throws InputError for one without parts, PoseError for one that reaches beyond kLargestLength.
+/// O(n log n); it takes up to 512 bytes, and as much for each part.
 ///
 /// A body's pose is refused (PoseError) where that of a part is. Of `gap()` such a shape knows
 /// nothing: pairs in which something moved are asked again.

@@ -23,24 +23,24 @@ enum class Drawn {
 
 /// A segment in the world's frame, metres.
 struct DrawnLine {
-  Eigen::Vector3d from;
-  Eigen::Vector3d to;
-  Drawn what;
-  BodyId body;  ///< of a contact that of A, of an island its first
+  Eigen::Vector3d from;  ///< one end
+  Eigen::Vector3d to;    ///< the other
+  Drawn what;            ///< what it shows
+  BodyId body;           ///< of a contact that of A, of an island its first
 };
 
 /// The point of a contact in the world's frame, metres.
 struct DrawnPoint {
-  Eigen::Vector3d at;
-  BodyId body_a;
-  BodyId body_b;
+  Eigen::Vector3d at;  ///< halfway between the points of A and B
+  BodyId body_a;       ///< the body of the lower id
+  BodyId body_b;       ///< the other
 };
 
 /// A word at a place in the world's frame, metres.
 struct DrawnLabel {
-  Eigen::Vector3d at;
-  std::string text;
-  BodyId body;
+  Eigen::Vector3d at;  ///< the middle of the body's box
+  std::string text;    ///< what is written there
+  BodyId body;         ///< the body it names
 };
 
 /// Where drawings go: a user's own renderer, log or file. What its functions throw comes out of
@@ -58,12 +58,12 @@ class WorldDrawer {
 
 /// What of a world is drawn, and how finely.
 struct WorldDrawingSettings {
-  bool has_shapes = true;  ///< each edge of a mesh or hull once; of a user's own shape nothing
-  bool has_boxes = false;
-  bool has_contacts = true;       ///< as World::contacts(): none while changes wait for an update
-  bool has_islands = false;       ///< needs WorldSettings::islands
-  bool has_labels = false;        ///< of each body: its index, and whether it sleeps
-  std::size_t segments = 24;      ///< of a circle, 3 to 4096
+  bool has_shapes = true;     ///< each edge of a mesh or hull once; of a user's own shape nothing
+  bool has_boxes = false;     ///< the axis-aligned box around each body
+  bool has_contacts = true;   ///< as World::contacts(): none while changes wait for an update
+  bool has_islands = false;   ///< needs WorldSettings::islands
+  bool has_labels = false;    ///< of each body: its index, and whether it sleeps
+  std::size_t segments = 24;  ///< of a circle, 3 to 4096
   double half_space_extent = 10;  ///< metres: half the side of the square that stands for a plane
 };
 

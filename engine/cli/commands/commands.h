@@ -45,6 +45,11 @@ void add_compare_command(CLI::App& program, Action& action,
 /// Adds `graze replay`. Parsing it sets `action`.
 void add_replay_command(CLI::App& program, Action& action);
 
+/// An option that may be given several times, each time with one value.
+void add_repeated_option(CLI::App& command, const std::string& name,
+                         std::vector<std::string>& values, const std::string& description,
+                         const std::string& type);
+
 /// Rewrites options that take a pose, or a screw, with the arguments that follow, be it one with
 /// all numbers or one for each, as a single argument `--pose-a=...`: a parser of options then
 /// cannot take negative numbers for options, nor meshes for numbers.

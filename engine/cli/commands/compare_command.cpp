@@ -139,12 +139,8 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--report", options.report, "also one self-contained page")
       ->type_name("HTML")
       ->check(file_name());
-  command
-      .add_option("--fail-on", options.fail_on,
-                  "exit code 1 also if this engine is wrong; may be repeated")
-      ->type_name("ENGINE[:CLASS][>SIZE]")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeated_option(command, "--fail-on", options.fail_on,
+                      "exit code 1 also if this engine is wrong", "ENGINE[:CLASS][>SIZE]");
   command.add_option("--junit", options.junit, "what fails, as JUnit writes it")
       ->type_name("XML")
       ->check(file_name());
@@ -202,12 +198,8 @@ void add_compare_command(CLI::App& program, Action& action,
       ->check(finite_number(Sign::NotNegative));
   command->add_option("--engines", options->engines, "names with commas (default: all)")
       ->type_name("NAMES");
-  command
-      ->add_option("--engine-command", options->engine_commands,
-                   "a program of your own that takes part; may be repeated")
-      ->type_name("COMMAND")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeated_option(*command, "--engine-command", options->engine_commands,
+                      "a program of your own that takes part", "COMMAND");
   add_pose_options(*command, *options);
   add_scene_options(*command, *options);
   add_output_options(*command, *options);

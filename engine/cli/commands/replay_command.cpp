@@ -66,21 +66,14 @@ void add_replay_command(CLI::App& program, Action& action) {
                    "so long another engine may take for a question (default: 60)")
       ->type_name("SECONDS")
       ->check(finite_number(Sign::Positive));
-  command
-      ->add_option("--engine-command", options->engine_commands,
-                   "a program of your own that takes part; may be repeated")
-      ->type_name("COMMAND")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeated_option(*command, "--engine-command", options->engine_commands,
+                      "a program of your own that takes part", "COMMAND");
   command->add_flag("--json", options->is_json, "one JSON object per line and case");
   command->add_flag("--same", options->is_change_failure,
                     "fail if an answer of graze is not the one that the case records");
-  command
-      ->add_option("--fail-on", options->fail_on,
-                   "exit code 1 also if this engine is wrong, now or in a record; may be repeated")
-      ->type_name("ENGINE[:CLASS][>SIZE]")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeated_option(*command, "--fail-on", options->fail_on,
+                      "exit code 1 also if this engine is wrong, now or in a record",
+                      "ENGINE[:CLASS][>SIZE]");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
   command->footer(kReplayFooter);

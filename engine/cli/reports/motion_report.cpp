@@ -1,5 +1,6 @@
 // Numbers are printed with as many digits as it takes to read the same double again.
 
+#include <graze/engine/cases/case.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/reports/motion_report.h>
 #include <graze/engine/cli/reports/table.h>
@@ -10,18 +11,6 @@
 
 namespace graze::cli {
 namespace {
-
-const char* name_of(RigidStatus status) {
-  switch (status) {
-    case RigidStatus::Free:
-      return "free";
-    case RigidStatus::Hit:
-      return "hit";
-    case RigidStatus::Close:
-      return "close";
-  }
-  return "";
-}
 
 const Table& table() {
   static const Table kTable({{"stretch", 7}, {"answer", 6}, {"free up to", 18}, {"witness", 18}});

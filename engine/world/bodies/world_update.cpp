@@ -197,6 +197,7 @@ WorldUpdate World::update() {
       state.find_changes();
       state.find_first_contacts();
       state.list_changes();
+      state.all.ids.prepare_round();  // once islands are kept up nothing throws
       state.keep_up_islands();
       state.all.ids.next_round();
     }

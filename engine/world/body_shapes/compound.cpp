@@ -37,7 +37,6 @@ std::uint32_t Compound::add(const PlacedShapeView& part, const PartSettings& set
     free_.pop_back();
     parts_[number] = std::move(added);
   }
-  ++count_;
   return number;
 }
 
@@ -56,7 +55,6 @@ void Compound::remove(std::uint32_t part) {
   at(part, "remove");
   free_.push_back(part);
   parts_[part].reset();
-  --count_;
 }
 
 bool Compound::contains(std::uint32_t part) const {

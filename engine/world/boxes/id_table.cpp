@@ -26,6 +26,11 @@ void IdTable<Generation>::prepare_free() {
 }
 
 template <typename Generation>
+void IdTable<Generation>::prepare_round() {
+  make_room_in(free_, free_.size() + resting_[1].size());
+}
+
+template <typename Generation>
 std::uint32_t IdTable<Generation>::take() {
   prepare_take();
   ++live_count_;

@@ -20,9 +20,11 @@ class IdTable {
   std::uint32_t take();
   void free(std::uint32_t index);
 
-  /// Memory for the next one: take(), free() will throw nothing. What throws has changed nothing.
+  /// Memory for the next one: take(), free(), next_round() will throw nothing. What throws has
+  /// changed nothing.
   void prepare_take();
   void prepare_free();
+  void prepare_round();
 
   /// What take() will return.
   std::uint32_t next() const {

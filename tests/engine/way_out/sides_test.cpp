@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/engine/way_out/tessellated.h"
 #include "tests/engine/world/random_shapes.h"
@@ -259,6 +262,46 @@ TEST(Sides, WhatAMeshCannotHonourIsRefused) {
   const BodyId id = world.add({Shape(box)}, {.sides = kSolid});
   EXPECT_THROW(world.set_shape(id, ball), InputError);
   EXPECT_EQ(world.size(), 1u);
+}
+
+/// A terrain over [-1, 1]^2 whose corners are up to a fifth high or deep.
+Mesh uneven_sheet(RandomSource& source) {
+  std::vector<Vector3d> vertices;
+  std::vector<TriangleIndices> triangles;
+  for (int i = 0; i < 25; ++i)
+    vertices.push_back({0.5 * (i % 5 - 2), 0.5 * (i / 5 - 2), source.uniform(-0.2, 0.2)});
+  for (std::uint32_t y = 0; y < 4; ++y) {
+    for (std::uint32_t x = 0; x < 4; ++x) {
+      const std::uint32_t at = 5 * y + x;
+      triangles.push_back({at, at + 1, at + 5});
+      triangles.push_back({at + 1, at + 6, at + 5});
+    }
+  }
+  return Mesh(vertices, triangles);
+}
+
+// Under its border the least way may lead out sideways, shorter than the gap to the sheet.
+TEST(Sides, WhatTouchesFromBehindHasContacts) {
+  RandomSource source(1519);
+  int enclosed = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Mesh sheet = uneven_sheet(source);
+    const MeshSides sides{.sides = Sides::OneSided, .thickness = 0.2};
+    const Shape box = Box{{0.75, 0.375, 0.125}};
+    const Pose pose = tests::at(1.75 - std::pow(10, source.uniform(-4, -0.5)),
+                                source.uniform(-0.5, 0.5), source.uniform(-0.4, -0.2));
+    World world({.threads = 1});
+    world.add({box, pose});
+    world.add({sheet}, {.kind = BodyKind::Static, .sides = sides});
+    const WorldUpdate update = world.update();
+    for (const BodyContact& each : update.contacts)
+      EXPECT_FALSE(each.manifold.empty()) << n;
+    const bool is_hit = intersects({box, pose}, {sheet});
+    enclosed += !world.pairs().empty() && !is_hit;
+    EXPECT_EQ(find_contacts({box, pose}, {sheet}, {.sides_b = sides}).empty(),
+              world.pairs().empty());
+  }
+  EXPECT_GT(enclosed, 50);
 }
 
 }  // namespace

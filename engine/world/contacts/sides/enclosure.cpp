@@ -162,7 +162,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
   MeshDescent descent(mesh_, core, candidates.origin, work_);
   const Exits exits(core, mesh_, candidates.origin);
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
-  std::uint32_t nearest = 0;
+  std::uint32_t nearest = 0, leading = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
   const auto limit = [&] {
     return sides_.sides == Sides::OneSided ? std::min(best.depth, sides_.thickness) : best.depth;
@@ -173,7 +173,7 @@ void Enclosure::add(ContactCandidates& candidates) const {
     ++work_.convex_tests;
     if (distance < nearest_distance) nearest_distance = distance, nearest = index;
     const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
-    if (exit && exit->depth < best.depth) best = *exit;
+    if (exit && exit->depth < best.depth) best = *exit, leading = index;
     return bvh::Walk::Continue;
   });
   TriangleCandidates found(core, mesh_, candidates, work_);
@@ -186,6 +186,8 @@ void Enclosure::add(ContactCandidates& candidates) const {
                               if (exits.leads(index, triangle, best)) found.offer(index, triangle);
                               return bvh::Walk::Continue;
                             });
+    // Where the way leads past a border it may be shorter than the gap to the triangle.
+    if (!found.has_touched()) found.offer(leading, descent.triangle(leading));
   } else {
     found.offer(nearest, descent.triangle(nearest));
   }
