@@ -65,6 +65,7 @@
 #include <graze/engine/world/shape_separation.h>
 #include <graze/engine/world/world.h>
 #include <graze/engine/world/world_drawing.h>
+#include <graze/engine/world/world_pairs.h>
 #include <graze/engine/world/world_update.h>
 #include <graze/narrowphase/cast.h>
 #include <graze/narrowphase/crossing.h>

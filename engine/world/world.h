@@ -7,6 +7,7 @@
 #include <graze/engine/world/body.h>
 #include <graze/engine/world/placed_shape.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/world_pairs.h>
 #include <graze/engine/world/world_update.h>
 
 #include <cstdint>
@@ -271,6 +272,28 @@ class World {
   std::optional<BodyDistance> find_closest(const PlacedShapeView& shape,
                                            const BodyQuerySettings& settings = {}) const;
 
+  /// The pairs of a body of this world and one of another world that stands in it in a pose, such
+  /// as a robot in its cell, that touch, by their surfaces as intersects() has it; as all are now,
+  /// and in ascending order. Each body of the other stands in placed_part(other.pose, its own
+  /// pose). Neither kinds nor exclusions count, which are each world's own. For n bodies there O(n
+  /// log m) and what is near: where that matters the other is the smaller. Throws PoseError.
+  std::vector<WorldBodyPair> find_touching(const PlacedWorldView& other,
+                                           const WorldPairSettings& settings = {}) const;
+
+  /// Those whose distance() is at most the clearance, metres, likewise. Throws as the question
+  /// about one shape does.
+  std::vector<BodyPairDistance> find_within(const PlacedWorldView& other, double clearance,
+                                            const WorldPairSettings& settings = {}) const;
+
+  /// The pair whose distance() is least, the first of equals; none if the settings ask for none.
+  std::optional<BodyPairDistance> find_closest(const PlacedWorldView& other,
+                                               const WorldPairSettings& settings = {}) const;
+
+  /// The same of two bodies of this world that may meet: by kinds, filters, exclusions, and the
+  /// user's own filter, which is asked about each pair that is looked at and must not change the
+  /// world. A is the one of the smaller index.
+  std::optional<BodyPairDistance> find_closest_pair(const WorldPairSettings& settings = {}) const;
+
   /// The body that a ray meets first, as cast_ray() of a shape says, bodies being as they are now;
   /// of equal distances the one with the smaller id. Throws as check_ray() does, and
   /// UnsupportedPairError if the ray comes near a shape of a user's own that does not know.
@@ -303,6 +326,7 @@ class World {
 
  private:
   struct State;
+  class OtherBodies;
   std::unique_ptr<State> state_;
 };
 

@@ -102,6 +102,21 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   expect(casts[0].contact.low <= casts[0].contact.high, "never late, and with a witness");
 }
 
+/// A robot in its cell: two worlds, of which one stands in the other in a pose.
+void a_world_in_another() {
+  graze::World cell, robot;
+  const graze::BodyId table = cell.add({graze::Box{{1, 1, 0.5}}, at(0, 0, 0)});
+  const graze::BodyId post = cell.add({graze::Box{{0.1, 0.1, 2}}, at(3, 0, 0)});
+  const graze::BodyId arm = robot.add({kBall, at(0, 0, 0)});
+  robot.add({kBall, at(0, 0, 1)});
+  expect(cell.find_touching({robot, at(0, 0, 1)}).size() == 1, "who of the one meets whom");
+  expect(cell.find_within({robot, at(0, 0, 2)}, 1).size() == 1, "who comes how near");
+  const auto nearest = cell.find_closest({robot, at(2, 0, 2)});
+  expect(nearest->a == post && nearest->b == arm, "which two are nearest");
+  expect(cell.find_closest_pair()->b == post && cell.find_closest_pair()->a == table,
+         "which two of one world");
+}
+
 /// Which bodies there are, who touches whom, and who hangs together.
 void who_is_with_whom() {
   graze::World world({.number = 1, .islands = true});  // its ids are refused by other worlds
@@ -154,6 +169,7 @@ int main() {
   what_has_a_margin(world, ball);
   what_is_fast(world);
   what_is_near(world, floor, ball);
+  a_world_in_another();
   who_is_with_whom();
   world.update();
   how_it_looks(world);

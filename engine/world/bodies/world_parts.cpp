@@ -7,14 +7,15 @@
 
 namespace graze {
 
+PosedBody World::State::posed(std::uint32_t index) const {
+  const Bodies::Body& body = all.bodies[index];
+  return {*body.shape, body.pose, body.room(), body.filter};
+}
+
 /// Calls `visit(part_a, part_b)` for the parts that may meet, until it returns false.
 template <typename Visit>
 void World::State::for_parts_of(BoxPair pair, const Visit& visit) const {
-  const auto placed = [&](std::uint32_t index) -> PosedBody {
-    const Bodies::Body& body = all.bodies[index];
-    return {*body.shape, body.pose, body.room(), body.filter};
-  };
-  for_part_pairs(placed(pair.a), placed(pair.b), visit);
+  for_part_pairs(posed(pair.a), posed(pair.b), visit);
 }
 
 PairAnswer::Kind World::State::stand_of_parts(BoxPair pair) const {

@@ -2,6 +2,7 @@
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/engine/world/bodies/nearest_bodies.h>
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/body_shapes/part_pairs.h>
 #include <graze/engine/world/shape_bounds.h>
@@ -16,6 +17,7 @@ namespace graze {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool do_touch_any_part(const PosedBody& a, const PosedBody& b) {
   bool do_touch = false;
@@ -63,7 +65,9 @@ std::optional<BodyDistance> World::State::distance_to(std::uint32_t index,
                                                       double most) const {
   const Bodies::Body& body = all.bodies[index];
   if (const CompoundBody* compound = as_compound(*body.shape)) {
-    const auto found = nearest_part(placed, *compound, body.pose, query.filter, most);
+    const auto found = nearest_part(
+        placed, *compound, body.pose, most,
+        [&](const PlacedPart& part) { return lets_part_meet(part.filter, query.filter); });
     if (!found) return std::nullopt;
     return BodyDistance{all.id(index), found->distance, found->part};
   }
@@ -128,32 +132,18 @@ std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, doub
   });
 }
 
-// Looks in boxes that grow until the nearest body found is nearer than all outside can be; which it
-// is in a box that is grown by its distance.
 std::optional<BodyDistance> World::find_closest(const PlacedShapeView& placed,
                                                 const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyDistance> {
-    const auto& [shape, pose] = placed;
-    const State& state = *state_;
-    const Aabb own = bounding_aabb({shape, pose});
+    const Aabb own = bounding_aabb(placed);
     std::optional<BodyDistance> best;
-    std::vector<std::uint32_t> seen;  // ascending
-    if (!state.asks_for_any(settings)) return best;
-    for (double width = width_of(own);; width *= 4) {
-      const bool is_all = !(width < kLargest);
-      const Aabb box = grown(own, std::min(width, kLargest));
-      std::vector<std::uint32_t> found = state.find_bodies(box, settings);
-      for (const std::uint32_t index : found) {
-        if (std::binary_search(seen.begin(), seen.end(), index)) continue;
-        const auto next = state.distance_to(index, placed, settings, kLargest);
-        if (next && (!best || is_nearer(*next, *best))) best = next;
-      }
-      seen = std::move(found);
-      if (is_all || seen.size() == state.all.ids.live_count()) return best;
-      if (!best) continue;
-      if (best->distance.distance <= width) return best;
-      width = best->distance.distance / 4;
-    }
+    if (!state_->asks_for_any(settings)) return best;
+    state_->for_nearest(own, settings, kNever, [&](std::uint32_t index) {
+      const auto next = state_->distance_to(index, placed, settings, kLargest);
+      if (next && (!best || is_nearer(*next, *best))) best = next;
+      return best ? best->distance.distance : kNever;
+    });
+    return best;
   });
 }
 

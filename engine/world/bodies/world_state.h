@@ -8,6 +8,7 @@
 #include <graze/engine/world/bodies/pair_batches.h>
 #include <graze/engine/world/bodies/pair_news.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
+#include <graze/engine/world/body_shapes/part_pairs.h>
 #include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/boxes/id_table.h>
 #include <graze/engine/world/broad_phase.h>
@@ -325,6 +326,10 @@ struct World::State {
   std::vector<std::uint32_t> find_bodies(const Aabb& box, const BodyQuerySettings& query) const;
   std::optional<BodyDistance> distance_to(std::uint32_t index, const PlacedShapeView& placed,
                                           const BodyQuerySettings& query, double most) const;
+  template <typename Ask>
+  void for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
+                   const Ask& ask) const;
+  PosedBody posed(std::uint32_t index) const;
   void cast_at_parts(std::uint32_t index, const Shape& shape, const RigidMotion& motion,
                      const RigidContactSettings& contact, const BodyQuerySettings& query,
                      std::vector<BodyCast>& casts) const;

@@ -41,6 +41,7 @@ std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box) {
 
 bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody& b,
                    const PlacedPart& part_b) {
+  if (!a.has_filters || !b.has_filters) return true;
   if (part_a.filter == nullptr && part_b.filter == nullptr) return true;
   const Filter* of_a = part_a.filter != nullptr ? part_a.filter : a.filter ? &*a.filter : nullptr;
   const Filter* of_b = part_b.filter != nullptr ? part_b.filter : b.filter ? &*b.filter : nullptr;
@@ -87,8 +88,8 @@ Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSet
 // outside can be. Those whose boxes are farther than the nearest so far need not be asked:
 // distance() never says less than boxes do.
 std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
-                                         const Pose& pose, const std::optional<Filter>& filter,
-                                         double most) {
+                                         const Pose& pose, double most,
+                                         const std::function<bool(const PlacedPart&)>& may_meet) {
   const Aabb own = bounding_aabb(shape);
   const double whole = 4 * (compound.bounding_radius() + width_of(own));
   const double apart = gap_between(own, compound.bounds(pose)).gap;
@@ -99,7 +100,7 @@ std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const Com
     const double reach = std::min(apart + width, most);
     nearest.reset();
     for (const PlacedPart& part : compound.near(pose, grown(own, reach), 0)) {
-      if (!lets_part_meet(part.filter, filter)) continue;
+      if (!may_meet(part)) continue;
       if (nearest && gap_between(own, part.box).gap > nearest->distance.distance) continue;
       const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
       if (found.distance <= most && (!nearest || found.distance < nearest->distance.distance))

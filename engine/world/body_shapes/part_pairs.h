@@ -6,6 +6,8 @@
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shapes/grown_box.h>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace graze {
@@ -16,6 +18,7 @@ struct PosedBody {
   const Pose& pose;
   double room = 0;                    ///< metres around its box, or that of each of its parts
   std::optional<Filter> filter = {};  ///< the body's, if it is known
+  bool has_filters = true;            ///< false: those of its parts mean nothing, either
 };
 
 /// Its parts whose boxes, with its room, meet a box in the world; ascending.
@@ -57,10 +60,10 @@ struct PartDistance {
   ShapeDistance distance;
   std::uint32_t part = 0;
 };
-/// The nearest part that a filter, if there is one, lets meet it and that is not farther than
-/// `most`, metres; of equal distances that of the least number. Of a pose that was checked.
+/// The nearest part that may meet it and is not farther than `most`, metres; of equal distances
+/// that of the least number. Of a pose that was checked.
 std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
-                                         const Pose& pose, const std::optional<Filter>& filter,
-                                         double most);
+                                         const Pose& pose, double most,
+                                         const std::function<bool(const PlacedPart&)>& may_meet);
 
 }  // namespace graze

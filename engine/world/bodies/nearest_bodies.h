@@ -1,0 +1,31 @@
+#pragma once
+
+#include <graze/engine/world/bodies/world_state.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace graze {
+
+/// Calls `ask(index)` for bodies that are asked for, each once, until none that is left can be
+/// nearer to a box than what `ask` says is the least distance so far, `least` before it was ever
+/// asked. Looks in boxes that grow until the nearest body is nearer than all outside can be; which
+/// it is in a box that is grown by its distance.
+template <typename Ask>
+void World::State::for_nearest(const Aabb& own, const BodyQuerySettings& query, double least,
+                               const Ask& ask) const {
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  std::vector<std::uint32_t> seen;  // ascending
+  for (double width = least <= kLargest ? least : width_of(own);; width *= 4) {
+    const bool is_all = !(width < kLargest);
+    std::vector<std::uint32_t> found = find_bodies(grown(own, std::min(width, kLargest)), query);
+    for (const std::uint32_t index : found) {
+      if (!std::binary_search(seen.begin(), seen.end(), index)) least = ask(index);
+    }
+    seen = std::move(found);
+    if (is_all || least <= width || seen.size() == all.ids.live_count()) return;
+    if (least <= kLargest) width = least / 4;
+  }
+}
+
+}  // namespace graze

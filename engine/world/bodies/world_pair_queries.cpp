@@ -1,0 +1,243 @@
+// Which bodies of two worlds, or of one, are at or near each other.
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/bodies/nearest_bodies.h>
+#include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+namespace graze {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+bool is_nearer(const BodyPairDistance& s, const BodyPairDistance& t) {
+  return std::tie(s.distance.distance, s.a, s.b) < std::tie(t.distance.distance, t.a, t.b);
+}
+
+/// Whether two posed bodies, or any two parts of them that may meet, share a point.
+bool do_touch(const PosedBody& a, const PosedBody& b) {
+  bool is_hit = false;
+  for_part_pairs(a, b, [&](const PlacedPart& s, const PlacedPart& t) {
+    is_hit = nearness_of(s, t, {}) == Nearness::Touching;
+    return !is_hit;
+  });
+  return is_hit;
+}
+
+const Shape& known_shape(const BodyShape& shape, BodyId id) {
+  const Shape* known =
+      ask_shape(is_users_shape(shape), [&]() -> const Shape* { return shape.shape(); });
+  if (known != nullptr) return *known;
+  throw UnsupportedPairError("distance to the body with index " + std::to_string(id.index) +
+                             ": its shape is a user's own");
+}
+
+/// The nearest two parts, or bodies without parts, that are not farther apart than `most`. Those
+/// whose boxes are farther apart than the nearest so far need not be asked: distance() never says
+/// less than boxes do.
+class NearestParts {
+ public:
+  NearestParts(const PosedBody& a, BodyId id_a, const PosedBody& b, BodyId id_b)
+      : a_(a), b_(b), id_a_(id_a), id_b_(id_b) {}
+
+  std::optional<BodyPairDistance> find(double most) {
+    most_ = std::min(most, kLargest);
+    const CompoundBody* compound = as_compound(a_.shape);
+    if (compound == nullptr) {
+      ask_part({&a_.shape, a_.pose, box_with_room(a_), nullptr, 0});
+      return best_;
+    }
+    // As nearest_part() does: parts in a box around the other that grows.
+    const Aabb box_b = box_with_room({b_.shape, b_.pose});
+    const double apart = gap_between(compound->bounds(a_.pose), box_b).gap;
+    if (apart > most_) return std::nullopt;
+    const double whole = 4 * (compound->bounding_radius() + width_of(box_b));
+    for (double width = 0x1p-6 * compound->bounding_radius();; width *= 4) {
+      const double reach = std::min(apart + width, most_);
+      const bool is_all = width >= whole || reach >= most_;
+      best_.reset();
+      for (const PlacedPart& part : compound->near(a_.pose, grown(box_b, reach), 0)) {
+        if (gap_between(part.box, box_b).gap <= limit()) ask_part(part);
+      }
+      if (is_all || limit() <= reach) return best_;
+      if (best_) width = std::max(width, (limit() - apart) / 4);
+    }
+  }
+
+ private:
+  double limit() const { return best_ ? std::min(best_->distance.distance, most_) : most_; }
+
+  /// A part of A, or all of it, and the nearest of B.
+  void ask_part(const PlacedPart& part) {
+    const Shape* of_part = part.shape->shape();
+    const CompoundBody* compound = as_compound(b_.shape);
+    if (compound == nullptr) {
+      const PlacedPart whole{&b_.shape, b_.pose, {}, nullptr, 0};
+      if (!do_parts_meet(a_, part, b_, whole)) return;
+      const PlacedShapeView placed{known_shape(*part.shape, id_a_), part.pose};
+      take(distance(placed, {known_shape(b_.shape, id_b_), b_.pose}), part.number, 0);
+      return;
+    }
+    if (of_part == nullptr) known_shape(*part.shape, id_a_);
+    const auto nearest =
+        nearest_part({*of_part, part.pose}, *compound, b_.pose, limit(),
+                     [&](const PlacedPart& other) { return do_parts_meet(a_, part, b_, other); });
+    if (nearest) take(nearest->distance, part.number, nearest->part);
+  }
+
+  void take(const ShapeDistance& found, std::uint32_t part_a, std::uint32_t part_b) {
+    if (found.distance > most_ || (best_ && found.distance >= best_->distance.distance)) return;
+    best_ = {id_a_, id_b_, found, part_a, part_b};
+  }
+
+  const PosedBody& a_;
+  const PosedBody& b_;
+  BodyId id_a_;
+  BodyId id_b_;
+  double most_ = kLargest;
+  std::optional<BodyPairDistance> best_;
+};
+
+}  // namespace
+
+/// The bodies of another world, each in its pose in that of A.
+class World::OtherBodies {
+ public:
+  OtherBodies(const State& state, const PlacedWorldView& other, const WorldPairSettings& settings)
+      : state_(state), other_(*other.world.state_), pose_(other.pose), settings_(settings) {
+    check_pose(other.pose, "pose of the other world");
+  }
+
+  /// Calls `visit(index, posed, box, query)` for each that is asked for, ascending: `query` is
+  /// which bodies of A it may meet.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    for (std::uint32_t index = 0; index < other_.all.bodies.size(); ++index) {
+      if (!other_.all.ids.is_live(index)) continue;
+      const Bodies::Body& body = other_.all.bodies[index];
+      if (settings_.role && *settings_.role != body.role) continue;
+      const Pose pose = placed_part(pose_, body.pose);
+      const Aabb box =
+          bounds_of(*body.shape, body.is_users, pose, 0, "pose of a body of the other world");
+      std::optional<Filter> filter;
+      if (settings_.has_filters) filter = body.filter;
+      visit(index, PosedBody{*body.shape, pose, 0, filter, settings_.has_filters}, box,
+            BodyQuerySettings{.filter = filter, .role = settings_.role});
+    }
+  }
+
+  /// A body of A, without its room.
+  PosedBody own(std::uint32_t index) const {
+    const Bodies::Body& body = state_.all.bodies[index];
+    std::optional<Filter> filter;
+    if (settings_.has_filters) filter = body.filter;
+    return {*body.shape, body.pose, 0, filter, settings_.has_filters};
+  }
+
+  BodyId id(std::uint32_t index) const { return other_.all.id(index); }
+
+ private:
+  const State& state_;
+  const State& other_;
+  const Pose& pose_;
+  const WorldPairSettings& settings_;
+};
+
+std::vector<WorldBodyPair> World::find_touching(const PlacedWorldView& other,
+                                                const WorldPairSettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<WorldBodyPair> {
+    std::vector<WorldBodyPair> touching;
+    const OtherBodies bodies(*state_, other, settings);
+    bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,
+                        const BodyQuerySettings& query) {
+      for (const std::uint32_t own : state_->find_bodies(box, query)) {
+        if (do_touch(bodies.own(own), posed))
+          touching.push_back({state_->all.id(own), bodies.id(index)});
+      }
+    });
+    std::sort(touching.begin(), touching.end());
+    return touching;
+  });
+}
+
+std::vector<BodyPairDistance> World::find_within(const PlacedWorldView& other, double clearance,
+                                                 const WorldPairSettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<BodyPairDistance> {
+    if (!(clearance >= 0 && clearance <= kLargest))
+      throw InputError("find_within: the clearance is not finite or negative");
+    std::vector<BodyPairDistance> near;
+    const OtherBodies bodies(*state_, other, settings);
+    bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,
+                        const BodyQuerySettings& query) {
+      for (const std::uint32_t own : state_->find_bodies(grown(box, clearance), query)) {
+        const PosedBody a = bodies.own(own);
+        const auto found =
+            NearestParts(a, state_->all.id(own), posed, bodies.id(index)).find(clearance);
+        if (found) near.push_back(*found);
+      }
+    });
+    std::sort(near.begin(), near.end(), [](const BodyPairDistance& s, const BodyPairDistance& t) {
+      return std::tie(s.a, s.b) < std::tie(t.a, t.b);
+    });
+    return near;
+  });
+}
+
+std::optional<BodyPairDistance> World::find_closest(const PlacedWorldView& other,
+                                                    const WorldPairSettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<BodyPairDistance> {
+    std::optional<BodyPairDistance> best;
+    const auto least = [&] { return best ? best->distance.distance : kNever; };
+    const OtherBodies bodies(*state_, other, settings);
+    bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,
+                        const BodyQuerySettings& query) {
+      if (!state_->asks_for_any(query)) return;
+      state_->for_nearest(box, query, least(), [&](std::uint32_t own) {
+        const PosedBody a = bodies.own(own);
+        const auto found =
+            NearestParts(a, state_->all.id(own), posed, bodies.id(index)).find(least());
+        if (found && (!best || is_nearer(*found, *best))) best = found;
+        return least();
+      });
+    });
+    return best;
+  });
+}
+
+std::optional<BodyPairDistance> World::find_closest_pair(const WorldPairSettings& settings) const {
+  return bvh::in_standard_arithmetic([&]() -> std::optional<BodyPairDistance> {
+    const Bodies& all = state_->all;
+    std::optional<BodyPairDistance> best;
+    const auto least = [&] { return best ? best->distance.distance : kNever; };
+    const auto posed = [&](std::uint32_t index) {
+      const Bodies::Body& body = all.bodies[index];
+      std::optional<Filter> filter;
+      if (settings.has_filters) filter = body.filter;
+      return PosedBody{*body.shape, body.pose, 0, filter, settings.has_filters};
+    };
+    for (std::uint32_t index = 0; index < all.bodies.size(); ++index) {
+      if (!all.ids.is_live(index)) continue;
+      const BodyQuerySettings query{.filter = {}, .role = settings.role};
+      if (!state_->is_asked_for(index, query)) continue;
+      const PosedBody a = posed(index);
+      state_->for_nearest(box_with_room(a), query, least(), [&](std::uint32_t other) {
+        if (other <= index || !(settings.has_filters ? all.meet(index, other) : true))
+          return least();
+        const PosedBody b = posed(other);
+        const auto found = NearestParts(a, all.id(index), b, all.id(other)).find(least());
+        if (found && (!best || is_nearer(*found, *best))) best = found;
+        return least();
+      });
+    }
+    return best;
+  });
+}
+
+}  // namespace graze
