@@ -23,6 +23,7 @@ template <int K>
 struct KDop;
 
 class Compound;
+class VoxelMap;
 class Mesh;
 class MeshPath;
 struct MeshInPoses;

@@ -63,6 +63,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/shape_separation.h>
+#include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
 #include <graze/engine/world/world_drawing.h>
 #include <graze/engine/world/world_pairs.h>

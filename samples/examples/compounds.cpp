@@ -1,11 +1,38 @@
-// Several shapes in one body: parts that are found by numbers, and come and go.
+// Several shapes in one body, or the voxels of a map: parts that are found by numbers, and come and
+// go.
 
 #include "samples/examples/example.h"
 
 using examples::at;
 using examples::expect;
 
+namespace {
+
+/// What a robot has seen of a floor and a wall, as full voxels of 5 cm.
+void what_is_occupied() {
+  const graze::VoxelGrid grid{{-2, -2, -1}, 0.05, {80, 80, 40}};
+  graze::VoxelMap map(grid);
+  map.add_block({0, 0, 19}, {79, 79, 19});           // as a leaf of an octree is
+  map.add(std::vector<graze::Voxel>{{40, 40, 20}});  // or one by one
+  expect(map.size() == 6401 && map.contains({40, 40, 20}) && !map.empty(), "what is full");
+  graze::World world;
+  const graze::BodyId seen = world.add({graze::share(map), at(0, 0, 0)});
+  const auto hit = world.cast_ray({{0.025, 0.025, 3}, {0, 0, -1}});
+  const graze::VoxelMap* shared = graze::voxel_map_of(world.shape(seen));
+  expect(shared->voxel(hit->part) == graze::Voxel{40, 40, 20}, "a ray names the voxel");
+  const std::uint32_t part = map.part({40, 40, 20});
+  expect(map.pose(part).translation().z() > 0 && map.box().as<graze::Box>() != nullptr, "its box");
+  map.remove(std::vector<graze::Voxel>{{40, 40, 20}});
+  map.remove_block({0, 0, 0}, {79, 39, 39});
+  world.set_shape(seen, graze::share(map));
+  expect(map.voxels().size() == 3200 && map.grid() == grid, "the rest of the floor");
+  expect(world.find_touching({graze::Sphere{{0, -1, 0}, 0.2}}).empty(), "half of it is gone");
+}
+
+}  // namespace
+
 int main() {
+  what_is_occupied();
   graze::Compound table;
   const std::uint32_t top = table.add({graze::Box{{1, 1, 0.05}}, at(0, 0, 1)}, {.material = 2});
   for (const double x : {-0.9, 0.9})

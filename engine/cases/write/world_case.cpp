@@ -1,10 +1,13 @@
 #include <graze/engine/cases/world_case.h>
 #include <graze/engine/world/compound.h>
+#include <graze/engine/world/voxel_map.h>
 
 namespace graze {
 
 /// A part of a body, or the body if it has none.
 static CaseBody part_of(const World& world, BodyId id, std::uint32_t number) {
+  if (const VoxelMap* map = voxel_map_of(world.shape(id)))
+    return {map->box(), placed_part(world.pose(id), map->pose(number))};
   const Compound* compound = compound_of(world.shape(id));
   if (compound == nullptr) return case_body(world, id);
   const PlacedShape& part = compound->part(number);
@@ -13,9 +16,8 @@ static CaseBody part_of(const World& world, BodyId id, std::uint32_t number) {
 
 CaseBody case_body(const World& world, BodyId id) {
   const Shape* shape = world.shape(id).shape();
-  if (compound_of(world.shape(id)) != nullptr) {
-    throw UnsupportedPairError(
-        "to_case: a body is a compound, and only its parts can be in a case");
+  if (compound_of(world.shape(id)) != nullptr || voxel_map_of(world.shape(id)) != nullptr) {
+    throw UnsupportedPairError("to_case: a body has parts, and only one of these can be in a case");
   }
   if (shape == nullptr) {
     throw UnsupportedPairError("to_case: a body has a shape of a user's own, which is in no case");

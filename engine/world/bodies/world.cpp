@@ -144,7 +144,7 @@ void World::State::take_shape(std::uint32_t index, std::shared_ptr<const BodySha
   const bool is_unbuilt = unbuilt.add(mesh);
   drop_shape(index);
   all.bodies[index].is_users = is_users;
-  all.bodies[index].has_parts = compound_of(*shape) != nullptr;
+  all.bodies[index].has_parts = as_parts(*shape) != nullptr;
   all.bodies[index].shape = std::move(shape);
   all.bodies[index].mesh = mesh;
   all.changes[index].has_unbuilt_tree = is_unbuilt;

@@ -3,6 +3,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/nearest_bodies.h>
 #include <graze/engine/world/bodies/world_state.h>
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/shape_bounds.h>
 
 #include <algorithm>
@@ -49,21 +50,21 @@ class NearestParts {
 
   std::optional<BodyPairDistance> find(double most) {
     most_ = std::min(most, kLargest);
-    const CompoundBody* compound = as_compound(a_.shape);
-    if (compound == nullptr) {
+    const PartsBody* whole = as_parts(a_.shape);
+    if (whole == nullptr) {
       ask_part({&a_.shape, a_.pose, box_with_room(a_), nullptr, 0});
       return best_;
     }
     // As nearest_part() does: parts in a box around the other that grows.
     const Aabb box_b = box_with_room({b_.shape, b_.pose});
-    const double apart = gap_between(compound->bounds(a_.pose), box_b).gap;
+    const double apart = gap_between(whole->bounds(a_.pose), box_b).gap;
     if (apart > most_) return std::nullopt;
-    const double whole = 4 * (compound->bounding_radius() + width_of(box_b));
-    for (double width = 0x1p-6 * compound->bounding_radius();; width *= 4) {
+    const double widest = 4 * (whole->bounding_radius() + width_of(box_b));
+    for (double width = 0x1p-6 * whole->bounding_radius();; width *= 4) {
       const double reach = std::min(apart + width, most_);
-      const bool is_all = width >= whole || reach >= most_;
+      const bool is_all = width >= widest || reach >= most_;
       best_.reset();
-      for (const PlacedPart& part : compound->near(a_.pose, grown(box_b, reach), 0)) {
+      for (const PlacedPart& part : whole->near(a_.pose, grown(box_b, reach), 0)) {
         if (gap_between(part.box, box_b).gap <= limit()) ask_part(part);
       }
       if (is_all || limit() <= reach) return best_;
@@ -77,17 +78,17 @@ class NearestParts {
   /// A part of A, or all of it, and the nearest of B.
   void ask_part(const PlacedPart& part) {
     const Shape* of_part = part.shape->shape();
-    const CompoundBody* compound = as_compound(b_.shape);
-    if (compound == nullptr) {
-      const PlacedPart whole{&b_.shape, b_.pose, {}, nullptr, 0};
-      if (!do_parts_meet(a_, part, b_, whole)) return;
+    const PartsBody* whole = as_parts(b_.shape);
+    if (whole == nullptr) {
+      const PlacedPart alone{&b_.shape, b_.pose, {}, nullptr, 0};
+      if (!do_parts_meet(a_, part, b_, alone)) return;
       const PlacedShapeView placed{known_shape(*part.shape, id_a_), part.pose};
       take(distance(placed, {known_shape(b_.shape, id_b_), b_.pose}), part.number, 0);
       return;
     }
     if (of_part == nullptr) known_shape(*part.shape, id_a_);
     const auto nearest =
-        nearest_part({*of_part, part.pose}, *compound, b_.pose, limit(),
+        nearest_part({*of_part, part.pose}, *whole, b_.pose, limit(),
                      [&](const PlacedPart& other) { return do_parts_meet(a_, part, b_, other); });
     if (nearest) take(nearest->distance, part.number, nearest->part);
   }

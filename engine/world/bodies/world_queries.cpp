@@ -64,10 +64,10 @@ std::optional<BodyDistance> World::State::distance_to(std::uint32_t index,
                                                       const BodyQuerySettings& query,
                                                       double most) const {
   const Bodies::Body& body = all.bodies[index];
-  if (const CompoundBody* compound = as_compound(*body.shape)) {
-    const auto found = nearest_part(
-        placed, *compound, body.pose, most,
-        [&](const PlacedPart& part) { return lets_part_meet(part.filter, query.filter); });
+  if (const PartsBody* whole = as_parts(*body.shape)) {
+    const auto found = nearest_part(placed, *whole, body.pose, most, [&](const PlacedPart& part) {
+      return lets_part_meet(part.filter, query.filter);
+    });
     if (!found) return std::nullopt;
     return BodyDistance{all.id(index), found->distance, found->part};
   }

@@ -2,7 +2,7 @@
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/bodies/world_state.h>
-#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/body_shapes/parts_body.h>
 
 #include <algorithm>
 #include <functional>
@@ -29,8 +29,8 @@ void World::State::for_each_hit(const Ray& ray, const BodyQuerySettings& query,
       const std::uint32_t index = body_of_box[box];
       const Bodies::Body& body = all.bodies[index];
       if (!is_asked_for(index, query)) return shorter.max_distance;
-      if (const CompoundBody* compound = as_compound(*body.shape)) {
-        if (const auto found = compound->first_hit(body.pose, shorter, query.filter))
+      if (const PartsBody* whole = as_parts(*body.shape)) {
+        if (const auto found = whole->first_hit(body.pose, shorter, query.filter))
           shorter.max_distance = on_hit(BodyRayHit{all.id(index), found->hit, found->part});
         return shorter.max_distance;
       }

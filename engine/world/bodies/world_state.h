@@ -39,7 +39,7 @@ struct Bodies {
     Detection detection = Detection::Discrete;
     bool is_awake = true;
     bool is_users = false;   ///< whether a user wrote the shape's class
-    bool has_parts = false;  ///< whether the shape is a compound
+    bool has_parts = false;  ///< whether the shape is one of parts
     /// What `question(shape)` says, computed as its author does.
     template <typename Question>
     auto ask(const Question& question) const {

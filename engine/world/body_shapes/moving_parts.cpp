@@ -48,16 +48,16 @@ Aabb swept_box(const BodyShape& shape, const RigidMotion& motion) {
 
 std::vector<PartOnWay> parts_on_way(const BodyOnWay& body, const Aabb& box) {
   std::vector<PartOnWay> parts;
-  const CompoundBody* compound = as_compound(body.shape);
+  const PartsBody* whole = as_parts(body.shape);
   const Pose& start = body.motion.start();
-  if (compound == nullptr) {
+  if (whole == nullptr) {
     const Aabb swept = swept_box(body.shape, body.motion);
     if (share_a_point(swept, box))
       parts.push_back({{&body.shape, start, swept, nullptr, 0}, body.motion, swept});
     return parts;
   }
-  const double way = longest_way(body.motion, compound->bounding_radius());
-  for (PlacedPart& part : compound->near(start, grown(box, way), 0)) {
+  const double way = longest_way(body.motion, whole->bounding_radius());
+  for (PlacedPart& part : whole->near(start, grown(box, way), 0)) {
     const RigidMotion motion = part_motion(body.motion, part.pose);
     const Aabb swept = swept_box(*part.shape, motion);
     if (share_a_point(swept, box)) parts.push_back({part, motion, swept});

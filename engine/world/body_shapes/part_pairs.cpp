@@ -33,8 +33,7 @@ Aabb box_with_room(const PosedBody& body) {
 }
 
 std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box) {
-  if (const CompoundBody* compound = as_compound(body.shape))
-    return compound->near(body.pose, box, body.room);
+  if (const PartsBody* whole = as_parts(body.shape)) return whole->near(body.pose, box, body.room);
   if (!share_a_point(box_with_room(body), box)) return {};
   return {{&body.shape, body.pose, box_with_room({body.shape, body.pose}), nullptr, 0}};
 }
@@ -87,19 +86,19 @@ Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSet
 // Looks at the parts in a box around the shape that grows until the nearest part is nearer than all
 // outside can be. Those whose boxes are farther than the nearest so far need not be asked:
 // distance() never says less than boxes do.
-std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
+std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
                                          const Pose& pose, double most,
                                          const std::function<bool(const PlacedPart&)>& may_meet) {
   const Aabb own = bounding_aabb(shape);
-  const double whole = 4 * (compound.bounding_radius() + width_of(own));
-  const double apart = gap_between(own, compound.bounds(pose)).gap;
+  const double widest = 4 * (whole.bounding_radius() + width_of(own));
+  const double apart = gap_between(own, whole.bounds(pose)).gap;
   if (apart > most) return std::nullopt;
   std::optional<PartDistance> nearest;
-  for (double width = 0x1p-6 * compound.bounding_radius();; width *= 4) {
-    const bool is_all = width >= whole || apart + width >= most;
+  for (double width = 0x1p-6 * whole.bounding_radius();; width *= 4) {
+    const bool is_all = width >= widest || apart + width >= most;
     const double reach = std::min(apart + width, most);
     nearest.reset();
-    for (const PlacedPart& part : compound.near(pose, grown(own, reach), 0)) {
+    for (const PlacedPart& part : whole.near(pose, grown(own, reach), 0)) {
       if (!may_meet(part)) continue;
       if (nearest && gap_between(own, part.box).gap > nearest->distance.distance) continue;
       const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());

@@ -2,7 +2,7 @@
 
 // Pairs of parts of two bodies, of which each may be a compound. Private to engine/world.
 
-#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/body_shapes/parts_body.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shapes/grown_box.h>
 
@@ -36,7 +36,7 @@ Aabb box_with_room(const PosedBody& body);
 /// returns false.
 template <typename Visit>
 void for_part_pairs(const PosedBody& a, const PosedBody& b, const Visit& visit) {
-  const bool is_b_whole = as_compound(b.shape) == nullptr;
+  const bool is_b_whole = as_parts(b.shape) == nullptr;
   const Aabb box_b = box_with_room(b);
   std::vector<PlacedPart> parts_b;
   if (is_b_whole) parts_b = parts_near(b, box_b);
@@ -62,7 +62,7 @@ struct PartDistance {
 };
 /// The nearest part that may meet it and is not farther than `most`, metres; of equal distances
 /// that of the least number. Of a pose that was checked.
-std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const CompoundBody& compound,
+std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
                                          const Pose& pose, double most,
                                          const std::function<bool(const PlacedPart&)>& may_meet);
 

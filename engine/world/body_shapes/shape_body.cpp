@@ -3,7 +3,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/body.h>
-#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/body_shapes/parts_body.h>
 #include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shape_bounds.h>
@@ -248,7 +248,7 @@ double BodyShape::bounding_radius() const {
 }
 
 bool is_users_shape(const BodyShape& shape) {
-  return typeid(shape) != typeid(ShapeBody) && as_compound(shape) == nullptr;
+  return typeid(shape) != typeid(ShapeBody) && as_parts(shape) == nullptr;
 }
 
 std::shared_ptr<const BodyShape> share(const Shape& shape) {

@@ -4,6 +4,7 @@
 #include <graze/engine/world/compound.h>
 #include <graze/engine/world/drawing/outlines.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
 #include <graze/engine/world/world_drawing.h>
 
@@ -49,6 +50,7 @@ class Drawing {
     if (settings_.has_shapes) {
       if (const Shape* own = shape.shape()) draw_shape({*own, pose}, id);
       if (const Compound* compound = compound_of(shape)) draw_parts(*compound, pose, id);
+      if (const VoxelMap* map = voxel_map_of(shape)) draw_voxels(*map, pose, id);
     }
     if (settings_.has_boxes) draw_box(shape.bounds(pose), id);
     if (settings_.has_labels) {
@@ -82,6 +84,11 @@ class Drawing {
       const PlacedShape& placed = compound.part(part);
       draw_shape({placed.shape, placed_part(pose, placed.pose)}, id);
     }
+  }
+
+  void draw_voxels(const VoxelMap& map, const Pose& pose, BodyId id) {
+    for (const Voxel& voxel : map.voxels())
+      draw_shape({map.box(), placed_part(pose, map.pose(map.part(voxel)))}, id);
   }
 
   TakeLine taker(Drawn what, BodyId body) {

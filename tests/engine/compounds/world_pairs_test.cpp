@@ -14,6 +14,8 @@
 
 #include "tests/engine/body_world/users_ball.h"
 #include "tests/engine/compounds/twins.h"
+#include "tests/engine/motion/moving_bodies.h"
+#include "tests/shapes/pose_at.h"
 
 namespace graze {
 namespace {

@@ -1,6 +1,8 @@
-// What a compound holds for each part, and islands for each body and pair.
+// What a compound holds for each part, a map of voxels for each block, and islands for each body
+// and pair.
 
 #include <graze/engine/world/compound.h>
+#include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 
@@ -29,6 +31,21 @@ TEST(CompoundMemory, IsNoMoreForFewParts) {
   const auto before = static_cast<double>(tests::allocated_bytes());
   const auto shared = share(compound);
   EXPECT_LE(static_cast<double>(tests::allocated_bytes()) - before, 4 * 512 + 512);
+}
+
+TEST(VoxelMapMemory, IsWhatThePageSays) {
+  const VoxelGrid grid{{-512, -512, -8}, 1, {1024, 1024, 16}};
+  const auto before = static_cast<double>(tests::allocated_bytes());
+  VoxelMap map(grid);
+  map.add_block({0, 0, 0}, {1023, 1023, 0});
+  constexpr double kBlocks = 64 * 64;
+  // The list of blocks may have twice the room that it needs.
+  const double own = (static_cast<double>(tests::allocated_bytes()) - before) / kBlocks;
+  EXPECT_GE(own, 512);
+  EXPECT_LE(own, 1200);
+  const auto between = static_cast<double>(tests::allocated_bytes());
+  const auto shared = share(map);
+  EXPECT_LE((static_cast<double>(tests::allocated_bytes()) - between) / kBlocks, 800);
 }
 
 /// A floor of boxes, each of which touches its four neighbours, and no more.

@@ -1,4 +1,4 @@
-// What a compound says to another shape directly, without a world: all of its parts together.
+// What a body of parts says to another shape directly, without a world: all of its parts together.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/world/body_shapes/moving_parts.h>
@@ -75,7 +75,7 @@ bool is_earlier(const RigidContact& s, const RigidContact& t) {
 
 }  // namespace
 
-bool CompoundBody::touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const {
+bool PartsBody::touches(const Pose& pose, const BodyShape& other, const Pose& other_pose) const {
   return bvh::in_standard_arithmetic([&]() -> bool {
     bool do_touch = false;
     for_part_pairs({*this, pose}, {other, other_pose},
@@ -87,22 +87,22 @@ bool CompoundBody::touches(const Pose& pose, const BodyShape& other, const Pose&
   });
 }
 
-Manifold CompoundBody::contacts(const Pose& pose, const BodyShape& other,
-                                const Pose& other_pose) const {
+Manifold PartsBody::contacts(const Pose& pose, const BodyShape& other,
+                             const Pose& other_pose) const {
   return bvh::in_standard_arithmetic([&]() -> Manifold {
     return contacts_of_all({*this, pose}, {other, other_pose}, {});
   });
 }
 
-Manifold CompoundBody::contacts_within(const Pose& pose, const BodyShape& other,
-                                       const Pose& other_pose, double margin) const {
+Manifold PartsBody::contacts_within(const Pose& pose, const BodyShape& other,
+                                    const Pose& other_pose, double margin) const {
   return bvh::in_standard_arithmetic([&]() -> Manifold {
     check_margin(margin, "contacts_within");
     return contacts_of_all({*this, pose, margin}, {other, other_pose}, {.margin = margin});
   });
 }
 
-std::optional<RayHit> CompoundBody::cast_ray(const Pose& pose, const Ray& ray) const {
+std::optional<RayHit> PartsBody::cast_ray(const Pose& pose, const Ray& ray) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<RayHit> {
     check_ray(ray, "cast_ray");
     const auto found = first_hit(pose, ray, {});
@@ -111,9 +111,9 @@ std::optional<RayHit> CompoundBody::cast_ray(const Pose& pose, const Ray& ray) c
   });
 }
 
-RigidContact CompoundBody::first_contact(const RigidMotion& motion, const BodyShape& other,
-                                         const RigidMotion& other_motion,
-                                         const RigidContactSettings& settings) const {
+RigidContact PartsBody::first_contact(const RigidMotion& motion, const BodyShape& other,
+                                      const RigidMotion& other_motion,
+                                      const RigidContactSettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
     RigidContact earliest{
         .status = RigidStatus::Free, .low = 1, .high = 1, .is_out_of_budget = false};

@@ -1,0 +1,201 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/body_shapes/compound_body.h>
+#include <graze/engine/world/body_shapes/parts_body.h>
+#include <graze/engine/world/body_shapes/voxel_body.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shapes/grown_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <typeinfo>
+
+namespace graze {
+namespace {
+
+// Boxes in the body's frame have room of 2^-16 of its radius r, so that a box or a ray that was
+// taken into that frame still meets what it met before. Let u be 2^-53.
+// - A point and a body of which no coordinate is above kFarthestShare r are taken there by 9
+//   roundings of what is below 2^31 r: off by less than 2^-18 r. So are middles of boxes.
+// - A pose that deviates by at most kSmallDeviation from a rotation adds 4 times that share of r
+//   (kReadings of shape_bounds.cpp): 2^-20 r.
+// - Shapes that are apart by less than kTouchTolerance of their scale may touch. The other's box
+//   being no wider than kLargestShare r, the scale is below 2 (r + sqrt(3) 2^12 r) < 2^14 r, and
+//   each coordinate is off by less than 2^-20 r.
+// - A ray meets shapes whose faces are elsewhere by 2^-40 of a scale, which is at most 2^20 r for
+//   what begins at most kFarthestRay r away: 2^-20 r.
+// The sum is below 2^-17 r, and the rest is for the boxes of the parts themselves.
+constexpr double kIndexRoom = 0x1p-16;
+constexpr double kFarthestShare = 0x1p28;
+constexpr double kSmallDeviation = 0x1p-22;
+constexpr double kLargestShare = 0x1p12;
+constexpr double kFarthestRay = 0x1p19;
+
+// As bounds of shapes have it (shape_bounds.cpp), and what placing rounds.
+constexpr double kBoundsShare = 0x200p-53;
+constexpr double kReadings = 4;
+
+double largest_of(const Eigen::Vector3d& v) {
+  return std::max(std::abs(v.x()), std::max(std::abs(v.y()), std::abs(v.z())));
+}
+
+double radius_of(const Aabb& box) {
+  Eigen::Vector3d far;
+  for (int i = 0; i < 3; ++i)
+    far.data()[i] = std::max(std::abs(box.min.data()[i]), std::abs(box.max.data()[i]));
+  return std::sqrt((far.x() * far.x() + far.y() * far.y()) + far.z() * far.z()) * (1 + 0x8p-53);
+}
+
+/// R^T v.
+Eigen::Vector3d turned_back(const Pose& pose, const Eigen::Vector3d& v) {
+  const double* m = pose.data();  // column-major 4x4
+  Eigen::Vector3d back;
+  for (int i = 0; i < 3; ++i)
+    back.data()[i] = (m[4 * i] * v.x() + m[4 * i + 1] * v.y()) + m[4 * i + 2] * v.z();
+  return back;
+}
+
+/// A box around the box of the world in the frame of the pose.
+Aabb taken_back(const Pose& pose, const Aabb& box) {
+  const double* m = pose.data();
+  const Eigen::Vector3d middle = turned_back(pose, box.min / 2 + box.max / 2 - pose.translation());
+  const Eigen::Vector3d half = box.max / 2 - box.min / 2;
+  Eigen::Vector3d reach;
+  for (int i = 0; i < 3; ++i) {
+    reach.data()[i] = (std::abs(m[4 * i]) * half.x() + std::abs(m[4 * i + 1]) * half.y()) +
+                      std::abs(m[4 * i + 2]) * half.z();
+  }
+  return {middle - reach, middle + reach};
+}
+
+}  // namespace
+
+void PartsBody::set_frame(const Aabb& own, double deviation) {
+  own_ = own;
+  deviation_ = deviation;
+  radius_ = radius_of(own);
+  if (!(radius_ <= kLargestLength))
+    throw PoseError("share: the parts reach beyond the largest length");
+}
+
+double PartsBody::index_room() const {
+  return kIndexRoom * radius_;
+}
+
+/// The sum of the deviations, at most three times that of the body for each entry, or each part.
+void PartsBody::check_poses_of_parts(const Pose& pose, double deviation) const {
+  const double most = (3 * deviation + deviation_) + (0x20p-53 + 3 * deviation * deviation_);
+  const bool is_near = largest_of(pose.translation()) + radius_ <= kLargestLength / 2;
+  if (most > kMaxRotationDeviation || !is_near) check_parts(pose);
+}
+
+Aabb PartsBody::bounds(const Pose& pose) const {
+  return bvh::in_standard_arithmetic([&]() -> Aabb {
+    const double deviation = check_pose(pose, "pose");
+    check_poses_of_parts(pose, deviation);
+    const double* m = pose.data();
+    Aabb box;
+    for (int i = 0; i < 3; ++i) {
+      double low = m[12 + i], high = m[12 + i];
+      for (int j = 0; j < 3; ++j) {
+        const double at_min = m[4 * j + i] * own_.min.data()[j];
+        const double at_max = m[4 * j + i] * own_.max.data()[j];
+        low += std::min(at_min, at_max);
+        high += std::max(at_min, at_max);
+      }
+      box.min.data()[i] = low;
+      box.max.data()[i] = high;
+    }
+    const double size = radius_ + largest_of(pose.translation());
+    return grown(box, kBoundsShare * size + 2 * kReadings * (deviation + deviation_) * radius_);
+  });
+}
+
+PlacedPart PartsBody::placed(const Pose& pose, std::uint32_t number) const {
+  const OwnPart own = part(number);
+  const Pose of_part = placed_part(pose, own.pose);
+  return {own.shape, of_part, own.shape->bounds(of_part), own.filter, number};
+}
+
+std::vector<PlacedPart> PartsBody::near(const Pose& pose, const Aabb& box, double room) const {
+  const Aabb around = room > 0 ? grown(box, room) : box;
+  const Aabb whole = bounds(pose);
+  if (!share_a_point(around, whole)) return {};
+  // Of what is far larger than the body only what is near it need be taken into its frame.
+  const bool is_known = width_of(around) <= kLargestShare * radius_ &&
+                        largest_of(pose.translation()) <= kFarthestShare * radius_ &&
+                        rotation_deviation(pose) <= kSmallDeviation;
+  std::vector<std::uint32_t> numbers;
+  if (is_known) {
+    const Aabb common{around.min.cwiseMax(whole.min), around.max.cwiseMin(whole.max)};
+    numbers = parts_near(taken_back(pose, common));
+  } else {
+    numbers = all_parts();
+  }
+  std::vector<PlacedPart> parts;
+  for (const std::uint32_t number : numbers) {
+    PlacedPart part = placed(pose, number);
+    if (share_a_point(room > 0 ? grown(part.box, room) : part.box, box)) parts.push_back(part);
+  }
+  return parts;
+}
+
+/// The part of a ray from where it comes near the body, in the body's frame, and how much
+/// of it lies before that; nothing if that is not known well enough to look parts up.
+std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& skipped) const {
+  const Eigen::Vector3d way = pose.translation() - ray.origin;
+  if (!(largest_of(pose.translation()) <= kFarthestShare * radius_ &&
+        largest_of(way) <= kFarthestRay * radius_ && rotation_deviation(pose) <= kSmallDeviation)) {
+    return std::nullopt;
+  }
+  // Scaled first, as squares could overflow.
+  const Eigen::Vector3d scaled = ray.direction / largest_of(ray.direction);
+  const Eigen::Vector3d unit =
+      scaled /
+      std::sqrt((scaled.x() * scaled.x() + scaled.y() * scaled.y()) + scaled.z() * scaled.z());
+  const double along = (way.x() * unit.x() + way.y() * unit.y()) + way.z() * unit.z();
+  skipped = std::max(along - 1.125 * radius_, 0.0);
+  return Ray{turned_back(pose, skipped * unit - way), turned_back(pose, unit),
+             std::max(ray.max_distance - skipped, 0.0) + index_room()};
+}
+
+std::optional<PartRayHit> PartsBody::first_hit(const Pose& pose, const Ray& ray,
+                                               const std::optional<Filter>& filter) const {
+  std::optional<PartRayHit> first;
+  Ray shorter = ray;
+  const auto ask = [&](std::uint32_t number) {
+    const OwnPart own = part(number);
+    if (!lets_part_meet(own.filter, filter)) return;
+    const auto hit = own.shape->cast_ray(placed_part(pose, own.pose), shorter);
+    if (!hit || (first && hit->distance == first->hit.distance && number > first->part)) return;
+    first = {*hit, number};
+    shorter.max_distance = hit->distance;
+  };
+  double skipped = 0;
+  const std::optional<Ray> own = own_ray(pose, ray, skipped);
+  if (!own) {
+    for (const std::uint32_t number : all_parts())
+      ask(number);
+    return first;
+  }
+  const auto look = [&](std::uint32_t number) {
+    return bvh::in_standard_arithmetic([&] {
+      ask(number);
+      return std::max(shorter.max_distance - skipped, 0.0) + index_room();
+    });
+  };
+  visit_along(*own, std::cref(look));  // a reference: nothing is allocated
+  return first;
+}
+
+const PartsBody* as_parts(const BodyShape& shape) {
+  const std::type_info& type = typeid(shape);
+  if (type != typeid(CompoundBody) && type != typeid(VoxelBody)) return nullptr;
+  return static_cast<const PartsBody*>(&shape);
+}
+
+bool lets_part_meet(const Filter* part, const std::optional<Filter>& other) {
+  return part == nullptr || !other || lets_pass(*part, *other);
+}
+
+}  // namespace graze

@@ -1,0 +1,163 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/body_shapes/voxel_body.h>
+#include <graze/engine/world/compound.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shapes/grown_box.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <typeinfo>
+
+namespace graze {
+namespace {
+
+constexpr std::uint32_t kSide = VoxelMap::kBlock;
+constexpr std::uint32_t kVoxels = kSide * kSide * kSide;
+
+/// Of the largest coordinate: a plane is off by one rounding, a middle by two, its box by another,
+/// and the bounds of a box have as much room again.
+constexpr double kPlaneShare = 0x8p-53;
+
+/// The part of a ray within a box, as a box; what it rounds is far less than index_room().
+Aabb box_along(const Ray& ray, const Aabb& box) {
+  double from = 0, to = ray.max_distance;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = ray.direction.data()[axis], o = ray.origin.data()[axis];
+    if (d == 0) continue;
+    const double s = (box.min.data()[axis] - o) / d, t = (box.max.data()[axis] - o) / d;
+    from = std::max(from, std::min(s, t));
+    to = std::min(to, std::max(s, t));
+  }
+  to = std::max(to, from);
+  const Eigen::Vector3d a = ray.origin + from * ray.direction, b = ray.origin + to * ray.direction;
+  return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
+}  // namespace
+
+VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
+  if (map.empty()) throw InputError("share: a map without voxels");
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
+  Aabb own{most, -most};
+  std::vector<Aabb> boxes;
+  for (std::uint32_t place = 0; place < map_.blocks_.size(); ++place) {
+    if (map_.blocks_[place].count == 0) continue;
+    const Aabb box = box_of_block(map_.blocks_[place]);
+    own = {own.min.cwiseMin(box.min), own.max.cwiseMax(box.max)};
+    places_.push_back(place);
+    boxes.push_back(box);
+  }
+  set_frame(own, 0);
+  for (const Aabb& box : boxes)
+    blocks_.add(grown(box, index_room()));
+  parts_near({own.min, own.min});  // sorts them, once for all threads
+}
+
+/// Around what is full, with room for what boxes of voxels are rounded by.
+Aabb VoxelBody::box_of_block(const VoxelMap::Block& block) const {
+  const VoxelGrid& grid = map_.grid();
+  unsigned bits[3] = {0, 0, 0};
+  for (std::uint32_t row = 0; row < kSide * kSide; ++row) {
+    if (block.rows[row] == 0) continue;
+    bits[0] |= block.rows[row];
+    bits[1] |= 1u << row % kSide;
+    bits[2] |= 1u << row / kSide;
+  }
+  Aabb box;
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint32_t corner = corner_of(block, axis);
+    box.min.data()[axis] =
+        grid.plane(axis, corner + static_cast<std::uint32_t>(std::countr_zero(bits[axis])));
+    box.max.data()[axis] =
+        grid.plane(axis, corner + static_cast<std::uint32_t>(std::bit_width(bits[axis])));
+    largest = std::max({largest, std::abs(box.min.data()[axis]), std::abs(box.max.data()[axis])});
+  }
+  return grown(box, kPlaneShare * largest);
+}
+
+/// The least index of its voxels.
+std::uint32_t VoxelBody::corner_of(const VoxelMap::Block& block, int axis) {
+  return static_cast<std::uint32_t>(block.key >> 16 * axis & 0xffff) * kSide;
+}
+
+PartsBody::OwnPart VoxelBody::part(std::uint32_t number) const {
+  return {box_.get(), map_.pose(number), nullptr};
+}
+
+/// Calls `visit(number)` for the full voxels of a block whose boxes, with index_room(), share a
+/// point with a box, or nearly do; ascending.
+template <typename Visit>
+void VoxelBody::for_voxels_in(std::uint32_t place, const Aabb& own_box, const Visit& visit) const {
+  const VoxelMap::Block& block = map_.blocks_[place];
+  const VoxelGrid& grid = map_.grid();
+  // What planes and middles are rounded by is far less than the room; 2^-16 of an edge is for the
+  // quotient, which matters between -1 and 17.
+  std::uint32_t low[3], high[3];
+  const double room = index_room();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double corner = grid.plane(axis, corner_of(block, axis));
+    const double from = (own_box.min.data()[axis] - room - corner) / grid.edge - 0x1p-16;
+    const double to = (own_box.max.data()[axis] + room - corner) / grid.edge + 0x1p-16;
+    if (!(from < kSide) || !(to >= 0)) return;
+    low[axis] = from > 0 ? static_cast<std::uint32_t>(from) : 0;
+    high[axis] = to < kSide - 1 ? static_cast<std::uint32_t>(to) : kSide - 1;
+  }
+  for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
+    for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+      const std::uint32_t row = z * kSide + y;
+      for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+        if ((block.rows[row] >> x & 1) != 0) visit(place * kVoxels + row * kSide + x);
+      }
+    }
+  }
+}
+
+std::vector<std::uint32_t> VoxelBody::parts_near(const Aabb& own_box) const {
+  std::vector<std::uint32_t> blocks;
+  blocks_.find_overlapping(own_box, blocks);
+  std::sort(blocks.begin(), blocks.end());
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t block : blocks)
+    for_voxels_in(places_[block], own_box, [&](std::uint32_t number) { near.push_back(number); });
+  return near;
+}
+
+std::vector<std::uint32_t> VoxelBody::all_parts() const {
+  std::vector<std::uint32_t> all;
+  all.reserve(map_.size());
+  for (const std::uint32_t place : places_)
+    for_voxels_in(place, own(), [&](std::uint32_t number) { all.push_back(number); });
+  return all;
+}
+
+void VoxelBody::visit_along(const Ray& own_ray, const Look& look) const {
+  Ray shorter = own_ray;
+  const auto look_at = [&](std::uint32_t block) {
+    const std::uint32_t place = places_[block];
+    const Aabb along = box_along(shorter, grown(box_of_block(map_.blocks_[place]), index_room()));
+    for_voxels_in(place, along, [&](std::uint32_t number) { shorter.max_distance = look(number); });
+    return shorter.max_distance;
+  };
+  blocks_.visit_along(own_ray, std::cref(look_at));  // a reference: nothing is allocated
+}
+
+void VoxelBody::check_parts(const Pose& pose) const {
+  for (const std::uint32_t number : all_parts())
+    check_pose(placed_part(pose, map_.pose(number)), "pose of a part");
+}
+
+const VoxelMap* voxel_map_of(const BodyShape& shape) {
+  if (typeid(shape) != typeid(VoxelBody)) return nullptr;
+  return &static_cast<const VoxelBody&>(shape).map();
+}
+
+std::shared_ptr<const BodyShape> share(const VoxelMap& map) {
+  return bvh::in_standard_arithmetic(
+      [&]() -> std::shared_ptr<const BodyShape> { return std::make_shared<VoxelBody>(map); });
+}
+
+}  // namespace graze

@@ -1,0 +1,193 @@
+#include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/world/shape.h>
+#include <graze/engine/world/voxel_map.h>
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+namespace graze {
+namespace {
+
+constexpr std::uint32_t kSide = VoxelMap::kBlock;
+constexpr std::uint32_t kVoxels = kSide * kSide * kSide;
+constexpr std::size_t kMostBlocks = std::size_t{1} << 20;
+
+std::uint32_t row_of(const Voxel& voxel) {
+  return voxel.k % kSide * kSide + voxel.j % kSide;
+}
+
+std::string name_of(const Voxel& voxel) {
+  return "(" + std::to_string(voxel.i) + ", " + std::to_string(voxel.j) + ", " +
+         std::to_string(voxel.k) + ")";
+}
+
+/// The bits of a row from `first` to `last`.
+std::uint16_t bits_of(std::uint32_t first, std::uint32_t last) {
+  return static_cast<std::uint16_t>((0xffffu >> (kSide - 1 - (last - first))) << first);
+}
+
+Voxel voxel_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  return {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j),
+          static_cast<std::uint16_t>(k)};
+}
+
+}  // namespace
+
+VoxelMap::VoxelMap(const VoxelGrid& grid) : grid_(grid) {
+  grid.check();
+}
+
+VoxelMap::VoxelMap(const Voxels& voxels) : VoxelMap(voxels.grid) {
+  add(voxels.voxels);
+}
+
+std::uint64_t VoxelMap::key_of(const Voxel& voxel) {
+  return std::uint64_t{voxel.k / kSide} << 32 | std::uint64_t{voxel.j / kSide} << 16 |
+         voxel.i / kSide;
+}
+
+void VoxelMap::check(const Voxel& voxel, const char* what) const {
+  const auto& [x, y, z] = grid_.counts;
+  if (voxel.i < x && voxel.j < y && voxel.k < z) return;
+  throw InputError(std::string(what) + ": voxel " + name_of(voxel) + " is not of the grid of " +
+                   std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z));
+}
+
+const VoxelMap::Block* VoxelMap::find(const Voxel& voxel) const {
+  const auto found = places_.find(key_of(voxel));
+  return found == places_.end() ? nullptr : &blocks_[found->second];
+}
+
+VoxelMap::Block& VoxelMap::make(const Voxel& voxel) {
+  const std::uint64_t key = key_of(voxel);
+  const auto found = places_.find(key);
+  if (found != places_.end()) return blocks_[found->second];
+  if (free_.empty()) {
+    if (blocks_.size() == kMostBlocks)
+      throw InputError("add: voxel " + name_of(voxel) + " needs more than 2^20 blocks of voxels");
+    blocks_.emplace_back();
+    free_.push_back(static_cast<std::uint32_t>(blocks_.size() - 1));
+  }
+  const std::uint32_t place = free_.back();
+  places_.emplace(key, place);
+  free_.pop_back();
+  blocks_[place].key = key;
+  return blocks_[place];
+}
+
+void VoxelMap::set_row(Block& block, std::uint32_t row, std::uint16_t bits, bool is_full) {
+  std::uint16_t& now = block.rows[row];
+  const std::uint16_t changed = static_cast<std::uint16_t>(bits & (is_full ? ~now : now));
+  const auto count = static_cast<std::uint32_t>(std::popcount(changed));
+  now = static_cast<std::uint16_t>(now ^ changed);
+  block.count = is_full ? block.count + count : block.count - count;
+  size_ = is_full ? size_ + count : size_ - count;
+}
+
+void VoxelMap::set_block(const Voxel& first, const Voxel& last, bool is_full, const char* what) {
+  check(first, what);
+  check(last, what);
+  if (last.i < first.i || last.j < first.j || last.k < first.k) {
+    throw InputError(std::string(what) + ": " + name_of(last) + " is before " + name_of(first));
+  }
+  for (std::uint32_t k = first.k / kSide; k <= last.k / kSide; ++k) {
+    for (std::uint32_t j = first.j / kSide; j <= last.j / kSide; ++j) {
+      for (std::uint32_t i = first.i / kSide; i <= last.i / kSide; ++i) {
+        const Voxel corner = voxel_at(i * kSide, j * kSide, k * kSide);
+        if (!is_full && find(corner) == nullptr) continue;
+        Block& block = make(corner);
+        const auto low = [](std::uint32_t from, std::uint32_t at) {
+          return std::max(from, at * kSide) - at * kSide;
+        };
+        const auto high = [](std::uint32_t to, std::uint32_t at) {
+          return std::min(to, at * kSide + kSide - 1) - at * kSide;
+        };
+        const std::uint16_t bits = bits_of(low(first.i, i), high(last.i, i));
+        for (std::uint32_t z = low(first.k, k); z <= high(last.k, k); ++z) {
+          for (std::uint32_t y = low(first.j, j); y <= high(last.j, j); ++y)
+            set_row(block, z * kSide + y, bits, is_full);
+        }
+        if (block.count != 0) continue;
+        free_.push_back(places_.at(block.key));
+        places_.erase(block.key);
+      }
+    }
+  }
+}
+
+void VoxelMap::add(std::span<const Voxel> voxels) {
+  for (const Voxel& voxel : voxels)
+    check(voxel, "add");
+  for (const Voxel& voxel : voxels)
+    set_block(voxel, voxel, true, "add");
+}
+
+void VoxelMap::remove(std::span<const Voxel> voxels) {
+  for (const Voxel& voxel : voxels)
+    check(voxel, "remove");
+  for (const Voxel& voxel : voxels)
+    set_block(voxel, voxel, false, "remove");
+}
+
+void VoxelMap::add_block(const Voxel& first, const Voxel& last) {
+  set_block(first, last, true, "add_block");
+}
+
+void VoxelMap::remove_block(const Voxel& first, const Voxel& last) {
+  set_block(first, last, false, "remove_block");
+}
+
+bool VoxelMap::contains(const Voxel& voxel) const {
+  const Block* block = find(voxel);
+  return block != nullptr && (block->rows[row_of(voxel)] >> voxel.i % kSide & 1) != 0;
+}
+
+std::vector<Voxel> VoxelMap::voxels() const {
+  std::vector<Voxel> all;
+  all.reserve(size_);
+  for (std::uint32_t place = 0; place < blocks_.size(); ++place) {
+    for (std::uint32_t at = 0; blocks_[place].count != 0 && at < kVoxels; ++at) {
+      if ((blocks_[place].rows[at / kSide] >> at % kSide & 1) != 0)
+        all.push_back(voxel(place * kVoxels + at));
+    }
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::uint32_t VoxelMap::part(const Voxel& voxel) const {
+  if (!contains(voxel))
+    throw StaleIdError("part: voxel " + name_of(voxel) + " is not full", {.element = "voxel"});
+  return places_.at(key_of(voxel)) * kVoxels + row_of(voxel) * kSide + voxel.i % kSide;
+}
+
+Voxel VoxelMap::voxel(std::uint32_t part) const {
+  const std::uint32_t place = part / kVoxels, at = part % kVoxels;
+  if (place >= blocks_.size() || (blocks_[place].rows[at / kSide] >> at % kSide & 1) == 0) {
+    throw StaleIdError("voxel: the map has no part " + std::to_string(part),
+                       {.element = "part", .index = part});
+  }
+  const std::uint64_t key = blocks_[place].key;
+  const auto block = [&](int shift) { return static_cast<std::uint32_t>(key >> shift & 0xffff); };
+  return voxel_at(block(0) * kSide + at % kSide, block(16) * kSide + at / kSide % kSide,
+                  block(32) * kSide + at / (kSide * kSide));
+}
+
+Pose VoxelMap::pose(std::uint32_t part) const {
+  return bvh::in_standard_arithmetic([&]() -> Pose {
+    const Voxel at = voxel(part);
+    Pose pose = Pose::Identity();
+    pose.translation() =
+        Eigen::Vector3d(grid_.plane(0, at.i), grid_.plane(1, at.j), grid_.plane(2, at.k)) +
+        Eigen::Vector3d::Constant(grid_.edge / 2);
+    return pose;
+  });
+}
+
+Shape VoxelMap::box() const {
+  return Box{Eigen::Vector3d::Constant(grid_.edge / 2)};
+}
+
+}  // namespace graze
