@@ -1,10 +1,11 @@
 #include <graze/engine/mesh/inside/parity.h>
+#include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/solids/face_sides.h>
-#include <graze/engine/mesh/volume_query.h>
 #include <graze/narrowphase/triangle_pair/adjacent_triangles.h>
 #include <graze/narrowphase/triangle_pair/inside_contact.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace graze {
 
@@ -17,14 +18,16 @@ bool FaceSides::has_area(std::uint32_t index) const {
 std::optional<std::uint32_t> FaceSides::intruder(std::uint32_t index) {
   const auto known = intruders_.find(index);
   if (known != intruders_.end()) return known->second;
-  const Triangle asked = triangle(index);
-  const Aabb around{asked.a.cwiseMin(asked.b).cwiseMin(asked.c),
-                    asked.a.cwiseMax(asked.b).cwiseMax(asked.c)};
-  const TriangleList near = find_triangles(placed_, around, {}, &work_);
-  const auto found = std::find_if(near.begin(), near.end(), [&](std::uint32_t other) {
-    return other != index && has_area(other) && narrowphase::meets_inside(triangle(other), asked);
+  // As a mesh of its own, whose box lies along it: an axis-aligned one around a long slanted
+  // triangle meets most of a mesh of such.
+  const Triangle own = placed_.mesh.triangle(index), asked = triangle(index);
+  const Mesh alone(std::vector{own.a, own.b, own.c}, std::vector<TriangleIndices>{{0, 1, 2}});
+  const TrianglePairs near = find_triangle_pairs({alone, placed_.pose}, placed_, {}, &work_);
+  const auto found = std::find_if(near.begin(), near.end(), [&](const TrianglePair& pair) {
+    return pair.b != index && has_area(pair.b) &&
+           narrowphase::meets_inside(triangle(pair.b), asked);
   });
-  const auto answer = found == near.end() ? std::nullopt : std::optional(*found);
+  const auto answer = found == near.end() ? std::nullopt : std::optional(found->b);
   intruders_.emplace(index, answer);
   return answer;
 }

@@ -233,5 +233,43 @@ TEST(Interiors, WorkIsCounted) {
   EXPECT_GT(work.triangle_tests, 4u);
 }
 
+/// A slab of `strips` strips across a slanted plane, from one height above it to another.
+Mesh slanted_slab(std::uint32_t strips, double from, double to) {
+  std::vector<Eigen::Vector3d> vertices;
+  for (std::uint32_t i = 0; i <= strips; ++i) {
+    for (const double z : {from, to}) {
+      for (const double x : {0.0, double(strips)})
+        vertices.push_back({2 * x - 2 * i + z, 2 * x + i - 2 * z, x + 2 * i + 2 * z});
+    }
+  }
+  std::vector<TriangleIndices> triangles;
+  const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  };
+  for (std::uint32_t i = 0; i < strips; ++i) {
+    const std::uint32_t at = 4 * i, next = at + 4;
+    side(at + 2, at + 3, next + 3, next + 2);
+    side(at, next, next + 1, at + 1);
+    side(at, at + 2, next + 2, next);
+    side(at + 1, next + 1, next + 3, at + 3);
+  }
+  side(0, 1, 3, 2);
+  side(4 * strips, 4 * strips + 2, 4 * strips + 3, 4 * strips + 1);
+  return Mesh(vertices, triangles);
+}
+
+// Their axis-aligned boxes meet those of most others.
+TEST(Interiors, LongSlantedTrianglesCostWhatIsNearThem) {
+  const auto tests_of = [](std::uint32_t strips) {
+    Work work;
+    const Mesh lower = slanted_slab(strips, 0, 4), upper = slanted_slab(strips, 4, 8);
+    EXPECT_FALSE(interiors_intersect(lower, upper, &work));
+    EXPECT_TRUE(do_meet(lower, slanted_slab(strips, 3, 8)));
+    return static_cast<double>(work.triangle_tests);
+  };
+  EXPECT_LT(tests_of(200) / tests_of(50), 6) << "four times as many";
+}
+
 }  // namespace
 }  // namespace graze
