@@ -18,6 +18,12 @@ Mesh mesh_of(MeshPatch&& patch) {
     data->welded.resize(data->vertices.size());
     std::iota(data->welded.begin(), data->welded.end(), 0u);
   });
+  if (patch.tree) {
+    std::call_once(data->tree_flag, [&] {
+      data->tree = std::make_shared<const AgedTree>(AgedTree{std::move(*patch.tree), {}});
+      data->is_tree_made.store(true, std::memory_order_release);
+    });
+  }
   return MeshAccess::mesh(data);
 }
 

@@ -2,9 +2,11 @@
 
 // A part of a surface that is nowhere kept as a mesh. Private to the library.
 
+#include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/mesh.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,9 @@ struct MeshPatch {
   Aabb bounds;                                  ///< of the whole
   std::vector<std::uint32_t> vertex_numbers;    ///< in the whole, ascending
   std::vector<std::uint32_t> triangle_numbers;  ///< likewise
+  /// Over the triangles, in the frame around the bounds, if there is one at hand: else it is built
+  /// as of any mesh, by the query that asks for it.
+  std::optional<bvh::Tree> tree = {};
 };
 
 /// The patch as a mesh that says what the whole would, bit for bit, wherever its triangles decide:

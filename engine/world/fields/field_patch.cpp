@@ -1,6 +1,6 @@
 #include <graze/engine/mesh/data/mesh_patch.h>
-#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/world/fields/field_patch.h>
+#include <graze/engine/world/fields/field_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -79,9 +79,44 @@ void add_triangles(const HeightFieldData& field, const std::vector<Span>& cells,
   }
 }
 
+/// As below, without a list of spans.
+MeshPatch patch_of_rect(const HeightFieldData& field, const CellRect& rect) {
+  MeshPatch patch;
+  patch.bounds = field.bounds;
+  const std::uint32_t columns = rect.last_column - rect.first_column + 1;
+  const std::size_t count = std::size_t{columns} * (rect.last_row - rect.first_row + 1);
+  patch.vertices.reserve(count);
+  patch.vertex_numbers.reserve(count);
+  for (std::uint32_t r = rect.first_row; r <= rect.last_row; ++r) {
+    for (std::uint32_t c = rect.first_column; c <= rect.last_column; ++c) {
+      patch.vertices.push_back(field.vertex(c, r));
+      patch.vertex_numbers.push_back(field.vertex_number(c, r));
+    }
+  }
+  patch.triangles.reserve(2 * rect.count());
+  patch.triangle_numbers.reserve(2 * rect.count());
+  for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {
+    std::uint32_t low = (r - rect.first_row) * columns;
+    for (std::uint32_t c = rect.first_column; c < rect.last_column; ++c, ++low) {
+      if (field.is_hole(c, r)) continue;
+      const std::uint32_t number = field.triangle_number(c, r), high = low + columns;
+      patch.triangles.push_back({low, low + 1, high + 1});
+      patch.triangles.push_back({low, high + 1, high});
+      patch.triangle_numbers.push_back(number);
+      patch.triangle_numbers.push_back(number + 1);
+    }
+  }
+  return patch;
+}
+
 }  // namespace
 
 Mesh patch_of(const HeightFieldData& field, std::span<const CellRect> rects) {
+  if (rects.size() == 1) {
+    MeshPatch patch = patch_of_rect(field, rects[0]);
+    patch.tree = tree_over(field, rects[0], patch);
+    return mesh_of(std::move(patch));
+  }
   std::vector<Span> cells, vertices;
   for (const CellRect& rect : rects) {
     for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r)
@@ -121,11 +156,8 @@ std::size_t place_of(std::uint64_t serial, const CellRect& rect, std::size_t pla
 Mesh kept_patch_of(const HeightFieldData& field, const CellRect& rect) {
   static thread_local std::array<std::optional<KeptPatch>, 64> kept;
   std::optional<KeptPatch>& place = kept[place_of(field.serial, rect, kept.size())];
-  if (!place || place->serial != field.serial || !(place->rect == rect)) {
+  if (!place || place->serial != field.serial || !(place->rect == rect))
     place = KeptPatch{field.serial, rect, patch_of(field, std::span(&rect, 1))};
-    // Nobody counts it: who comes first depends on the thread.
-    tree_of(place->mesh);
-  }
   return place->mesh;
 }
 

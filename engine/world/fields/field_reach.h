@@ -31,7 +31,7 @@ class FieldReach {
   /// A lower bound of how far it is from that, metres; 0 if it meets it. Of what does not go.
   double distance(const Aabb& box) const;
 
-  /// The cells that it is above or below, or about. Of a half-space all.
+  /// The cells that it is above or below, with all around these. Of a half-space all.
   CellRect columns_of_cells(const HeightFieldData& field) const;
 
  private:

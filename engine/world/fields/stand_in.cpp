@@ -3,24 +3,34 @@
 #include <graze/engine/world/shape_bounds.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace graze {
 
 namespace {
 
-// Rectangles begin and end at multiples of this, so that what moves a little asks for the same.
-constexpr std::uint32_t kStep = 4;
-
 // Cells above or below something else are left out of a patch if it would have more than so many.
 constexpr std::uint64_t kMostAtOnce = std::uint64_t{1} << 16;
 
-CellRect rounded_out(const CellRect& rect, const CellRect& all) {
-  const auto up = [](std::uint32_t at, std::uint32_t most) {
-    return std::min(most, (at + kStep - 1) / kStep * kStep);
-  };
-  return {rect.first_column / kStep * kStep, rect.first_row / kStep * kStep,
-          up(rect.last_column, all.last_column), up(rect.last_row, all.last_row)};
+/// A bound of the sine of the angle between the normals of triangles in these cells and straight
+/// up: 1 where they are many.
+double steepest_sine(const HeightFieldData& field, const CellRect& rect) {
+  constexpr std::uint64_t kMostLookedAt = 256;
+  if (rect.count() > kMostLookedAt) return 1;
+  double square = 0;
+  for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {
+    for (std::uint32_t c = rect.first_column; c < rect.last_column; ++c) {
+      if (field.is_hole(c, r)) continue;
+      const double low = field.z(field.stored(c, r)), beside = field.z(field.stored(c + 1, r));
+      const double above = field.z(field.stored(c, r + 1));
+      const double high = field.z(field.stored(c + 1, r + 1));
+      const double x = std::max(std::abs(beside - low), std::abs(high - above)) / field.spacing_x;
+      const double y = std::max(std::abs(above - low), std::abs(high - beside)) / field.spacing_y;
+      square = std::max(square, x * x + y * y);
+    }
+  }
+  return std::isfinite(square) ? std::min(std::sqrt(square / (1 + square)) + 0x1p-20, 1.0) : 1;
 }
 
 bool has_cell(const HeightFieldData& field, const CellRect& rect) {
@@ -77,8 +87,13 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
     return;
   }
   FieldReach wide = reach;
-  wide.grow_aside(need.aside);
-  const CellRect around = rounded_out(wide.columns_of_cells(field), field.cells());
+  CellRect around = reach.columns_of_cells(field);
+  if (need.aside > 0) {
+    // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
+    // near there is a ring of cells already.
+    wide.grow_aside(need.aside * steepest_sine(field, around));
+    around = wide.columns_of_cells(field);
+  }
   const bool is_kept = need.is_kept && around.count() <= kMostKeptCells;
   const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kMostKeptCells);
   if (is_whole && has_cell(field, around)) {

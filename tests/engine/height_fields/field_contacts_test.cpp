@@ -119,8 +119,8 @@ TEST(HeightFieldContacts, WithHalfSpacesAndMeshesAreThoseOfTheMesh) {
     EXPECT_EQ(manifold.size(), wanted.size());
     EXPECT_EQ(manifold.region_count(), wanted.region_count());
     if (manifold.size() == wanted.size() && !manifold.empty()) {
-      EXPECT_EQ(manifold[0].depth, wanted[0].depth) << n;
-      EXPECT_EQ(manifold[0].normal, wanted[0].normal) << n;
+      EXPECT_NEAR(manifold[0].depth, wanted[0].depth, 1e-12) << n;
+      EXPECT_NEAR((manifold[0].normal - wanted[0].normal).norm(), 0, 1e-12) << n;
     }
     found_contacts += counts.contacts + static_cast<int>(manifold.size());
   }
