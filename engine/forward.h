@@ -40,6 +40,7 @@ struct ContactSettings;
 struct DistanceSettings;
 struct FirstContactSettings;
 struct IntersectionSettings;
+struct HeightFieldSettings;
 struct ManifoldSettings;
 struct MemoryPairSettings;
 struct MemoryQuerySettings;
@@ -76,6 +77,7 @@ struct Voxels;
 struct Work;
 
 class ConvexHull;
+class HeightField;
 class Shape;
 struct PlacedShape;
 struct PlacedShapeView;

@@ -53,6 +53,7 @@
 #include <graze/engine/world/broad_phase.h>
 #include <graze/engine/world/compound.h>
 #include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/height_field.h>
 #include <graze/engine/world/ids.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/placed_shape.h>

@@ -53,8 +53,10 @@ struct CasePoint {
 
 /// Any shape that a body of a world can have, in its pose.
 struct CaseBody {
-  /// A shape in a pose.
-  CaseBody(Shape the_shape, const Pose& the_pose) : shape(std::move(the_shape)), pose(the_pose) {}
+  /// A shape in a pose; a height field as the mesh that it is, which says the same.
+  CaseBody(Shape the_shape, const Pose& the_pose) : shape(std::move(the_shape)), pose(the_pose) {
+    if (const auto* field = shape.as<HeightField>()) shape = Shape(field->mesh());
+  }
 
   Shape shape;  ///< a handle, where it is a hull or a mesh
   Pose pose;    ///< of the shape

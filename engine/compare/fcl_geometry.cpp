@@ -77,6 +77,10 @@ FclGeometry converted(const Mesh& mesh) {
   return {model};
 }
 
+FclGeometry converted(const HeightField& field) {
+  return converted(field.mesh());
+}
+
 }  // namespace
 
 FclGeometry fcl_geometry(const Shape& shape) {

@@ -7,6 +7,7 @@
 #include <graze/bvh/sphere.h>
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/height_field.h>
 #include <graze/narrowphase/volumes/ellipsoid.h>
 #include <Eigen/Core>
 
@@ -54,14 +55,15 @@ enum class ShapeKind {
   Ellipsoid,
   ConvexHull,
   HalfSpace,
-  Mesh
+  Mesh,
+  HeightField
 };
 
 /// All of them, in their order.
 inline constexpr std::array kShapeKinds{
-    ShapeKind::Sphere,     ShapeKind::Box,       ShapeKind::Capsule,
-    ShapeKind::Cylinder,   ShapeKind::Cone,      ShapeKind::Ellipsoid,
-    ShapeKind::ConvexHull, ShapeKind::HalfSpace, ShapeKind::Mesh};
+    ShapeKind::Sphere, ShapeKind::Box,        ShapeKind::Capsule,    ShapeKind::Cylinder,
+    ShapeKind::Cone,   ShapeKind::Ellipsoid,  ShapeKind::ConvexHull, ShapeKind::HalfSpace,
+    ShapeKind::Mesh,   ShapeKind::HeightField};
 
 /// "sphere", "box", ... as error messages call it.
 const char* name_of(ShapeKind kind);
@@ -72,14 +74,14 @@ inline constexpr double kSmallestLength = 1e-100;
 /// The largest: see kSmallestLength.
 inline constexpr double kLargestLength = 1e100;
 
-/// Any shape that a body can have; a value, and cheap to copy: hulls and meshes are handles. The
-/// constructors are the door: they throw InputError, which names the shape and the member, for what
-/// is not finite, not positive, or beyond the lengths above.
+/// Any shape that a body can have; a value, and cheap to copy: hulls, meshes and height fields are
+/// handles. The constructors are the door: they throw InputError, which names the shape and the
+/// member, for what is not finite, not positive, or beyond the lengths above.
 class Shape {
  public:
   /// What it can be.
-  using Value =
-      std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace, Mesh>;
+  using Value = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace,
+                             Mesh, HeightField>;
 
   /// A shape is any of these: each converts to it.
   Shape(const Sphere& sphere);      // NOLINT(google-explicit-constructor): a shape is any of these
@@ -91,6 +93,7 @@ class Shape {
   Shape(ConvexHull hull);              // NOLINT(google-explicit-constructor)
   Shape(const HalfSpace& half_space);  // NOLINT(google-explicit-constructor)
   Shape(Mesh mesh);                    // NOLINT(google-explicit-constructor)
+  Shape(HeightField field);            // NOLINT(google-explicit-constructor)
 
   /// Which of them it is.
   ShapeKind kind() const { return static_cast<ShapeKind>(value_.index()); }

@@ -13,7 +13,8 @@ enum class Sides : std::uint8_t {
             ///< two more triangles one way than the other
 };
 
-/// The same with its thickness. Of other shapes than meshes only Surface is possible.
+/// The same with its thickness. Of other shapes than meshes only Surface is possible, and of
+/// height fields no Solid.
 struct MeshSides {
   Sides sides = Sides::Surface;  ///< what counts
   /// Metres, of OneSided: finite and above 0; of the others 0. How far behind the surface the

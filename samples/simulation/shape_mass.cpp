@@ -76,6 +76,8 @@ MassProperties mass_properties(const Shape& shape, double density) {
   }
   if (const auto* s = shape.as<ConvexHull>()) return mass_properties(surface_of(*s), density);
   if (const auto* s = shape.as<Mesh>()) return mass_properties(*s, density);
+  if (shape.kind() == ShapeKind::HeightField)
+    throw InputError("mass of a height field: it has none");
   throw InputError("mass of a half-space: it has none");
 }
 
@@ -99,6 +101,8 @@ double reach_from(const Shape& shape, const Vector3d& point) {
   if (const auto* s = shape.as<Mesh>()) {
     return farthest(s->vertices().size(), point, [&](std::size_t i) { return s->vertices()[i]; });
   }
+  if (const auto* s = shape.as<HeightField>())
+    return box((s->bounds().min + s->bounds().max) / 2, (s->bounds().max - s->bounds().min) / 2);
   throw InputError("reach of a half-space: it has no end");
 }
 

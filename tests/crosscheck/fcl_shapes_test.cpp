@@ -15,6 +15,7 @@
 #include "tests/crosscheck/fcl_shape_opinion.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -108,8 +109,8 @@ void check_convex_shapes(int poses, std::uint64_t seed) {
   for (std::size_t i = 0; i < 7; ++i) {
     for (std::size_t j = i; j < 8; ++j) {
       const std::string label =
-          std::string(name_of(kShapeKinds[i])) + "/" + name_of(kShapeKinds[j]);
-      const Counts counts = compare(kShapeKinds[i], kShapeKinds[j], poses, source);
+          std::string(name_of(tests::kOwnKinds[i])) + "/" + name_of(tests::kOwnKinds[j]);
+      const Counts counts = compare(tests::kOwnKinds[i], tests::kOwnKinds[j], poses, source);
       EXPECT_GT(counts.hits, poses / 15) << label;
       EXPECT_GT(counts.apart, poses / 15) << label;
       EXPECT_EQ(counts.hit_differs, 0) << label;
@@ -122,11 +123,11 @@ void check_convex_shapes(int poses, std::uint64_t seed) {
 void check_meshes(int poses, std::uint64_t seed) {
   RandomSource source(seed);
   for (std::size_t i = 0; i < 7; ++i) {
-    const Counts counts = compare(kShapeKinds[i], ShapeKind::Mesh, poses, source);
-    EXPECT_GT(counts.hits, poses / 20) << name_of(kShapeKinds[i]);
-    EXPECT_GT(counts.apart, poses / 20) << name_of(kShapeKinds[i]);
-    EXPECT_EQ(counts.hit_differs, 0) << name_of(kShapeKinds[i]);
-    EXPECT_EQ(counts.distance_differs, 0) << name_of(kShapeKinds[i]);
+    const Counts counts = compare(tests::kOwnKinds[i], ShapeKind::Mesh, poses, source);
+    EXPECT_GT(counts.hits, poses / 20) << name_of(tests::kOwnKinds[i]);
+    EXPECT_GT(counts.apart, poses / 20) << name_of(tests::kOwnKinds[i]);
+    EXPECT_EQ(counts.hit_differs, 0) << name_of(tests::kOwnKinds[i]);
+    EXPECT_EQ(counts.distance_differs, 0) << name_of(tests::kOwnKinds[i]);
   }
 }
 

@@ -73,6 +73,8 @@ struct BodyText {
     return std::string("\"half_space\": {\"normal\": ") + json_point(half_space.normal) +
            ", \"offset\": " + json_number(half_space.offset) + "}";
   }
+  /// As the mesh that it is.
+  std::string operator()(const HeightField& field) const { return (*this)(field.mesh()); }
   std::string operator()(const Mesh& mesh) const {
     return std::string("\"mesh\": ") + mesh_text(CaseMesh(mesh, Pose::Identity()));
   }

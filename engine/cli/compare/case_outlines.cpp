@@ -82,8 +82,9 @@ struct SurfacePoints {
       points.push_back(s.vertex(i));
     return points;
   }
-  Points operator()(const HalfSpace&) const { return {}; }  // see plane_near()
-  Points operator()(const Mesh&) const { return {}; }       // see add_triangles()
+  Points operator()(const HalfSpace&) const { return {}; }    // see plane_near()
+  Points operator()(const Mesh&) const { return {}; }         // see add_triangles()
+  Points operator()(const HeightField&) const { return {}; }  // a case has its mesh
 };
 
 void add_triangles(std::vector<Outline>& outlines, const Mesh& mesh, const Pose& pose) {

@@ -159,6 +159,7 @@ struct MakeShape {
   }
   std::unique_ptr<btCollisionShape> operator()(const Ellipsoid&) const { return nullptr; }
   std::unique_ptr<btCollisionShape> operator()(const Mesh&) const { return nullptr; }
+  std::unique_ptr<btCollisionShape> operator()(const HeightField&) const { return nullptr; }
 };
 
 /// Two objects of one shape, so that it can meet itself.

@@ -219,6 +219,7 @@ struct MakeGeometry {
     return std::make_shared<coal::Halfspace>(s.normal, s.offset);
   }
   Geometry operator()(const Mesh& s) const { return coal_mesh(s); }
+  Geometry operator()(const HeightField& s) const { return coal_mesh(s.mesh()); }
   Geometry operator()(const ConvexHull& s) const {
     const narrowphase::Hull& hull = data_of(s);
     auto points = std::make_shared<Points>();

@@ -16,6 +16,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace graze {
@@ -38,7 +39,10 @@ struct Mesh::Data {
   std::vector<Eigen::Vector3d> vertices;
   std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< of all deformations
   std::span<const TriangleIndices> triangles;
-  Aabb bounds;
+  Aabb bounds;  ///< of a patch that of the whole
+
+  std::vector<std::uint32_t> vertex_numbers;    ///< of a patch, in the whole; else empty
+  std::vector<std::uint32_t> triangle_numbers;  ///< likewise
 
   mutable std::once_flag tree_flag;
   mutable std::atomic<bool> is_tree_made = false;
@@ -74,6 +78,8 @@ struct Mesh::Data {
 /// The way to what the handles share, for the sources of this room.
 struct MeshAccess {
   static const Mesh::Data& data(const Mesh& mesh) { return *mesh.data_; }
+  static std::shared_ptr<Mesh::Data> new_data() { return std::make_shared<Mesh::Data>(); }
+  static Mesh mesh(std::shared_ptr<const Mesh::Data> data) { return Mesh(std::move(data)); }
 };
 
 }  // namespace graze

@@ -6,6 +6,7 @@
 #include <graze/engine/world/body_shapes/parts_body.h>
 #include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
+#include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
@@ -148,6 +149,7 @@ class ShapeBody final : public BodyShape {
     return bvh::in_standard_arithmetic([&]() -> double {
       const Shape* shape = other.shape();
       if (shape == nullptr) return 0;
+      if (has_field({shape_, pose}, {*shape, other_pose})) return 0;
       const PairMethod method = pair_method(shape_.kind(), shape->kind());
       if (is_gap_quick(method) && method != PairMethod::MeshVolume)
         return quick_gap({shape_, pose, bounding_radius_},

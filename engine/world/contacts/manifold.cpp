@@ -1,6 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -143,6 +144,11 @@ void find_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& 
 void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
                        Manifold& found) {
   found.clear();
+  if (has_field(a, b)) {
+    const StandIns by(a, b, {.aside = kContactAside});
+    if (by.are_near()) contacts_in_boxes(by.a.view(), by.b.view(), work, found);
+    return;
+  }
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
   // Two boxes are one question, too, where those around them are known to overlap.
   const bool is_one = is_one_question(method) || method == BoxAxes;
@@ -154,6 +160,11 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
   return bvh::in_standard_arithmetic([&]() -> Manifold {
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
+    if (has_field(a, b)) {
+      const StandIns by(a, b, {.aside = kContactAside});
+      return by.are_near() ? find_contacts<void>(by.a.view(), by.b.view(), &counted.work())
+                           : Manifold{};
+    }
     Manifold found;
     if (is_one_question(pair_method(a.shape.kind(), b.shape.kind())) ||
         intersects(a, b, &counted.work()))

@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/mesh/mesh_contacts.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/volume_query.h>
@@ -128,6 +129,7 @@ void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b
       largest(to_vec3(box.min)) + largest(to_vec3(box.max)) + std::abs(plane.offset) + plane.slack;
   std::vector<bool>& is_seen = candidates.is_seen;
   is_seen.assign(mesh.vertices().size(), false);
+  const MeshNumbers numbers = numbers_of(mesh);
   double lowest = std::numeric_limits<double>::infinity();
   ContactPoint deepest{};
   for (const TriangleIndices& triangle : mesh.triangles()) {
@@ -139,7 +141,7 @@ void candidates_of_mesh_plane(const PlacedShapeView& a, const PlacedShapeView& b
       const double height = dot(plane.normal, point) - plane.offset;
       const double depth = std::max(-height, 0.0);
       const Vec3 foot = point - plane.normal * height;
-      const ContactPoint touch{foot, point, plane.normal, depth, 0, index};
+      const ContactPoint touch{foot, point, plane.normal, depth, 0, numbers.vertex(index)};
       if (height < lowest) lowest = height, deepest = touch;
       if (height <= kTouchTolerance * size) candidates.list.push_back(touch);
     }
@@ -169,10 +171,11 @@ void candidates_of_pieces(const PlacedShapeView& a, const PlacedShapeView& b,
     candidates.list.insert(candidates.list.end(), of_piece.begin(), of_piece.end());
   }
   narrowphase::reduce(candidates.list, 4);
+  const MeshNumbers of_a = numbers_of(mesh_a.mesh), of_b = numbers_of(mesh_b.mesh);
   for (ContactPoint& touch : candidates.list) {
     const Eigen::Vector3d point = to_eigen(touch.point_a + origin);
-    touch.feature_a = static_cast<std::uint64_t>(triangle_at(mesh_a, point)) << 32;
-    touch.feature_b = static_cast<std::uint64_t>(triangle_at(mesh_b, point)) << 32;
+    touch.feature_a = std::uint64_t{of_a.triangle(triangle_at(mesh_a, point))} << 32;
+    touch.feature_b = std::uint64_t{of_b.triangle(triangle_at(mesh_b, point))} << 32;
   }
 }
 

@@ -10,7 +10,7 @@ namespace graze {
 namespace {
 
 void check_is_convex(const Shape& shape, const char* name) {
-  if (shape.kind() != ShapeKind::Mesh) return;
+  if (shape.kind() != ShapeKind::Mesh && shape.kind() != ShapeKind::HeightField) return;
   throw UnsupportedPairError(std::string("separation: ") + name +
                              " is a mesh, which is a surface and has no depth");
 }

@@ -71,6 +71,7 @@ TriangleCandidates::TriangleCandidates(const Core& core, const PlacedMeshView& m
     : core_(core),
       candidates_(candidates),
       features_(mesh, to_vec3(candidates.origin)),
+      numbers_(numbers_of(mesh.mesh)),
       partings_(core, features_),
       work_(work),
       s_(scratch()) {
@@ -109,6 +110,12 @@ void TriangleCandidates::offer(std::uint32_t index, const Core& triangle) {
 }
 
 void TriangleCandidates::finish() {
+  // Whatever the order in which a tree has them.
+  const auto by_number = [](const TouchedTriangle& s, const TouchedTriangle& t) {
+    return s.parting.triangle < t.parting.triangle;
+  };
+  std::sort(s_.touched.begin(), s_.touched.end(), by_number);
+  std::sort(s_.slivers.begin(), s_.slivers.end(), by_number);
   // Where slivers alone are touched, there is nothing that their normals could contradict.
   if (s_.touched.empty()) return part_from_slivers();
   const double size = core_.bounding_radius + core_.radius;
@@ -128,6 +135,10 @@ void TriangleCandidates::finish() {
       ++at;
     add_region(std::span(s_.touched).subspan(first, at - first));
   }
+}
+
+std::uint64_t TriangleCandidates::face_feature(std::uint32_t triangle) const {
+  return std::uint64_t{numbers_.triangle(triangle)} << 32;
 }
 
 void TriangleCandidates::part_from_slivers() {
@@ -171,7 +182,7 @@ void TriangleCandidates::add_over_face(const TouchedTriangle& face, const Partin
     touch.depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
     return touch.depth > most;
   });
-  take(std::uint64_t{face.parting.triangle} << 32);
+  take(face_feature(face.parting.triangle));
 }
 
 /// Where an edge or a corner says how to part, as at the rim of a table that a body leans on,
@@ -206,7 +217,7 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
         const Vec3 off = touch.point_a - touch.point_b - touch.normal * touch.depth;
         return length(off) > kAlong * (core_.bounding_radius + core_.radius);
       });
-      take(edge_feature(std::min(s, t), std::max(s, t)));
+      take(edge_feature(numbers_.vertex(std::min(s, t)), numbers_.vertex(std::max(s, t))));
       break;
     }
     case LeftFeature::Corner: {
@@ -214,7 +225,7 @@ void TriangleCandidates::add_member(const TouchedTriangle& member) {
       if (is_held(vertex)) return;
       add_point(member.triangle.corner[k], parting, candidates_.found);
       if (!is_on_shape(candidates_.found.back().point_a)) return;
-      take(corner_feature(vertex));
+      take(corner_feature(numbers_.vertex(vertex)));
       break;
     }
   }
@@ -231,7 +242,7 @@ bool TriangleCandidates::add_deepest(const TouchedTriangle& member) {
   if (!met) return false;
   candidates_.found.clear();
   add_point(foot, parting, candidates_.found);
-  take(std::uint64_t{*met} << 32);
+  take(face_feature(*met));
   return true;
 }
 
@@ -248,7 +259,7 @@ void TriangleCandidates::add_nearest(const TouchedTriangle& member) {
   candidates_.found.assign(
       1, {gap.point_b + parting.penetration.normal * depth, gap.point_b, parting.penetration.normal,
           depth, narrowphase::kPointFeature, narrowphase::kPointFeature});
-  take(std::uint64_t{member.parting.triangle} << 32);
+  take(face_feature(member.parting.triangle));
 }
 
 /// Where the deepest point lies beyond what is touched, as in a valley: the point of the triangle
@@ -270,12 +281,12 @@ void TriangleCandidates::add_beside(const TouchedTriangle& member) {
     if (depth < 0) continue;
     candidates_.found.push_back({met + out * depth, met, out, depth, narrowphase::kPointFeature,
                                  narrowphase::kPointFeature});
-    return take(std::uint64_t{member.parting.triangle} << 32);
+    return take(face_feature(member.parting.triangle));
   }
   // The line through it leaves the shape beside it: the two graze each other there.
   candidates_.found.push_back({shared.point_b, shared.point_b, out, 0, narrowphase::kPointFeature,
                                narrowphase::kPointFeature});
-  take(std::uint64_t{member.parting.triangle} << 32);
+  take(face_feature(member.parting.triangle));
 }
 
 /// How the shape parts soonest from a triangle alone.
@@ -292,7 +303,7 @@ void TriangleCandidates::add_alone(const TouchedTriangle& member) {
   if (candidates_.margin > 0) grow(core, triangle, candidates_.margin, parting);
   candidates_.found.clear();
   add_contact_points(core, triangle, parting, candidates_.found);
-  take(std::uint64_t{member.parting.triangle} << 32);
+  take(face_feature(member.parting.triangle));
 }
 
 /// Whether a point that is meant to be on the shape's surface is there.

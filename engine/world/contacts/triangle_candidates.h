@@ -2,6 +2,7 @@
 
 // The contact candidates of a convex shape and a mesh. Private to engine/world.
 
+#include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/contact_regions.h>
 
@@ -40,6 +41,7 @@ class TriangleCandidates {
 
   narrowphase::Core bare() const;
   bool is_behind(const narrowphase::Core& triangle) const;
+  std::uint64_t face_feature(std::uint32_t triangle) const;
   void part_from_slivers();
   void add_region(std::span<const TouchedTriangle> members);
   void add_over_face(const TouchedTriangle& face, const narrowphase::Parting& parting);
@@ -57,6 +59,7 @@ class TriangleCandidates {
   const narrowphase::Core& core_;
   ContactCandidates& candidates_;
   FacingFeatures features_;
+  MeshNumbers numbers_;
   LocalPartings partings_;
   Work& work_;
   Scratch& s_;

@@ -82,6 +82,23 @@ class Outline {
     draw_edges(std::move(edges), [&](std::uint32_t i) { return mesh.vertices()[i]; });
   }
 
+  /// Each edge of the triangles once, as of their mesh.
+  void draw(const HeightField& field) {
+    const auto is_cell = [&](std::int64_t c, std::int64_t r) {
+      return c >= 0 && r >= 0 && c + 1 < field.columns() && r + 1 < field.rows() &&
+             !field.is_hole(static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(r));
+    };
+    for (std::uint32_t r = 0; r < field.rows(); ++r) {
+      for (std::uint32_t c = 0; c < field.columns(); ++c) {
+        const Vector3d from = field.vertex(c, r);
+        const std::int64_t column = c, row = r;
+        if (is_cell(column, row) || is_cell(column, row - 1)) line(from, field.vertex(c + 1, r));
+        if (is_cell(column, row) || is_cell(column - 1, row)) line(from, field.vertex(c, r + 1));
+        if (is_cell(column, row)) line(from, field.vertex(c + 1, r + 1));
+      }
+    }
+  }
+
   /// A square about the point of the plane that is nearest to the frame's origin, its diagonals,
   /// and its normal.
   void draw(const HalfSpace& half_space) {

@@ -6,6 +6,7 @@
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_cast.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/rigid/moving_stand_in.h>
 #include <graze/engine/world/rigid/straight_advance.h>
 #include <graze/engine/world/rigid/swept_core.h>
 #include <graze/engine/world/rigid/tree_sweep.h>
@@ -210,6 +211,59 @@ void check_reach(const PlacedShapeView& shape, const Eigen::Vector3d& displaceme
   }
 }
 
+std::optional<ShapeCast> cast_checked(const PlacedShapeView& a, const PlacedShapeView& b,
+                                      const Eigen::Vector3d& displacement, Work& work) {
+  if (!goes_second(a, b)) return cast_in_order(a, b, displacement, work);
+  return swapped(cast_in_order(b, a, opposite(displacement), work), displacement);
+}
+
+/// How many times as long each next part of a way is that is looked at, and what of a displacement
+/// the first one is: as long as the other is wide, and then some cells.
+constexpr double kNextPart = 4;
+constexpr double kCellsAtFirst = 32;
+
+double first_part(const PlacedShapeView& a, const PlacedShapeView& b,
+                  const Eigen::Vector3d& displacement) {
+  double length = 0;
+  for (const PlacedShapeView* s : {&a, &b}) {
+    if (const auto* field = s->shape.as<HeightField>()) {
+      const Aabb& box = field->bounds();
+      const double spacing = std::max((box.max.x() - box.min.x()) / field->columns(),
+                                      (box.max.y() - box.min.y()) / field->rows());
+      length = std::max(length, kCellsAtFirst * spacing);
+    }
+  }
+  const double way = size_of(displacement);
+  return way > length ? length / way : 1;
+}
+
+/// Of which one is a height field, or both: part by part of the way, as what is met in one hides
+/// what is farther.
+std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedShapeView& b,
+                                       const Eigen::Vector3d& displacement, Work& work) {
+  if (intersects(a, b, &work)) {
+    const StandIns by(a, b, {.aside = kContactAside});
+    return cast_checked(by.a.view(), by.b.view(), displacement, work);
+  }
+  const auto is_plane = [](const PlacedShapeView& s) {
+    return s.shape.kind() == ShapeKind::HalfSpace;
+  };
+  const auto distance_to = [&](const PlacedShapeView& field, const PlacedShapeView& plane) {
+    return nearest_stand_in(field, plane, [&](const Shape& mesh) {
+      return distance({mesh, field.pose}, plane, &work).distance;
+    });
+  };
+  if (is_plane(a)) return cast_checked(a, distance_to(b, a).view(), displacement, work);
+  if (is_plane(b)) return cast_checked(distance_to(a, b).view(), b, displacement, work);
+  for (double until = first_part(a, b, displacement);; until *= kNextPart) {
+    until = std::min(until, 1.0);
+    const Eigen::Vector3d way = displacement * until;
+    const StandIn of_a = cast_stand_in(a, b, way), of_b = cast_stand_in(b, a, opposite(way));
+    const auto met = cast_checked(of_a.view(), of_b.view(), displacement, work);
+    if (until == 1 || (met && met->time < until)) return met;
+  }
+}
+
 }  // namespace
 
 template <typename>
@@ -220,10 +274,9 @@ std::optional<ShapeCast> cast(const PlacedShapeView& shape_a, const PlacedShapeV
     narrowphase::check_displacement(displacement);
     check_reach(shape_b, displacement);
     CountedWork counted(work);
-    if (!goes_second(shape_a, shape_b))
-      return cast_in_order(shape_a, shape_b, displacement, counted.work());
-    return swapped(cast_in_order(shape_b, shape_a, opposite(displacement), counted.work()),
-                   displacement);
+    return has_field(shape_a, shape_b)
+               ? cast_of_field(shape_a, shape_b, displacement, counted.work())
+               : cast_checked(shape_a, shape_b, displacement, counted.work());
   });
 }
 template std::optional<ShapeCast> cast<void>(const PlacedShapeView&, const PlacedShapeView&,

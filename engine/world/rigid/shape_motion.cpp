@@ -7,6 +7,7 @@
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid/time_grid.h>
 #include <graze/engine/world/rigid/mesh_approach.h>
+#include <graze/engine/world/rigid/moving_stand_in.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -117,11 +118,27 @@ RigidContact contact_of_shapes(const MovingShape& a, const MovingShape& b,
   return {RigidStatus::Hit, grid.time(low), grid.time(*high), false};
 }
 
+/// Of which one is a height field, or both.
+RigidContact contact_of_field(const Shape& shape_a, const RigidMotion& motion_a,
+                              const Shape& shape_b, const RigidMotion& motion_b,
+                              const RigidContactSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> RigidContact {
+    check_settings(settings);
+    const MovingShape a(shape_a, motion_a, "motion of shape A");
+    const MovingShape b(shape_b, motion_b, "motion of shape B");
+    const StandIn by_a = moving_stand_in(a, b, settings, 0);
+    const StandIn by_b = moving_stand_in(b, a, settings, 0);
+    return first_contact(by_a.shape(), motion_a, by_b.shape(), motion_b, settings, work);
+  });
+}
+
 }  // namespace
 
 RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
                            const RigidMotion& motion_b, const RigidContactSettings& settings,
                            Work* work) {
+  if (has_field({shape_a, motion_a.start()}, {shape_b, motion_b.start()}))
+    return contact_of_field(shape_a, motion_a, shape_b, motion_b, settings, work);
   const Mesh *mesh_a = mesh_of(shape_a), *mesh_b = mesh_of(shape_b);
   if (mesh_a != nullptr && mesh_b != nullptr)
     return first_contact(*mesh_a, motion_a, *mesh_b, motion_b, settings, work);

@@ -1,6 +1,7 @@
 #include <graze/engine/mesh/rigid/first_hit.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/rigid/mesh_approach.h>
+#include <graze/engine/world/rigid/moving_stand_in.h>
 #include <graze/engine/world/rigid/sliding_contact.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -57,6 +58,12 @@ std::optional<SlidingContact> contact_after_sliding(
     const RigidMotion& motion_b, const RigidContactSettings& settings, double depth, Work& work) {
   const MovingShape a(shape_a, motion_a, "motion of shape A");
   const MovingShape b(shape_b, motion_b, "motion of shape B");
+  if (has_field({shape_a, motion_a.start()}, {shape_b, motion_b.start()})) {
+    const StandIn by_a = moving_stand_in(a, b, settings, kContactAside);
+    const StandIn by_b = moving_stand_in(b, a, settings, kContactAside);
+    return contact_after_sliding(by_a.shape(), motion_a, by_b.shape(), motion_b, settings, depth,
+                                 work);
+  }
   const auto is_for = [](const MovingShape& convex, const MovingShape& mesh) {
     return MeshApproach::is_for(convex, mesh) && mesh.turned == 0;
   };

@@ -70,6 +70,7 @@ class CoreOf {
   }
   Core operator()(const HalfSpace&) const { throw InputError("half-space: it has no core"); }
   Core operator()(const Mesh&) const { throw InputError("mesh: it has no core"); }
+  Core operator()(const HeightField&) const { throw InputError("height field: it has no core"); }
 
  private:
   Core at(CoreKind kind, double bounding_radius) const {
@@ -91,7 +92,7 @@ class CoreOf {
 }  // namespace
 
 bool is_convex_core(ShapeKind kind) {
-  return kind != ShapeKind::HalfSpace && kind != ShapeKind::Mesh;
+  return kind != ShapeKind::HalfSpace && kind != ShapeKind::Mesh && kind != ShapeKind::HeightField;
 }
 
 Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose) {

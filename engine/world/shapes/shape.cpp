@@ -102,7 +102,7 @@ Mesh checked(Mesh mesh) {
 
 const char* name_of(ShapeKind kind) {
   constexpr std::array kNames{"sphere",    "box",         "capsule",    "cylinder", "cone",
-                              "ellipsoid", "convex hull", "half-space", "mesh"};
+                              "ellipsoid", "convex hull", "half-space", "mesh",     "height field"};
   static_assert(kNames.size() == kShapeKinds.size());
   const auto index = static_cast<std::size_t>(kind);
   if (index >= kNames.size()) throw InputError("shape kind: there is no such kind");
@@ -118,6 +118,7 @@ Shape::Shape(const Ellipsoid& ellipsoid) : value_(checked(ellipsoid)) {}
 Shape::Shape(ConvexHull hull) : value_(std::move(hull)) {}
 Shape::Shape(const HalfSpace& half_space) : value_(checked(half_space)) {}
 Shape::Shape(Mesh mesh) : value_(checked(std::move(mesh))) {}
+Shape::Shape(HeightField field) : value_(std::move(field)) {}
 
 namespace {
 

@@ -94,8 +94,7 @@ Aabb bounds_of_half_space(const HalfSpace& half_space, const Pose& pose) {
 
 // A placed coordinate is a sum of four terms with at most 4 roundings of what largest_coordinates()
 // bounds.
-Aabb bounds_of_mesh(const Mesh& mesh, const Pose& pose) {
-  const Aabb& own = mesh.bounds();
+Aabb bounds_of_mesh(const Aabb& own, const Pose& pose) {
   const std::array<double, 3> largest = largest_coordinates(pose, own);
   const double* m = pose.data();  // column-major 4x4
   Aabb box;
@@ -136,7 +135,8 @@ Aabb bounding_aabb(const PlacedShapeView& placed) {
     const double deviation = check_pose(pose, "pose");
     if (const auto* half_space = shape.as<HalfSpace>())
       return bounds_of_half_space(*half_space, pose);
-    if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(*mesh, pose);
+    if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(mesh->bounds(), pose);
+    if (const auto* field = shape.as<HeightField>()) return bounds_of_mesh(field->bounds(), pose);
     if (const auto* box = shape.as<Box>()) return bounds_of_box(*box, pose, deviation);
     return bounds_of_core(shape, pose, deviation);
   });

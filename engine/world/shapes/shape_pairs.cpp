@@ -5,6 +5,7 @@
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/pair_functions.h>
@@ -26,17 +27,28 @@ using enum PairMethod;
 
 // Rows and columns in the order of ShapeKind; below the diagonal it is mirrored.
 constexpr std::size_t kKinds = kShapeKinds.size();
-constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods{{
-    {ExactSpheres, ExactSphereBox, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshVolume},
-    {ExactSphereBox, BoxAxes, Cores, Cores, Cores, Cores, Cores, Plane, MeshVolume},
-    {ClosedForm, Cores, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshCore},
-    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
-    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
-    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
-    {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
-    {Plane, Plane, Plane, Plane, Plane, Plane, Plane, Planes, MeshPlane},
-    {MeshVolume, MeshVolume, MeshCore, MeshCore, MeshCore, MeshCore, MeshCore, MeshPlane, Meshes},
-}};
+constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods = [] {
+  // Below a height field, which is asked as a mesh is.
+  constexpr std::array<std::array<PairMethod, kKinds - 1>, kKinds - 1> kOthers{{
+      {ExactSpheres, ExactSphereBox, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshVolume},
+      {ExactSphereBox, BoxAxes, Cores, Cores, Cores, Cores, Cores, Plane, MeshVolume},
+      {ClosedForm, Cores, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshCore},
+      {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+      {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+      {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+      {Cores, Cores, Cores, Cores, Cores, Cores, Cores, Plane, MeshCore},
+      {Plane, Plane, Plane, Plane, Plane, Plane, Plane, Planes, MeshPlane},
+      {MeshVolume, MeshVolume, MeshCore, MeshCore, MeshCore, MeshCore, MeshCore, MeshPlane, Meshes},
+  }};
+  std::array<std::array<PairMethod, kKinds>, kKinds> methods{};
+  constexpr auto kMesh = static_cast<std::size_t>(ShapeKind::Mesh);
+  static_assert(kMesh + 2 == kKinds);
+  for (std::size_t a = 0; a < kKinds; ++a) {
+    for (std::size_t b = 0; b < kKinds; ++b)
+      methods[a][b] = kOthers[std::min(a, kMesh)][std::min(b, kMesh)];
+  }
+  return methods;
+}();
 
 Sphere placed_sphere(const PlacedShapeView& s) {
   const auto& sphere = *s.shape.as<Sphere>();
@@ -196,6 +208,15 @@ ShapeDistance distance_in_boxes(const PlacedShapeView& a, const PlacedShapeView&
   return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
+/// Of which one is a height field, or both.
+ShapeDistance distance_of_field(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  if (!is_field(a)) return mirrored(distance_of_field(b, a, work));
+  const StandIn of_a = nearest_stand_in(a, b, [&](const Shape& mesh) {
+    return distance({mesh, a.pose}, b, &work).distance;
+  });
+  return distance(of_a.view(), b, &work);
+}
+
 }  // namespace
 
 PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
@@ -206,6 +227,10 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
 }
 
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  if (has_field(a, b)) {
+    const StandIns by(a, b);
+    return by.are_near() && intersect_in_boxes(by.a.view(), by.b.view(), work);
+  }
   return is_swapped(a, b) ? intersect_in_order(b, a, work) : intersect_in_order(a, b, work);
 }
 
@@ -214,7 +239,9 @@ bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, 
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_poses(shape_a.pose, shape_b.pose);
     CountedWork counted(work);
-    return intersect_placed(shape_a, shape_b, counted.work());
+    if (!has_field(shape_a, shape_b)) return intersect_placed(shape_a, shape_b, counted.work());
+    const StandIns by(shape_a, shape_b);
+    return by.are_near() && intersect_placed(by.a.view(), by.b.view(), counted.work());
   });
 }
 template bool intersects<void>(const PlacedShapeView&, const PlacedShapeView&, Work*);
@@ -224,6 +251,7 @@ ShapeDistance distance(const PlacedShapeView& a, const PlacedShapeView& b, Work*
   return bvh::in_standard_arithmetic([&]() -> ShapeDistance {
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
+    if (has_field(a, b)) return distance_of_field(a, b, counted.work());
     return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
                             : distance_in_boxes(a, b, counted.work());
   });

@@ -1,5 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/ray_slabs.h>
+#include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/world/fields/field_ray.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -38,6 +40,10 @@ std::optional<RayHit> cast_ray(const PlacedShapeView& placed, const Ray& ray, Wo
     check_pose(pose, "pose");
     if (const auto* mesh = shape.as<Mesh>())
       return cast_ray(PlacedMeshView{*mesh, pose}, ray, work);
+    if (const auto* field = shape.as<HeightField>()) {
+      CountedWork counted(work);
+      return cast_at_field(*field, pose, ray, counted.work());
+    }
     const Vec3 direction = unit_direction(ray);
     std::optional<CoreRayHit> found;
     if (const auto* half_space = shape.as<HalfSpace>()) {

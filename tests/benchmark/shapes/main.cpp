@@ -15,6 +15,7 @@
 #include "tests/crosscheck/fcl_shape_opinion.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -110,6 +111,6 @@ int main() {
   graze::RandomSource source(3);
   for (std::size_t i = 0; i < 7; ++i) {
     for (std::size_t j = i; j < 9; ++j)
-      graze::report(graze::kShapeKinds[i], graze::kShapeKinds[j], source);
+      graze::report(graze::tests::kOwnKinds[i], graze::tests::kOwnKinds[j], source);
   }
 }

@@ -9,6 +9,7 @@
 #include "tests/engine/body_world/allocations.h"
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -21,7 +22,8 @@ struct Merry {
   Merry(int count, const WorldSettings& settings) : world(settings) {
     RandomSource source(1);
     for (int i = 0; i < count; ++i) {
-      const ShapeKind kind = kShapeKinds[static_cast<std::size_t>(i) % kShapeKinds.size()];
+      const ShapeKind kind =
+          tests::kOwnKinds[static_cast<std::size_t>(i) % tests::kOwnKinds.size()];
       if (kind == ShapeKind::HalfSpace && i > 54) continue;
       const BodyKind motion =
           kind == ShapeKind::HalfSpace ? BodyKind::Kinematic : BodyKind::Dynamic;

@@ -16,6 +16,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/engine/world/surface_distance.h"
 #include "tests/shapes/formula_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -50,7 +51,7 @@ Pose turned() {
 
 TEST(WorldDrawing, OutlinesLieOnTheirShapes) {
   RandomSource source(5);
-  for (const ShapeKind kind : kShapeKinds) {
+  for (const ShapeKind kind : tests::kOwnKinds) {
     for (int n = 0; n < 5; ++n) {
       const Shape shape = tests::random_shape(kind, 2, source);
       Kept kept;

@@ -19,6 +19,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -79,7 +80,7 @@ bool expect_as_defined(const Shape& shape, const Pose& pose, const Ray& ray, dou
 
 TEST(ShapeRay, MeetsEveryKindAsItIsDefined) {
   RandomSource source(1);
-  for (const ShapeKind kind : kShapeKinds) {
+  for (const ShapeKind kind : tests::kOwnKinds) {
     SCOPED_TRACE(name_of(kind));
     int hits = 0, starts_inside = 0;
     const int count = kind == ShapeKind::Mesh ? 300 : 1500;
@@ -114,7 +115,7 @@ TEST(ShapeRay, MeetsEveryKindAsItIsDefined) {
 }
 
 TEST(ShapeRay, IsAccurateFromFarAway) {
-  for (const ShapeKind kind : kShapeKinds) {
+  for (const ShapeKind kind : tests::kOwnKinds) {
     SCOPED_TRACE(name_of(kind));
     RandomSource source(2);
     const Shape shape = tests::random_shape(kind, 1, source);
@@ -191,7 +192,7 @@ TEST(WorldRay, TheBroadPhaseIsBruteForce) {
   std::size_t found = 0;
   for (int round = 0; round < 120; ++round) {
     for (int i = round == 0 ? 150 : 4; i > 0; --i) {
-      const auto kind = kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))];
+      const auto kind = tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 8))];
       if (kind == ShapeKind::HalfSpace && round % 40 != 1) continue;
       Body body{tests::random_shape(kind, 0.8, source), tests::random_pose(8, source), {}};
       body.filter.category = i % 2 == 0 ? 1 : 2;

@@ -16,6 +16,7 @@
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -66,7 +67,7 @@ std::vector<BodyPair> list(const Range& range) {
 }
 
 Body random_body(RandomSource& source) {
-  const auto kind = kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))];
+  const auto kind = tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 8))];
   return {{},
           tests::random_shape(kind == ShapeKind::HalfSpace ? ShapeKind::Box : kind, 0.8, source),
           tests::random_pose(2, source),

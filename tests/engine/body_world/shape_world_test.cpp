@@ -17,6 +17,7 @@
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -117,9 +118,9 @@ class ShapeHistory {
 
  private:
   void add() {
-    const double kind = source_.integer(0, static_cast<int>(kShapeKinds.size()) - 1);
+    const double kind = source_.integer(0, static_cast<int>(tests::kOwnKinds.size()) - 1);
     const Shape shape =
-        tests::random_shape(kShapeKinds[static_cast<std::size_t>(kind)], 0.8, source_);
+        tests::random_shape(tests::kOwnKinds[static_cast<std::size_t>(kind)], 0.8, source_);
     const Pose pose = tests::random_pose(2.5, source_);
     const BodyId id = world_.add({shape, pose});
     bodies_.emplace(id, Body{shape, pose});
@@ -208,7 +209,7 @@ TEST(ShapeWorld, QueriesEqualBruteForce) {
     for (int i = round == 0 ? 30 : 2; i > 0; --i)
       history.change();
     if (round % 2 == 0) history.world().update();
-    const auto kind = kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))];
+    const auto kind = tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 8))];
     const Shape shape = tests::random_shape(kind, round % 3 == 0 ? 0.01 : 0.5, source);
     const Pose pose = tests::random_pose(round % 5 == 0 ? 20 : 3, source);
     const double clearance = source.uniform(0, 1);

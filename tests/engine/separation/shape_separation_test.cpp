@@ -15,6 +15,7 @@
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -70,9 +71,10 @@ TEST(ShapeSeparation, AgreesWithDistanceContactsAndItsMirror) {
   RandomSource source(53);
   int inside = 0, apart = 0;
   for (int n = 0; n < 1500; ++n) {
-    const Shape a = tests::random_shape(kShapeKinds[static_cast<std::size_t>(n % 7)], 1, source);
+    const Shape a =
+        tests::random_shape(tests::kOwnKinds[static_cast<std::size_t>(n % 7)], 1, source);
     const Shape b =
-        tests::random_shape(kShapeKinds[static_cast<std::size_t>(n / 7 % 7)], 1, source);
+        tests::random_shape(tests::kOwnKinds[static_cast<std::size_t>(n / 7 % 7)], 1, source);
     const Pose pose_a = tests::random_pose(1, source), pose_b = tests::random_pose(1, source);
     const ShapeSeparation found = find_separation({a, pose_a}, {b, pose_b});
     const bool is_hit = intersects({a, pose_a}, {b, pose_b});
@@ -105,9 +107,10 @@ TEST(ShapeSeparation, IsTheWayOut) {
   RandomSource source(54);
   int parted = 0;
   for (int n = 0; n < 500; ++n) {
-    const Shape a = tests::random_shape(kShapeKinds[static_cast<std::size_t>(n % 7)], 1, source);
+    const Shape a =
+        tests::random_shape(tests::kOwnKinds[static_cast<std::size_t>(n % 7)], 1, source);
     const Shape b =
-        tests::random_shape(kShapeKinds[static_cast<std::size_t>(n / 7 % 7)], 1, source);
+        tests::random_shape(tests::kOwnKinds[static_cast<std::size_t>(n / 7 % 7)], 1, source);
     const Pose pose = tests::random_pose(0.3, source);
     const ShapeSeparation found = find_separation({a}, {b, pose});
     if (found.distance >= -1e-3 || found.status != PairStatus::Converged) continue;

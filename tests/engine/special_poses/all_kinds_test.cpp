@@ -12,6 +12,7 @@
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -24,8 +25,8 @@ using tests::SpecialPlace;
 template <typename OnPair>
 void for_each_pair_of_kinds(std::size_t turns, OnPair&& on_pair) {
   std::size_t index = 0;
-  for (const ShapeKind kind_a : kShapeKinds) {
-    for (const ShapeKind kind_b : kShapeKinds) {
+  for (const ShapeKind kind_a : tests::kOwnKinds) {
+    for (const ShapeKind kind_b : tests::kOwnKinds) {
       if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) continue;
       for (std::size_t n = 0; n < turns; ++n) {
         for (const SpecialPlace place :
@@ -54,7 +55,7 @@ TEST(AllKinds, DrawnAtRandomKeepEveryPromise) {
   PairLawCounts counts;
   RandomSource source(192);
   for (int n = 0; n < 3000 && !HasFailure(); ++n) {
-    const PlacedPair pair = tests::drawn_pair(source, kShapeKinds.size());
+    const PlacedPair pair = tests::drawn_pair(source, tests::kOwnKinds.size());
     EXPECT_EQ(broken_law(pair, {.directions = 200}, counts), "") << text_of(pair);
   }
   EXPECT_GT(counts.surfaces, 500u);
@@ -65,7 +66,7 @@ TEST(AllKindsSlow, DrawnAtRandomKeepEveryPromise) {
   PairLawCounts counts;
   RandomSource source(193);
   for (int n = 0; n < 200000 && !HasFailure(); ++n) {
-    const PlacedPair pair = tests::drawn_pair(source, kShapeKinds.size());
+    const PlacedPair pair = tests::drawn_pair(source, tests::kOwnKinds.size());
     EXPECT_EQ(broken_law(pair, {}, counts), "") << text_of(pair);
     EXPECT_EQ(broken_scaling(pair, n % 2 == 0 ? 0x1p-310 : 0x1p310), "") << text_of(pair);
   }

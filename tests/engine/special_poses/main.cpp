@@ -16,6 +16,7 @@
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze::tests {
 namespace {
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
     graze::RandomSource source(seed);
     return graze::tests::hunt([&]() -> std::optional<PlacedPair> {
       if (count-- == 0) return std::nullopt;
-      const std::size_t kinds = count % 2 == 0 ? kConvexKinds : graze::kShapeKinds.size();
+      const std::size_t kinds = count % 2 == 0 ? kConvexKinds : graze::tests::kOwnKinds.size();
       return graze::tests::drawn_pair(source, kinds);
     });
   }

@@ -10,6 +10,7 @@
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -52,7 +53,7 @@ TEST(SpecialPoses, SmallPartnersBesideTheAxisOfARoundOneAreAsDeepAsTheyAre) {
   expect_all_kept(93, [](std::size_t n, double ratio, RandomSource& source) {
     const Shape large =
         tests::plain_shape(n % 4 == 0 ? ShapeKind::Sphere : ShapeKind::Capsule, n / 4);
-    const Shape small = tests::plain_shape(kShapeKinds[n / 4 % tests::kConvexKinds], n / 28);
+    const Shape small = tests::plain_shape(tests::kOwnKinds[n / 4 % tests::kConvexKinds], n / 28);
     PlacedPair pair = beside(large, small, ratio, 0, source);
     pair.pose_b.translation() = source.vector(-1, 1) * (2 * smaller_size(pair));
     pair.pose_b.translation().z() += source.uniform(0, 0.25);
@@ -64,8 +65,8 @@ TEST(SpecialPoses, SmallPartnersBesideTheAxisOfARoundOneAreAsDeepAsTheyAre) {
 
 TEST(SpecialPoses, SmallPartnersThatOnlyTouchStandWhereTheyDo) {
   expect_all_kept(94, [](std::size_t n, double ratio, RandomSource& source) {
-    const Shape large = tests::plain_shape(kShapeKinds[n % tests::kConvexKinds], n / 49);
-    const Shape small = tests::plain_shape(kShapeKinds[n / 7 % tests::kConvexKinds], n / 49);
+    const Shape large = tests::plain_shape(tests::kOwnKinds[n % tests::kConvexKinds], n / 49);
+    const Shape small = tests::plain_shape(tests::kOwnKinds[n / 7 % tests::kConvexKinds], n / 49);
     return beside(large, small, ratio, source.uniform(-1e-6, 1e-9), source);
   });
 }

@@ -7,6 +7,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze::tests {
 
@@ -136,8 +137,8 @@ PlacedPair drawn_pair(RandomSource& source, std::size_t kinds) {
   const auto any = [&](int count) {
     return static_cast<std::size_t>(source.integer(0, count - 1));
   };
-  const ShapeKind kind_a = kShapeKinds[any(static_cast<int>(kinds))];
-  ShapeKind kind_b = kShapeKinds[any(static_cast<int>(kinds))];
+  const ShapeKind kind_a = tests::kOwnKinds[any(static_cast<int>(kinds))];
+  ShapeKind kind_b = tests::kOwnKinds[any(static_cast<int>(kinds))];
   if (any(5) == 0) kind_b = kind_a;
   if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) kind_b = ShapeKind::Mesh;
   PlacedPair pair =

@@ -8,10 +8,11 @@
 
 #include "tests/engine/special_poses/least_width.h"
 #include "tests/shapes/random_source.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze::tests {
 
-/// How many of kShapeKinds, the first, are convex and bounded.
+/// How many of kOwnKinds, the first, are convex and bounded.
 inline constexpr std::size_t kConvexKinds = 7;
 
 /// The rotations that map the axes of a frame to its axes.
@@ -33,7 +34,7 @@ PlacedPair special_pair(ShapeKind kind_a, ShapeKind kind_b, std::size_t turn, Sp
 
 /// A special pair drawn at random, of which every other is changed: turned as one, moved or turned
 /// by between 1e-16 and 1e-3, scaled, or given the sizes of any shape.
-/// Of the first so many of kShapeKinds, but never two half-spaces.
+/// Of the first so many of kOwnKinds, but never two half-spaces.
 PlacedPair drawn_pair(RandomSource& source, std::size_t kinds = kConvexKinds);
 
 /// The same pair, all lengths times a factor. A mesh is one of a box.

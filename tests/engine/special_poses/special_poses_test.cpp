@@ -15,6 +15,7 @@
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -35,7 +36,7 @@ void for_each_special(std::size_t shapes, OnPair&& on_pair) {
              {SpecialPlace::Concentric, SpecialPlace::Offset, SpecialPlace::Touching}) {
           for (std::size_t n = 0; n < shapes; ++n) {
             const std::size_t index = turn + 31 * n + 5 * i + 11 * j;
-            on_pair(special_pair(kShapeKinds[i], kShapeKinds[j], turn, place, index));
+            on_pair(special_pair(tests::kOwnKinds[i], tests::kOwnKinds[j], turn, place, index));
           }
         }
       }
@@ -166,7 +167,7 @@ TEST(SpecialPoses, DepthsInHalfSpacesAreThoseOfTheLowestPoint) {
   for (std::size_t i = 0; i < kConvexKinds; ++i) {
     for (std::size_t turn = 0; turn < tests::kRightTurns; ++turn) {
       PlacedPair pair =
-          special_pair(kShapeKinds[i], kShapeKinds[i], turn, SpecialPlace::Offset, turn);
+          special_pair(tests::kOwnKinds[i], tests::kOwnKinds[i], turn, SpecialPlace::Offset, turn);
       pair.a = HalfSpace{{0, 0, 1}, 0};
       const double expected = std::max(width_along(pair, Vector3d(0, 0, 1)), 0.0);
       EXPECT_NEAR(depth_of(pair), expected, 1e-14) << text_of(pair);
@@ -177,7 +178,7 @@ TEST(SpecialPoses, DepthsInHalfSpacesAreThoseOfTheLowestPoint) {
 // No rule could tell A from B: the swapped question is the same one.
 TEST(SpecialPoses, EqualShapesInEqualPosesHaveOneAnswer) {
   PairLawCounts counts;
-  for (const ShapeKind kind : kShapeKinds) {
+  for (const ShapeKind kind : tests::kOwnKinds) {
     if (kind == ShapeKind::HalfSpace || kind == ShapeKind::Mesh) continue;
     for (std::size_t turn = 0; turn < tests::kRightTurns; ++turn) {
       PlacedPair pair = special_pair(kind, kind, turn, SpecialPlace::Offset, 7 * turn);

@@ -10,6 +10,7 @@
 #include "tests/engine/special_poses/pair_laws.h"
 #include "tests/engine/special_poses/pair_text.h"
 #include "tests/engine/special_poses/special_pairs.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -56,7 +57,7 @@ TEST(SpecialPoses, ContactsOfUnevenHullsStandOnThem) {
     const double unevenness = std::pow(10.0, source.uniform(-12, -5));
     const Shape hull = uneven_hull(kind / 7, unevenness, source);
     const Shape other = kind % 8 == 7 ? Shape(uneven_hull(kind, unevenness, source))
-                                      : tests::plain_shape(kShapeKinds[kind % 7], kind / 49);
+                                      : tests::plain_shape(tests::kOwnKinds[kind % 7], kind / 49);
     const PlacedPair pair = resting(hull, other, source);
     ASSERT_EQ(broken_law(pair, {.directions = 300}, counts), "") << text_of(pair);
   }

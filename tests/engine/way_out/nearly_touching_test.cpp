@@ -9,6 +9,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -30,7 +31,7 @@ TEST(WayOut, WhatTouchesByAToleranceAloneHasContacts) {
   const Shape ground = box;
   int touching = 0;
   for (int n = 0; n < 4000; ++n) {
-    const ShapeKind kind = kShapeKinds[static_cast<std::size_t>(n % 7)];
+    const ShapeKind kind = tests::kOwnKinds[static_cast<std::size_t>(n % 7)];
     const double size = std::pow(10.0, source.uniform(-9, 0));
     const Shape shape = tests::random_shape(kind, size, source);
     // On a face, an edge or a corner.

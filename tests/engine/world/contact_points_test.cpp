@@ -16,6 +16,7 @@
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -97,8 +98,8 @@ void expect_on_both(const Placed& a, const Placed& b, const std::string& label) 
 
 template <typename Check>
 void for_each_pair_of_kinds(Check&& check) {
-  for (const ShapeKind kind_a : kShapeKinds) {
-    for (const ShapeKind kind_b : kShapeKinds) {
+  for (const ShapeKind kind_a : tests::kOwnKinds) {
+    for (const ShapeKind kind_b : tests::kOwnKinds) {
       if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) continue;
       check(kind_a, kind_b, std::string(name_of(kind_a)) + "/" + name_of(kind_b) + " ");
     }

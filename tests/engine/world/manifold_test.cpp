@@ -14,6 +14,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -58,8 +59,8 @@ void expect_mirrored(const Manifold& m, const Manifold& other, const std::string
 TEST(Manifold, EveryPairOfKindsPartsAlongItsNormal) {
   RandomSource source(21);
   Work work;
-  for (const ShapeKind kind_a : kShapeKinds) {
-    for (const ShapeKind kind_b : kShapeKinds) {
+  for (const ShapeKind kind_a : tests::kOwnKinds) {
+    for (const ShapeKind kind_b : tests::kOwnKinds) {
       if (kind_b < kind_a) continue;
       if (kind_a == ShapeKind::HalfSpace && kind_b == kind_a) continue;
       int hits = 0;
@@ -111,9 +112,9 @@ TEST(Manifold, DepthsAreNearTheLeast) {
   RandomSource source(22);
   for (int n = 0; n < 200; ++n) {
     const Shape a =
-        random_shape(kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))], 1, source);
+        random_shape(tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 6))], 1, source);
     const Shape b =
-        random_shape(kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))], 1, source);
+        random_shape(tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 6))], 1, source);
     const Pose pose_a = random_pose(0.3, source), pose_b = random_pose(0.3, source);
     const Manifold m = find_contacts({a, pose_a}, {b, pose_b});
     if (m.empty()) continue;
@@ -235,13 +236,13 @@ TEST(Manifold, SpheresAtOnePlaceStillPart) {
 TEST(Manifold, AnyTwoShapesAtOnePlacePart) {
   RandomSource source(23);
   for (std::size_t i = 0; i < 7; ++i) {
-    const Shape shape = random_shape(kShapeKinds[i], 1, source);
+    const Shape shape = random_shape(tests::kOwnKinds[i], 1, source);
     const Pose pose = random_pose(1, source);
     const Manifold m = find_contacts({shape, pose}, {shape, pose});
-    ASSERT_FALSE(m.empty()) << name_of(kShapeKinds[i]);
+    ASSERT_FALSE(m.empty()) << name_of(tests::kOwnKinds[i]);
     Pose parted = pose;
     parted.translation() += m[0].normal * (deepest(m) + 1e-5);
-    EXPECT_FALSE(intersects({shape, pose}, {shape, parted})) << name_of(kShapeKinds[i]);
+    EXPECT_FALSE(intersects({shape, pose}, {shape, parted})) << name_of(tests::kOwnKinds[i]);
   }
 }
 
@@ -295,8 +296,8 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
                      std::vector<TriangleIndices>{{0, 1, 2}});
   for (std::size_t i = 0; i < 7; ++i) {
     for (std::size_t j = 0; j < 7; ++j) {
-      const Shape a = random_shape(kShapeKinds[i], 1, source);
-      const Shape b = random_shape(kShapeKinds[j], 1, source);
+      const Shape a = random_shape(tests::kOwnKinds[i], 1, source);
+      const Shape b = random_shape(tests::kOwnKinds[j], 1, source);
       const Shape floor = terrain;
       const Pose pose_a = random_pose(0.2, source), pose_b = random_pose(0.2, source);
       const auto ask = [&] {
@@ -309,7 +310,7 @@ TEST(Manifold, AllocatesNothingOnceItHasRun) {
       const std::size_t before = mesh_io::allocated_bytes();
       ask();
       EXPECT_EQ(mesh_io::allocated_bytes(), before)
-          << name_of(kShapeKinds[i]) << "/" << name_of(kShapeKinds[j]);
+          << name_of(tests::kOwnKinds[i]) << "/" << name_of(tests::kOwnKinds[j]);
     }
   }
 }

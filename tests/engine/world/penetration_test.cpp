@@ -16,6 +16,7 @@
 
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -32,7 +33,9 @@ struct Pair {
 };
 
 Pair random_pair(double reach, RandomSource& source) {
-  const auto kind = [&] { return kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))]; };
+  const auto kind = [&] {
+    return tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 6))];
+  };
   const Shape a = tests::random_shape(kind(), 1, source);
   const Shape b = tests::random_shape(kind(), 1, source);
   const Pose pose_a = tests::random_pose(reach, source);
@@ -183,7 +186,7 @@ TEST(Penetration, OfSetsThatAreNotQuiteAlignedIsLeftToThePolytope) {
 TEST(Penetration, OfCoincidentSetsIsProved) {
   RandomSource source(34);
   for (int n = 0; n < 200; ++n) {
-    const ShapeKind kind = kShapeKinds[static_cast<std::size_t>(n) % 6];
+    const ShapeKind kind = tests::kOwnKinds[static_cast<std::size_t>(n) % 6];
     const Shape shape = tests::random_shape(kind, 1, source);
     const Pose pose = tests::random_pose(1, source);
     Work work;

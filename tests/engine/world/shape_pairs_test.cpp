@@ -16,6 +16,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -90,8 +91,8 @@ bool expect_proved(const Placed& a, const Placed& b, const std::string& label,
 
 TEST(ShapePairs, EveryPairOfKindsProvesItsAnswers) {
   RandomSource source(11);
-  for (const ShapeKind kind_a : kShapeKinds) {
-    for (const ShapeKind kind_b : kShapeKinds) {
+  for (const ShapeKind kind_a : tests::kOwnKinds) {
+    for (const ShapeKind kind_b : tests::kOwnKinds) {
       if (kind_b < kind_a) continue;
       int hits = 0;
       constexpr int kPoses = 120;
@@ -116,8 +117,8 @@ TEST(ShapePairs, SizesOverTwelveDecadesAndFlatShapes) {
   RandomSource source(12);
   std::uint64_t failures = 0;
   for (int n = 0; n < 1500; ++n) {
-    const ShapeKind kind_a = kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))];
-    const ShapeKind kind_b = kShapeKinds[static_cast<std::size_t>(source.integer(0, 6))];
+    const ShapeKind kind_a = tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 6))];
+    const ShapeKind kind_b = tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 6))];
     const double size_a = std::pow(10.0, source.integer(-6, 6));
     const double size_b = std::pow(10.0, source.integer(-6, 6));
     Placed a{random_shape(kind_a, size_a, source), random_pose(1, source)};
@@ -142,8 +143,8 @@ TEST(ShapePairs, SizesOverTwelveDecadesAndFlatShapes) {
 
 TEST(ShapePairs, ContainmentAndCoincidenceAreHits) {
   RandomSource source(13);
-  for (const ShapeKind kind_a : kShapeKinds) {
-    for (const ShapeKind kind_b : kShapeKinds) {
+  for (const ShapeKind kind_a : tests::kOwnKinds) {
+    for (const ShapeKind kind_b : tests::kOwnKinds) {
       if (kind_a == ShapeKind::Mesh || kind_b == ShapeKind::Mesh) continue;
       const Shape a = random_shape(kind_a, 1, source);
       const Shape small = random_shape(kind_b, 1e-3, source);
@@ -237,9 +238,9 @@ TEST(ShapePairs, RigidMotionsOfBothChangeNothingButRounding) {
   RandomSource source(14);
   for (int n = 0; n < 1000; ++n) {
     const Shape a =
-        random_shape(kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))], 1, source);
+        random_shape(tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 8))], 1, source);
     const Shape b =
-        random_shape(kShapeKinds[static_cast<std::size_t>(source.integer(0, 8))], 1, source);
+        random_shape(tests::kOwnKinds[static_cast<std::size_t>(source.integer(0, 8))], 1, source);
     if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) continue;
     const Pose pose_a = random_pose(1, source), pose_b = random_pose(1, source);
     const Pose motion = random_pose(10, source);
@@ -272,7 +273,7 @@ double brute_force(const Placed& other, const Placed& mesh) {
 
 TEST(Law9Shapes, MeshPairsAreBruteForceOverTriangles) {
   RandomSource source(15);
-  for (const ShapeKind kind : kShapeKinds) {
+  for (const ShapeKind kind : tests::kOwnKinds) {
     for (int n = 0; n < 12; ++n) {
       const Placed other{random_shape(kind, 0.6, source), random_pose(2, source)};
       Placed mesh{random_shape(ShapeKind::Mesh, 1.5, source), random_pose(1, source)};
@@ -292,7 +293,7 @@ TEST(ShapePairs, TheTableIsSymmetricAndRefusesStrangers) {
     for (const ShapeKind b : kShapeKinds)
       EXPECT_EQ(pair_method(a, b), pair_method(b, a));
   }
-  EXPECT_THROW(pair_method(ShapeKind::Box, static_cast<ShapeKind>(9)), InputError);
+  EXPECT_THROW(pair_method(ShapeKind::Box, static_cast<ShapeKind>(10)), InputError);
 }
 
 }  // namespace

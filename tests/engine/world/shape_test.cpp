@@ -14,6 +14,7 @@
 #include "tests/engine/world/random_shapes.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_meshes.h"
+#include "tests/shapes/shape_kinds.h"
 
 namespace graze {
 namespace {
@@ -111,7 +112,7 @@ TEST(ConvexHull, HoldsItsPointsAndSatisfiesEuler) {
 TEST(ShapeBounds, OutwardAndTight) {
   RandomSource source(6);
   for (int n = 0; n < 2000; ++n) {
-    const ShapeKind kind = kShapeKinds[n % kShapeKinds.size()];
+    const ShapeKind kind = tests::kOwnKinds[n % tests::kOwnKinds.size()];
     if (kind == ShapeKind::HalfSpace) continue;
     const double size = std::pow(10.0, source.integer(-6, 6));
     const Shape shape = tests::random_shape(kind, size, source);
@@ -167,8 +168,8 @@ TEST(ShapeBounds, HoldABoxAsLaw3ReadsIt) {
 TEST(ShapeBounds, NoPairTouchesThatTheyPart) {
   RandomSource source(9);
   for (int n = 0; n < 6000; ++n) {
-    const Shape a = tests::random_shape(kShapeKinds[n % 7], 1, source);
-    const Shape b = tests::random_shape(kShapeKinds[n / 7 % 7], 1, source);
+    const Shape a = tests::random_shape(tests::kOwnKinds[n % 7], 1, source);
+    const Shape b = tests::random_shape(tests::kOwnKinds[n / 7 % 7], 1, source);
     Pose place = Pose::Identity(), other = Pose::Identity();
     other.translation() = source.vector(-0.05, 0.05);
     const Aabb of_a = bounding_aabb({a, place}), of_b = bounding_aabb({b, other});

@@ -43,6 +43,7 @@ struct Support {
   double operator()(const HalfSpace& s) const {
     return (d - s.normal).norm() < 1e-7 ? s.offset : kInfinity;
   }
+  double operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   double operator()(const Mesh& s) const {
     double most = -kInfinity;
     for (const Vector3d& v : s.vertices())
@@ -87,6 +88,7 @@ struct Outside {
     return most;
   }
   double operator()(const HalfSpace& s) const { return s.normal.dot(p) - s.offset; }
+  double operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   double operator()(const Mesh& s) const {
     double least = kInfinity;
     for (std::size_t i = 0; i < s.triangles().size(); ++i)

@@ -19,6 +19,10 @@ Points points_of(const Mesh& mesh) {
   return {mesh.vertices().begin(), mesh.vertices().end()};
 }
 
+Points points_of(const HeightField& field) {
+  return points_of(field.mesh());
+}
+
 Points points_in(std::span<const double> numbers) {
   Points points;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3)
@@ -69,6 +73,7 @@ struct Rebuilt {
   Shape operator()(const HalfSpace&) const { return HalfSpace{point(0), n[3]}; }
   Shape operator()(const ConvexHull&) const { return ConvexHull(points_in(n)); }
   Shape operator()(const Mesh& mesh) const { return Mesh(points_in(n), mesh.triangles()); }
+  Shape operator()(const HeightField& field) const { return (*this)(field.mesh()); }
 };
 
 }  // namespace

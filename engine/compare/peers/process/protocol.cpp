@@ -94,6 +94,7 @@ struct ShapeText {
     return std::string("{\"half_space\":{\"normal\":") + text_of(source->normal) +
            ",\"offset\":" + number(source->offset) + "}}";
   }
+  std::string operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   std::string operator()(const Mesh& s) const {
     return std::string("{\"mesh\":") + text_of(s) + "}";
   }

@@ -1,3 +1,4 @@
+#include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/contact_regions.h>
 #include <graze/engine/world/contacts/local_parting.h>
@@ -173,8 +174,10 @@ ContactPoint NearTriangles::point_of(const NearPair& pair, const Vec3& normal) c
           pair.point_b,
           normal,
           std::max(candidates_.margin - pair.distance, 0.0),
-          std::uint64_t{pair.index_a} << 32 | narrowphase::kPointFeature,
-          std::uint64_t{pair.index_b} << 32 | narrowphase::kPointFeature};
+          std::uint64_t{numbers_of(mesh_a_.mesh).triangle(pair.index_a)} << 32 |
+              narrowphase::kPointFeature,
+          std::uint64_t{numbers_of(mesh_b_.mesh).triangle(pair.index_b)} << 32 |
+              narrowphase::kPointFeature};
 }
 
 /// Where both faces are nearly at right angles to a way, what lies between them has contacts along
@@ -196,8 +199,10 @@ void NearTriangles::add_faces(const NearPair& pair) {
     for (ContactPoint& touch : candidates_.found) {
       touch.depth = std::max(dot(touch.point_a - touch.point_b, touch.normal), 0.0);
       if (touch.depth > way.depth) continue;
-      touch.feature_a = std::uint64_t{pair.index_a} << 32 | (touch.feature_a & 0xffffffff);
-      touch.feature_b = std::uint64_t{pair.index_b} << 32 | (touch.feature_b & 0xffffffff);
+      touch.feature_a = std::uint64_t{numbers_of(mesh_a_.mesh).triangle(pair.index_a)} << 32 |
+                        (touch.feature_a & 0xffffffff);
+      touch.feature_b = std::uint64_t{numbers_of(mesh_b_.mesh).triangle(pair.index_b)} << 32 |
+                        (touch.feature_b & 0xffffffff);
       s_.touches.push_back({region, touch});
     }
   }

@@ -4,6 +4,7 @@
 #include <graze/engine/world/contacts/contact_functions.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
+#include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
@@ -88,6 +89,12 @@ bool is_in(const PlacedShapeView& body, const PlacedShapeView& mesh, const MeshS
   return sides.sides != Sides::Surface && Enclosure(body, mesh, sides, work).holds();
 }
 
+/// What of a height field is near by the margin, or behind by a thickness.
+FieldNeed need_of(const ManifoldSettings& settings) {
+  const double thickness = std::max(settings.sides_a.thickness, settings.sides_b.thickness);
+  return {.room = std::max(settings.margin, thickness), .aside = kContactAside};
+}
+
 }  // namespace
 
 void check_margin(double margin, const char* what) {
@@ -103,6 +110,10 @@ bool are_plain(const ManifoldSettings& settings) {
 
 Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,
                   const ManifoldSettings& settings, Work& work) {
+  if (has_field(a, b)) {
+    const StandIns by(a, b, need_of(settings));
+    return by.are_near() ? nearness(by.a.view(), by.b.view(), settings, work) : Nearness::Apart;
+  }
   if (intersects(a, b, &work)) return Nearness::Touching;
   if (is_in(a, b, settings.sides_b, work) || is_in(b, a, settings.sides_a, work))
     return Nearness::Enclosed;
@@ -139,6 +150,11 @@ void write_enclosed(const PlacedShapeView& a, const PlacedShapeView& b,
 Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
                          const ManifoldSettings& settings, Work& work, Manifold& found) {
   found.clear();
+  if (has_field(a, b)) {
+    const StandIns by(a, b, need_of(settings));
+    return by.are_near() ? contacts_within(by.a.view(), by.b.view(), settings, work, found)
+                         : Nearness::Apart;
+  }
   const Nearness nearness = graze::nearness(a, b, settings, work);
   if (nearness == Nearness::Apart) return nearness;
   if (nearness == Nearness::Enclosed) {

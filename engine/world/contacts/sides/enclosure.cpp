@@ -48,8 +48,13 @@ void check_sides(const Shape* shape, const MeshSides& sides, const char* what) {
                      ", but must be " + (has_thickness ? "finite and above 0" : "0"));
   }
   if (sides.sides == Sides::Surface) return;
+  if (shape != nullptr && shape->kind() == ShapeKind::HeightField) {
+    // Its triangles go on from each other at each edge.
+    if (sides.sides == Sides::OneSided) return;
+    throw MeshError(begin + "a height field has a border, and a solid has none");
+  }
   const Mesh* mesh = shape == nullptr ? nullptr : shape->as<Mesh>();
-  if (mesh == nullptr) throw InputError(begin + "only meshes have sides");
+  if (mesh == nullptr) throw InputError(begin + "only meshes and height fields have sides");
   const Orientation& orientation = orientation_of(*mesh);
   if (sides.sides == Sides::Solid) {
     if (orientation.unpaired)
@@ -164,20 +169,28 @@ void Enclosure::add(ContactCandidates& candidates) const {
   narrowphase::Exit best{{0, 0, 1}, std::numeric_limits<double>::infinity()};
   std::uint32_t nearest = 0, leading = 0;
   double nearest_distance = std::numeric_limits<double>::infinity();
+  double counted = nearest_distance;  // as how long the best way counts
   const auto limit = [&] {
-    return sides_.sides == Sides::OneSided ? std::min(best.depth, sides_.thickness) : best.depth;
+    return sides_.sides == Sides::OneSided ? std::min(counted, sides_.thickness) : counted;
   };
   descent.for_each_within(limit, [&](std::uint32_t index) {
     const Core triangle = descent.triangle(index);
     const double distance = gap_of_sets(core, triangle, nearest_distance).distance;
     ++work_.convex_tests;
-    if (distance < nearest_distance) nearest_distance = distance, nearest = index;
+    const bool is_tie = distance == nearest_distance && index < nearest;
+    if (distance < nearest_distance || is_tie) nearest_distance = distance, nearest = index;
     const std::optional<narrowphase::Exit> exit = exits.through(index, triangle);
-    if (exit && exit->depth < best.depth) best = *exit, leading = index;
+    if (!exit) return bvh::Walk::Continue;
+    // Where it leads past a border a way may be shorter than the gap to its triangle: it counts as
+    // long as that, or which way is the first to end the walk would depend on the tree.
+    narrowphase::Exit way = *exit;
+    if (way.depth < distance) way.depth = std::max(way.depth, gap_of_sets(core, triangle).distance);
+    const bool is_as_short = way.depth == counted && index < leading;
+    if (way.depth < counted || is_as_short) best = *exit, counted = way.depth, leading = index;
     return bvh::Walk::Continue;
   });
   TriangleCandidates found(core, mesh_, candidates, work_);
-  const double last = best.depth;
+  const double last = counted;
   if (std::isfinite(last)) {
     descent.for_each_within([&] { return last; },
                             [&](std::uint32_t index) {

@@ -1,0 +1,109 @@
+#include <graze/engine/world/fields/field_patch.h>
+#include <graze/engine/world/fields/stand_in.h>
+#include <graze/engine/world/shape_bounds.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace graze {
+
+namespace {
+
+// Cells above or below something else are left out of a patch if it would have more than so many.
+constexpr std::uint64_t kMostAtOnce = std::uint64_t{1} << 16;
+
+/// A bound of the sine of the angle between the normals of triangles in these cells and straight
+/// up: 1 where they are many.
+double steepest_sine(const HeightFieldData& field, const CellRect& rect) {
+  constexpr std::uint64_t kMostLookedAt = 256;
+  if (rect.count() > kMostLookedAt) return 1;
+  double square = 0;
+  for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {
+    for (std::uint32_t c = rect.first_column; c < rect.last_column; ++c) {
+      if (field.is_hole(c, r)) continue;
+      const double low = field.z(field.stored(c, r)), beside = field.z(field.stored(c + 1, r));
+      const double above = field.z(field.stored(c, r + 1));
+      const double high = field.z(field.stored(c + 1, r + 1));
+      const double x = std::max(std::abs(beside - low), std::abs(high - above)) / field.spacing_x;
+      const double y = std::max(std::abs(above - low), std::abs(high - beside)) / field.spacing_y;
+      square = std::max(square, x * x + y * y);
+    }
+  }
+  return std::isfinite(square) ? std::min(std::sqrt(square / (1 + square)) + 0x1p-20, 1.0) : 1;
+}
+
+bool has_cell(const HeightFieldData& field, const CellRect& rect) {
+  for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {
+    for (std::uint32_t c = rect.first_column; c < rect.last_column; ++c) {
+      if (!field.is_hole(c, r)) return true;
+    }
+  }
+  return false;
+}
+
+/// The longest side of the box around it; of a half-space 0, as all cells before it are near.
+double size_of(const PlacedShapeView& shape) {
+  if (shape.shape.kind() == ShapeKind::HalfSpace) return 0;
+  const Aabb box = bounding_aabb(shape);
+  return (box.max - box.min).norm();
+}
+
+}  // namespace
+
+Shape square_patch(const HeightFieldData& field, const CellSquare& square, const PatchNeed& need) {
+  const CellRect cells = field.cells_of(square);
+  return Shape(need.is_kept ? kept_patch_of(field, cells) : patch_of(field, std::span(&cells, 1)));
+}
+
+StandIn::StandIn(const PlacedShapeView& field, const PlacedShapeView& other, const FieldNeed& need)
+    : shape_(field.shape), pose_(field.pose) {
+  const auto* as_field = field.shape.as<HeightField>();
+  if (as_field == nullptr) return;
+  FieldReach reach(HeightFieldAccess::data(*as_field), field.pose, other);
+  reach.grow(need.room);
+  take(reach, {.aside = need.aside > 0 ? need.aside * (size_of(other) + need.room) : 0,
+               .is_kept = keeps_patches(other)});
+}
+
+StandIn::StandIn(const PlacedShapeView& field, const FieldReach& reach, const PatchNeed& need)
+    : shape_(field.shape), pose_(field.pose) {
+  if (field.shape.kind() == ShapeKind::HeightField) take(reach, need);
+}
+
+void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
+  const HeightFieldData& field = HeightFieldAccess::data(*shape_.as<HeightField>());
+  is_near_ = is_any_met(field, reach);
+  if (!is_near_) {
+    CellSquare any = field.root();
+    while (any.level > 0) {
+      CellSquare below = any;
+      field.for_children(any, [&](const CellSquare& child) {
+        if (below.level == any.level && !field.range_of(child).is_empty()) below = child;
+      });
+      any = below;
+    }
+    mesh_ = square_patch(field, any, need);
+    return;
+  }
+  FieldReach wide = reach;
+  CellRect around = reach.columns_of_cells(field);
+  if (need.aside > 0) {
+    // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
+    // near there is a ring of cells already.
+    wide.grow_aside(need.aside * steepest_sine(field, around));
+    around = wide.columns_of_cells(field);
+  }
+  const bool is_kept = need.is_kept && around.count() <= kMostKeptCells;
+  const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kMostKeptCells);
+  if (is_whole && has_cell(field, around)) {
+    mesh_ = Shape(is_kept ? kept_patch_of(field, around) : patch_of(field, std::span(&around, 1)));
+    return;
+  }
+  std::vector<CellRect> rects;
+  for (const CellSquare& square : squares_met(field, wide))
+    rects.push_back(field.cells_of(square));
+  mesh_ = Shape(patch_of(field, rects));
+}
+
+}  // namespace graze
