@@ -1,6 +1,7 @@
 #pragma once
 
-// Two worlds of one scene: in the one some bodies are compounds, in the other each part is a body.
+// Two worlds of one scene: in the one some bodies are compounds or height fields, in the other each
+// part is a body and each field a mesh.
 
 #include <graze/engine/world/compound.h>
 #include <graze/engine/world/world.h>
