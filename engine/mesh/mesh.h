@@ -43,6 +43,13 @@ class Mesh {
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles);
   Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles);
 
+  /// The same with what each triangle is made of: numbers for the user, which contacts of shapes
+  /// and hits of rays carry. Throws MeshError, too, for another number of them. A mesh without
+  /// costs what it did; one with takes two bytes a triangle, and a search for the triangle at each
+  /// contact.
+  Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles,
+       std::span<const std::uint16_t> materials);
+
   /// The same from matrices of three columns, a vertex or a triangle each row, as libigl and others
   /// keep them, in any storage order. Throws MeshError for another number of columns.
   Mesh(const MatrixView<double>& vertices, const MatrixView<int>& triangles);
@@ -60,6 +67,9 @@ class Mesh {
   /// As they were given to the constructor, in that order.
   std::span<const Eigen::Vector3d> vertices() const;
   std::span<const TriangleIndices> triangles() const;
+
+  /// What triangles are made of, as it was given; empty if it was not.
+  std::span<const std::uint16_t> materials() const;
 
   /// The same numbers as matrices of three columns, without a copy: valid as long as a handle.
   Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> vertex_matrix() const;

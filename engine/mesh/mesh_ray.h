@@ -21,7 +21,8 @@ struct RayHit {
   Eigen::Vector3d point;   ///< in the world's frame
   Eigen::Vector3d normal;  ///< unit, against the ray: of the surface, or of a triangle on the side
                            ///< that the ray comes from; the ray's own where there is no other
-  std::uint32_t triangle = kNoTriangle;  ///< of a mesh
+  std::uint32_t triangle = kNoTriangle;  ///< of a mesh or a height field
+  std::uint16_t material = 0;            ///< of that triangle, if it has one
 
   bool operator==(const RayHit&) const = default;
 };

@@ -35,6 +35,11 @@ struct ShapeContact {
                             ///< where a margin was asked for: minus how far they are apart
   ContactFeature feature;   ///< which parts of the two meet here
   std::uint32_t region;     ///< contacts of one region share a way out; see Manifold
+  /// What A is made of there: the material of the triangle of a mesh, or of the cell of a height
+  /// field, that is nearest to point_a, of several that of the least number. 0 of what has none.
+  /// How two go together is the user's to say.
+  std::uint16_t material_a;
+  std::uint16_t material_b;  ///< of B at point_b, likewise
 
   bool operator==(const ShapeContact&) const = default;
 };

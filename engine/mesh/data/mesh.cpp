@@ -85,6 +85,27 @@ Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIn
 Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles)
     : data_(make(vertices, triangles)) {}
 
+Mesh::Mesh(std::span<const Eigen::Vector3d> vertices, std::span<const TriangleIndices> triangles,
+           std::span<const std::uint16_t> materials) {
+  const std::shared_ptr<const Data> bare = make(vertices, triangles);
+  if (materials.size() != triangles.size()) {
+    throw MeshError(std::to_string(materials.size()) + " materials for " +
+                    std::to_string(triangles.size()) + " triangles");
+  }
+  auto data = std::make_shared<Data>();
+  data->shared_triangles = bare->shared_triangles;
+  data->triangles = bare->triangles;
+  data->vertices = bare->vertices;
+  data->bounds = bare->bounds;
+  data->materials =
+      std::make_shared<const std::vector<std::uint16_t>>(materials.begin(), materials.end());
+  data_ = std::move(data);
+}
+
+std::span<const std::uint16_t> Mesh::materials() const {
+  return data_->materials == nullptr ? std::span<const std::uint16_t>() : *data_->materials;
+}
+
 namespace {
 
 void check_columns(Eigen::Index columns, const char* what) {
@@ -140,6 +161,7 @@ Mesh Mesh::deformed(std::span<const Eigen::Vector3d> vertices) const {
     auto data = std::make_shared<Data>();
     data->shared_triangles = data_->shared_triangles;
     data->triangles = data_->triangles;
+    data->materials = data_->materials;
     data->vertices.assign(vertices.begin(), vertices.end());
     data->bounds = bounds_of(data->vertices, data->triangles);
     data->older_tree.set(data_->tree_to_inherit());

@@ -39,7 +39,8 @@ struct Mesh::Data {
   std::vector<Eigen::Vector3d> vertices;
   std::shared_ptr<const std::vector<TriangleIndices>> shared_triangles;  ///< of all deformations
   std::span<const TriangleIndices> triangles;
-  Aabb bounds;  ///< of a patch that of the whole
+  Aabb bounds;                                                  ///< of a patch that of the whole
+  std::shared_ptr<const std::vector<std::uint16_t>> materials;  ///< nullptr if there are none
 
   std::vector<std::uint32_t> vertex_numbers;    ///< of a patch, in the whole; else empty
   std::vector<std::uint32_t> triangle_numbers;  ///< likewise

@@ -30,7 +30,8 @@ class MeshForRays {
         rays_(rays_of(placed.mesh, &work)),
         frame_(is_at_rest_ ? rays_.at_rest : ray_frame_of(placed, rays_.tree.frame)),
         vertices_(placed.mesh.vertices().data()),
-        triangles_(placed.mesh.triangles().data()) {}
+        triangles_(placed.mesh.triangles().data()),
+        materials_(placed.mesh.materials()) {}
 
   /// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to
   /// which that comes down when it returns one, until it returns kEnough. With RayAim::First
@@ -140,7 +141,8 @@ class MeshForRays {
       }
     }
     if (!found) return std::nullopt;
-    return RayHit{found->distance, found->point, found->normal, index};
+    const std::uint16_t material = materials_.empty() ? std::uint16_t{0} : materials_[index];
+    return RayHit{found->distance, found->point, found->normal, index, material};
   }
 
   const PlacedMeshView& placed_;
@@ -150,6 +152,7 @@ class MeshForRays {
   bvh::RayFrame frame_;
   const Eigen::Vector3d* vertices_;
   const TriangleIndices* triangles_;
+  std::span<const std::uint16_t> materials_;
 };
 
 bool is_before(const RayHit& s, const RayHit& t) {

@@ -30,6 +30,7 @@ Manifold mirrored(Manifold manifold) {
     std::swap(contact.point_a, contact.point_b);
     contact.normal = -contact.normal;
     std::swap(contact.feature.a, contact.feature.b);
+    std::swap(contact.material_a, contact.material_b);
   }
   return manifold;
 }

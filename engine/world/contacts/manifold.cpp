@@ -1,6 +1,7 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/contacts/contact_materials.h>
 #include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/pair_functions.h>
@@ -108,7 +109,9 @@ void write_manifold(ContactCandidates& candidates, bool is_mirrored, Manifold& m
                     .normal = to_eigen(is_mirrored ? -touch.normal : touch.normal),
                     .depth = touch.depth,
                     .feature = {touch.feature_a, touch.feature_b},
-                    .region = number});
+                    .region = number,
+                    .material_a = 0,
+                    .material_b = 0});
     }
     ++number;
   }
@@ -147,12 +150,13 @@ void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work&
   if (has_field(a, b)) {
     const StandIns by(a, b, {.aside = kContactAside});
     if (by.are_near()) contacts_in_boxes(by.a.view(), by.b.view(), work, found);
-    return;
+    return add_materials(a, b, found, work);
   }
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
   // Two boxes are one question, too, where those around them are known to overlap.
   const bool is_one = is_one_question(method) || method == BoxAxes;
   if (is_one || intersect_in_boxes(a, b, work)) find_of_touching(a, b, work, found);
+  add_materials(a, b, found, work);
 }
 
 template <typename>
@@ -160,15 +164,15 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
   return bvh::in_standard_arithmetic([&]() -> Manifold {
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
+    Manifold found;
     if (has_field(a, b)) {
       const StandIns by(a, b, {.aside = kContactAside});
-      return by.are_near() ? find_contacts<void>(by.a.view(), by.b.view(), &counted.work())
-                           : Manifold{};
-    }
-    Manifold found;
-    if (is_one_question(pair_method(a.shape.kind(), b.shape.kind())) ||
-        intersects(a, b, &counted.work()))
+      if (by.are_near()) found = find_contacts<void>(by.a.view(), by.b.view(), &counted.work());
+    } else if (is_one_question(pair_method(a.shape.kind(), b.shape.kind())) ||
+               intersects(a, b, &counted.work())) {
       find_of_touching(a, b, counted.work(), found);
+    }
+    add_materials(a, b, found, counted.work());
     return found;
   });
 }

@@ -80,7 +80,8 @@ struct HeightFieldData {
   std::uint32_t columns = 0, rows = 0;  ///< of heights
   double spacing_x = 1, spacing_y = 1, height_scale = 1, height_offset = 0;
   bool has_floats = true;
-  std::uint64_t serial = 0;  ///< no two fields have the same
+  bool has_materials = false;  ///< other than 0
+  std::uint64_t serial = 0;    ///< no two fields have the same
   std::uint32_t tile_columns = 0, tile_rows = 0;
   std::vector<std::shared_ptr<const FieldTile>> tiles;
   /// Above the tiles: of squares of level kLevel + 1 + i, row by row. The last has one.

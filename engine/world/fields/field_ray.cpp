@@ -122,7 +122,9 @@ class FieldRay {
     const bool is_first = !first_ || found->distance < first_->distance ||
                           (found->distance == first_->distance && number < first_->triangle);
     if (!is_first) return;
-    first_ = RayHit{found->distance, found->point, found->normal, number};
+    const std::uint32_t cell = number / 2, columns = field_.cell_columns();
+    first_ = RayHit{found->distance, found->point, found->normal, number,
+                    field_.material(cell % columns, cell / columns)};
     limit_to(found->distance);
   }
 

@@ -78,6 +78,7 @@ void make_all(HeightFieldData& data, std::span<const Height> heights,
   for (std::size_t i = 0; i < data.tiles.size(); ++i) {
     FieldTile tile = tile_of_heights(data, i, heights);
     set_cells(data, i, settings, tile);
+    data.has_materials |= !tile.materials.empty();
     data.tiles[i] = std::make_shared<FieldTile>(std::move(tile));
   }
 }

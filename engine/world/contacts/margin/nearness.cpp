@@ -2,6 +2,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/query/query_results.h>
 #include <graze/engine/world/contacts/contact_functions.h>
+#include <graze/engine/world/contacts/contact_materials.h>
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/contacts/sides/enclosure.h>
 #include <graze/engine/world/fields/stand_in.h>
@@ -152,13 +153,17 @@ Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
   found.clear();
   if (has_field(a, b)) {
     const StandIns by(a, b, need_of(settings));
-    return by.are_near() ? contacts_within(by.a.view(), by.b.view(), settings, work, found)
-                         : Nearness::Apart;
+    const Nearness nearness = by.are_near()
+                                  ? contacts_within(by.a.view(), by.b.view(), settings, work, found)
+                                  : Nearness::Apart;
+    add_materials(a, b, found, work);
+    return nearness;
   }
   const Nearness nearness = graze::nearness(a, b, settings, work);
   if (nearness == Nearness::Apart) return nearness;
   if (nearness == Nearness::Enclosed) {
     write_enclosed(a, b, settings, work, found);
+    add_materials(a, b, found, work);
     return nearness;
   }
   const bool are_planes =
@@ -176,6 +181,7 @@ Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
     }
   }
   write_manifold(candidates, is_swapped(a, b), found);
+  add_materials(a, b, found, work);
   return nearness;
 }
 
