@@ -44,6 +44,7 @@ struct Mesh::Data {
 
   std::vector<std::uint32_t> vertex_numbers;    ///< of a patch, in the whole; else empty
   std::vector<std::uint32_t> triangle_numbers;  ///< likewise
+  std::vector<std::uint8_t> is_rim;             ///< of a patch, by vertex; see MeshPatch
 
   mutable std::once_flag tree_flag;
   mutable std::atomic<bool> is_tree_made = false;

@@ -14,6 +14,7 @@ Mesh mesh_of(MeshPatch&& patch) {
   data->bounds = patch.bounds;
   data->vertex_numbers = std::move(patch.vertex_numbers);
   data->triangle_numbers = std::move(patch.triangle_numbers);
+  data->is_rim = std::move(patch.is_rim);
   std::call_once(data->welded_flag, [&] {
     data->welded.resize(data->vertices.size());
     std::iota(data->welded.begin(), data->welded.end(), 0u);
@@ -25,6 +26,10 @@ Mesh mesh_of(MeshPatch&& patch) {
     });
   }
   return MeshAccess::mesh(data);
+}
+
+std::span<const std::uint8_t> rim_of(const Mesh& mesh) {
+  return MeshAccess::data(mesh).is_rim;
 }
 
 MeshNumbers numbers_of(const Mesh& mesh) {

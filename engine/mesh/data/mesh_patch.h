@@ -19,6 +19,9 @@ struct MeshPatch {
   Aabb bounds;                                  ///< of the whole
   std::vector<std::uint32_t> vertex_numbers;    ///< in the whole, ascending
   std::vector<std::uint32_t> triangle_numbers;  ///< likewise
+  /// Of each vertex, whether the whole goes on where the patch ends; empty if that matters to
+  /// nobody.
+  std::vector<std::uint8_t> is_rim = {};
   /// Over the triangles, in the frame around the bounds, if there is one at hand: else it is built
   /// as of any mesh, by the query that asks for it.
   std::optional<bvh::Tree> tree = {};
@@ -44,5 +47,8 @@ struct MeshNumbers {
 };
 /// Valid as long as a handle.
 MeshNumbers numbers_of(const Mesh& mesh);
+
+/// MeshPatch::is_rim; empty of what is no patch. Valid as long.
+std::span<const std::uint8_t> rim_of(const Mesh& mesh);
 
 }  // namespace graze

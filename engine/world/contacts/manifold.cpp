@@ -148,8 +148,10 @@ void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work&
                        Manifold& found) {
   found.clear();
   if (has_field(a, b)) {
-    const StandIns by(a, b, {.aside = kContactAside});
-    if (by.are_near()) contacts_in_boxes(by.a.view(), by.b.view(), work, found);
+    ask_contacts(a, b, {.aside = kContactAside},
+                 [&](const PlacedShapeView& s, const PlacedShapeView& t) {
+                   contacts_in_boxes(s, t, work, found);
+                 });
     return add_materials(a, b, found, work);
   }
   const PairMethod method = pair_method(a.shape.kind(), b.shape.kind());
@@ -166,8 +168,10 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
     CountedWork counted(work);
     Manifold found;
     if (has_field(a, b)) {
-      const StandIns by(a, b, {.aside = kContactAside});
-      if (by.are_near()) found = find_contacts<void>(by.a.view(), by.b.view(), &counted.work());
+      ask_contacts(a, b, {.aside = kContactAside},
+                   [&](const PlacedShapeView& s, const PlacedShapeView& t) {
+                     found = find_contacts<void>(s, t, &counted.work());
+                   });
     } else if (is_one_question(pair_method(a.shape.kind(), b.shape.kind())) ||
                intersects(a, b, &counted.work())) {
       find_of_touching(a, b, counted.work(), found);

@@ -79,6 +79,21 @@ void add_triangles(const HeightFieldData& field, const std::vector<Span>& cells,
   }
 }
 
+/// Which vertices lie where the rectangle ends and the field does not.
+void mark_rim(const HeightFieldData& field, const CellRect& rect, MeshPatch& patch) {
+  const bool is_below = rect.first_row > 0, is_above = rect.last_row < field.cell_rows();
+  const bool is_left = rect.first_column > 0;
+  const bool is_right = rect.last_column < field.cell_columns();
+  patch.is_rim.reserve(patch.vertices.size());
+  for (std::uint32_t r = rect.first_row; r <= rect.last_row; ++r) {
+    const bool is_row = (is_below && r == rect.first_row) || (is_above && r == rect.last_row);
+    for (std::uint32_t c = rect.first_column; c <= rect.last_column; ++c) {
+      patch.is_rim.push_back(is_row || (is_left && c == rect.first_column) ||
+                             (is_right && c == rect.last_column));
+    }
+  }
+}
+
 /// As below, without a list of spans.
 MeshPatch patch_of_rect(const HeightFieldData& field, const CellRect& rect) {
   MeshPatch patch;
@@ -93,6 +108,7 @@ MeshPatch patch_of_rect(const HeightFieldData& field, const CellRect& rect) {
       patch.vertex_numbers.push_back(field.vertex_number(c, r));
     }
   }
+  mark_rim(field, rect, patch);
   patch.triangles.reserve(2 * rect.count());
   patch.triangle_numbers.reserve(2 * rect.count());
   for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {

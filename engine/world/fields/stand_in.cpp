@@ -33,6 +33,15 @@ double steepest_sine(const HeightFieldData& field, const CellRect& rect) {
   return std::isfinite(square) ? std::min(std::sqrt(square / (1 + square)) + 0x1p-20, 1.0) : 1;
 }
 
+CellRect with_rings(const HeightFieldData& field, const CellRect& rect, std::uint32_t rings) {
+  const auto before = [&](std::uint32_t first) { return first - std::min(first, rings); };
+  const auto after = [&](std::uint32_t last, std::uint32_t end) {
+    return last + std::min(end - last, rings);
+  };
+  return {before(rect.first_column), before(rect.first_row),
+          after(rect.last_column, field.cell_columns()), after(rect.last_row, field.cell_rows())};
+}
+
 bool has_cell(const HeightFieldData& field, const CellRect& rect) {
   for (std::uint32_t r = rect.first_row; r < rect.last_row; ++r) {
     for (std::uint32_t c = rect.first_column; c < rect.last_column; ++c) {
@@ -63,6 +72,7 @@ StandIn::StandIn(const PlacedShapeView& field, const PlacedShapeView& other, con
   FieldReach reach(HeightFieldAccess::data(*as_field), field.pose, other);
   reach.grow(need.room);
   take(reach, {.aside = need.aside > 0 ? need.aside * (size_of(other) + need.room) : 0,
+               .rings = need.rings,
                .is_kept = keeps_patches(other)});
 }
 
@@ -94,6 +104,7 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
     wide.grow_aside(need.aside * steepest_sine(field, around));
     around = wide.columns_of_cells(field);
   }
+  around = with_rings(field, around, need.rings);
   const bool is_kept = need.is_kept && around.count() <= kMostKeptCells;
   const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kMostKeptCells);
   if (is_whole && has_cell(field, around)) {

@@ -2,10 +2,12 @@
 
 // Meshes that stand for height fields in one question. Private to engine/world.
 
+#include <graze/engine/mesh/data/patch_rim.h>
 #include <graze/engine/world/fields/field_reach.h>
 #include <graze/engine/world/placed_shape.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 namespace graze {
@@ -18,6 +20,7 @@ struct FieldNeed {
   /// Cells so far aside from what is near, too, as multiples of the other's size: those whose
   /// neighbours, or what lies flat beyond them, have a say.
   double aside = 0;
+  std::uint32_t rings = 0;  ///< so many rings of cells around these, too
 };
 
 /// Whether a thread may keep what it makes for questions about a field and this shape: not for
@@ -29,6 +32,7 @@ inline bool keeps_patches(const PlacedShapeView& other) {
 /// Cells so far aside, metres, and whether a patch may be one that is kept.
 struct PatchNeed {
   double aside = 0;
+  std::uint32_t rings = 0;
   bool is_kept = true;
 };
 
@@ -74,6 +78,21 @@ struct StandIns {
 
 /// For contacts: a flat face may have its deepest point, and what lies beyond it, so far aside.
 inline constexpr double kContactAside = 1;
+
+/// Contacts of two of which one is a height field, or both: `ask(a, b)` of what stands for them,
+/// again with more of the field as long as it depended on what lies beyond; not called where no
+/// cell is near.
+template <typename Ask>
+void ask_contacts(const PlacedShapeView& a, const PlacedShapeView& b, FieldNeed need,
+                  const Ask& ask) {
+  for (;; need.rings = 4 * need.rings + 8) {
+    const StandIns by(a, b, need);
+    if (!by.are_near()) return;
+    PatchRim::forget();
+    ask(by.a.view(), by.b.view());
+    if (!PatchRim::was_met()) return;
+  }
+}
 
 /// For a distance: all cells that may be the nearest. `distance_to(shape)` is the distance of the
 /// other from a mesh that stands for the field.

@@ -59,7 +59,8 @@ class Twins {
   /// What queries say, expected to be the same in both. Returns how many answers there were.
   std::size_t ask(const Shape& shape, const Pose& pose, double clearance);
   std::size_t cast_ray(const Ray& ray);
-  std::size_t cast(const Shape& shape, const RigidMotion& motion);
+  /// Times are the same, or, where bodies are far from the origin, so near to each other.
+  std::size_t cast(const Shape& shape, const RigidMotion& motion, double most_off = 0);
 
   World& whole() { return whole_; }
 

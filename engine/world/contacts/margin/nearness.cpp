@@ -152,10 +152,10 @@ Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
                          const ManifoldSettings& settings, Work& work, Manifold& found) {
   found.clear();
   if (has_field(a, b)) {
-    const StandIns by(a, b, need_of(settings));
-    const Nearness nearness = by.are_near()
-                                  ? contacts_within(by.a.view(), by.b.view(), settings, work, found)
-                                  : Nearness::Apart;
+    Nearness nearness = Nearness::Apart;
+    ask_contacts(a, b, need_of(settings), [&](const PlacedShapeView& s, const PlacedShapeView& t) {
+      nearness = contacts_within(s, t, settings, work, found);
+    });
     add_materials(a, b, found, work);
     return nearness;
   }

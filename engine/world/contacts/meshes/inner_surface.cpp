@@ -1,4 +1,6 @@
+#include <graze/engine/mesh/data/mesh_patch.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/data/patch_rim.h>
 #include <graze/engine/mesh/data/vertex_fans.h>
 #include <graze/engine/world/contacts/meshes/inner_surface.h>
 
@@ -90,6 +92,7 @@ void LoopGroups::number() {
 void InnerSurface::collect(const PlacedMeshView& mesh, const Vec3& origin, InnerSide side,
                            const MeshCrossings& found, LoopGroups& groups) {
   placing_ = placing_of(mesh, origin), side_ = side, welded_ = mesh.mesh.welded();
+  is_rim_ = rim_of(mesh.mesh);
   marks_.start(mesh.mesh.vertices().size());
   loop_of_.resize(std::max(loop_of_.size(), mesh.mesh.vertices().size()));
   part_of_.resize(std::max(part_of_.size(), mesh.mesh.vertices().size()));
@@ -99,6 +102,7 @@ void InnerSurface::collect(const PlacedMeshView& mesh, const Vec3& origin, Inner
   fans_ = &vertex_fans_of(mesh.mesh);
   for (std::size_t i = 0; i < collected_.size() && collected_.size() < kMostVertices; ++i) {
     const Collected of = collected_[i];
+    note_rim(of.vertex);
     for (const std::uint32_t triangle : fans_->around(of.vertex)) {
       for (const std::uint32_t index : placing_.triangles[triangle]) {
         const std::uint32_t next = welded_[index];
@@ -207,6 +211,7 @@ void InnerSurface::open(std::uint32_t piece, std::size_t point, const Vec3& dire
   const InnerPart& part = parts_[piece];
   const double above = dot(part.points[point], direction);
   const bool is_outside = part.is_outer[point];
+  note_rim(part.vertex[point]);
   for (const std::uint32_t triangle : fans_->around(part.vertex[point]))
     add_corners(piece, triangle, is_outside, direction, above);
 }
@@ -258,6 +263,17 @@ void InnerSurface::shrink(std::uint32_t piece) {
   part.shorten(lasting_, lasting_radius_);
 }
 
+void InnerSurface::note_neighbours(std::uint32_t triangle) const {
+  if (is_rim_.empty()) return;
+  for (const std::uint32_t vertex : corners(triangle))
+    note_rim(vertex);
+}
+
+/// What is around a vertex is looked at.
+void InnerSurface::note_rim(std::uint32_t vertex) const {
+  if (!is_rim_.empty() && is_rim_[vertex] != 0) PatchRim::meet();
+}
+
 Vec3 InnerSurface::placed(std::uint32_t vertex) const {
   return placed_vertex(placing_, vertex);
 }
@@ -268,6 +284,7 @@ std::array<std::uint32_t, 3> InnerSurface::corners(std::uint32_t triangle) const
 }
 
 std::span<const std::uint32_t> InnerSurface::around(std::uint32_t vertex) const {
+  note_rim(vertex);
   return fans_->around(vertex);
 }
 

@@ -142,6 +142,8 @@ class InnerSurface {
   /// Welded.
   std::array<std::uint32_t, 3> corners(std::uint32_t triangle) const;
   std::span<const std::uint32_t> around(std::uint32_t vertex) const;
+  /// To be told of a triangle whose neighbours are looked at, for PatchRim.
+  void note_neighbours(std::uint32_t triangle) const;
   bool is_inside(std::uint32_t vertex) const { return marks_[vertex] == VertexMarks::Mark::Inside; }
   /// As somebody else says where it was not found out.
   bool is_outside(std::uint32_t vertex, bool otherwise) const {
@@ -159,6 +161,7 @@ class InnerSurface {
   static bool is_crossed(const std::vector<EdgeCrossing>& edges, std::uint32_t s, std::uint32_t t);
   void start(const std::vector<EdgeCrossing>& edges, LoopGroups& groups);
   void note(std::uint32_t vertex, bool is_inside, std::uint32_t loop, LoopGroups& groups);
+  void note_rim(std::uint32_t vertex) const;
   void enter(std::uint32_t piece);
   void open(std::uint32_t piece, std::size_t point, const narrowphase::Vec3& direction);
   void open_curves(std::uint32_t piece, const narrowphase::Vec3& direction, double most);
@@ -170,6 +173,7 @@ class InnerSurface {
 
   MeshPlacing placing_{};
   const VertexFans* fans_ = nullptr;
+  std::span<const std::uint8_t> is_rim_;  ///< see PatchRim
   InnerSide side_ = InnerSide::OfA;
   std::span<const std::uint32_t> welded_;
   std::span<const MeshCrossing> crossings_;

@@ -84,6 +84,7 @@ PieceWays::Looked& PieceWays::look_at(std::uint32_t triangle, bool is_of_a) {
   const auto at = std::lower_bound(order_.begin(), order_.end(), key);
   if (at != order_.end() && *at >> 32 == key >> 32) return looked_[static_cast<std::uint32_t>(*at)];
   order_.insert(at, key | looked_.size());
+  surface(is_of_a).note_neighbours(triangle);
   Looked& looked = looked_.emplace_back();
   looked.way.is_of_a = is_of_a;
   Core& core = looked.way.touched.triangle;
