@@ -11,6 +11,17 @@ PYBIND11_MODULE(_graze, module) {
   graze::python::add_errors(module);
   graze::python::add_work(module);
   graze::python::add_meshes(module);
+  graze::python::add_shapes(module);
+  graze::python::add_rigid_motions(module);
   graze::python::add_pair_memories(module);
   graze::python::add_pair_queries(module);
+  graze::python::add_distances(module);
+  graze::python::add_points(module);
+  graze::python::add_rays(module);
+  graze::python::add_contacts(module);
+  graze::python::add_motions(module);
+  graze::python::add_mesh_checks(module);
+  graze::python::add_cases(module);
+  graze::python::add_worlds(module);
+  graze::python::add_broad_phases(module);
 }

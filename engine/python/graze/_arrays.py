@@ -10,7 +10,7 @@ from graze._errors import InputError, MeshError
 _LARGEST_EXACT = 2**53
 
 
-def doubles(value: Any, name: str) -> NDArray[np.float64]:
+def doubles(value: Any, name: str) -> Any:
     """The value as native float64, of any strides."""
     array = _array_of(value, name)
     kind, size = array.dtype.kind, array.dtype.itemsize
@@ -25,7 +25,7 @@ def doubles(value: Any, name: str) -> NDArray[np.float64]:
     raise InputError(f"{name}: numbers of the type {array.dtype} are not taken; float64 is")
 
 
-def rows_of_doubles(value: Any, name: str) -> NDArray[np.float64]:
+def rows_of_doubles(value: Any, name: str) -> Any:
     """The same of the shape (n, 3), row after row in memory."""
     array = doubles(value, name)
     _check_rows(array, name)
@@ -37,7 +37,7 @@ def rows_of_indices(value: Any, name: str) -> Any:
     array = _array_of(value, name)
     _check_rows(array, name)
     if array.dtype in (np.int32, np.uint32):
-        return np.require(array, array.dtype.newbyteorder("="), "CA")
+        return np.require(array, array.dtype.newbyteorder("="), ["C", "A"])
     if array.dtype.kind not in "iu":
         if array.size:
             raise InputError(f"{name}: numbers of the type {array.dtype} are no indices")
@@ -64,3 +64,15 @@ def _array_of(value: Any, name: str) -> Any:
 def _check_rows(array: Any, name: str) -> None:
     if array.ndim != 2 or array.shape[1] != 3:
         raise InputError(f"{name}: the shape {array.shape} is not (n, 3)")
+
+
+def ids(value: Any) -> NDArray[np.uint64]:
+    """Ids of bodies or boxes, one after the other in memory."""
+    array = _array_of(value, "ids")
+    if array.size == 0 and array.ndim == 1:
+        return np.empty(0, np.uint64)
+    if array.dtype.kind not in "iu" or array.ndim > 1:
+        raise InputError(f"ids: are neither a whole number nor an array of the shape (n,), but {array.dtype} {array.shape}")
+    if array.dtype.kind == "i" and (array < 0).any():
+        raise InputError("ids: below 0 there are none")
+    return np.ascontiguousarray(array, np.uint64).reshape(array.shape)

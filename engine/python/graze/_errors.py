@@ -14,7 +14,7 @@ class ErrorPlace(NamedTuple):
     """Of a binary file, counted from 0."""
     element: Optional[str] = None
     """"vertex", "triangle", "pose", ..."""
-    index: Optional[int] = None
+    index: Optional[int] = None  # type: ignore[assignment]  # a name of tuples, too
     """Of that element, counted from 0."""
 
 

@@ -48,6 +48,6 @@ def restore_mesh(digest: bytes, vertices: Any, triangles: Any) -> Mesh:
 
 def _digest_of(vertices: Any, triangles: Any) -> bytes:
     digest = hashlib.sha256(b"%d,%d;" % (len(vertices), len(triangles)))
-    digest.update(np.ascontiguousarray(vertices))
-    digest.update(np.ascontiguousarray(triangles))
+    digest.update(np.ascontiguousarray(vertices).data)
+    digest.update(np.ascontiguousarray(triangles).data)
     return digest.digest()

@@ -126,6 +126,11 @@ PlacedPair::PlacedPair(py::handle argument_a, py::handle argument_b)
     throw InputError("b: has " + std::to_string(b.poses().size()) + " poses, and a has " +
                      std::to_string(a.poses().size()));
   }
+  if (!are_meshes()) {
+    // Made once, before threads ask for it.
+    static_cast<void>(a.shape());
+    static_cast<void>(b.shape());
+  }
 }
 
 void PlacedPair::check_poses() const {
