@@ -9,6 +9,7 @@ A placed mesh is a tuple (mesh, pose); poses of the shape (n, 4, 4) have n answe
 is wrong with an argument raises a graze.Error, which names the argument, the index and the reason.
 """
 
+from graze import _pickles as _pickles  # functions can be pickled from here on
 from graze._errors import (
     CaseError,
     Error,

@@ -1,13 +1,16 @@
 """How meshes go to other processes: by their content, so that one that comes again and again is built once."""
 
+import copyreg
 import hashlib
 import threading
+import types
 import weakref
 from collections import OrderedDict
 from typing import Any, Tuple
 
 import numpy as np
 
+from graze import _graze
 from graze._graze import Mesh
 
 # Workers let go of a mesh at the end of each task, and would build its trees anew in the next.
@@ -51,3 +54,13 @@ def _digest_of(vertices: Any, triangles: Any) -> bytes:
     digest.update(np.ascontiguousarray(vertices).data)
     digest.update(np.ascontiguousarray(triangles).data)
     return digest.digest()
+
+
+def _reduce_function(function: Any) -> Any:
+    """Functions of the module go by their names, all others as ever: pickle would ask for what pybind11 has bound them
+    to."""
+    name = function.__name__
+    return name if getattr(_graze, name, None) is function else function.__reduce__()
+
+
+copyreg.pickle(types.BuiltinFunctionType, _reduce_function)

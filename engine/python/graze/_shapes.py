@@ -31,7 +31,7 @@ class Sphere(_Kind):
     >>> graze.Sphere([0, 0, 0], -1)
     Traceback (most recent call last):
         ...
-    graze.InputError: sphere: the radius is -1, not above 0
+    graze.InputError: sphere: the radius is not positive
     """
 
     def __init__(self, centre: ArrayLike, radius: float) -> None:

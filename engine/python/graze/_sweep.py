@@ -38,9 +38,11 @@ class Reduction:
     order they come."""
 
     def of(self, begin: int, answers: Any) -> Any:
+        """The value of a chunk whose first pose has the index `begin`."""
         raise NotImplementedError
 
     def join(self, a: Any, b: Any) -> Any:
+        """The value of two chunks, or of what is made of chunks."""
         raise NotImplementedError
 
     def is_settled(self, value: Any, next_begin: int) -> bool:
@@ -48,6 +50,7 @@ class Reduction:
         return False
 
     def result(self, value: Any) -> Any:
+        """What the caller gets; `value` is None of no chunks."""
         return value
 
 
@@ -156,6 +159,8 @@ def sweep(
             return files.finish(run.done)
         return reduce.result(run.value) if reduce is not None else run.joined()
     finally:
+        if files is not None:
+            files.close()
         if record is not None:
             record.close()
 

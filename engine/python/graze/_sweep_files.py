@@ -122,6 +122,11 @@ class ResultFiles:
                 raise InputError(f"out: {paths[name]} is gone, and {self._journal.path} says that it is written")
         return paths[""] if list(paths) == [""] else paths
 
+    def close(self) -> None:
+        """What is not finished stays for the next sweep."""
+        for file in self._files.values():
+            file.close()
+
     def _open(self, name: str) -> Any:
         if name not in self._files or self._files[name].closed:
             part = self._part(name)

@@ -161,3 +161,8 @@ def test_prepare_leaves_nothing_to_build():
     assert work.trees_built == work.treelets_built == 0
     with pytest.raises(graze.InputError, match="queries"):
         graze.prepare(mesh, queries="some")
+
+
+def test_functions_can_be_pickled():
+    assert pickle.loads(pickle.dumps(graze.intersects)) is graze.intersects
+    assert pickle.loads(pickle.dumps([len, "a".upper]))[1]() == "A"

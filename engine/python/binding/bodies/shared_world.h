@@ -3,6 +3,7 @@
 #include <graze/engine/python/binding/arguments/arrays.h>
 #include <graze/engine/python/binding/bodies/body_ids.h>
 
+#include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/world.h>
 
 #include <mutex>
@@ -27,11 +28,25 @@ struct SharedWorld {
   std::recursive_mutex mutex;
 };
 
+/// Calls `ask(world, id)` for each, all or none: unknown ids are refused first.
+template <typename Ask>
+void for_each_id(SharedWorld& shared, py::handle argument, const Ask& ask) {
+  const Ids<BodyId> ids(argument);
+  shared.ask([&](World& world) {
+    for (std::size_t i = 0; i < ids.all.size(); ++i)
+      bvh::at_element("id", i, [&] { static_cast<void>(world.kind(ids.all[i])); });
+    for (const BodyId id : ids.all)
+      ask(world, id);
+  });
+}
+
 /// Contacts of pairs as WorldContacts.
 py::object result_of(const std::vector<BodyContact>& contacts);
 BodyQuerySettings query_settings(py::handle filter, py::handle role);
 /// (category, mask, group).
 Filter filter_from(py::handle argument);
 Role role_from(py::handle argument);
+BodyKind kind_from(py::handle argument);
+Detection detection_from(py::handle argument);
 
 }  // namespace graze::python

@@ -15,22 +15,14 @@
 namespace graze::python {
 namespace {
 
-constexpr std::initializer_list<std::pair<const char*, BodyKind>> kKinds = {
-    {"static", BodyKind::Static},
-    {"kinematic", BodyKind::Kinematic},
-    {"dynamic", BodyKind::Dynamic}};
-constexpr std::initializer_list<std::pair<const char*, Detection>> kDetections = {
-    {"discrete", Detection::Discrete}, {"continuous", Detection::Continuous}};
-
 py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py::handle filter,
                       py::handle role, py::handle margin, py::handle detection) {
   const Placed placed(shape, "shape");
-  const BodySettings settings{
-      .kind = word_from<BodyKind>(kind, "kind", kKinds),
-      .filter = filter.is_none() ? Filter{} : filter_from(filter),
-      .role = role_from(role),
-      .margin = number_from(margin, "margin"),
-      .detection = word_from<Detection>(detection, "detection", kDetections)};
+  const BodySettings settings{.kind = kind_from(kind),
+                              .filter = filter.is_none() ? Filter{} : filter_from(filter),
+                              .role = role_from(role),
+                              .margin = number_from(margin, "margin"),
+                              .detection = detection_from(detection)};
   placed.check_poses();
   const auto ids = shared.ask([&](World& world) {
     std::vector<BodyId> added;
@@ -47,18 +39,6 @@ py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py
   });
   if (placed.poses().is_many()) return array_of_ids(ids);
   return py::int_(number_of(ids[0]));
-}
-
-/// Calls `ask(world, id)` for each, all or none: unknown ids are refused first.
-template <typename Ask>
-void for_each_id(SharedWorld& shared, py::handle argument, const Ask& ask) {
-  const Ids<BodyId> ids(argument);
-  shared.ask([&](World& world) {
-    for (std::size_t i = 0; i < ids.all.size(); ++i)
-      bvh::at_element("id", i, [&] { static_cast<void>(world.kind(ids.all[i])); });
-    for (const BodyId id : ids.all)
-      ask(world, id);
-  });
 }
 
 void move_bodies(SharedWorld& shared, py::handle argument, py::handle where) {
@@ -149,21 +129,6 @@ py::object update(SharedWorld& shared) {
               found.shapes);
 }
 
-/// A function of Python that threads without its lock may let go of.
-std::function<bool(BodyId, BodyId)> pair_filter_from(py::handle argument) {
-  if (argument.is_none()) return {};
-  if (PyCallable_Check(argument.ptr()) == 0) throw py::type_error("filter: is not callable");
-  const std::shared_ptr<py::object> function(
-      new py::object(py::reinterpret_borrow<py::object>(argument)), [](py::object* held) {
-        const py::gil_scoped_acquire acquired;
-        delete held;
-      });
-  return [function](BodyId a, BodyId b) {
-    const py::gil_scoped_acquire acquired;
-    return (*function)(number_of(a), number_of(b)).cast<bool>();
-  };
-}
-
 py::list islands_of(SharedWorld& shared) {
   py::list lists;
   for (const auto& island : shared.ask([](World& world) { return world.islands(); }))
@@ -189,107 +154,6 @@ std::unique_ptr<SharedWorld> make_world(py::handle threads, bool contacts, bool 
                                                      .contacts = contacts,
                                                      .number = static_cast<std::uint32_t>(which),
                                                      .islands = islands});
-}
-
-void add_settings(py::class_<SharedWorld>& type) {
-  const auto add = [&](const char* name, const char* text, auto set) {
-    type.def(
-        name,
-        [set](SharedWorld& world, py::handle ids, py::handle value) { set(world, ids, value); },
-        text, py::arg("ids"), py::arg("value"));
-  };
-  add("set_kind",
-      "set_kind(self, ids, value)\n--\n\nFrom the next update on: \"static\", \"kinematic\" or "
-      "\"dynamic\".",
-      [](SharedWorld& shared, py::handle ids, py::handle value) {
-        const BodyKind kind = word_from<BodyKind>(value, "kind", kKinds);
-        for_each_id(shared, ids, [kind](World& world, BodyId id) { world.set_kind(id, kind); });
-      });
-  add("set_role",
-      "set_role(self, ids, value)\n--\n\nFrom the next update on: \"solid\" or \"sensor\".",
-      [](SharedWorld& shared, py::handle ids, py::handle value) {
-        const Role role = role_from(value);
-        for_each_id(shared, ids, [role](World& world, BodyId id) { world.set_role(id, role); });
-      });
-  add("set_filter",
-      "set_filter(self, ids, value)\n--\n\nFrom the next update on: (category, mask, group).",
-      [](SharedWorld& shared, py::handle ids, py::handle value) {
-        const Filter filter = filter_from(value);
-        for_each_id(shared, ids,
-                    [filter](World& world, BodyId id) { world.set_filter(id, filter); });
-      });
-  add("set_margin", "set_margin(self, ids, value)\n--\n\nFrom the next update on: metres.",
-      [](SharedWorld& shared, py::handle ids, py::handle value) {
-        const double margin = number_from(value, "margin");
-        for_each_id(shared, ids,
-                    [margin](World& world, BodyId id) { world.set_margin(id, margin); });
-      });
-  add("set_detection",
-      "set_detection(self, ids, value)\n--\n\n\"discrete\", or \"continuous\": swept from here on.",
-      [](SharedWorld& shared, py::handle ids, py::handle value) {
-        const Detection detection = word_from<Detection>(value, "detection", kDetections);
-        for_each_id(shared, ids,
-                    [detection](World& world, BodyId id) { world.set_detection(id, detection); });
-      });
-}
-
-void add_states(py::class_<SharedWorld>& type) {
-  type.def(
-      "sleep",
-      [](SharedWorld& shared, py::handle argument) {
-        const Ids<BodyId> ids(argument);
-        shared.ask([&](World& world) { world.sleep(std::span<const BodyId>(ids.all)); });
-      },
-      "sleep(self, ids)\n--\n\nPuts bodies to sleep: pairs of which neither body is awake are not "
-      "looked at.",
-      py::arg("ids"));
-  type.def(
-      "wake",
-      [](SharedWorld& shared, py::handle argument) {
-        const Ids<BodyId> ids(argument);
-        shared.ask([&](World& world) { world.wake(std::span<const BodyId>(ids.all)); });
-      },
-      "wake(self, ids)\n--\n\nWakes bodies.", py::arg("ids"));
-  type.def(
-      "is_awake",
-      [](SharedWorld& shared, py::handle id) {
-        const Ids<BodyId> ids(id);
-        return shared.ask([&](World& world) { return world.is_awake(ids.all.at(0)); });
-      },
-      "is_awake(self, id)\n--\n\nWhether a body is awake. Static bodies are not, unless they are "
-      "sensors.",
-      py::arg("id"));
-  const auto add_pair = [&](const char* name, const char* text,
-                            void (World::*change)(BodyId, BodyId)) {
-    type.def(
-        name,
-        [change](SharedWorld& shared, std::uint64_t a, std::uint64_t b) {
-          shared.ask([&](World& world) { (world.*change)(id_of<BodyId>(a), id_of<BodyId>(b)); });
-        },
-        text, py::arg("a"), py::arg("b"));
-  };
-  add_pair("exclude", "exclude(self, a, b)\n--\n\nTwo bodies never meet.", &World::exclude);
-  add_pair("include", "include(self, a, b)\n--\n\nThey may meet again.", &World::include);
-  type.def(
-      "set_pair_filter",
-      [](SharedWorld& shared, py::handle argument) {
-        auto filter = pair_filter_from(argument);
-        shared.ask([&](World& world) { world.set_pair_filter(std::move(filter)); });
-      },
-      "set_pair_filter(self, filter)\n--\n\nAsked last, filter(a, b), once for each pair whose "
-      "boxes begin to overlap; None: no more.",
-      py::arg("filter"));
-  type.def(
-      "snapshot",
-      [](SharedWorld& shared) { return shared.ask([](World& world) { return world.snapshot(); }); },
-      "snapshot(self)\n--\n\nA copy of all there is, for restore(). Raises InputError while "
-      "changes wait for an update.");
-  type.def(
-      "restore",
-      [](SharedWorld& shared, const WorldSnapshot& snapshot) {
-        shared.ask([&](World& world) { world.restore(snapshot); });
-      },
-      "restore(self, snapshot)\n--\n\nThe world as it was, bit for bit.", py::arg("snapshot"));
 }
 
 void add_bodies_to(py::class_<SharedWorld>& type) {
@@ -345,24 +209,6 @@ Brings all pairs up to date: a WorldUpdate of what changed, in arrays. Looks onl
 
 }  // namespace
 
-Filter filter_from(py::handle argument) {
-  if (!PySequence_Check(argument.ptr()) || py::len(argument) != 3) {
-    throw InputError("filter: is no (category, mask, group)");
-  }
-  const auto numbers = py::reinterpret_borrow<py::sequence>(argument);
-  try {
-    return {numbers[0].cast<std::uint32_t>(), numbers[1].cast<std::uint32_t>(),
-            numbers[2].cast<std::int32_t>()};
-  } catch (const py::cast_error&) {
-    throw InputError(
-        "filter: category and mask are whole numbers of 32 bits, the group one with a sign");
-  }
-}
-
-Role role_from(py::handle argument) {
-  return word_from<Role>(argument, "role", {{"solid", Role::Solid}, {"sensor", Role::Sensor}});
-}
-
 py::object result_of(const std::vector<BodyContact>& contacts) {
   static const ResultType type("WorldContacts");
   std::vector<BodyPair> pairs;
@@ -408,8 +254,7 @@ True
     return shared.ask([&](World& world) { return world.contains(id_of<BodyId>(id)); });
   });
   add_bodies_to(type);
-  add_settings(type);
-  add_states(type);
+  add_world_settings(module);
   type.def("islands", &islands_of,
            "islands(self)\n--\n\nSets of bodies that touch, as arrays of ids. Raises InputError "
            "unless the world keeps them.");
