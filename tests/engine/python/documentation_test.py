@@ -4,6 +4,7 @@ import doctest
 import importlib
 import inspect
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ import graze
 import graze.trimesh
 import numpy as np
 import pytest
-from conftest import SOURCES, translation
+from conftest import MESHES, SOURCES, translation
 
 MODULES = [graze, graze.trimesh]
 NAMES = [(module, name) for module in MODULES for name in module.__all__ if name != "__version__"]
@@ -64,6 +65,45 @@ def test_the_package_and_the_samples_have_types_that_hold(tmp_path):
     assert samples
     run("-m", "mypy", "--strict", "--cache-dir", str(tmp_path), "-p", "graze")
     run("-m", "mypy", "--strict", "--cache-dir", str(tmp_path), *samples)
+
+
+@pytest.mark.parametrize("page", ["README.md", "engine/python/README.md"])
+def test_the_programs_of_the_pages_run(page, bolt, nut, tmp_path, monkeypatch):
+    for name in ("bolt.obj", "nut.stl"):
+        (tmp_path / name).symlink_to(MESHES / name)
+    monkeypatch.chdir(tmp_path)
+    programs = re.findall(r"^```python\n(.*?)^```$", (SOURCES / page).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    assert programs
+    known = {"graze": graze, "np": np, "bolt": bolt, "nut": nut, "pose": translation(0, 0, 0.002)}
+    known["poses"] = np.stack([translation(0, 0, 0.002), translation(1, 0, 0)])
+    for program in programs:
+        exec(program, known)
+    assert known.get("hits", [True, False])[0]
+
+
+@pytest.mark.slow
+def test_a_wheel_needs_nothing_but_numpy(tmp_path):
+    """Built by pip, as it is at its users', and found in another place than the build tree."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+
+    def call(*command):
+        done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=tmp_path, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    call(sys.executable, "-m", "venv", "--system-site-packages", "venv")
+    python = str(tmp_path / "venv" / "bin" / "python")
+    settings = ["--disable-pip-version-check", "--no-build-isolation", "--no-deps", "--no-index"]
+    call(python, "-m", "pip", "install", *settings, str(SOURCES / "engine" / "python"))
+    where = call(python, "-c", "import graze; print(graze.__file__)").strip()
+    package = Path(where).parent
+    assert tmp_path in package.parents
+    needed = call("ldd", str(next(package.glob("_graze*.so"))))
+    ours = re.findall(r"lib(?:tbb|ccd|hwy)\S* => (\S+)", needed)
+    assert len(ours) >= 3 and all(str(package) in path for path in ours) and "not found" not in needed
+    metadata = call(python, "-m", "pip", "show", "--verbose", "graze")
+    assert "Requires: numpy" in metadata
+    assert "5858 of 10000 poses touch" in call(python, str(SOURCES / "samples" / "python" / "first_steps.py"))
 
 
 @pytest.mark.filterwarnings("ignore")
