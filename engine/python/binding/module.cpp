@@ -22,6 +22,7 @@ PYBIND11_MODULE(_graze, module) {
   graze::python::add_motions(module);
   graze::python::add_mesh_checks(module);
   graze::python::add_cases(module);
+  graze::python::add_compounds(module);
   graze::python::add_worlds(module);
   graze::python::add_broad_phases(module);
 }

@@ -19,6 +19,7 @@ void add_contacts(pybind11::module_& module);
 void add_motions(pybind11::module_& module);
 void add_mesh_checks(pybind11::module_& module);
 void add_cases(pybind11::module_& module);
+void add_compounds(pybind11::module_& module);
 void add_worlds(pybind11::module_& module);
 void add_world_settings(pybind11::module_& module);
 void add_world_queries(pybind11::module_& module);

@@ -56,6 +56,21 @@ class TrianglePairs(NamedTuple):
         return not _are_same(self, other)
 
 
+class TriangleList(NamedTuple):
+    """Triangles of a mesh, ascending."""
+
+    triangles: Indices
+    """Of the shape (k,)."""
+    is_complete: bool
+    """Whether that is all there is; else a limit was reached."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
 class TrianglePairLists(NamedTuple):
     """Pairs of triangles for each of many poses."""
 
@@ -493,7 +508,9 @@ class WorldContacts(NamedTuple):
     """Contacts of pairs of bodies."""
 
     pairs: Ids
-    """(k, 2); a pair of compounds may stand more than once."""
+    """(k, 2); a pair with a compound may stand more than once."""
+    parts: Indices
+    """(k, 2), which part of each is met, if it is a compound; else 0."""
     offsets: Offsets
     """(k + 1,): those of pair i are contacts[offsets[i]:offsets[i + 1]] of each array."""
     contacts: ShapeContacts

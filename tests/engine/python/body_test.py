@@ -229,3 +229,26 @@ def test_many_bodies_share_a_mesh():
     }
     assert {(int(a), int(b)) for a, b in update.begun} == expected and len(expected) > 5
     assert all(index[a] < index[b] for a, b in expected)
+
+
+def test_compounds():
+    dumbbell = graze.Compound([graze.Sphere([-1, 0, 0], 0.5), (graze.Box([0.5] * 3), translation(1, 0, 0))])
+    assert len(dumbbell) == 2 and dumbbell.parts[1][1][0, 3] == 1
+    assert len(pickle.loads(pickle.dumps(dumbbell)).parts) == 2
+    world = graze.World()
+    bodies = world.add((dumbbell, np.stack([np.eye(4), translation(0, 9, 0)])))
+    ball = world.add(graze.Sphere([0, 0, 0], 0.5), kind="kinematic")
+    assert len(world.update().begun) == 1  # the box ends where the ball does
+    world.move(ball, translation(1, 9.75, 0))
+    contacts = world.update().contacts
+    assert contacts.pairs.tolist() == [[bodies[1], ball]] and contacts.parts.tolist() == [[1, 0]]
+    assert np.allclose(contacts.contacts.depth, 0.25)
+    world.set_shape(int(bodies[0]), dumbbell)
+    for parts, error, says in (
+        ([], graze.InputError, "parts"),
+        ([graze.HalfSpace([0, 0, 1])], graze.InputError, "half-space"),
+        ([graze.Box([1] * 3), (graze.Box([1] * 3), 2 * np.eye(4))], graze.PoseError, r"parts\[1\]"),
+        ([3], TypeError, r"parts\[0\]"),
+    ):
+        with pytest.raises(error, match=says):
+            graze.Compound(parts)

@@ -70,7 +70,7 @@ def test_no_poses_have_no_answers(unit_cube):
     "pose, error, says",
     [
         (np.eye(3), graze.PoseError, r"pose of b: the shape \(3, 3\)"),
-        (np.eye(4) * 2, graze.PoseError, "pose of"),
+        (np.eye(4) * 2, graze.PoseError, "pose of b"),
         (np.diag([1.0, 1, -1, 1]), graze.PoseError, "pose of"),
         (np.full((4, 4), np.nan), graze.PoseError, "pose of"),
         (translation(np.inf, 0, 0), graze.PoseError, "pose of"),

@@ -257,3 +257,16 @@ def test_rigid_motions(unit_cube):
     with pytest.raises(TypeError, match="a: has no pose"):
         graze.is_free((unit_cube, rest), rest, unit_cube, motion)
     assert graze.first_contact(cube(), rest, unit_cube, motion, clearance=0.6).status != "free"
+
+
+def test_triangles_in_a_volume(unit_cube):
+    box = graze.find_triangles(unit_cube, [[0.25, -0.1, -0.1], [2, 0.1, 0.1]])
+    turned = graze.find_triangles(unit_cube, (graze.Box([0.75, 0.1, 0.1]), translation(1.25, 0, 0)))
+    ball = graze.find_triangles(unit_cube, (graze.Sphere([0, 0, 0], 0.5), translation(1, 0.1, 0)))
+    assert box.triangles.tolist() == turned.triangles.tolist() == [2, 3] and box.is_complete
+    assert set(ball.triangles.tolist()) <= {2, 3} and len(ball.triangles) > 0
+    assert not graze.find_triangles(unit_cube, unit_cube.bounds, limit=5).is_complete
+    with pytest.raises(graze.InputError, match="volume: is a cone"):
+        graze.find_triangles(unit_cube, graze.Cone(1, 1))
+    with pytest.raises(graze.InputError, match="volume"):
+        graze.find_triangles(unit_cube, [0, 0, 0])

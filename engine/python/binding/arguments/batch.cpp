@@ -74,13 +74,12 @@ void run_batch(std::size_t count, const Batch& batch, Work* total,
   for (std::size_t done = 0; done < count;) {
     const std::size_t end = done + std::min(chunk, count - done);
     const auto began = Clock::now();
-    try {
-      bvh::in_standard_arithmetic(
-          [&] { answer_chunk(done, end, batch.threads, sum, mutex, part); });
-    } catch (const Error&) {
-      if (blame) blame();
-      throw;
-    }
+    ask_and_blame(
+        [&] {
+          bvh::in_standard_arithmetic(
+              [&] { answer_chunk(done, end, batch.threads, sum, mutex, part); });
+        },
+        blame);
     const double took = std::chrono::duration<double>(Clock::now() - began).count();
     const double wanted = static_cast<double>(end - done) * kChunkSeconds / std::max(took, 1e-9);
     chunk = std::clamp(wanted < 1e18 ? static_cast<std::size_t>(wanted) : count, std::size_t{1},

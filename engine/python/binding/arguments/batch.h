@@ -22,6 +22,18 @@ struct Batch {
 /// Counters that a caller may have asked for, or nothing.
 Work* work_from(py::handle argument);
 
+/// Calls `ask`; if it throws an error of graze, `blame` first, to throw what names the argument as
+/// Python does.
+template <typename Ask>
+void ask_and_blame(const Ask& ask, const std::function<void()>& blame) {
+  try {
+    ask();
+  } catch (const Error&) {
+    if (blame) blame();
+    throw;
+  }
+}
+
 /// Calls `part` for parts [begin, end) of [0, count) until all are done, on threads that hold no
 /// lock of Python, and between chunks of about a twentieth of a second looks for signals and tells
 /// of progress. What `part` throws ends it and is thrown here; if that is of graze, `blame` is

@@ -2,6 +2,7 @@
 #include <graze/engine/python/binding/arguments/placed.h>
 #include <graze/engine/python/binding/arguments/results.h>
 #include <graze/engine/python/binding/arguments/settings.h>
+#include <graze/engine/python/binding/bodies/compounds.h>
 #include <graze/engine/python/binding/bodies/shared_world.h>
 #include <graze/engine/python/binding/module.h>
 #include <graze/engine/python/binding/queries/manifolds.h>
@@ -17,7 +18,7 @@ namespace {
 
 py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py::handle filter,
                       py::handle role, py::handle margin, py::handle detection) {
-  const Placed placed(shape, "shape");
+  const PlacedBody placed(shape);
   const BodySettings settings{.kind = kind_from(kind),
                               .filter = filter.is_none() ? Filter{} : filter_from(filter),
                               .role = role_from(role),
@@ -27,7 +28,7 @@ py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py
   const auto ids = shared.ask([&](World& world) {
     std::vector<BodyId> added;
     try {
-      const std::shared_ptr<const BodyShape> body_shape = share(placed.shape());
+      const std::shared_ptr<const BodyShape> body_shape = placed.shape();
       for (std::size_t i = 0; i < placed.poses().size(); ++i)
         added.push_back(world.add(PlacedBodyShape{body_shape, placed.poses()[i]}, settings));
     } catch (const std::exception&) {
@@ -162,7 +163,7 @@ void add_bodies_to(py::class_<SharedWorld>& type) {
       R"(add(self, shape, *, kind='dynamic', filter=None, role='solid', margin=0.0, detection='discrete')
 --
 
-Adds a body, and returns its id: a whole number. `shape` is a Mesh or a Shape, or a tuple of one and its pose; with
+Adds a body, and returns its id: a whole number. `shape` is a Mesh, a Shape or a Compound, or a tuple of one and its pose; with
 poses of the shape (n, 4, 4) n bodies are added, and their ids are an array of n.
 
 `kind` is "static", "kinematic" or "dynamic"; `role` "solid" or "sensor"; `detection` "discrete", or "continuous" for
@@ -195,7 +196,7 @@ Raises PoseError, with its index, and InputError.
   type.def(
       "set_shape",
       [](SharedWorld& shared, std::uint64_t id, py::handle shape) {
-        const Placed placed(shape, "shape");
+        const PlacedBody placed(shape);
         shared.ask([&](World& world) { world.set_shape(id_of<BodyId>(id), placed.shape()); });
       },
       "set_shape(self, id, shape)\n--\n\nGives a body another shape where it is.", py::arg("id"),
@@ -214,12 +215,15 @@ py::object result_of(const std::vector<BodyContact>& contacts) {
   std::vector<BodyPair> pairs;
   std::vector<ShapeContact> all;
   std::vector<std::int64_t> offsets{0};
+  std::vector<std::array<std::uint32_t, 2>> parts;
   for (const BodyContact& contact : contacts) {
     pairs.push_back(contact.pair);
+    parts.push_back({contact.manifold.part_a(), contact.manifold.part_b()});
     all.insert(all.end(), contact.manifold.begin(), contact.manifold.end());
     offsets.push_back(static_cast<std::int64_t>(all.size()));
   }
-  return type(array_of_pairs(pairs), array_over<std::int64_t>(std::move(offsets)), result_of(all));
+  return type(array_of_pairs(pairs), array_over<std::uint32_t>(std::move(parts), 2),
+              array_over<std::int64_t>(std::move(offsets)), result_of(all));
 }
 
 void add_worlds(py::module_& module) {

@@ -25,7 +25,7 @@ std::vector<Answer> ask_all(bool is_many, std::size_t count, const Batch& batch,
         blame);
   } else {
     const py::gil_scoped_release released;
-    answers[0] = ask(0, work);
+    ask_and_blame([&] { answers[0] = ask(0, work); }, blame);
   }
   return answers;
 }

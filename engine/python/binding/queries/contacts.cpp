@@ -48,7 +48,9 @@ py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle 
     MeshContacts found;
     {
       const py::gil_scoped_release released;
-      found = find_contacts(pair.a.mesh_at(0), pair.b.mesh_at(0), settings, work);
+      ask_and_blame(
+          [&] { found = find_contacts(pair.a.mesh_at(0), pair.b.mesh_at(0), settings, work); },
+          [&] { pair.check_poses(); });
     }
     return mesh_contacts(std::move(found));
   }
@@ -57,7 +59,9 @@ py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle 
   Manifold found;
   {
     const py::gil_scoped_release released;
-    found = find_contacts(pair.a.shape_at(0), pair.b.shape_at(0), settings, work);
+    ask_and_blame(
+        [&] { found = find_contacts(pair.a.shape_at(0), pair.b.shape_at(0), settings, work); },
+        [&] { pair.check_poses(); });
   }
   return result_of(std::vector<ShapeContact>(found.begin(), found.end()));
 }
@@ -100,7 +104,9 @@ py::object intersection_of(py::handle a, py::handle b, py::handle work_argument)
   MeshIntersection found;
   {
     const py::gil_scoped_release released;
-    found = find_intersection(pair.a.mesh_at(0), pair.b.mesh_at(0), {}, work);
+    ask_and_blame(
+        [&] { found = find_intersection(pair.a.mesh_at(0), pair.b.mesh_at(0), {}, work); },
+        [&] { pair.check_poses(); });
   }
   using Segment = IntersectionSegment;
   using Curve = IntersectionCurve;

@@ -6,7 +6,9 @@
 
 #include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh_health.h>
+#include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/mesh/voxels.h>
 #include <graze/engine/mesh/write_voxels.h>
 
@@ -114,6 +116,42 @@ py::object voxels_of(py::handle mesh, py::handle resolution, py::handle fill, py
               array_over<std::uint16_t>(std::move(found.voxels), 3));
 }
 
+/// A box along the axes, a turned one, or a ball, as the library finds triangles in them.
+TriangleList triangles_in(const Placed& mesh, py::handle volume, const TriangleSettings& settings,
+                          Work* work) {
+  if (PyTuple_Check(volume.ptr()) == 0 && !py::isinstance<Shape>(volume)) {
+    const Points corners(volume, "volume");
+    if (corners.size() != 2)
+      throw InputError("volume: is neither two corners, of the shape (2, 3), nor a shape");
+    const py::gil_scoped_release released;
+    return find_triangles(mesh.mesh_at(0), Aabb{corners[0], corners[1]}, settings, work);
+  }
+  const Placed placed(volume, "volume");
+  if (placed.poses().is_many()) throw InputError("volume: many poses are not taken");
+  const Pose pose = placed.poses()[0];
+  const py::gil_scoped_release released;
+  if (const Box* box = placed.shape().as<Box>()) {
+    return find_triangles(mesh.mesh_at(0), Obb{pose, box->half_extents}, settings, work);
+  }
+  if (const Sphere* ball = placed.shape().as<Sphere>()) {
+    placed.check_poses();
+    return find_triangles(mesh.mesh_at(0), Sphere{place(pose, ball->centre), ball->radius},
+                          settings, work);
+  }
+  throw InputError(std::string("volume: is a ") + name_of(placed.shape().kind()) +
+                   ", neither a box nor a sphere");
+}
+
+py::object find_triangles_of(py::handle mesh, py::handle volume, py::handle limit,
+                             py::handle work) {
+  static const ResultType type("TriangleList");
+  const Placed placed = placed_mesh(mesh, "mesh");
+  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
+  TriangleList found = triangles_in(placed, volume, {.limit = limit_from(limit)}, work_from(work));
+  return type(array_over<std::uint32_t>(std::move(found.triangles)),
+              found.completeness == Completeness::Complete);
+}
+
 py::object sphere_around(const Mesh& mesh) {
   const Sphere sphere = bounding_sphere(mesh);
   return py::make_tuple(array_of(sphere.centre), sphere.radius);
@@ -179,6 +217,20 @@ TrianglePairs.
 )",
              py::arg("mesh"), py::kw_only(), py::arg("kind") = "crossing",
              py::arg("limit") = py::none(), py::arg("work") = py::none());
+  module.def("find_triangles", &find_triangles_of,
+             R"(find_triangles(mesh, volume, *, limit=None, work=None)
+--
+
+All triangles of a placed mesh that share a point with a volume, exactly: a TriangleList, ascending. The volume is a
+box along the axes, its two corners of the shape (2, 3), or a placed Box or Sphere.
+
+Raises InputError for any other shape, and what intersects() raises.
+
+>>> graze.find_triangles(bolt, graze.Sphere([0, 0, 0.02], 0.0001)).triangles.dtype
+dtype('uint32')
+)",
+             py::arg("mesh"), py::arg("volume"), py::kw_only(), py::arg("limit") = py::none(),
+             py::arg("work") = py::none());
   module.def("find_voxels", &voxels_of, kVoxelsText, py::arg("mesh"), py::kw_only(),
              py::arg("resolution") = 64, py::arg("fill") = "surface", py::arg("threads") = 0,
              py::arg("progress") = py::none(), py::arg("work") = py::none());

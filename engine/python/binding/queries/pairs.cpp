@@ -36,7 +36,8 @@ py::object intersects_of(py::handle a, py::handle b, py::handle hit_word,
     {
       const py::gil_scoped_release released;
       const auto lock = memory.lock();
-      says = ask_intersects(pair, 0, hit, memory.get(), work);
+      ask_and_blame([&] { says = ask_intersects(pair, 0, hit, memory.get(), work); },
+                    [&] { pair.check_poses(); });
     }
     return py::bool_(says);
   }
@@ -105,7 +106,8 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
     {
       const py::gil_scoped_release released;
       const auto lock = memory.lock();
-      found = ask_pairs(pair, 0, settings, memory.get(), work);
+      ask_and_blame([&] { found = ask_pairs(pair, 0, settings, memory.get(), work); },
+                    [&] { pair.check_poses(); });
     }
     return type(array_over<std::uint32_t>(std::move(found.pairs), 2),
                 found.completeness == Completeness::Complete);
@@ -131,7 +133,8 @@ py::object interiors_of(py::handle a, py::handle b, py::handle threads, py::hand
     bool says = false;
     {
       const py::gil_scoped_release released;
-      says = interiors_intersect(pair.a.mesh_at(0), pair.b.mesh_at(0), work);
+      ask_and_blame([&] { says = interiors_intersect(pair.a.mesh_at(0), pair.b.mesh_at(0), work); },
+                    [&] { pair.check_poses(); });
     }
     return py::bool_(says);
   }
