@@ -15,7 +15,7 @@ from typing import Any, Dict, List
 import graze
 import numpy as np
 
-KINDS = {"far": (1, 0, 0), "near": (0.0195, 0, 0.004), "touch": (0, 0, 0.002)}
+KINDS = {"far": (1, 0, 0), "near": (0.0145, 0, 0.004), "touch": (0, 0, 0.002)}
 SINGLES = 20_000
 
 

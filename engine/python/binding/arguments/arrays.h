@@ -71,7 +71,8 @@ py::array_t<T> array_over(std::vector<Element>&& elements, std::size_t columns =
   auto* kept = new std::vector<Element>(std::move(elements));
   const py::capsule owner(kept,
                           [](void* memory) { delete static_cast<std::vector<Element>*>(memory); });
-  constexpr std::size_t kNumbers = sizeof(Element) / sizeof(T);  // NOLINT(bugprone-sizeof-expression): of an element
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): an element may be one number
+  constexpr std::size_t kNumbers = sizeof(Element) / sizeof(T);
   const auto rows = static_cast<py::ssize_t>(kept->size() * kNumbers / columns);
   std::vector<py::ssize_t> shape{rows};
   if (columns > 1) shape.push_back(static_cast<py::ssize_t>(columns));

@@ -29,6 +29,7 @@ struct Ids {
                            .attr("ids")(argument)
                            .template cast<py::array_t<std::uint64_t>>();
     is_many = array.ndim() == 1;
+    all.reserve(static_cast<std::size_t>(array.size()));
     for (py::ssize_t i = 0; i < array.size(); ++i)
       all.push_back(id_of<Id>(array.data()[i]));
   }

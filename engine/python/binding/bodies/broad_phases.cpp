@@ -40,6 +40,7 @@ struct Boxes {
     is_many = dimensions == 3;
     const auto rows = py::array_t<double, py::array::c_style>::ensure(array);
     const double* at = rows.data();
+    all.reserve(static_cast<std::size_t>(rows.size() / 6));
     for (py::ssize_t i = 0; i < rows.size() / 6; ++i, at += 6)
       all.push_back({{at[0], at[1], at[2]}, {at[3], at[4], at[5]}});
   }
@@ -55,6 +56,7 @@ py::object add_boxes(SharedBoxes& shared, py::handle argument) {
       bvh::at_element("box", i,
                       [&] { check_box(boxes.all[i], ("box " + std::to_string(i)).c_str()); });
     std::vector<BoxId> added;
+    added.reserve(boxes.all.size());
     for (const Aabb& box : boxes.all)
       added.push_back(phase.add(box));
     return added;

@@ -18,15 +18,16 @@ Placed single_shape(py::handle argument) {
 }
 
 py::object distances_of(const std::vector<BodyDistance>& found) {
-  static const ResultType type("BodyDistances");
+  static const ResultType kType("BodyDistances");
   std::vector<BodyId> ids;
+  ids.reserve(found.size());
   for (const BodyDistance& near : found)
     ids.push_back(near.id);
-  return type(array_of_ids(ids),
-              numbers_of<double>(found, [](const auto& near) { return near.distance.distance; }),
-              points_of(found, [](const auto& near) { return near.distance.point_a; }),
-              points_of(found, [](const auto& near) { return near.distance.point_b; }),
-              points_of(found, [](const auto& near) { return near.distance.normal; }));
+  return kType(array_of_ids(ids),
+               numbers_of<double>(found, [](const auto& near) { return near.distance.distance; }),
+               points_of(found, [](const auto& near) { return near.distance.point_a; }),
+               points_of(found, [](const auto& near) { return near.distance.point_b; }),
+               points_of(found, [](const auto& near) { return near.distance.normal; }));
 }
 
 py::object find_touching(SharedWorld& shared, py::handle shape, py::handle filter,
@@ -47,14 +48,14 @@ py::object find_within(SharedWorld& shared, py::handle shape, py::handle clearan
 }
 
 py::object find_closest(SharedWorld& shared, py::handle shape, py::handle filter, py::handle role) {
-  static const ResultType type("BodyDistance");
+  static const ResultType kType("BodyDistance");
   const Placed placed = single_shape(shape);
   const BodyQuerySettings settings = query_settings(filter, role);
   const auto found =
       shared.ask([&](World& world) { return world.find_closest(placed.shape_at(0), settings); });
   if (!found) return py::none();
-  return type(number_of(found->id), found->distance.distance, array_of(found->distance.point_a),
-              array_of(found->distance.point_b), array_of(found->distance.normal));
+  return kType(number_of(found->id), found->distance.distance, array_of(found->distance.point_a),
+               array_of(found->distance.point_b), array_of(found->distance.normal));
 }
 
 py::object find_in_box(SharedWorld& shared, py::handle bounds, py::handle filter, py::handle role) {
@@ -69,7 +70,7 @@ py::object find_in_box(SharedWorld& shared, py::handle bounds, py::handle filter
 py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
                           py::handle directions_argument, py::handle max_distance,
                           py::handle filter, py::handle role) {
-  static const ResultType type("BodyRayHits");
+  static const ResultType kType("BodyRayHits");
   const Points origins(origins_argument, "origins");
   const Points directions(directions_argument, "directions");
   const double length = number_from(max_distance, "max_distance");
@@ -90,9 +91,10 @@ py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector3d nowhere(kNone, kNone, kNone);
   std::vector<BodyId> ids;
+  ids.reserve(hits.size());
   for (const auto& hit : hits)
     ids.push_back(hit ? hit->id : BodyId{});
-  return type(
+  return kType(
       numbers_of<bool>(hits, [](const auto& hit) { return hit.has_value(); }), array_of_ids(ids),
       numbers_of<double>(hits,
                          [](const auto& hit) {
@@ -107,14 +109,14 @@ py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
 
 py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, py::handle filter,
                      py::handle role) {
-  static const ResultType type("BodyCast");
+  static const ResultType kType("BodyCast");
   const Placed placed = single_shape(shape);
   const RigidMotion course = motion_from(motion, "motion");
   const BodyQuerySettings settings = query_settings(filter, role);
   const auto found =
       shared.ask([&](World& world) { return world.cast(placed.shape(), course, {}, settings); });
   if (!found) return py::none();
-  return type(number_of(found->id), result_of(found->contact));
+  return kType(number_of(found->id), result_of(found->contact));
 }
 
 }  // namespace

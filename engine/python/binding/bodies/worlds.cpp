@@ -27,6 +27,7 @@ py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py
   placed.check_poses();
   const auto ids = shared.ask([&](World& world) {
     std::vector<BodyId> added;
+    added.reserve(placed.poses().size());
     try {
       const std::shared_ptr<const BodyShape> body_shape = placed.shape();
       for (std::size_t i = 0; i < placed.poses().size(); ++i)
@@ -97,12 +98,13 @@ std::vector<T> kept(std::span<const T> all) {
 }
 
 py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
-  static const ResultType type("BodyFirstContacts");
+  static const ResultType kType("BodyFirstContacts");
   const auto count = static_cast<py::ssize_t>(contacts.size());
   std::vector<BodyPair> pairs;
   auto low = new_array<double>({count}), high = new_array<double>({count});
   auto points = new_array<double>({count, 3}), normals = new_array<double>({count, 3});
   auto is_hit = new_array<bool>({count}), touches_at_start = new_array<bool>({count});
+  pairs.reserve(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const BodyFirstContact& contact = contacts[i];
     pairs.push_back(contact.pair);
@@ -113,21 +115,21 @@ py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
     write(contact.point, points.mutable_data() + 3 * i);
     write(contact.normal, normals.mutable_data() + 3 * i);
   }
-  return type(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals);
+  return kType(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals);
 }
 
 py::object update(SharedWorld& shared) {
-  static const ResultType type("WorldUpdate");
+  static const ResultType kType("WorldUpdate");
   const KeptUpdate found = shared.ask([](World& world) {
     const WorldUpdate update = world.update();
     return KeptUpdate{kept(update.begun),          kept(update.ended),      kept(update.moved),
                       kept(update.begun_near),     kept(update.ended_near), kept(update.contacts),
                       kept(update.first_contacts), update.work.shapes};
   });
-  return type(array_of_pairs(found.begun), array_of_pairs(found.ended), array_of_pairs(found.moved),
-              result_of(found.contacts), array_of_pairs(found.begun_near),
-              array_of_pairs(found.ended_near), first_contacts_of(found.first_contacts),
-              found.shapes);
+  return kType(array_of_pairs(found.begun), array_of_pairs(found.ended),
+               array_of_pairs(found.moved), result_of(found.contacts),
+               array_of_pairs(found.begun_near), array_of_pairs(found.ended_near),
+               first_contacts_of(found.first_contacts), found.shapes);
 }
 
 py::list islands_of(SharedWorld& shared) {
@@ -211,19 +213,22 @@ Brings all pairs up to date: a WorldUpdate of what changed, in arrays. Looks onl
 }  // namespace
 
 py::object result_of(const std::vector<BodyContact>& contacts) {
-  static const ResultType type("WorldContacts");
+  static const ResultType kType("WorldContacts");
   std::vector<BodyPair> pairs;
   std::vector<ShapeContact> all;
   std::vector<std::int64_t> offsets{0};
   std::vector<std::array<std::uint32_t, 2>> parts;
+  pairs.reserve(contacts.size());
+  parts.reserve(contacts.size());
+  offsets.reserve(contacts.size() + 1);
   for (const BodyContact& contact : contacts) {
     pairs.push_back(contact.pair);
     parts.push_back({contact.manifold.part_a(), contact.manifold.part_b()});
     all.insert(all.end(), contact.manifold.begin(), contact.manifold.end());
     offsets.push_back(static_cast<std::int64_t>(all.size()));
   }
-  return type(array_of_pairs(pairs), array_over<std::uint32_t>(std::move(parts), 2),
-              array_over<std::int64_t>(std::move(offsets)), result_of(all));
+  return kType(array_of_pairs(pairs), array_over<std::uint32_t>(std::move(parts), 2),
+               array_over<std::int64_t>(std::move(offsets)), result_of(all));
 }
 
 void add_worlds(py::module_& module) {

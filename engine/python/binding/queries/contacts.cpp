@@ -19,7 +19,7 @@ PlacedPair single_pair(py::handle a, py::handle b, const char* query) {
 }
 
 py::object mesh_contacts(MeshContacts&& found) {
-  static const ResultType type("MeshContacts");
+  static const ResultType kType("MeshContacts");
   const auto& all = found.contacts;
   auto offsets = new_array<std::int64_t>({static_cast<py::ssize_t>(all.size()) + 1});
   std::vector<Eigen::Vector3d> corners;
@@ -30,13 +30,13 @@ py::object mesh_contacts(MeshContacts&& found) {
     corners.insert(corners.end(), own.begin(), own.end());
   }
   *offset = static_cast<std::int64_t>(corners.size());
-  return type(points_of(all, [](const auto& contact) { return contact.point; }),
-              points_of(all, [](const auto& contact) { return contact.point_a; }),
-              points_of(all, [](const auto& contact) { return contact.point_b; }),
-              points_of(all, [](const auto& contact) { return contact.normal; }),
-              numbers_of<double>(all, [](const auto& contact) { return contact.depth; }),
-              array_over<double>(std::move(corners), 3), std::move(offsets),
-              found.completeness == Completeness::Complete);
+  return kType(points_of(all, [](const auto& contact) { return contact.point; }),
+               points_of(all, [](const auto& contact) { return contact.point_a; }),
+               points_of(all, [](const auto& contact) { return contact.point_b; }),
+               points_of(all, [](const auto& contact) { return contact.normal; }),
+               numbers_of<double>(all, [](const auto& contact) { return contact.depth; }),
+               array_over<double>(std::move(corners), 3), std::move(offsets),
+               found.completeness == Completeness::Complete);
 }
 
 py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle margin,
@@ -97,7 +97,7 @@ py::object polygons_of(const MeshIntersection& found) {
 }
 
 py::object intersection_of(py::handle a, py::handle b, py::handle work_argument) {
-  static const ResultType type("MeshIntersection");
+  static const ResultType kType("MeshIntersection");
   const PlacedPair pair = single_pair(a, b, "find_intersection");
   pair.require_meshes("find_intersection");
   Work* work = work_from(work_argument);
@@ -111,22 +111,22 @@ py::object intersection_of(py::handle a, py::handle b, py::handle work_argument)
   using Segment = IntersectionSegment;
   using Curve = IntersectionCurve;
   using Patch = IntersectionPatch;
-  return type(points_of(found.points, [](const auto& point) { return point.position; }),
-              features_of(found.points, &IntersectionPoint::feature_a),
-              features_of(found.points, &IntersectionPoint::feature_b),
-              columns_of(found.segments, {&Segment::from, &Segment::to}),
-              columns_of(found.curves, {&Curve::first_segment, &Curve::segment_count}),
-              numbers_of<bool>(found.curves, [](const Curve& curve) { return curve.is_closed; }),
-              polygons_of(found),
-              columns_of(found.patches, {&Patch::first_polygon, &Patch::polygon_count}),
-              numbers_of<std::uint32_t>(found.touching_points,
-                                        [](const auto& touch) { return touch.point; }),
-              array_over<std::uint32_t>(std::move(found.pairs), 2));
+  return kType(points_of(found.points, [](const auto& point) { return point.position; }),
+               features_of(found.points, &IntersectionPoint::feature_a),
+               features_of(found.points, &IntersectionPoint::feature_b),
+               columns_of(found.segments, {&Segment::from, &Segment::to}),
+               columns_of(found.curves, {&Curve::first_segment, &Curve::segment_count}),
+               numbers_of<bool>(found.curves, [](const Curve& curve) { return curve.is_closed; }),
+               polygons_of(found),
+               columns_of(found.patches, {&Patch::first_polygon, &Patch::polygon_count}),
+               numbers_of<std::uint32_t>(found.touching_points,
+                                         [](const auto& touch) { return touch.point; }),
+               array_over<std::uint32_t>(std::move(found.pairs), 2));
 }
 
 py::object separation_of(py::handle a, py::handle b, py::handle direction,
                          py::handle work_argument) {
-  static const ResultType type("Separation");
+  static const ResultType kType("Separation");
   const PlacedPair pair = single_pair(a, b, "separating_translation");
   pair.require_meshes("separating_translation");
   std::optional<Eigen::Vector3d> way;
@@ -140,8 +140,8 @@ py::object separation_of(py::handle a, py::handle b, py::handle direction,
     found = way ? separating_translation(mesh_a, mesh_b, *way, work)
                 : separating_translation(mesh_a, mesh_b, work);
   }
-  return type(found.distance, array_of(found.direction), array_of(found.translation),
-              array_of(found.pose_b));
+  return kType(found.distance, array_of(found.direction), array_of(found.translation),
+               array_of(found.pose_b));
 }
 
 constexpr const char* kContactsText = R"(find_contacts(a, b, *, limit=None, margin=None, work=None)
@@ -198,21 +198,21 @@ False
 }  // namespace
 
 py::object result_of(const std::vector<ShapeContact>& contacts) {
-  static const ResultType type("ShapeContacts");
+  static const ResultType kType("ShapeContacts");
   auto features = new_array<std::uint64_t>({static_cast<py::ssize_t>(contacts.size()), 2});
   std::uint64_t* feature = features.mutable_data();
   for (const ShapeContact& contact : contacts) {
     *feature++ = contact.feature.a;
     *feature++ = contact.feature.b;
   }
-  return type(points_of(contacts, [](const auto& contact) { return contact.point; }),
-              points_of(contacts, [](const auto& contact) { return contact.point_a; }),
-              points_of(contacts, [](const auto& contact) { return contact.point_b; }),
-              points_of(contacts, [](const auto& contact) { return contact.normal; }),
-              numbers_of<double>(contacts, [](const auto& contact) { return contact.depth; }),
-              std::move(features), numbers_of<std::uint32_t>(contacts, [](const auto& contact) {
-                return contact.region;
-              }));
+  return kType(points_of(contacts, [](const auto& contact) { return contact.point; }),
+               points_of(contacts, [](const auto& contact) { return contact.point_a; }),
+               points_of(contacts, [](const auto& contact) { return contact.point_b; }),
+               points_of(contacts, [](const auto& contact) { return contact.normal; }),
+               numbers_of<double>(contacts, [](const auto& contact) { return contact.depth; }),
+               std::move(features), numbers_of<std::uint32_t>(contacts, [](const auto& contact) {
+                 return contact.region;
+               }));
 }
 
 void add_contacts(py::module_& module) {

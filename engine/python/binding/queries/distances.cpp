@@ -26,8 +26,8 @@ DistanceSettings settings_from(py::handle hint) {
 
 py::object mesh_distances(const PlacedPair& pair, const DistanceSettings& settings,
                           LockedMemory& memory, const Batch& batch, Work* work) {
-  static const ResultType single("MeshDistance");
-  static const ResultType many("MeshDistances");
+  static const ResultType kSingle("MeshDistance");
+  static const ResultType kMany("MeshDistances");
   const auto lock = memory.lock_for_batch();
   const auto answers = ask_all<MeshDistance>(pair, batch, work, [&](std::size_t i, Work* own) {
     const PlacedMeshView a = pair.a.mesh_at(i);
@@ -37,13 +37,13 @@ py::object mesh_distances(const PlacedPair& pair, const DistanceSettings& settin
   });
   if (!pair.is_many()) {
     const MeshDistance& gap = answers[0];
-    return single(gap.distance, array_of(gap.point_a), array_of(gap.point_b),
-                  py::make_tuple(gap.pair.a, gap.pair.b));
+    return kSingle(gap.distance, array_of(gap.point_a), array_of(gap.point_b),
+                   py::make_tuple(gap.pair.a, gap.pair.b));
   }
-  return many(numbers_of<double>(answers, [](const auto& gap) { return gap.distance; }),
-              points_of(answers, [](const auto& gap) { return gap.point_a; }),
-              points_of(answers, [](const auto& gap) { return gap.point_b; }),
-              index_pairs_of(answers, [](const auto& gap) { return gap.pair; }));
+  return kMany(numbers_of<double>(answers, [](const auto& gap) { return gap.distance; }),
+               points_of(answers, [](const auto& gap) { return gap.point_a; }),
+               points_of(answers, [](const auto& gap) { return gap.point_b; }),
+               index_pairs_of(answers, [](const auto& gap) { return gap.pair; }));
 }
 
 ShapeDistance ask_shapes(const PlacedPair& pair, std::size_t index, Work* work) {
@@ -51,8 +51,8 @@ ShapeDistance ask_shapes(const PlacedPair& pair, std::size_t index, Work* work) 
 }
 
 py::object shape_distances(const PlacedPair& pair, const Batch& batch, Work* work) {
-  static const ResultType single("ShapeDistance");
-  static const ResultType many("ShapeDistances");
+  static const ResultType kSingle("ShapeDistance");
+  static const ResultType kMany("ShapeDistances");
   const auto answers = ask_all<ShapeDistance>(
       pair, batch, work, [&](std::size_t i, Work* own) { return ask_shapes(pair, i, own); });
   const auto is_converged = [](const ShapeDistance& gap) {
@@ -60,15 +60,15 @@ py::object shape_distances(const PlacedPair& pair, const Batch& batch, Work* wor
   };
   if (!pair.is_many()) {
     const ShapeDistance& gap = answers[0];
-    return single(gap.distance, gap.lower_bound, array_of(gap.point_a), array_of(gap.point_b),
-                  array_of(gap.normal), is_converged(gap));
+    return kSingle(gap.distance, gap.lower_bound, array_of(gap.point_a), array_of(gap.point_b),
+                   array_of(gap.normal), is_converged(gap));
   }
-  return many(numbers_of<double>(answers, [](const auto& gap) { return gap.distance; }),
-              numbers_of<double>(answers, [](const auto& gap) { return gap.lower_bound; }),
-              points_of(answers, [](const auto& gap) { return gap.point_a; }),
-              points_of(answers, [](const auto& gap) { return gap.point_b; }),
-              points_of(answers, [](const auto& gap) { return gap.normal; }),
-              numbers_of<bool>(answers, is_converged));
+  return kMany(numbers_of<double>(answers, [](const auto& gap) { return gap.distance; }),
+               numbers_of<double>(answers, [](const auto& gap) { return gap.lower_bound; }),
+               points_of(answers, [](const auto& gap) { return gap.point_a; }),
+               points_of(answers, [](const auto& gap) { return gap.point_b; }),
+               points_of(answers, [](const auto& gap) { return gap.normal; }),
+               numbers_of<bool>(answers, is_converged));
 }
 
 py::object distance_of(py::handle a, py::handle b, py::handle hint, py::handle memory_argument,
@@ -113,7 +113,7 @@ py::object within_of(py::handle a, py::handle b, py::handle clearance_argument,
 }
 
 py::object separation_of_shapes(py::handle a, py::handle b, py::handle work_argument) {
-  static const ResultType type("ShapeSeparation");
+  static const ResultType kType("ShapeSeparation");
   const PlacedPair pair(a, b);
   if (pair.is_many()) throw InputError("find_separation() takes one pose");
   Work* work = work_from(work_argument);
@@ -122,8 +122,8 @@ py::object separation_of_shapes(py::handle a, py::handle b, py::handle work_argu
     const py::gil_scoped_release released;
     found = find_separation(pair.a.shape_at(0), pair.b.shape_at(0), work);
   }
-  return type(found.distance, array_of(found.point_a), array_of(found.point_b),
-              array_of(found.normal), found.status == PairStatus::Converged);
+  return kType(found.distance, array_of(found.point_a), array_of(found.point_b),
+               array_of(found.normal), found.status == PairStatus::Converged);
 }
 
 constexpr const char* kDistanceText =

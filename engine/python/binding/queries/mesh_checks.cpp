@@ -44,7 +44,7 @@ py::object edges_of(const std::vector<FaultyEdge>& edges) {
 }
 
 py::object check_of(const Mesh& mesh, py::handle progress, py::handle work_argument) {
-  static const ResultType type("MeshHealth");
+  static const ResultType kType("MeshHealth");
   const CheckSettings settings{.on_progress = watcher(progress)};
   Work* work = work_from(work_argument);
   MeshHealth health;
@@ -53,17 +53,19 @@ py::object check_of(const Mesh& mesh, py::handle progress, py::handle work_argum
     health = check(mesh, settings, work);
   }
   std::vector<std::array<std::uint32_t, 2>> duplicates;
+  duplicates.reserve(health.duplicate_triangles.size());
   for (const DuplicateTriangle& duplicate : health.duplicate_triangles)
     duplicates.push_back({duplicate.triangle, duplicate.earlier});
   std::vector<std::array<std::uint32_t, 3>> parts;
+  parts.reserve(health.inside_out_parts.size());
   for (const InsideOutPart& part : health.inside_out_parts)
     parts.push_back({part.triangle, part.triangle_count, part.depth});
-  return type(edges_of(health.open_edges), edges_of(health.non_manifold_edges),
-              edges_of(health.turned_edges),
-              array_over<std::uint32_t>(std::move(health.degenerate_triangles)),
-              array_over<std::uint32_t>(std::move(duplicates), 2),
-              array_over<std::uint32_t>(std::move(parts), 3),
-              array_over<std::uint32_t>(std::move(health.self_intersections.pairs), 2));
+  return kType(edges_of(health.open_edges), edges_of(health.non_manifold_edges),
+               edges_of(health.turned_edges),
+               array_over<std::uint32_t>(std::move(health.degenerate_triangles)),
+               array_over<std::uint32_t>(std::move(duplicates), 2),
+               array_over<std::uint32_t>(std::move(parts), 3),
+               array_over<std::uint32_t>(std::move(health.self_intersections.pairs), 2));
 }
 
 bool self_intersects_of(const Mesh& mesh, py::handle work_argument) {
@@ -74,7 +76,7 @@ bool self_intersects_of(const Mesh& mesh, py::handle work_argument) {
 
 py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
                          py::handle work_argument) {
-  static const ResultType type("TrianglePairs");
+  static const ResultType kType("TrianglePairs");
   const SelfSettings settings{
       .kind = word_from<SelfPairKind>(
           kind, "kind",
@@ -86,13 +88,13 @@ py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
     const py::gil_scoped_release released;
     found = find_self_pairs(mesh, settings, work);
   }
-  return type(array_over<std::uint32_t>(std::move(found.pairs), 2),
-              found.completeness == Completeness::Complete);
+  return kType(array_over<std::uint32_t>(std::move(found.pairs), 2),
+               found.completeness == Completeness::Complete);
 }
 
 py::object voxels_of(py::handle mesh, py::handle resolution, py::handle fill, py::handle threads,
                      py::handle progress, py::handle work_argument) {
-  static const ResultType type("Voxels");
+  static const ResultType kType("Voxels");
   const Placed placed = placed_mesh(mesh, "mesh");
   if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
   const std::size_t count = count_from(resolution, "resolution");
@@ -111,9 +113,9 @@ py::object voxels_of(py::handle mesh, py::handle resolution, py::handle fill, py
     found = find_voxels(placed.mesh_at(0), settings, work);
   }
   const auto& counts = found.grid.counts;
-  return type(array_of(found.grid.origin), found.grid.edge,
-              py::make_tuple(counts[0], counts[1], counts[2]),
-              array_over<std::uint16_t>(std::move(found.voxels), 3));
+  return kType(array_of(found.grid.origin), found.grid.edge,
+               py::make_tuple(counts[0], counts[1], counts[2]),
+               array_over<std::uint16_t>(std::move(found.voxels), 3));
 }
 
 /// A box along the axes, a turned one, or a ball, as the library finds triangles in them.
@@ -144,12 +146,12 @@ TriangleList triangles_in(const Placed& mesh, py::handle volume, const TriangleS
 
 py::object find_triangles_of(py::handle mesh, py::handle volume, py::handle limit,
                              py::handle work) {
-  static const ResultType type("TriangleList");
+  static const ResultType kType("TriangleList");
   const Placed placed = placed_mesh(mesh, "mesh");
   if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
   TriangleList found = triangles_in(placed, volume, {.limit = limit_from(limit)}, work_from(work));
-  return type(array_over<std::uint32_t>(std::move(found.triangles)),
-              found.completeness == Completeness::Complete);
+  return kType(array_over<std::uint32_t>(std::move(found.triangles)),
+               found.completeness == Completeness::Complete);
 }
 
 py::object sphere_around(const Mesh& mesh) {

@@ -33,6 +33,7 @@ struct MotionQuestion {
       motions_b.push_back(motion_from(motion_argument_b, "motion_b"));
       return;
     }
+    motions_b.reserve(py::len(motion_argument_b));
     for (const py::handle motion : motion_argument_b)
       motions_b.push_back(
           motion_from(motion, ("motion_b[" + std::to_string(motions_b.size()) + "]").c_str()));
@@ -62,7 +63,7 @@ RigidContactSettings settings_from(py::handle clearance, py::handle tolerance, p
 py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py::handle motion_b,
                             py::handle clearance, py::handle tolerance, py::handle budget,
                             py::handle threads, py::handle progress, py::handle work) {
-  static const ResultType many("RigidContacts");
+  static const ResultType kMany("RigidContacts");
   const MotionQuestion question(a, motion_a, b, motion_b);
   static_cast<void>(question.b.shape());  // made once, before threads ask for it
   static_cast<void>(question.a.shape());
@@ -78,7 +79,7 @@ py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py:
   py::list words;
   for (const RigidContact& contact : answers)
     words.append(word_of(contact.status));
-  return many(
+  return kMany(
       py::module_::import("numpy").attr("array")(words, "U5"),
       numbers_of<double>(answers, [](const auto& contact) { return contact.low; }),
       numbers_of<double>(answers, [](const auto& contact) { return contact.high; }),
@@ -106,8 +107,8 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
 
 py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::handle start,
                    py::handle work_argument) {
-  static const ResultType mesh_type("MeshCast");
-  static const ResultType shape_type("ShapeCast");
+  static const ResultType kMeshType("MeshCast");
+  static const ResultType kShapeType("ShapeCast");
   const PlacedPair pair(a, b);
   if (pair.is_many()) throw InputError("cast() takes one pose");
   const Eigen::Vector3d way = vector_from(displacement, "displacement");
@@ -120,7 +121,7 @@ py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::hand
       met = cast(pair.a.mesh_at(0), pair.b.mesh_at(0), way, settings, work);
     }
     if (!met) return py::none();
-    return mesh_type(met->time, met->is_at_start, py::make_tuple(met->pair.a, met->pair.b),
+    return kMeshType(met->time, met->is_at_start, py::make_tuple(met->pair.a, met->pair.b),
                      array_of(met->point), array_of(met->normal));
   }
   if (settings.start != StartContact::Counts) throw InputError("start: is for two meshes");
@@ -130,7 +131,7 @@ py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::hand
     met = cast(pair.a.shape_at(0), pair.b.shape_at(0), way, work);
   }
   if (!met) return py::none();
-  return shape_type(met->time, met->is_at_start, array_of(met->point), array_of(met->normal));
+  return kShapeType(met->time, met->is_at_start, array_of(met->point), array_of(met->normal));
 }
 
 constexpr const char* kFirstContactText =

@@ -66,7 +66,7 @@ TrianglePairs ask_pairs(const PlacedPair& pair, std::size_t index, const PairSet
 
 /// Lists one behind the other, and where each begins.
 py::object lists_of(std::vector<TrianglePairs>&& found) {
-  static const ResultType type("TrianglePairLists");
+  static const ResultType kType("TrianglePairLists");
   const auto count = static_cast<py::ssize_t>(found.size());
   auto offsets = new_array<std::int64_t>({count + 1});
   auto is_complete = new_array<bool>({count});
@@ -87,14 +87,14 @@ py::object lists_of(std::vector<TrianglePairs>&& found) {
     *offset = static_cast<std::int64_t>(all.size());
     std::vector<TrianglePairs>().swap(found);
   }
-  return type(array_over<std::uint32_t>(std::move(all), 2), std::move(offsets),
-              std::move(is_complete));
+  return kType(array_over<std::uint32_t>(std::move(all), 2), std::move(offsets),
+               std::move(is_complete));
 }
 
 py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle touch,
                     py::handle memory_argument, py::handle threads, py::handle progress,
                     py::handle work_argument) {
-  static const ResultType type("TrianglePairs");
+  static const ResultType kType("TrianglePairs");
   const PlacedPair pair(a, b);
   pair.require_meshes("find_triangle_pairs");
   PairSettings settings{.limit = limit_from(limit), .touch = touch_from(touch)};
@@ -109,8 +109,8 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
       ask_and_blame([&] { found = ask_pairs(pair, 0, settings, memory.get(), work); },
                     [&] { pair.check_poses(); });
     }
-    return type(array_over<std::uint32_t>(std::move(found.pairs), 2),
-                found.completeness == Completeness::Complete);
+    return kType(array_over<std::uint32_t>(std::move(found.pairs), 2),
+                 found.completeness == Completeness::Complete);
   }
   std::vector<TrianglePairs> found(pair.size());
   const auto lock = memory.lock_for_batch();

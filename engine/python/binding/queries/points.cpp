@@ -54,8 +54,8 @@ py::object contains_of(py::handle mesh, py::handle points, py::handle threads, p
 
 py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
                       py::handle work) {
-  static const ResultType single("NearestPoint");
-  static const ResultType many("NearestPoints");
+  static const ResultType kSingle("NearestPoint");
+  static const ResultType kMany("NearestPoints");
   const PointQuestion question(mesh, points);
   const auto answers =
       question.answers<NearestPoint>(Batch(threads, progress), work_from(work),
@@ -63,11 +63,11 @@ py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py
                                        return nearest_point(placed, point, own);
                                      });
   if (!question.points.is_many()) {
-    return single(answers[0].distance, array_of(answers[0].point), answers[0].triangle);
+    return kSingle(answers[0].distance, array_of(answers[0].point), answers[0].triangle);
   }
-  return many(numbers_of<double>(answers, [](const auto& near) { return near.distance; }),
-              points_of(answers, [](const auto& near) { return near.point; }),
-              numbers_of<std::uint32_t>(answers, [](const auto& near) { return near.triangle; }));
+  return kMany(numbers_of<double>(answers, [](const auto& near) { return near.distance; }),
+               points_of(answers, [](const auto& near) { return near.point; }),
+               numbers_of<std::uint32_t>(answers, [](const auto& near) { return near.triangle; }));
 }
 
 py::object signed_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,

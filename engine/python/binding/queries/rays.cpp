@@ -85,18 +85,18 @@ void cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::s
 }
 
 py::object hit_of(const std::optional<RayHit>& hit) {
-  static const ResultType type("RayHit");
+  static const ResultType kType("RayHit");
   if (!hit) return py::none();
   const py::object triangle =
       hit->triangle == kNoTriangle ? py::object(py::none()) : py::int_(hit->triangle);
-  return type(hit->distance, array_of(hit->point), array_of(hit->normal), triangle);
+  return kType(hit->distance, array_of(hit->point), array_of(hit->normal), triangle);
 }
 
 py::object hits_of(const Hits& hits) {
-  static const ResultType type("RayHits");
+  static const ResultType kType("RayHits");
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector3d nowhere(kNone, kNone, kNone);
-  return type(
+  return kType(
       numbers_of<bool>(hits, [](const auto& hit) { return hit.has_value(); }),
       numbers_of<double>(hits,
                          [](const auto& hit) {
@@ -145,8 +145,8 @@ py::object cast_ray_all_of(py::handle mesh, py::handle origin, py::handle direct
   Hits hits;
   {
     const py::gil_scoped_release released;
-    for (const RayHit& hit : cast_ray_all(placed.mesh_at(0), rays[0], work))
-      hits.emplace_back(hit);
+    const auto all = cast_ray_all(placed.mesh_at(0), rays[0], work);
+    hits.assign(all.begin(), all.end());
   }
   return hits_of(hits);
 }

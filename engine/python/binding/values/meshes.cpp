@@ -66,14 +66,14 @@ py::array view_of(const py::object& mesh, std::span<const Row> rows) {
 }
 
 py::object topology_of(const Mesh& mesh) {
-  static const ResultType type("Topology");
+  static const ResultType kType("Topology");
   const Topology* topology = nullptr;
   {
     const py::gil_scoped_release released;
     topology = &mesh.topology();
   }
-  return type(topology->welded_vertices, topology->components, topology->degenerate_triangles,
-              topology->duplicate_triangles, topology->boundary_edges, topology->is_closed);
+  return kType(topology->welded_vertices, topology->components, topology->degenerate_triangles,
+               topology->duplicate_triangles, topology->boundary_edges, topology->is_closed);
 }
 
 py::object bounds_of(const Mesh& mesh) {

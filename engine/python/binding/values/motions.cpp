@@ -49,8 +49,8 @@ const char* word_of(RigidStatus status) {
 }
 
 py::object result_of(const RigidContact& contact) {
-  static const ResultType type("RigidContact");
-  return type(word_of(contact.status), contact.low, contact.high, contact.is_out_of_budget);
+  static const ResultType kType("RigidContact");
+  return kType(word_of(contact.status), contact.low, contact.high, contact.is_out_of_budget);
 }
 
 void add_rigid_motions(py::module_& module) {

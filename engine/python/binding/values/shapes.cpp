@@ -18,6 +18,7 @@ py::object tuple_of(const Eigen::Vector3d& vector) {
 ConvexHull hull_from(py::handle argument) {
   const Points points(argument, "points");
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     corners.push_back(points[i]);
   const py::gil_scoped_release released;
