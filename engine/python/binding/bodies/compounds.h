@@ -1,0 +1,35 @@
+#pragma once
+
+#include <graze/engine/python/binding/arguments/placed.h>
+
+#include <graze/engine/world/compound.h>
+
+#include <memory>
+
+namespace graze::python {
+
+/// Several shapes that are one body, as a world takes them.
+struct SharedCompound {
+  Compound parts;
+  std::shared_ptr<const BodyShape> shape;
+};
+
+/// A body of a world that is to be: a mesh, a shape or a compound, and its poses.
+class PlacedBody {
+ public:
+  /// Throws TypeError for what is none of them.
+  explicit PlacedBody(py::handle argument);
+
+  std::shared_ptr<const BodyShape> shape() const;
+  const Poses& poses() const { return placed_ ? placed_->poses() : poses_; }
+  /// See Placed.
+  void check_poses() const;
+
+ private:
+  std::optional<Placed> placed_;
+  py::object owner_;
+  const SharedCompound* compound_ = nullptr;
+  Poses poses_;
+};
+
+}  // namespace graze::python

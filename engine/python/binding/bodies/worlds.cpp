@@ -1,0 +1,273 @@
+#include <graze/engine/python/binding/arguments/batch.h>
+#include <graze/engine/python/binding/arguments/placed.h>
+#include <graze/engine/python/binding/arguments/results.h>
+#include <graze/engine/python/binding/arguments/settings.h>
+#include <graze/engine/python/binding/bodies/compounds.h>
+#include <graze/engine/python/binding/bodies/shared_world.h>
+#include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/queries/manifolds.h>
+#include <graze/engine/python/binding/values/motions.h>
+#include <graze/engine/python/binding/values/shapes.h>
+
+#include <graze/bvh/value/element_error.h>
+
+#include <memory>
+
+namespace graze::python {
+namespace {
+
+py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py::handle filter,
+                      py::handle role, py::handle margin, py::handle detection) {
+  const PlacedBody placed(shape);
+  const BodySettings settings{.kind = kind_from(kind),
+                              .filter = filter.is_none() ? Filter{} : filter_from(filter),
+                              .role = role_from(role),
+                              .margin = number_from(margin, "margin"),
+                              .detection = detection_from(detection)};
+  placed.check_poses();
+  const auto ids = shared.ask([&](World& world) {
+    std::vector<BodyId> added;
+    added.reserve(placed.poses().size());
+    try {
+      const std::shared_ptr<const BodyShape> body_shape = placed.shape();
+      for (std::size_t i = 0; i < placed.poses().size(); ++i)
+        added.push_back(world.add(PlacedBodyShape{body_shape, placed.poses()[i]}, settings));
+    } catch (const std::exception&) {
+      for (const BodyId id : added)
+        world.remove(id);
+      throw;
+    }
+    return added;
+  });
+  if (placed.poses().is_many()) return array_of_ids(ids);
+  return py::int_(number_of(ids[0]));
+}
+
+void move_bodies(SharedWorld& shared, py::handle argument, py::handle where) {
+  const Ids<BodyId> ids(argument);
+  if (!ids.is_many && py::isinstance<RigidMotion>(where)) {
+    const auto& motion = where.cast<const RigidMotion&>();
+    shared.ask([&](World& world) { world.move(ids.all[0], motion); });
+    return;
+  }
+  const Poses poses(where, "poses");
+  if (poses.is_many() != ids.is_many || poses.size() != ids.all.size()) {
+    throw InputError("poses: are " + std::to_string(poses.size()) + ", and there are " +
+                     std::to_string(ids.all.size()) + " ids");
+  }
+  shared.ask([&](World& world) {
+    std::vector<Pose> all;
+    all.reserve(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      all.push_back(poses[i]);
+    world.move(ids.all, all);
+  });
+}
+
+py::object poses_of(SharedWorld& shared, py::handle argument) {
+  const Ids<BodyId> ids(argument);
+  if (!ids.is_many)
+    return array_of(shared.ask([&](World& world) { return world.pose(ids.all[0]); }));
+  auto array = new_array<double>({static_cast<py::ssize_t>(ids.all.size()), 4, 4});
+  double* at = array.mutable_data();
+  shared.ask([&](World& world) {
+    for (std::size_t i = 0; i < ids.all.size(); ++i) {
+      bvh::at_element("id", i, [&] {
+        const Pose& pose = world.pose(ids.all[i]);
+        for (int row = 0; row < 4; ++row) {
+          for (int column = 0; column < 4; ++column)
+            *at++ = pose.matrix()(row, column);
+        }
+      });
+    }
+  });
+  return array;
+}
+
+/// What an update says, kept from the next one.
+struct KeptUpdate {
+  std::vector<BodyPair> begun, ended, moved, begun_near, ended_near;
+  std::vector<BodyContact> contacts;
+  std::vector<BodyFirstContact> first_contacts;
+  Work shapes;
+};
+
+template <typename T>
+std::vector<T> kept(std::span<const T> all) {
+  return {all.begin(), all.end()};
+}
+
+py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
+  static const ResultType kType("BodyFirstContacts");
+  const auto count = static_cast<py::ssize_t>(contacts.size());
+  std::vector<BodyPair> pairs;
+  auto low = new_array<double>({count}), high = new_array<double>({count});
+  auto points = new_array<double>({count, 3}), normals = new_array<double>({count, 3});
+  auto is_hit = new_array<bool>({count}), touches_at_start = new_array<bool>({count});
+  pairs.reserve(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const BodyFirstContact& contact = contacts[i];
+    pairs.push_back(contact.pair);
+    low.mutable_data()[i] = contact.contact.low;
+    high.mutable_data()[i] = contact.contact.high;
+    is_hit.mutable_data()[i] = contact.contact.status == RigidStatus::Hit;
+    touches_at_start.mutable_data()[i] = contact.touches_at_start;
+    write(contact.point, points.mutable_data() + 3 * i);
+    write(contact.normal, normals.mutable_data() + 3 * i);
+  }
+  return kType(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals);
+}
+
+py::object update(SharedWorld& shared) {
+  static const ResultType kType("WorldUpdate");
+  const KeptUpdate found = shared.ask([](World& world) {
+    const WorldUpdate update = world.update();
+    return KeptUpdate{kept(update.begun),          kept(update.ended),      kept(update.moved),
+                      kept(update.begun_near),     kept(update.ended_near), kept(update.contacts),
+                      kept(update.first_contacts), update.work.shapes};
+  });
+  return kType(array_of_pairs(found.begun), array_of_pairs(found.ended),
+               array_of_pairs(found.moved), result_of(found.contacts),
+               array_of_pairs(found.begun_near), array_of_pairs(found.ended_near),
+               first_contacts_of(found.first_contacts), found.shapes);
+}
+
+py::list islands_of(SharedWorld& shared) {
+  py::list lists;
+  for (const auto& island : shared.ask([](World& world) { return world.islands(); }))
+    lists.append(array_of_ids(island));
+  return lists;
+}
+
+py::object shape_of(SharedWorld& shared, py::handle argument) {
+  const Ids<BodyId> ids(argument);
+  if (ids.is_many) throw InputError("id: is one body");
+  const std::shared_ptr<Shape> shape = shared.ask([&](World& world) {
+    const Shape* found = world.shape(ids.all[0]).shape();
+    return found == nullptr ? nullptr : std::make_shared<Shape>(*found);
+  });
+  return shape ? object_of(*shape) : py::none();
+}
+
+std::unique_ptr<SharedWorld> make_world(py::handle threads, bool contacts, bool islands,
+                                        py::handle number) {
+  const std::size_t which = count_from(number, "number");
+  if (which > kLargestWorldNumber) throw InputError("number: is from 0 to 255");
+  return std::make_unique<SharedWorld>(WorldSettings{.threads = Batch(threads, py::none()).threads,
+                                                     .contacts = contacts,
+                                                     .number = static_cast<std::uint32_t>(which),
+                                                     .islands = islands});
+}
+
+void add_bodies_to(py::class_<SharedWorld>& type) {
+  type.def(
+      "add", &add_bodies,
+      R"(add(self, shape, *, kind='dynamic', filter=None, role='solid', margin=0.0, detection='discrete')
+--
+
+Adds a body, and returns its id: a whole number. `shape` is a Mesh, a Shape or a Compound, or a tuple of one and its pose; with
+poses of the shape (n, 4, 4) n bodies are added, and their ids are an array of n.
+
+`kind` is "static", "kinematic" or "dynamic"; `role` "solid" or "sensor"; `detection` "discrete", or "continuous" for
+a body that is swept from update to update. `filter` is (category, mask, group). Contacts of two bodies begin when
+they are apart by no more than the sum of both margins, metres.
+
+Raises PoseError, with its index, and InputError.
+)",
+      py::arg("shape"), py::kw_only(), py::arg("kind") = "dynamic", py::arg("filter") = py::none(),
+      py::arg("role") = "solid", py::arg("margin") = 0.0, py::arg("detection") = "discrete");
+  type.def(
+      "remove",
+      [](SharedWorld& shared, py::handle ids) {
+        for_each_id(shared, ids, [](World& world, BodyId id) { world.remove(id); });
+      },
+      "remove(self, ids)\n--\n\nTakes one body or many out of the world. Raises StaleIdError for a "
+      "body that is gone.",
+      py::arg("ids"));
+  type.def("move", &move_bodies,
+           "move(self, ids, poses)\n--\n\nTakes a body to a pose, or along a RigidMotion to its "
+           "end; or many bodies to as many "
+           "poses, of the shape (n, 4, 4), all or none. Raises StaleIdError and PoseError, with "
+           "the index.",
+           py::arg("ids"), py::arg("poses"));
+  type.def("poses", &poses_of,
+           "poses(self, ids)\n--\n\nWhere bodies were put last: (4, 4) for one, (n, 4, 4) for n.",
+           py::arg("ids"));
+  type.def("shape", &shape_of, "shape(self, id)\n--\n\nThe Mesh or the Shape of a body.",
+           py::arg("id"));
+  type.def(
+      "set_shape",
+      [](SharedWorld& shared, std::uint64_t id, py::handle shape) {
+        const PlacedBody placed(shape);
+        shared.ask([&](World& world) { world.set_shape(id_of<BodyId>(id), placed.shape()); });
+      },
+      "set_shape(self, id, shape)\n--\n\nGives a body another shape where it is.", py::arg("id"),
+      py::arg("shape"));
+  type.def("update", &update, R"(update(self)
+--
+
+Brings all pairs up to date: a WorldUpdate of what changed, in arrays. Looks only at what moved.
+)");
+}
+
+}  // namespace
+
+py::object result_of(const std::vector<BodyContact>& contacts) {
+  static const ResultType kType("WorldContacts");
+  std::vector<BodyPair> pairs;
+  std::vector<ShapeContact> all;
+  std::vector<std::int64_t> offsets{0};
+  std::vector<std::array<std::uint32_t, 2>> parts;
+  pairs.reserve(contacts.size());
+  parts.reserve(contacts.size());
+  offsets.reserve(contacts.size() + 1);
+  for (const BodyContact& contact : contacts) {
+    pairs.push_back(contact.pair);
+    parts.push_back({contact.manifold.part_a(), contact.manifold.part_b()});
+    all.insert(all.end(), contact.manifold.begin(), contact.manifold.end());
+    offsets.push_back(static_cast<std::int64_t>(all.size()));
+  }
+  return kType(array_of_pairs(pairs), array_over<std::uint32_t>(std::move(parts), 2),
+               array_over<std::int64_t>(std::move(offsets)), result_of(all));
+}
+
+void add_worlds(py::module_& module) {
+  py::class_<WorldSnapshot>(module, "WorldSnapshot",
+                            "A copy of a world's state, for World.restore().");
+  py::class_<SharedWorld> type(
+      module, "World",
+      R"(Bodies that move, and which of them touch. An update looks only at what moved.
+
+    World(*, threads=1, contacts=True, islands=False, number=0)
+
+`threads` share each stage of an update; 0: all that there are. No result depends on it. Without `contacts` updates
+find none. `islands` are kept for islands(). A world with a `number`, 1 to 255, refuses the ids of others.
+
+>>> world = graze.World()
+>>> balls = world.add((graze.Sphere([0, 0, 0], 0.6), np.stack([np.eye(4), raised])))
+>>> len(world.update().begun)
+0
+>>> world.move(balls[1], np.eye(4))
+>>> np.array_equal(world.update().begun, [balls])
+True
+)");
+  type.def(
+      py::init(&make_world),
+      "__init__(self, *, threads=1, contacts=True, islands=False, number=0)\n--\n\nWithout bodies.",
+      py::kw_only(), py::arg("threads") = 1, py::arg("contacts") = true, py::arg("islands") = false,
+      py::arg("number") = 0);
+  type.def("__len__", [](SharedWorld& shared) {
+    return shared.ask([](World& world) { return world.size(); });
+  });
+  type.def("__contains__", [](SharedWorld& shared, std::uint64_t id) {
+    return shared.ask([&](World& world) { return world.contains(id_of<BodyId>(id)); });
+  });
+  add_bodies_to(type);
+  add_world_settings(module);
+  type.def("islands", &islands_of,
+           "islands(self)\n--\n\nSets of bodies that touch, as arrays of ids. Raises InputError "
+           "unless the world keeps them.");
+  add_world_queries(module);
+}
+
+}  // namespace graze::python

@@ -1,0 +1,250 @@
+#include <graze/engine/python/binding/arguments/placed.h>
+#include <graze/engine/python/binding/arguments/results.h>
+#include <graze/engine/python/binding/arguments/settings.h>
+#include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/queries/answers.h>
+
+#include <graze/engine/mesh/fit.h>
+#include <graze/engine/mesh/mesh_health.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/mesh/self.h>
+#include <graze/engine/mesh/volume_query.h>
+#include <graze/engine/mesh/voxels.h>
+#include <graze/engine/mesh/write_voxels.h>
+
+namespace graze::python {
+namespace {
+
+/// What work of long duration calls now and then: told of progress and asked for signals.
+std::function<void(std::size_t, std::size_t)> watcher(py::handle progress) {
+  static_cast<void>(Batch(py::int_(0), progress));  // throws for what cannot be called
+  return [progress, before = std::size_t{0}](std::size_t done, std::size_t total) mutable {
+    const py::gil_scoped_acquire acquired;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (progress.is_none()) return;
+    if (py::hasattr(progress, "update")) {
+      progress.attr("update")(done - before);
+      before = done;
+    } else {
+      progress(done, total);
+    }
+  };
+}
+
+py::object edges_of(const std::vector<FaultyEdge>& edges) {
+  auto array = new_array<std::uint32_t>({static_cast<py::ssize_t>(edges.size()), 4});
+  std::uint32_t* at = array.mutable_data();
+  for (const FaultyEdge& edge : edges) {
+    *at++ = edge.vertices[0];
+    *at++ = edge.vertices[1];
+    *at++ = edge.triangle;
+    *at++ = edge.triangle_count;
+  }
+  return array;
+}
+
+py::object check_of(const Mesh& mesh, py::handle progress, py::handle work_argument) {
+  static const ResultType kType("MeshHealth");
+  const CheckSettings settings{.on_progress = watcher(progress)};
+  Work* work = work_from(work_argument);
+  MeshHealth health;
+  {
+    const py::gil_scoped_release released;
+    health = check(mesh, settings, work);
+  }
+  std::vector<std::array<std::uint32_t, 2>> duplicates;
+  duplicates.reserve(health.duplicate_triangles.size());
+  for (const DuplicateTriangle& duplicate : health.duplicate_triangles)
+    duplicates.push_back({duplicate.triangle, duplicate.earlier});
+  std::vector<std::array<std::uint32_t, 3>> parts;
+  parts.reserve(health.inside_out_parts.size());
+  for (const InsideOutPart& part : health.inside_out_parts)
+    parts.push_back({part.triangle, part.triangle_count, part.depth});
+  return kType(edges_of(health.open_edges), edges_of(health.non_manifold_edges),
+               edges_of(health.turned_edges),
+               array_over<std::uint32_t>(std::move(health.degenerate_triangles)),
+               array_over<std::uint32_t>(std::move(duplicates), 2),
+               array_over<std::uint32_t>(std::move(parts), 3),
+               array_over<std::uint32_t>(std::move(health.self_intersections.pairs), 2));
+}
+
+bool self_intersects_of(const Mesh& mesh, py::handle work_argument) {
+  Work* work = work_from(work_argument);
+  const py::gil_scoped_release released;
+  return self_intersects(mesh, work);
+}
+
+py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
+                         py::handle work_argument) {
+  static const ResultType kType("TrianglePairs");
+  const SelfSettings settings{
+      .kind = word_from<SelfPairKind>(
+          kind, "kind",
+          {{"crossing", SelfPairKind::Crossing}, {"neighbour", SelfPairKind::Neighbour}}),
+      .limit = limit_from(limit)};
+  Work* work = work_from(work_argument);
+  TrianglePairs found;
+  {
+    const py::gil_scoped_release released;
+    found = find_self_pairs(mesh, settings, work);
+  }
+  return kType(array_over<std::uint32_t>(std::move(found.pairs), 2),
+               found.completeness == Completeness::Complete);
+}
+
+py::object voxels_of(py::handle mesh, py::handle resolution, py::handle fill, py::handle threads,
+                     py::handle progress, py::handle work_argument) {
+  static const ResultType kType("Voxels");
+  const Placed placed = placed_mesh(mesh, "mesh");
+  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
+  const std::size_t count = count_from(resolution, "resolution");
+  if (count < 1 || count > 65535)
+    throw InputError("resolution: " + std::to_string(count) + " is not from 1 to 65535");
+  const VoxelSettings settings{
+      .resolution = static_cast<std::uint32_t>(count),
+      .fill = word_from<VoxelFill>(fill, "fill",
+                                   {{"surface", VoxelFill::Surface}, {"solid", VoxelFill::Solid}}),
+      .threads = Batch(threads, progress).threads,
+      .on_progress = watcher(progress)};
+  Work* work = work_from(work_argument);
+  Voxels found;
+  {
+    const py::gil_scoped_release released;
+    found = find_voxels(placed.mesh_at(0), settings, work);
+  }
+  const auto& counts = found.grid.counts;
+  return kType(array_of(found.grid.origin), found.grid.edge,
+               py::make_tuple(counts[0], counts[1], counts[2]),
+               array_over<std::uint16_t>(std::move(found.voxels), 3));
+}
+
+/// A box along the axes, a turned one, or a ball, as the library finds triangles in them.
+TriangleList triangles_in(const Placed& mesh, py::handle volume, const TriangleSettings& settings,
+                          Work* work) {
+  if (PyTuple_Check(volume.ptr()) == 0 && !py::isinstance<Shape>(volume)) {
+    const Points corners(volume, "volume");
+    if (corners.size() != 2)
+      throw InputError("volume: is neither two corners, of the shape (2, 3), nor a shape");
+    const py::gil_scoped_release released;
+    return find_triangles(mesh.mesh_at(0), Aabb{corners[0], corners[1]}, settings, work);
+  }
+  const Placed placed(volume, "volume");
+  if (placed.poses().is_many()) throw InputError("volume: many poses are not taken");
+  const Pose pose = placed.poses()[0];
+  const py::gil_scoped_release released;
+  if (const Box* box = placed.shape().as<Box>()) {
+    return find_triangles(mesh.mesh_at(0), Obb{pose, box->half_extents}, settings, work);
+  }
+  if (const Sphere* ball = placed.shape().as<Sphere>()) {
+    placed.check_poses();
+    return find_triangles(mesh.mesh_at(0), Sphere{place(pose, ball->centre), ball->radius},
+                          settings, work);
+  }
+  throw InputError(std::string("volume: is a ") + name_of(placed.shape().kind()) +
+                   ", neither a box nor a sphere");
+}
+
+py::object find_triangles_of(py::handle mesh, py::handle volume, py::handle limit,
+                             py::handle work) {
+  static const ResultType kType("TriangleList");
+  const Placed placed = placed_mesh(mesh, "mesh");
+  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
+  TriangleList found = triangles_in(placed, volume, {.limit = limit_from(limit)}, work_from(work));
+  return kType(array_over<std::uint32_t>(std::move(found.triangles)),
+               found.completeness == Completeness::Complete);
+}
+
+py::object sphere_around(const Mesh& mesh) {
+  const Sphere sphere = bounding_sphere(mesh);
+  return py::make_tuple(array_of(sphere.centre), sphere.radius);
+}
+
+py::object box_around(const Mesh& mesh) {
+  const Obb box = bounding_obb(mesh);
+  return py::make_tuple(array_of(box.pose), array_of(box.half_extents));
+}
+
+constexpr const char* kCheckText = R"(check(mesh, *, progress=None, work=None)
+--
+
+All that is wrong with a mesh, and where, exactly: a MeshHealth of arrays, all of them empty in a healthy mesh.
+
+`progress` is called with (done, total), or is a bar with a method update(); Ctrl-C ends the check.
+
+>>> graze.check(bolt).is_healthy
+True
+>>> graze.check(graze.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])).open_edges
+array([[0, 1, 0, 1],
+       [0, 2, 0, 1],
+       [1, 2, 0, 1]], dtype=uint32)
+)";
+
+constexpr const char* kVoxelsText =
+    R"(find_voxels(mesh, *, resolution=64, fill='surface', threads=0, progress=None, work=None)
+--
+
+All voxels that a placed mesh's surface touches, exactly, or with `fill` "solid" those inside a closed one, too: Voxels.
+`resolution` is how many there are along the longest side of its bounds, 1 to 65535.
+
+Raises InputError, and MeshError for the solid of a mesh that is not closed.
+
+>>> voxels = graze.find_voxels(bolt, resolution=8)
+>>> voxels.indices.shape[1], max(voxels.counts)
+(3, 8)
+)";
+
+}  // namespace
+
+void add_mesh_checks(py::module_& module) {
+  module.def("check", &check_of, kCheckText, py::arg("mesh"), py::kw_only(),
+             py::arg("progress") = py::none(), py::arg("work") = py::none());
+  module.def("self_intersects", &self_intersects_of, R"(self_intersects(mesh, *, work=None)
+--
+
+Whether two triangles of a mesh cross: their intersection is more than what they have in common.
+
+>>> graze.self_intersects(bolt)
+False
+)",
+             py::arg("mesh"), py::kw_only(), py::arg("work") = py::none());
+  module.def("find_self_pairs", &self_pairs_of,
+             R"(find_self_pairs(mesh, *, kind='crossing', limit=None, work=None)
+--
+
+All pairs of triangles of a mesh that cross, or with `kind` "neighbour" those that share just a vertex or an edge:
+TrianglePairs.
+
+>>> len(graze.find_self_pairs(bolt).pairs)
+0
+)",
+             py::arg("mesh"), py::kw_only(), py::arg("kind") = "crossing",
+             py::arg("limit") = py::none(), py::arg("work") = py::none());
+  module.def("find_triangles", &find_triangles_of,
+             R"(find_triangles(mesh, volume, *, limit=None, work=None)
+--
+
+All triangles of a placed mesh that share a point with a volume, exactly: a TriangleList, ascending. The volume is a
+box along the axes, its two corners of the shape (2, 3), or a placed Box or Sphere.
+
+Raises InputError for any other shape, and what intersects() raises.
+
+>>> graze.find_triangles(bolt, graze.Sphere([0, 0, 0.02], 0.0001)).triangles.dtype
+dtype('uint32')
+)",
+             py::arg("mesh"), py::arg("volume"), py::kw_only(), py::arg("limit") = py::none(),
+             py::arg("work") = py::none());
+  module.def("find_voxels", &voxels_of, kVoxelsText, py::arg("mesh"), py::kw_only(),
+             py::arg("resolution") = 64, py::arg("fill") = "surface", py::arg("threads") = 0,
+             py::arg("progress") = py::none(), py::arg("work") = py::none());
+  module.def(
+      "bounding_sphere", &sphere_around,
+      "bounding_sphere(mesh)\n--\n\nThe smallest ball around a mesh: (centre, radius), metres.",
+      py::arg("mesh"));
+  module.def("bounding_obb", &box_around,
+             "bounding_obb(mesh)\n--\n\nA turned box around a mesh, none of whose turns about its "
+             "axes makes it smaller: (pose, "
+             "half_extents), metres.",
+             py::arg("mesh"));
+}
+
+}  // namespace graze::python

@@ -1,0 +1,140 @@
+#include <graze/engine/python/binding/arguments/results.h>
+#include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/queries/answers.h>
+
+#include <graze/bvh/value/element_error.h>
+#include <graze/engine/mesh/containment.h>
+#include <graze/engine/mesh/distance.h>
+
+#include <string>
+
+namespace graze::python {
+namespace {
+
+/// One mesh in one pose and the points that it is asked about.
+struct PointQuestion {
+  PointQuestion(py::handle mesh, py::handle points_argument)
+      : placed(placed_mesh(mesh, "mesh")), points(points_argument, "points") {
+    if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken beside points");
+  }
+
+  /// Throws for the first point that is not finite.
+  void blame() const {
+    for (std::size_t i = 0; points.is_many() && i < points.size(); ++i) {
+      bvh::at_element("point", i, [&] {
+        if (!points[i].allFinite())
+          throw InputError("points: point " + std::to_string(i) + " is not finite");
+      });
+    }
+  }
+
+  template <typename Answer, typename Ask>
+  std::vector<Answer> answers(const Batch& batch, Work* work, const Ask& ask) const {
+    const PlacedMeshView mesh = placed.mesh_at(0);
+    return ask_all<Answer>(
+        points.is_many(), points.size(), batch, work,
+        [&](std::size_t i, Work* own) { return ask(mesh, points[i], own); }, [this] { blame(); });
+  }
+
+  Placed placed;
+  Points points;
+};
+
+py::object contains_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
+                       py::handle work) {
+  const PointQuestion question(mesh, points);
+  const auto answers =
+      question.answers<char>(Batch(threads, progress), work_from(work),
+                             [](const auto& placed, const auto& point, Work* own) {
+                               return static_cast<char>(contains(placed, point, own));
+                             });
+  if (!question.points.is_many()) return py::bool_(answers[0] != 0);
+  return numbers_of<bool>(answers, [](char says) { return says != 0; });
+}
+
+py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
+                      py::handle work) {
+  static const ResultType kSingle("NearestPoint");
+  static const ResultType kMany("NearestPoints");
+  const PointQuestion question(mesh, points);
+  const auto answers =
+      question.answers<NearestPoint>(Batch(threads, progress), work_from(work),
+                                     [](const auto& placed, const auto& point, Work* own) {
+                                       return nearest_point(placed, point, own);
+                                     });
+  if (!question.points.is_many()) {
+    return kSingle(answers[0].distance, array_of(answers[0].point), answers[0].triangle);
+  }
+  return kMany(numbers_of<double>(answers, [](const auto& near) { return near.distance; }),
+               points_of(answers, [](const auto& near) { return near.point; }),
+               numbers_of<std::uint32_t>(answers, [](const auto& near) { return near.triangle; }));
+}
+
+py::object signed_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
+                     py::handle work) {
+  const PointQuestion question(mesh, points);
+  const auto answers =
+      question.answers<double>(Batch(threads, progress), work_from(work),
+                               [](const auto& placed, const auto& point, Work* own) {
+                                 return signed_distance(placed, point, own);
+                               });
+  if (!question.points.is_many()) return py::float_(answers[0]);
+  return numbers_of<double>(answers, [](double value) { return value; });
+}
+
+constexpr const char* kContainsText =
+    R"(contains(mesh, points, *, threads=0, progress=None, work=None)
+--
+
+Whether points lie on a closed placed mesh or are enclosed by it, by the even-odd rule: exactly.
+
+`mesh` is a Mesh or (mesh, pose); `points` have the shape (3,), for which the answer is a bool, or (n, 3), metres:
+an array of n bools, on all threads.
+
+Raises MeshError for a mesh that is not closed, and InputError, with its index, for a point that is not finite.
+
+>>> graze.contains(bolt, [[0, 0, 0], [1, 0, 0]])
+array([ True, False])
+)";
+
+constexpr const char* kNearestText =
+    R"(nearest_points(mesh, points, *, threads=0, progress=None, work=None)
+--
+
+The points of a placed mesh's surface that are nearest to other points: NearestPoints, whose `distance`, `point` and
+`triangle` have the shapes (n,), (n, 3) and (n,); or for a point of the shape (3,) a NearestPoint.
+
+Raises InputError, with its index, for a point that is not finite.
+
+>>> near = graze.nearest_points(bolt, [[1, 0, 0], [0, 1, 0]])
+>>> near.point.shape
+(2, 3)
+)";
+
+constexpr const char* kSignedText =
+    R"(signed_distances(mesh, points, *, threads=0, progress=None, work=None)
+--
+
+How far points are from a closed placed mesh's surface, metres, negative inside: an array of the shape (n,), or a
+float for a point of the shape (3,).
+
+Raises MeshError for a mesh that is not closed, and InputError, with its index, for a point that is not finite.
+
+>>> graze.signed_distances(bolt, [0, 0, 0]) < 0
+True
+)";
+
+}  // namespace
+
+void add_points(py::module_& module) {
+  const auto add = [&](const char* name, auto* function, const char* text) {
+    module.def(name, function, text, py::arg("mesh"), py::arg("points"), py::kw_only(),
+               py::arg("threads") = 0, py::arg("progress") = py::none(),
+               py::arg("work") = py::none());
+  };
+  add("contains", &contains_of, kContainsText);
+  add("nearest_points", &nearest_of, kNearestText);
+  add("signed_distances", &signed_of, kSignedText);
+}
+
+}  // namespace graze::python

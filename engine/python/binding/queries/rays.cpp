@@ -1,0 +1,197 @@
+#include <graze/engine/python/binding/arguments/results.h>
+#include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/queries/answers.h>
+
+#include <graze/bvh/value/element_error.h>
+#include <graze/engine/mesh/mesh_ray.h>
+#include <graze/engine/world/shape_ray.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace graze::python {
+namespace {
+
+/// Origins, directions and lengths, of which each may stand for all rays.
+class Rays {
+ public:
+  Rays(py::handle origins, py::handle directions, py::handle max_distance)
+      : origins_(origins, "origins"),
+        directions_(directions, "directions"),
+        lengths_(doubles(max_distance, "max_distance")) {
+    if (lengths_.ndim() > 1)
+      throw InputError("max_distance: is neither a number nor of the shape (n,)");
+    const bool are_lengths_many = lengths_.ndim() == 1;
+    is_many_ = origins_.is_many() || directions_.is_many() || are_lengths_many;
+    const std::size_t lengths = are_lengths_many ? static_cast<std::size_t>(lengths_.shape(0)) : 1;
+    size_ = origins_.is_many()      ? origins_.size()
+            : directions_.is_many() ? directions_.size()
+                                    : lengths;
+    check_count(directions_.is_many(), directions_.size(), "directions");
+    check_count(are_lengths_many, lengths, "max_distance");
+    length_ = static_cast<const char*>(lengths_.data());
+    length_stride_ = are_lengths_many ? lengths_.strides(0) : 0;
+  }
+
+  bool is_many() const { return is_many_; }
+  std::size_t size() const { return size_; }
+  Ray operator[](std::size_t i) const {
+    return {
+        origins_[origins_.is_many() ? i : 0], directions_[directions_.is_many() ? i : 0],
+        *reinterpret_cast<const double*>(length_ + static_cast<py::ssize_t>(i) * length_stride_)};
+  }
+
+  /// Throws for the first ray that is none.
+  void blame() const {
+    for (std::size_t i = 0; is_many_ && i < size_; ++i)
+      bvh::at_element("ray", i,
+                      [&] { check_ray((*this)[i], ("ray " + std::to_string(i)).c_str()); });
+  }
+
+ private:
+  void check_count(bool are_many, std::size_t count, const char* name) const {
+    if (!are_many || count == size_) return;
+    throw InputError(std::string(name) + ": are " + std::to_string(count) + ", and there are " +
+                     std::to_string(size_) + " rays");
+  }
+
+  Points origins_;
+  Points directions_;
+  py::array lengths_;
+  const char* length_;
+  py::ssize_t length_stride_;
+  bool is_many_;
+  std::size_t size_;
+};
+
+using Hits = std::vector<std::optional<RayHit>>;
+
+/// Of a mesh what its pose costs is computed once for each part.
+void cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::size_t end,
+               Hits& hits, Work* work) {
+  if (placed.is_mesh()) {
+    std::vector<Ray> part;
+    part.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i)
+      part.push_back(rays[i]);
+    Hits found;
+    cast_rays(placed.mesh_at(0), part, found, work);
+    std::copy(found.begin(), found.end(), hits.begin() + static_cast<std::ptrdiff_t>(begin));
+  } else {
+    for (std::size_t i = begin; i < end; ++i)
+      hits[i] = cast_ray(placed.shape_at(0), rays[i], work);
+  }
+}
+
+py::object hit_of(const std::optional<RayHit>& hit) {
+  static const ResultType kType("RayHit");
+  if (!hit) return py::none();
+  const py::object triangle =
+      hit->triangle == kNoTriangle ? py::object(py::none()) : py::int_(hit->triangle);
+  return kType(hit->distance, array_of(hit->point), array_of(hit->normal), triangle);
+}
+
+py::object hits_of(const Hits& hits) {
+  static const ResultType kType("RayHits");
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d nowhere(kNone, kNone, kNone);
+  return kType(
+      numbers_of<bool>(hits, [](const auto& hit) { return hit.has_value(); }),
+      numbers_of<double>(hits,
+                         [](const auto& hit) {
+                           return hit ? hit->distance : std::numeric_limits<double>::infinity();
+                         }),
+      points_of(hits,
+                [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->point : nowhere; }),
+      points_of(hits,
+                [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->normal : nowhere; }),
+      numbers_of<std::int64_t>(hits, [](const auto& hit) {
+        return hit && hit->triangle != kNoTriangle ? static_cast<std::int64_t>(hit->triangle) : -1;
+      }));
+}
+
+py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directions,
+                        py::handle max_distance, py::handle threads, py::handle progress,
+                        py::handle work_argument) {
+  const Placed placed(mesh, "mesh");
+  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken beside rays");
+  const Rays rays(origins, directions, max_distance);
+  Work* work = work_from(work_argument);
+  Hits hits(rays.size());
+  if (!rays.is_many()) {
+    {
+      const py::gil_scoped_release released;
+      cast_part(placed, rays, 0, 1, hits, work);
+    }
+    return hit_of(hits[0]);
+  }
+  run_batch(
+      rays.size(), Batch(threads, progress), work,
+      [&](std::size_t begin, std::size_t end, Work& own) {
+        cast_part(placed, rays, begin, end, hits, &own);
+      },
+      [&] { rays.blame(); });
+  return hits_of(hits);
+}
+
+py::object cast_ray_all_of(py::handle mesh, py::handle origin, py::handle direction,
+                           py::handle max_distance, py::handle work_argument) {
+  const Placed placed = placed_mesh(mesh, "mesh");
+  const Rays rays(origin, direction, max_distance);
+  if (rays.is_many() || placed.poses().is_many())
+    throw InputError("cast_ray_all() takes one ray and one pose");
+  Work* work = work_from(work_argument);
+  Hits hits;
+  {
+    const py::gil_scoped_release released;
+    const auto all = cast_ray_all(placed.mesh_at(0), rays[0], work);
+    hits.assign(all.begin(), all.end());
+  }
+  return hits_of(hits);
+}
+
+constexpr const char* kCastRaysText =
+    R"(cast_rays(mesh, origins, directions, max_distance=1e999, *, threads=0, progress=None, work=None)
+--
+
+Where rays meet a placed mesh or shape first: nothing slips through between neighbouring triangles.
+
+`origins` and `directions` have the shape (3,) or (n, 3); one may stand for all rays. Directions are of any length
+but 0; `max_distance`, metres along the ray, is one or n. The answer is RayHits, whose `is_hit`, `distance`,
+`point`, `normal` and `triangle` have n rows: where nothing is hit, inf, NaN and -1. For one ray it is a RayHit, or
+None.
+
+Raises InputError, with its index, for a ray that is not finite or has no direction.
+
+>>> hits = graze.cast_rays(bolt, [[1, 0, 0], [1, 1, 1]], [-1, 0, 0])
+>>> hits.is_hit
+array([ True, False])
+)";
+
+constexpr const char* kCastRayAllText =
+    R"(cast_ray_all(mesh, origin, direction, max_distance=1e999, *, work=None)
+--
+
+All triangles of a placed mesh that a ray meets, by distance: RayHits.
+
+Raises what cast_rays() raises.
+
+>>> len(graze.cast_ray_all(bolt, [1, 0.0001, 0], [-1, 0, 0]).distance) % 2
+0
+)";
+
+}  // namespace
+
+void add_rays(py::module_& module) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  module.def("cast_rays", &cast_rays_of, kCastRaysText, py::arg("mesh"), py::arg("origins"),
+             py::arg("directions"), py::arg("max_distance") = infinity, py::kw_only(),
+             py::arg("threads") = 0, py::arg("progress") = py::none(),
+             py::arg("work") = py::none());
+  module.def("cast_ray_all", &cast_ray_all_of, kCastRayAllText, py::arg("mesh"), py::arg("origin"),
+             py::arg("direction"), py::arg("max_distance") = infinity, py::kw_only(),
+             py::arg("work") = py::none());
+}
+
+}  // namespace graze::python
