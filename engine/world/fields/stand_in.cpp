@@ -91,7 +91,8 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
   if (need.aside > 0) {
     // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
     // near there is a ring of cells already.
-    wide.grow_aside(need.aside * steepest_sine(field, around));
+    // Two meshes are asked piece by piece, and a piece grows by what a body meets on its way out.
+    wide.grow_aside(need.aside * (need.is_kept ? steepest_sine(field, around) : 1));
     around = wide.columns_of_cells(field);
   }
   const bool is_kept = need.is_kept && around.count() <= kMostKeptCells;
