@@ -53,7 +53,8 @@ struct CasePoint {
 
 /// Any shape that a body of a world can have, in its pose.
 struct CaseBody {
-  /// A shape in a pose; a height field as the mesh that it is, which says the same.
+  /// A shape in a pose; a height field as the mesh that it is, which says the same. What a ray hits
+  /// is then called by the mesh's numbers, which leave out holes.
   CaseBody(Shape the_shape, const Pose& the_pose) : shape(std::move(the_shape)), pose(the_pose) {
     if (const auto* field = shape.as<HeightField>()) shape = Shape(field->mesh());
   }

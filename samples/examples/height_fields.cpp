@@ -35,10 +35,19 @@ int main() {
   expect(hit && hit->distance == 8 && hit->triangle == 2 * (20 * 100 + 20), "seen from above");
   expect(!graze::cast_ray({ground}, {{25.2, 20.1, 9}, {0, 0, -1}}), "but through the hole");
 
+  expect(hit->material == 1, "and of what it is made");
+  const graze::Mesh bare = meadow.mesh();
+  const std::vector<std::uint16_t> stone(bare.triangles().size(), 500);
+  const graze::Mesh paved(bare.vertices(), bare.triangles(),
+                          stone);  // triangles have materials, too
+  expect(paved.materials()[0] == 500, "as they were given");
+
   graze::World world;
   const graze::BodyId terrain = world.add({ground}, {.kind = graze::BodyKind::Static});
   world.add({ball, at(10, 10, 1.2)});
-  expect(world.update().contacts.size() == 1, "a body lies on it");
+  const graze::WorldUpdate update = world.update();
+  expect(update.contacts.size() == 1, "a body lies on it");
+  expect(update.contacts[0].manifold[0].material_a == 1, "and knows what it lies on");
   const std::vector<std::uint16_t> crater(10 * 10, 50);  // 1.5 metres deep
   const graze::HeightField dug =
       meadow.with_heights({.first_column = 16, .first_row = 16, .columns = 10, .rows = 10},

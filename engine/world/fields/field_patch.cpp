@@ -3,9 +3,9 @@
 #include <graze/engine/world/fields/field_tree.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace graze {
 
@@ -170,7 +170,11 @@ std::size_t place_of(std::uint64_t serial, const CellRect& rect, std::size_t pla
 }  // namespace
 
 Mesh kept_patch_of(const HeightFieldData& field, const CellRect& rect) {
-  static thread_local std::array<std::optional<KeptPatch>, 64> kept;
+  // Some 140 bytes a cell: 20 MB at the very most.
+  constexpr std::size_t kMostKept = 512;
+  constexpr std::uint64_t kMostCells = 256;
+  if (rect.count() > kMostCells) return patch_of(field, std::span(&rect, 1));
+  static thread_local std::vector<std::optional<KeptPatch>> kept(kMostKept);
   std::optional<KeptPatch>& place = kept[place_of(field.serial, rect, kept.size())];
   if (!place || place->serial != field.serial || !(place->rect == rect))
     place = KeptPatch{field.serial, rect, patch_of(field, std::span(&rect, 1))};

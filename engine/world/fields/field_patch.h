@@ -13,11 +13,8 @@ namespace graze {
 /// whole field's does near them (mesh_patch.h). At least one cell must be none.
 Mesh patch_of(const HeightFieldData& field, std::span<const CellRect> rects);
 
-/// The same of one rectangle. This thread keeps a few dozen: a body that stays where it is, or
-/// several at one place, ask for the same, which changes no answer.
+/// The same of one rectangle. This thread keeps some hundreds if they are small: a body that stays
+/// where it is, or several at one place, ask for the same, which changes no answer.
 Mesh kept_patch_of(const HeightFieldData& field, const CellRect& rect);
-
-/// Such rectangles have no more cells.
-inline constexpr std::uint64_t kMostKeptCells = 1024;
 
 }  // namespace graze

@@ -50,6 +50,7 @@ FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose, const Aab
     box_.min.data()[k] = at - radius;
     box_.max.data()[k] = at + radius;
   }
+  inner_ = box_;
 }
 
 FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose,
@@ -80,6 +81,7 @@ FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose,
 void FieldReach::grow(double room) {
   const double wider = room * (1 + 0x1p-20);
   offset_ += wider;
+  room_ += wider;
   const Vector3d each = Vector3d::Constant(wider);
   box_.min -= each;
   box_.max += each;
@@ -89,6 +91,8 @@ void FieldReach::grow_aside(double room) {
   const Vector3d aside(room, room, room);
   box_.min -= aside;
   box_.max += aside;
+  inner_.min -= aside;
+  inner_.max += aside;
 }
 
 void FieldReach::move(const Pose& pose, const Vector3d& way) {
@@ -127,15 +131,20 @@ bool FieldReach::meets(const Aabb& box) const {
     enter = std::max(enter, std::min(at_low, at_high));
     exit = std::min(exit, std::max(at_low, at_high));
   }
+  const bool goes = way_.x() != 0 || way_.y() != 0 || way_.z() != 0;
+  if (!goes && room_ > 0 && gap_to(box) > room_) return false;
   return enter <= exit + 0x1p-40;
 }
 
 double FieldReach::distance(const Aabb& box) const {
-  if (is_plane_) return std::max(height_above(box), 0.0);
+  return is_plane_ ? std::max(height_above(box), 0.0) : std::max(gap_to(box) - room_, 0.0);
+}
+
+double FieldReach::gap_to(const Aabb& box) const {
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double gap =
-        std::max(box.min.data()[k] - box_.max.data()[k], box_.min.data()[k] - box.max.data()[k]);
+    const double gap = std::max(box.min.data()[k] - inner_.max.data()[k],
+                                inner_.min.data()[k] - box.max.data()[k]);
     if (gap > 0) square += gap * gap;
   }
   return std::sqrt(square) * (1 - 0x1p-40);

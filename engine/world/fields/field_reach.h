@@ -36,9 +36,12 @@ class FieldReach {
 
  private:
   double height_above(const Aabb& box) const;
+  double gap_to(const Aabb& box) const;
 
   bool is_plane_ = false;
-  Aabb box_{};
+  Aabb box_{};       ///< with all room
+  Aabb inner_{};     ///< without that of grow(),
+  double room_ = 0;  ///< which is so much, in all directions: corners of the box are farther
   Eigen::Vector3d way_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  ///< of a half-space
   double offset_ = 0;

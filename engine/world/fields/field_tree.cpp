@@ -34,7 +34,7 @@ class RectTree {
           field.triangle_number(rect.first_column + column, rect.first_row + row);
       if (patch.triangle_numbers[next] == number) first_[cell] = next, next += 2;
     }
-    cells_.reserve(patch.triangles.size() / 2);
+    cells_.clear();
     order({0, 0, columns_, rect.last_row - rect.first_row});
   }
 
@@ -49,6 +49,16 @@ class RectTree {
  private:
   static constexpr std::uint32_t kHole = 0xffffffffu;
   static constexpr std::size_t kCellsOfLeaf = 2;
+
+  /// Kept from one tree to the next.
+  struct Scratch {
+    std::vector<std::uint32_t> first;
+    std::vector<Cell> cells;
+  };
+  static Scratch& scratch() {
+    static thread_local Scratch kept;  // no tree is made within another
+    return kept;
+  }
 
   /// Lists the cells so that those of a half follow each other.
   void order(const CellRect& rect) {
@@ -115,8 +125,8 @@ class RectTree {
   std::uint32_t columns_;
   bvh::LocalFrame frame_;
   bvh::ToLocal to_local_;
-  std::vector<std::uint32_t> first_;
-  std::vector<Cell> cells_;
+  std::vector<std::uint32_t>& first_ = scratch().first;
+  std::vector<Cell>& cells_ = scratch().cells;
   bvh::Tree tree_;
 };
 

@@ -10,7 +10,9 @@ namespace graze {
 
 namespace {
 
-// Cells above or below something else are left out of a patch if it would have more than so many.
+// Cells above or below something else are left out of a patch if it would have more than so many;
+// and where none aside have a say, if it would have more than so few.
+constexpr std::uint64_t kFewCells = 1024;
 constexpr std::uint64_t kMostAtOnce = std::uint64_t{1} << 16;
 
 /// A bound of the sine of the angle between the normals of triangles in these cells and straight
@@ -101,14 +103,16 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
   if (need.aside > 0) {
     // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
     // near there is a ring of cells already.
-    wide.grow_aside(need.aside * steepest_sine(field, around));
+    // Two meshes are asked piece by piece, and a piece grows: what it grows by most often is here,
+    // and where that is not enough the question is asked again (ask_contacts()).
+    wide.grow_aside(need.aside * (need.is_kept ? steepest_sine(field, around) : 1));
     around = wide.columns_of_cells(field);
   }
   around = with_rings(field, around, need.rings);
-  const bool is_kept = need.is_kept && around.count() <= kMostKeptCells;
-  const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kMostKeptCells);
+  const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kFewCells);
   if (is_whole && has_cell(field, around)) {
-    mesh_ = Shape(is_kept ? kept_patch_of(field, around) : patch_of(field, std::span(&around, 1)));
+    mesh_ =
+        Shape(need.is_kept ? kept_patch_of(field, around) : patch_of(field, std::span(&around, 1)));
     return;
   }
   std::vector<CellRect> rects;

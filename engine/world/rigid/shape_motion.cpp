@@ -152,8 +152,10 @@ RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, co
 
 bool is_free(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
              const RigidMotion& motion_b, const RigidContactSettings& settings, Work* work) {
-  return first_contact(shape_a, motion_a, shape_b, motion_b, settings, work).status ==
-         RigidStatus::Free;
+  return bvh::in_standard_arithmetic([&]() -> bool {
+    return first_contact(shape_a, motion_a, shape_b, motion_b, settings, work).status ==
+           RigidStatus::Free;
+  });
 }
 
 }  // namespace graze
