@@ -92,6 +92,9 @@ Exit codes:
   2  bad input, with one line on stderr, or a folder of --cases that could not be written
   130  interrupted, with --resume: what is done is recorded)";
 
+/// More would take years.
+constexpr std::uint64_t kMostPoses = 1'000'000'000'000;
+
 void add_pose_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
   command.add_option("--pose-b", options.pose_b, "pose of B (default: identity)")->type_name("P");
@@ -99,12 +102,12 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
       ->type_name("FILE");
   command.add_option("--random", options.random, "so many random poses of B")
       ->type_name("N")
-      ->check(whole_number(1, 100'000'000));
+      ->check(whole_number(1, kMostPoses));
   command
       .add_option("--grazing", options.grazing,
                   "so many poses halved to the touching point, where engines go wrong")
       ->type_name("N")
-      ->check(whole_number(1, 100'000'000));
+      ->check(whole_number(1, kMostPoses));
   command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
       ->type_name("S")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
@@ -160,6 +163,13 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--resume", options.resume, "keep a record, and go on where it ends")
       ->type_name("FILE")
       ->check(file_name());
+  command.add_option("--part", options.part, "of so many parts this one, which keep a record each")
+      ->type_name("K/N");
+  command
+      .add_option("--answer-tolerance", options.answer_tolerance,
+                  "of --against: so far off a distance is the same (default: 0, bit for bit)")
+      ->type_name("METRES")
+      ->check(finite_number(Sign::NotNegative));
   command.add_option("--threads", options.threads, "0 (default): as many as processors")
       ->type_name("N")
       ->check(whole_number(0, kMaxThreads));
@@ -200,6 +210,8 @@ void add_compare_command(CLI::App& program, Action& action,
       ->type_name("NAMES");
   add_repeated_option(*command, "--engine-command", options->engine_commands,
                       "a program of your own that takes part", "COMMAND");
+  add_repeated_option(*command, "--answers", options->answers,
+                      "answers that an engine gave elsewhere, which are judged, too", "FILE");
   add_pose_options(*command, *options);
   add_scene_options(*command, *options);
   add_output_options(*command, *options);

@@ -79,6 +79,9 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
   for (const ReadFile& each : cases)
     if (each.query.answer) recorded_engines.push_back(each.query.answered_by.engine);
   const FailOn fail_on(options.fail_on, engines, recorded_engines);
+  if (fail_on.names_changes()) {
+    throw UsageError("--fail-on: of what has changed see --same; others are held against a record");
+  }
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress});
   ReplayReport report(output, fail_on, options.is_json);
   report.begin(engines);

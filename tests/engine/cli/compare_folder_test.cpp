@@ -152,7 +152,7 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
   const std::size_t graze = text.find("\"engine\":\"graze\"", text.find("\"case\":2,"));
   const std::size_t digest = text.find("\"digest\":\"", graze) + 10;
   text[digest] = text[digest] == '0' ? '1' : '0';
-  directory_.write("base", text);
+  directory_.write("base", sealed_again(text));
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
   EXPECT_NE(out_.find(": 1 answers of graze changed in cases c-ball.json, 0 missing"), out_.npos)
       << out_;
@@ -161,7 +161,7 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
   EXPECT_NE(out_.find(": 0 answers of graze changed, 1 missing"), out_.npos) << out_;
   const std::string header = whole.substr(0, whole.find('\n') + 1);
   for (const char* line : {"{\"case\":5,\"answers\":[]}\n", "{\"pose\":1}\n", "[\n"}) {
-    directory_.write("base", header + line);
+    directory_.write("base", sealed_again(header + line));
     try {
       compare(with_wrong_fcl());
       FAIL() << line;
@@ -169,7 +169,8 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
       EXPECT_NE(std::string(error.what()).find("base:2:"), std::string::npos) << error.what();
     }
   }
-  directory_.write("base", "{\"graze_comparison\":1,\"key\":\"\",\"engines\":[],\"poses\":1}\n");
+  directory_.write("base", sealed_again("{\"graze_comparison\":2,\"key\":\"\",\"asked\":[],"
+                                        "\"engines\":[],\"poses\":1}\n"));
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of poses";
 }
 
