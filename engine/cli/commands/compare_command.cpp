@@ -69,6 +69,18 @@ record of each pose, step or case as it is done, and goes on where a stopped run
 with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
+Of a run nothing is held but what it is about to judge: memory does not grow with the poses, and those of
+a .npy file stay there. A record (engine/compare/README.md) has some 7 bytes a pose on which two engines agree. A run
+that was killed goes on like one that was interrupted. --part K/N asks the K-th of N parts alone, each with a
+record of its own; graze merge puts them together.
+
+--answers reads what an engine said elsewhere (samples/engines/README.md): one line a pose behind one that names the
+meshes by their SHA-256, the question and the engine. It is judged as any other. If its name is taken it gets its
+version behind it, fcl@0.7.0: so two versions of one engine stand beside each other.
+
+--against tells of every engine what has changed and who was right before and now. Only changes of graze fail
+the run, and those that --fail-on ENGINE:changed names. --answer-tolerance lets distances differ by so many metres.
+
 Only graze fails a comparison by itself. --fail-on ENGINE adds the wrong answers of an engine, :CLASS only those
 of a class (touching, pose-rounding, coplanar, degenerate, containment, real, engine-error), >SIZE only errors
 larger than so many metres; quote the >. The last line counts them: {"fail_on":2} with --json. --junit and --markdown
@@ -78,6 +90,8 @@ Examples:
   graze compare bolt.obj nut.stl --poses poses.txt --query pairs
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
+  graze compare bolt.obj nut.stl --random 100000 --part 3/8 --resume part3.jsonl
+  graze compare bolt.obj nut.stl --poses poses.npy --answers mine.jsonl --fail-on mine
   graze compare bolt.obj nut.stl --poses poses.txt --query first_contact
   graze compare bolt.obj nut.stl --random 1000 --engines graze --engine-command ./mine --fail-on mine
   graze compare bolt.obj nut.stl --grazing 1000 --fail-on 'fcl:real>1e-9' --junit fcl.xml

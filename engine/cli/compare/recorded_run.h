@@ -107,8 +107,8 @@ class RecordedRun {
     if (!options_.save.empty()) open_save();
     std::optional<Interruption> interruption;
     if (!options_.resume.empty()) {
-      go_on();
       interruption.emplace();  // without a record there is nothing to go on with
+      go_on();
     }
     const std::size_t first = job_.head.first() + done_;
     const std::size_t end = job_.head.end();

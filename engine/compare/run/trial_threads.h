@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -40,11 +41,11 @@ void run_in_order(const PlaceRange& range, const Begin& begin, const Make& make,
   using Token = decltype(begin(std::size_t{}));
   const std::size_t threads = thread_count(range.threads);
   const std::size_t places = range.end > range.first ? range.end - range.first : 0;
-  // Many places are taken by whole thousands, which begin where blocks of poses do.
-  const std::size_t at_once =
-      std::max<std::size_t>(1, places < 8 * threads * range.most_at_once
-                                   ? std::min(places / (threads * 16), range.most_at_once / 16)
-                                   : range.most_at_once);
+  // As many at a time as take some hundredths of a second, so that nobody waits long for a stop,
+  // and few enough that all threads end together.
+  const std::size_t most_at_once =
+      std::clamp<std::size_t>(places / (threads * 16), 1, range.most_at_once);
+  std::atomic<std::size_t> at_once = 1;
   const std::size_t most_ahead = 4 * threads;  // pieces that are done before their turn
   std::mutex beginning;
   std::size_t next = range.first;
@@ -94,10 +95,16 @@ void run_in_order(const PlaceRange& range, const Begin& begin, const Make& make,
             is_handed_on.wait(lock, [&] { return is_stopped || piece < handed_on + most_ahead; });
           }
           std::vector<Record> records;
+          const auto start = std::chrono::steady_clock::now();
           for (auto& [place, token] : mine) {
-            if (is_stopped && !(records.empty() && at_once == 1)) break;
+            if (is_stopped && mine.size() > 1) break;
             records.push_back(make(place, std::move(token)));
           }
+          const auto took = std::chrono::steady_clock::now() - start;
+          if (took < std::chrono::milliseconds(20))
+            at_once = std::min(2 * mine.size(), most_at_once);
+          else if (took > std::chrono::milliseconds(100))
+            at_once = std::max<std::size_t>(mine.size() / 2, 1);
           const bool is_whole = records.size() == mine.size();
           hand_on(piece, {std::move(records), is_whole});
         }

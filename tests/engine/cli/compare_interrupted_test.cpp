@@ -49,7 +49,7 @@ class CompareInterrupted : public CommandTest {
 TEST_F(CompareInterrupted, LeavesAWholeRecordAndSaysHowToGoOn) {
   std::size_t before = 0;
   for (const std::size_t least : {3, 9}) {
-    const CommandResult result = interrupted_after(least);
+    const CommandResult result = interrupted_after(before + least);
     EXPECT_EQ(result.exit_code, 130) << result.err;
     EXPECT_EQ(result.out, "");
     const std::vector<std::string> said = lines_of(result.err);
