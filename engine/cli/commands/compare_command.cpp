@@ -40,7 +40,7 @@ standard output (engine/compare/peers/process/README.md; samples/engines has cli
 run by /bin/sh once for each thread that asks, and again after a crash or a --timeout, which are engine errors. It
 takes part whatever --engines says: with --engines graze alone beside graze.
 
-Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
+Of a folder of cases, or a file .jsonl with one on each line, each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
 the referee once gave. A case that cannot be made smaller stays where it is.
 
@@ -205,7 +205,8 @@ void add_compare_command(CLI::App& program, Action& action,
   options->command = shell_line(arguments);
   CLI::App* command =
       program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
-  command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")
+  command
+      ->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder or a .jsonl of cases")
       ->required();
   command->add_option("B", options->mesh_b, "second mesh");
   command

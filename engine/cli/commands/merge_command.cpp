@@ -14,12 +14,11 @@ as many machines as there are. What they recorded is put together here: the answ
 the totals are those of one run. --save writes the record of all of them, with which the command of one
 run goes on: it asks nothing again, and shrinks, reports, holds against what it is told to.
 
-  parallel graze compare bolt.obj nut.stl --random 100000 --part {}/8 --resume {}.part ::: 1 2 3 4 5 6 7 8
-  graze merge *.part --save all.jsonl
-  graze compare bolt.obj nut.stl --random 100000 --resume all.jsonl --report out.html
-
 A part that was stopped goes on when its command is run again. Parts that are missing, there twice, incomplete,
 damaged or of another job are refused by name. Of --fail-on, --junit and --markdown see graze compare --help.
+
+Examples:
+  graze merge *.part --save all.jsonl
 
 Exit codes:
   0  graze is right everywhere

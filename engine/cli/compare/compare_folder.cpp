@@ -1,11 +1,11 @@
-#include <graze/engine/cases/read_case.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/compare_run.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/output/outcome.h>
-#include <graze/engine/cli/replay/replay_run.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/job_key.h>
 
@@ -32,16 +32,27 @@ void check_folder_options(const CompareOptions& options) {
       "--answers are not meant for them");
 }
 
-/// All cases are read before the first is asked.
-CaseJob read_job(const CompareOptions& options, const std::vector<fs::path>& files) {
+/// Cases with the files that they are alone in, if they are.
+struct FolderJob {
   CaseJob job;
-  job.cases.reserve(files.size());
+  std::vector<fs::path> files;
+};
+
+/// All cases are read before the first is asked.
+FolderJob read_job(const CompareOptions& options) {
+  FolderJob read;
   CaseMeshes meshes;
-  for (const fs::path& file : files) {
-    job.cases.push_back({file.filename().string(),
-                         read_case(file, {.mesh_folder = options.mesh_folder, .meshes = &meshes})});
+  for (const fs::path& file : case_files({options.mesh_a})) {
+    read_listed_cases(
+        file, {.mesh_folder = options.mesh_folder, .meshes = &meshes},
+        [&](ListedCase each) {
+          read.job.cases.push_back(
+              {fs::path(each.name).filename().string(), std::move(each.query)});
+          read.files.push_back(std::move(each.file));
+        },
+        [](const Error& error) { throw CaseError(error.what(), error.place()); });
   }
-  return job;
+  return read;
 }
 
 /// The line of a record, with the names that stand for its number.
@@ -59,8 +70,7 @@ ExitCode run_compare_folder(const CompareOptions& options,
   check_folder_options(options);
   const Field field(engines, options.engines);
   check_before(options, field.engines());
-  const std::vector<fs::path> files = case_files({options.mesh_a});
-  const CaseJob job = read_job(options, files);
+  const auto [job, files] = read_job(options);
   CompareFindings findings{.title = fs::path(options.mesh_a).lexically_normal().string(),
                            .question = "",
                            .count = "",
@@ -74,13 +84,12 @@ ExitCode run_compare_folder(const CompareOptions& options,
     tally.add(record);
     if (options.is_json) findings.json += named_line(job, record);
     for (WrongAnswer& wrong : wrong_answers(record)) {
-      const fs::path& file = files[wrong.place];
       wrong.where = findings.names[wrong.place];
       wrong.name =
-          fmt::format("{}-{}-{}", name_part(file.stem().string()), name_part(wrong.answer->engine),
-                      name_of(job.cases[wrong.place].query.ask));
-      wrong.origin = file.string();
-      wrong.query = [&job, place = wrong.place] { return job.cases[place].query; };
+          fmt::format("{}-{}-{}", name_part(fs::path(wrong.where).stem().string()),
+                      name_part(wrong.answer->engine), name_of(job.cases[wrong.place].query.ask));
+      wrong.origin = files[wrong.place].string();
+      wrong.query = [&job = job, place = wrong.place] { return job.cases[place].query; };
       findings.wrong.add(std::move(wrong));
     }
   };

@@ -202,7 +202,8 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     if (fs::path(options.mesh_a).extension() == ".json") {
       return run_compare_scene(options, engines, output);
     }
-    if (!fs::is_directory(options.mesh_a, ignored)) {
+    const bool are_cases = fs::path(options.mesh_a).extension() == ".jsonl";
+    if (!are_cases && !fs::is_directory(options.mesh_a, ignored)) {
       throw UsageError("a mesh B is needed, or a folder of cases alone, or a scene, a .json file");
     }
     return run_compare_folder(options, engines, output);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/record/journal.h>
 #include <gtest/gtest.h>

@@ -225,6 +225,38 @@ TEST_F(CliCompareFolder, BadInputIsRefusedBeforeAnything) {
   EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << "no case";
 }
 
+/// The same cases in one file, one on each line.
+TEST_F(CliCompareFolder, ManyCasesInOneFileAreTheSameCases) {
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  std::string text;
+  for (const std::filesystem::path& file : case_files({folder_.string()})) {
+    std::string one = to_json(read_case(file));
+    std::replace(one.begin(), one.end(), '\n', ' ');
+    text += one + "\n";
+  }
+  ASSERT_EQ(std::count(text.begin(), text.end(), '\n'), 5) << text;
+  options_.mesh_a = directory_.write("many.jsonl", text);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered) << out_;
+  EXPECT_NE(out_.find("5 cases"), out_.npos) << out_;
+  EXPECT_NE(out_.find("many.jsonl:1       fcl"), out_.npos) << out_;
+  const auto replayed = [&] {
+    return run([&](Output& output) {
+      return run_replay({.files = {options_.mesh_a}}, with_wrong_fcl(), output);
+    });
+  };
+  EXPECT_EQ(replayed(), ExitCode::Answered);
+  EXPECT_NE(out_.find("5 cases, graze wrong in 0"), out_.npos) << out_;
+  directory_.write("many.jsonl", text + "{}\n");
+  EXPECT_EQ(replayed(), ExitCode::BadInput) << "the others are replayed";
+  EXPECT_NE(out_.find("5 cases"), out_.npos) << out_;
+  try {
+    compare(with_wrong_fcl());
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(std::string(error.what()).find(options_.mesh_a + ":6:1: "), 0u) << error.what();
+  }
+}
+
 TEST(CliPictures, EveryShapeIsDrawnFromTwoSides) {
   Pose pose = Pose::Identity();
   pose.translation() << 1, 2, 3;
