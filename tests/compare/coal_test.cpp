@@ -3,7 +3,7 @@
 
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/peers/engine.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/pair.h>
 #include <gtest/gtest.h>

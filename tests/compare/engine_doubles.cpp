@@ -206,7 +206,40 @@ class MotionlessEngine : public Engine {
   std::string name_;
 };
 
+/// Answers as graze does, but for its distances.
+class OffEngine : public Engine {
+ public:
+  OffEngine(std::string name, double error) : name_(std::move(name)), error_(error) {}
+  CaseWitness name() const override { return {name_, "planted"}; }
+  std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
+    class OffPair : public LoadedPair {
+     public:
+      OffPair(std::unique_ptr<LoadedPair> inner, double error)
+          : inner_(std::move(inner)), error_(error) {}
+      std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                       const Pose& pose_b) const override {
+        std::optional<CaseAnswer> answer = inner_->answer(question, pose_a, pose_b);
+        if (answer && answer->distance) *answer->distance += error_;
+        return answer;
+      }
+
+     private:
+      std::unique_ptr<LoadedPair> inner_;
+      double error_;
+    };
+    return std::make_unique<OffPair>(make_graze_engine()->load(mesh_a, mesh_b), error_);
+  }
+
+ private:
+  std::string name_;
+  double error_;
+};
+
 }  // namespace
+
+std::unique_ptr<Engine> make_off_engine(const std::string& name, double error) {
+  return std::make_unique<OffEngine>(name, error);
+}
 
 std::unique_ptr<Engine> make_senseless_engine(const std::string& name, NoAnswer kind) {
   return std::make_unique<SenselessEngine>(name, kind);

@@ -16,6 +16,9 @@ std::unique_ptr<Engine> make_wrong_sign_engine(const std::string& name);
 /// margin, as if volumes had been rounded inwards.
 std::unique_ptr<Engine> make_inward_rounding_engine(const std::string& name, double margin);
 
+/// graze, whose distances are so many metres more.
+std::unique_ptr<Engine> make_off_engine(const std::string& name, double error);
+
 /// What an engine may return that is no answer.
 enum class NoAnswer {
   StrangeTriangle,  ///< a pair with a triangle that is not there

@@ -256,7 +256,7 @@ TEST(Shrinking, KeepsTheClassAndLetsNoErrorGrow) {
     if (record.judgement.verdict != Verdict::Wrong) continue;
     ++seen;
     WrongAnswer wrong;
-    wrong.answer = &record;
+    wrong.answer = std::make_shared<const AnswerRecord>(record);
     wrong.query = [&] { return query; };
     const std::vector<WrongAnswer> all = {wrong};
     std::vector<ShrunkCase> shrunk;

@@ -3,12 +3,13 @@
 
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/shape_judge.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/scene_comparison.h>
 #include <graze/engine/scenes/read_scene.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>
 
+#include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
@@ -135,19 +136,20 @@ TEST(SceneComparison, FindsWhoIsWrongAtEachStep) {
     ++overlooked;
     EXPECT_EQ(answer.judgement.truth.substr(0, 3), "hit");
   };
-  const auto is_done = [](std::size_t step) { return step == 7; };
+  constexpr std::size_t kFirst = 3;  // of what a record has before it nothing is asked
   std::size_t steps = 0;
-  compare_scene(scene, engines, {.steps = scene.steps, .threads = 3}, is_done,
-                [&](const StepRecord& record) {
+  compare_scene(scene, engines, {.steps = scene.steps},
+                {.first = kFirst, .end = scene.steps + 1, .threads = 3},
+                each_record<StepRecord>([&](const StepRecord& record) {
+                  EXPECT_EQ(record.place, kFirst + steps);
                   ++steps;
-                  EXPECT_NE(record.place, 7u);
                   EXPECT_EQ(record.time, static_cast<double>(record.place) * scene.step);
                   for (const SceneDifference& difference : record.differences) {
                     for (const AnswerRecord& answer : difference.answers)
                       on_answer(answer, record.place);
                   }
-                });
-  EXPECT_EQ(steps, scene.steps);
+                }));
+  EXPECT_EQ(steps, scene.steps + 1 - kFirst);
   EXPECT_GT(touching, 100u);
   EXPECT_GT(overlooked, touching * 9 / 10);
   EXPECT_LE(overlooked, touching);

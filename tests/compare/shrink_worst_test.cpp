@@ -79,10 +79,11 @@ class ShrinkWorst : public testing::Test {
   void shrink(std::size_t blind_from, Seconds delay, Seconds time) {
     std::vector<EngineEntry> engines;
     engines.push_back({"blind", std::make_unique<BlindToLarge>(blind_from, delay, asked_)});
-    const WrongAnswer wrong{
-        .place = 0, .where = "0", .name = "x", .answer = &answer_, .query = [&] {
-          return to_case();
-        }};
+    const WrongAnswer wrong{.place = 0,
+                            .where = "0",
+                            .name = "x",
+                            .answer = std::make_shared<const AnswerRecord>(answer_),
+                            .query = [&] { return to_case(); }};
     const auto start = std::chrono::steady_clock::now();
     shrink_worst(std::vector<WrongAnswer>{wrong, wrong}, engines,
                  {.time = time,

@@ -42,6 +42,9 @@ void add_simulate_command(CLI::App& program, Action& action);
 void add_compare_command(CLI::App& program, Action& action,
                          const std::vector<std::string>& arguments);
 
+/// Adds `graze merge`. Parsing it sets `action`.
+void add_merge_command(CLI::App& program, Action& action);
+
 /// Adds `graze replay`. Parsing it sets `action`.
 void add_replay_command(CLI::App& program, Action& action);
 

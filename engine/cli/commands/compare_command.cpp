@@ -40,7 +40,7 @@ standard output (engine/compare/peers/process/README.md; samples/engines has cli
 run by /bin/sh once for each thread that asks, and again after a crash or a --timeout, which are engine errors. It
 takes part whatever --engines says: with --engines graze alone beside graze.
 
-Of a folder of cases each is put to all engines as it says itself, and every answer is judged, also the
+Of a folder of cases, or a file .jsonl with one on each line, each is put to all engines as it says itself, and every answer is judged, also the
 one that stands in the case ("recorded"). Wrong of graze is also what differs from an answer that graze or
 the referee once gave. A case that cannot be made smaller stays where it is.
 
@@ -69,6 +69,18 @@ record of each pose, step or case as it is done, and goes on where a stopped run
 with --resume finishes what it has begun and says how far it came; a second ^C ends it at once. Times of runs with many
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
+Of a run nothing is held but what it is about to judge: memory does not grow with the poses, and those of
+a .npy file stay there. A record (engine/compare/README.md) has some 7 bytes a pose on which two engines agree. A run
+that was killed goes on like one that was interrupted. --part K/N asks the K-th of N parts alone, each with a
+record of its own; graze merge puts them together.
+
+--answers reads what an engine said elsewhere (samples/engines/README.md): one line a pose behind one that names the
+meshes by their SHA-256, the question and the engine. It is judged as any other. If its name is taken it gets its
+version behind it, fcl@0.7.0: so two versions of one engine stand beside each other.
+
+--against tells of every engine what has changed and who was right before and now. Only changes of graze fail
+the run, and those that --fail-on ENGINE:changed names. --answer-tolerance lets distances differ by so many metres.
+
 Only graze fails a comparison by itself. --fail-on ENGINE adds the wrong answers of an engine, :CLASS only those
 of a class (touching, pose-rounding, coplanar, degenerate, containment, real, engine-error), >SIZE only errors
 larger than so many metres; quote the >. The last line counts them: {"fail_on":2} with --json. --junit and --markdown
@@ -78,6 +90,8 @@ Examples:
   graze compare bolt.obj nut.stl --poses poses.txt --query pairs
   graze compare gear.ply pinion.off --grazing 1000 --seed 7 --report out.html
   graze compare bolt.obj nut.stl --random 100000 --resume run.jsonl
+  graze compare bolt.obj nut.stl --random 100000 --part 3/8 --resume part3.jsonl
+  graze compare bolt.obj nut.stl --poses poses.npy --answers mine.jsonl --fail-on mine
   graze compare bolt.obj nut.stl --poses poses.txt --query first_contact
   graze compare bolt.obj nut.stl --random 1000 --engines graze --engine-command ./mine --fail-on mine
   graze compare bolt.obj nut.stl --grazing 1000 --fail-on 'fcl:real>1e-9' --junit fcl.xml
@@ -92,6 +106,9 @@ Exit codes:
   2  bad input, with one line on stderr, or a folder of --cases that could not be written
   130  interrupted, with --resume: what is done is recorded)";
 
+/// More would take years.
+constexpr std::uint64_t kMostPoses = 1'000'000'000'000;
+
 void add_pose_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--pose-a", options.pose_a, "pose of A (default: identity)")->type_name("P");
   command.add_option("--pose-b", options.pose_b, "pose of B (default: identity)")->type_name("P");
@@ -99,12 +116,12 @@ void add_pose_options(CLI::App& command, CompareOptions& options) {
       ->type_name("FILE");
   command.add_option("--random", options.random, "so many random poses of B")
       ->type_name("N")
-      ->check(whole_number(1, 100'000'000));
+      ->check(whole_number(1, kMostPoses));
   command
       .add_option("--grazing", options.grazing,
                   "so many poses halved to the touching point, where engines go wrong")
       ->type_name("N")
-      ->check(whole_number(1, 100'000'000));
+      ->check(whole_number(1, kMostPoses));
   command.add_option("--seed", options.seed, "of --random and --grazing (default: 1)")
       ->type_name("S")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
@@ -160,6 +177,13 @@ void add_output_options(CLI::App& command, CompareOptions& options) {
   command.add_option("--resume", options.resume, "keep a record, and go on where it ends")
       ->type_name("FILE")
       ->check(file_name());
+  command.add_option("--part", options.part, "of so many parts this one, which keep a record each")
+      ->type_name("K/N");
+  command
+      .add_option("--answer-tolerance", options.answer_tolerance,
+                  "of --against: so far off a distance is the same (default: 0, bit for bit)")
+      ->type_name("METRES")
+      ->check(finite_number(Sign::NotNegative));
   command.add_option("--threads", options.threads, "0 (default): as many as processors")
       ->type_name("N")
       ->check(whole_number(0, kMaxThreads));
@@ -181,7 +205,8 @@ void add_compare_command(CLI::App& program, Action& action,
   options->command = shell_line(arguments);
   CLI::App* command =
       program.add_subcommand("compare", "Who is right: graze and other engines before a referee");
-  command->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder of cases")
+  command
+      ->add_option("A", options->mesh_a, "first mesh, or a scene, or a folder or a .jsonl of cases")
       ->required();
   command->add_option("B", options->mesh_b, "second mesh");
   command
@@ -200,6 +225,8 @@ void add_compare_command(CLI::App& program, Action& action,
       ->type_name("NAMES");
   add_repeated_option(*command, "--engine-command", options->engine_commands,
                       "a program of your own that takes part", "COMMAND");
+  add_repeated_option(*command, "--answers", options->answers,
+                      "answers that an engine gave elsewhere, which are judged, too", "FILE");
   add_pose_options(*command, *options);
   add_scene_options(*command, *options);
   add_output_options(*command, *options);

@@ -56,7 +56,8 @@ void add_replay_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command =
       program.add_subcommand("replay", "Ask every engine the questions of case files");
-  command->add_option("FILE", options->files, "cases, or folders of them")->required();
+  command->add_option("FILE", options->files, "cases, or folders of them; .jsonl: one on each line")
+      ->required();
   command
       ->add_option("--meshes", options->mesh_folder,
                    "the folder of meshes by file (default: that of each case)")

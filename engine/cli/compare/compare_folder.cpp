@@ -1,11 +1,11 @@
-#include <graze/engine/cases/read_case.h>
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/compare_run.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/output/outcome.h>
-#include <graze/engine/cli/replay/replay_run.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/job_key.h>
 
@@ -25,23 +25,34 @@ void check_folder_options(const CompareOptions& options) {
   const bool has_others = !options.pose_a.empty() || !options.pose_b.empty() || options.poses ||
                           options.random > 0 || options.grazing > 0 || options.seed ||
                           options.query != "any" || options.clearance >= 0 || options.steps ||
-                          options.step > 0;
+                          options.step > 0 || !options.part.empty() || !options.answers.empty();
   if (!has_others) return;
   throw UsageError(
-      "cases say themselves what is asked: poses, --query, --clearance, --steps and --dt are not "
-      "meant for a folder of them");
+      "cases say themselves what is asked: poses, --query, --clearance, --steps, --dt, --part and "
+      "--answers are not meant for them");
 }
 
+/// Cases with the files that they are alone in, if they are.
+struct FolderJob {
+  CaseJob job;
+  std::vector<fs::path> files;
+};
+
 /// All cases are read before the first is asked.
-CaseJob read_job(const CompareOptions& options, const std::vector<fs::path>& files) {
-  CaseJob job{.cases = {}, .threads = options.threads};
-  job.cases.reserve(files.size());
+FolderJob read_job(const CompareOptions& options) {
+  FolderJob read;
   CaseMeshes meshes;
-  for (const fs::path& file : files) {
-    job.cases.push_back({file.filename().string(),
-                         read_case(file, {.mesh_folder = options.mesh_folder, .meshes = &meshes})});
+  for (const fs::path& file : case_files({options.mesh_a})) {
+    read_listed_cases(
+        file, {.mesh_folder = options.mesh_folder, .meshes = &meshes},
+        [&](ListedCase each) {
+          read.job.cases.push_back(
+              {fs::path(each.name).filename().string(), std::move(each.query)});
+          read.files.push_back(std::move(each.file));
+        },
+        [](const Error& error) { throw CaseError(error.what(), error.place()); });
   }
-  return job;
+  return read;
 }
 
 /// The line of a record, with the names that stand for its number.
@@ -59,43 +70,46 @@ ExitCode run_compare_folder(const CompareOptions& options,
   check_folder_options(options);
   const Field field(engines, options.engines);
   check_before(options, field.engines());
-  const std::vector<fs::path> files = case_files({options.mesh_a});
-  const CaseJob job = read_job(options, files);
-  const RecordedJob<PlaceRecord> recorded = {
-      .head = compare::head_of(job),
-      .read =
-          [&](const cases::JsonCursor& at) {
-            return compare::read_place_record(at, "case", job.cases.size());
-          },
-      .write = [](const PlaceRecord& record) { return to_json(record, "case"); },
-      .run =
-          [&](const auto& is_done, const auto& on_record) {
-            compare_cases(job, field.engines(), is_done, on_record);
-          }};
-  const RecordedRun<PlaceRecord> run = run_recorded(options, recorded, field.engines());
-  const std::size_t count = run.records.size();
+  const auto [job, files] = read_job(options);
   CompareFindings findings{.title = fs::path(options.mesh_a).lexically_normal().string(),
                            .question = "",
-                           .count = fmt::format("{} case{}", count, count == 1 ? "" : "s"),
+                           .count = "",
                            .place = "case",
-                           .summaries = summarise(run.records),
-                           .wrong = wrong_answers(run.records),
-                           .difference = run.difference,
-                           .asked = recorded.head.parts};
+                           .summaries = {},
+                           .wrong = wrong_list_of(options, field.engines())};
   for (const compare::NamedCase& each : job.cases)
     findings.names.push_back(each.name);
-  for (WrongAnswer& wrong : findings.wrong) {
-    const fs::path& file = files[wrong.place];
-    wrong.where = findings.names[wrong.place];
-    wrong.name =
-        fmt::format("{}-{}-{}", name_part(file.stem().string()), name_part(wrong.answer->engine),
-                    name_of(job.cases[wrong.place].query.ask));
-    wrong.origin = file.string();
-    wrong.query = [&job, place = wrong.place] { return job.cases[place].query; };
-  }
-  findings.rows = wrong_rows(findings.wrong, findings.place);
-  for (const PlaceRecord& record : run.records)
-    findings.json += named_line(job, record);
+  Tally tally;
+  const auto add = [&](const PlaceRecord& record) {
+    tally.add(record);
+    if (options.is_json) findings.json += named_line(job, record);
+    for (WrongAnswer& wrong : wrong_answers(record)) {
+      wrong.where = findings.names[wrong.place];
+      wrong.name =
+          fmt::format("{}-{}-{}", name_part(fs::path(wrong.where).stem().string()),
+                      name_part(wrong.answer->engine), name_of(job.cases[wrong.place].query.ask));
+      wrong.origin = files[wrong.place].string();
+      wrong.query = [&job = job, place = wrong.place] { return job.cases[place].query; };
+      findings.wrong.add(std::move(wrong));
+    }
+  };
+  RecordedJob<PlaceRecord> recorded = {.head = compare::head_of(job)};
+  recorded.head.engines = compare::journal_engines(field.engines());
+  recorded.read = [&](const cases::JsonCursor& at, std::size_t first) {
+    return std::vector{compare::read_place_record(at, "case", {first, job.cases.size()})};
+  };
+  recorded.write = [](std::span<const PlaceRecord> line) { return to_json(line.front(), "case"); };
+  recorded.run = [&](const auto& range, const auto& on_records) {
+    compare_cases(job, field.engines(), range, on_records);
+  };
+  recorded.on_record = add;
+  recorded.note = [&] { return tally.note(); };
+  findings.changes = RecordedRun<PlaceRecord>(options, recorded).run();
+  const std::size_t count = job.cases.size();
+  findings.count = fmt::format("{} case{}", count, count == 1 ? "" : "s");
+  findings.summaries = tally.summaries();
+  findings.asked = recorded.head.parts;
+  findings.rows = wrong_rows(findings.wrong.kept(), findings.wrong.count(), findings.place);
   return conclude(options, engines, field.engines(), findings, output);
 }
 

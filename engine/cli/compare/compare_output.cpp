@@ -1,3 +1,4 @@
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/compare_output.h>
 #include <graze/engine/cli/compare/gate_files.h>
 #include <graze/engine/cli/compare/html_report.h>
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 namespace graze::cli {
@@ -40,7 +42,9 @@ FailOn fail_on_of(const CompareOptions& options, std::span<const compare::Engine
 }  // namespace
 
 void check_before(const CompareOptions& options, std::span<const compare::EngineEntry> field) {
-  fail_on_of(options, field);
+  if (fail_on_of(options, field).names_changes() && options.against.empty()) {
+    throw UsageError("--fail-on: what has changed is known with --against alone");
+  }
   const FilePlace report = {"--report", options.report};
   const FilePlace junit = {"--junit", options.junit};
   const FilePlace markdown = {"--markdown", options.markdown};
@@ -74,34 +78,37 @@ void check_before(const CompareOptions& options, std::span<const compare::Engine
   }
 }
 
-void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
-                   std::span<const compare::EngineEntry> engines_now) {
-  const std::string file = mesh_io::printable(options.resume);
-  if (!start.is_same_job) {
-    throw UsageError("--resume: " + file + " is a record of something else: " + start.difference);
-  }
-  const bool are_same =
-      std::equal(start.engines.begin(), start.engines.end(), engines_now.begin(), engines_now.end(),
-                 [](const std::string& name, const compare::EngineEntry& entry) {
-                   return name == entry.name;
-                 });
-  if (are_same) return;
-  std::string names;
-  for (const std::string& name : start.engines)
-    names += (names.empty() ? "" : ",") + mesh_io::printable(name);
-  throw UsageError("--resume: " + file + " is of other engines: " + names);
+WrongList wrong_list_of(const CompareOptions& options,
+                        std::span<const compare::EngineEntry> field) {
+  std::set<std::string> can_be_asked;
+  for (const compare::EngineEntry& entry : field)
+    if (entry.engine != nullptr && !entry.recorded) can_be_asked.insert(entry.name);
+  return {options.keep, fail_on_of(options, field), std::move(can_be_asked)};
 }
 
-void check_baseline(const CompareOptions& options, const compare::JournalStart& start) {
-  if (start.is_same_job) return;
+void check_resumed(const CompareOptions& options, const compare::JournalHead& head,
+                   const compare::JournalHead& record) {
+  const std::string file = "--resume: " + mesh_io::printable(options.resume);
+  const std::string difference = compare::job_difference(head, record);
+  if (!difference.empty()) {
+    throw UsageError(file + " is a record of something else: " + difference);
+  }
+  const std::string engines = compare::engine_difference(head, record);
+  if (!engines.empty()) throw UsageError(file + " cannot be gone on with: " + engines);
+}
+
+void check_baseline(const CompareOptions& options, const compare::JournalHead& head,
+                    const compare::JournalHead& record) {
+  const std::string difference = compare::job_difference(head, record);
+  if (difference.empty()) return;
   throw UsageError("--against: " + mesh_io::printable(options.against) +
-                   " is a record of something else: " + start.difference);
+                   " is a record of something else: " + difference);
 }
 
 std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
                               std::size_t done) {
-  return fmt::format("interrupted: {} of {} {} done, go on with --resume {}", done, head.places,
-                     head.unit, mesh_io::printable(options.resume));
+  return fmt::format("interrupted: {} of {} {} done, go on with --resume {}", done,
+                     head.end() - head.first(), head.unit, mesh_io::printable(options.resume));
 }
 
 namespace {
@@ -113,33 +120,69 @@ struct Regression {
   std::string json;
 };
 
-Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
-  if (!findings.difference) return {};
-  const compare::BaselineDifference& found = *findings.difference;
-  const double ratio = found.time_ratio;
-  const bool is_slower = ratio > options.time_tolerance;
-  Regression result;
-  result.is_one = !found.changed.empty() || !found.missing.empty() || is_slower;
-  result.json = fmt::format(
-      "{{\"against\":{{\"changed\":[{}],\"missing\":[{}],\"time_ratio\":{:.3f},\"slower\":{}}}}}\n",
-      fmt::join(found.changed, ","), fmt::join(found.missing, ","), ratio, is_slower);
-  std::string where;
-  for (const std::size_t place : found.changed) {
-    where += " " + (place < findings.names.size() ? mesh_io::printable(findings.names[place])
-                                                  : std::to_string(place));
+/// "poses 3 7 and 12 more"
+std::string places_of(const CompareFindings& findings, const compare::EngineChange& change) {
+  std::string text = " in " + findings.place + "s";
+  for (const std::size_t place : change.places) {
+    text += " " + (place < findings.names.size() ? mesh_io::printable(findings.names[place])
+                                                 : std::to_string(place));
   }
-  result.words = fmt::format(
-      "against {}: {} answers of graze changed{}, {} missing; median time {:.2f} of what it was{}",
-      mesh_io::printable(options.against), found.changed.size(),
-      where.empty() ? "" : fmt::format(" in {}s{}", findings.place, where), found.missing.size(),
-      ratio, is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
+  const std::size_t more = change.changed - change.places.size();
+  return text + (more == 0 ? "" : fmt::format(" and {} more", more));
+}
+
+/// What changed of one engine, and who was right before and after.
+std::string words_of(const CompareFindings& findings, const compare::EngineChange& change) {
+  std::string text =
+      fmt::format("{} answers of {} changed", change.changed, mesh_io::printable(change.engine));
+  if (change.changed > 0) text += places_of(findings, change);
+  const std::size_t judged = change.right_to_wrong + change.wrong_to_right + change.wrong_to_wrong;
+  if (judged > 0) {
+    text += fmt::format(" ({} from right to wrong, {} from wrong to right, {} wrong both times)",
+                        change.right_to_wrong, change.wrong_to_right, change.wrong_to_wrong);
+  }
+  return text + fmt::format(", {} missing", change.missing);
+}
+
+std::string json_of(const compare::EngineChange& change) {
+  return fmt::format(
+      "{{\"engine\":{},\"compared\":{},\"changed\":{},\"first_changed\":[{}],\"missing\":{},"
+      "\"right_to_wrong\":{},\"wrong_to_right\":{},\"wrong_to_wrong\":{},\"time_ratio\":{:.3f}}}",
+      cases::json_string(change.engine), change.compared, change.changed,
+      fmt::join(change.places, ","), change.missing, change.right_to_wrong, change.wrong_to_right,
+      change.wrong_to_wrong, change.time_ratio);
+}
+
+/// Every change of graze is one, and those that --fail-on ENGINE:changed names; and that graze is
+/// slower.
+Regression regression_of(const CompareOptions& options, const CompareFindings& findings) {
+  if (!findings.changes) return {};
+  Regression result;
+  std::string engines;
+  result.words = "against " + mesh_io::printable(options.against) + ": ";
+  bool is_slower = false;
+  for (const compare::EngineChange& change : *findings.changes) {
+    const bool is_graze = change.engine == "graze";
+    const bool counts = is_graze || findings.wrong.fail_on().matches_change(change.engine);
+    result.is_one |= counts && (change.changed > 0 || change.missing > 0);
+    result.words += (engines.empty() ? "" : "\n  ") + words_of(findings, change);
+    engines += (engines.empty() ? "" : ",") + json_of(change);
+    if (!is_graze) continue;
+    is_slower = change.time_ratio > options.time_tolerance;
+    result.words +=
+        fmt::format("; median time {:.2f} of what it was{}", change.time_ratio,
+                    is_slower ? fmt::format(", more than {:.2f}", options.time_tolerance) : "");
+  }
+  result.is_one |= is_slower;
+  result.json =
+      fmt::format("{{\"against\":{{\"engines\":[{}],\"slower\":{}}}}}\n", engines, is_slower);
   return result;
 }
 
 /// What --fail-on has found; nothing where nobody has asked.
-std::string fail_on_text(const CompareOptions& options, const Gate& gate) {
+std::string fail_on_text(const CompareOptions& options, const CompareFindings& findings) {
   if (options.fail_on.empty()) return "";
-  const std::size_t count = gate.named_by_fail_on();
+  const std::size_t count = findings.wrong.named_by_fail_on();
   return options.is_json
              ? fmt::format("{{\"fail_on\":{}}}\n", count)
              : fmt::format("{} wrong answer{} of --fail-on\n", count, count == 1 ? "" : "s");
@@ -184,15 +227,15 @@ std::string text_of(const CompareFindings& findings, const KeptCases& kept,
 /// Writes each case as soon as there is something to keep, and again as it gets smaller. A case
 /// that cannot be made smaller stays in the file that it came from, if it came from one.
 KeptCases keep_cases(const CompareOptions& options, std::span<const compare::EngineEntry> field,
-                     const CompareFindings& findings) {
+                     const CompareFindings& findings, std::span<const compare::WrongAnswer> wrong) {
   KeptCases kept;
   kept.folder = options.cases.empty() ? kDefaultCases : options.cases;
   CaseFolder folder(kept.folder);
   std::string name;  // of the case at hand; its digest is of all of it
-  std::size_t at_hand = findings.wrong.size();
+  std::size_t at_hand = wrong.size();
   bool is_written = false;
   const auto write = [&](const compare::ShrunkCase& each) {
-    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    const compare::WrongAnswer& from = wrong[each.wrong];
     if (each.wrong != at_hand) {
       Case question = from.query();
       question.answered_by = each.query.answered_by;
@@ -210,7 +253,7 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
     is_written = folder.write(name, query);
   };
   const auto keep = [&](compare::ShrunkCase each) {
-    const compare::WrongAnswer& from = findings.wrong[each.wrong];
+    const compare::WrongAnswer& from = wrong[each.wrong];
     const bool is_at_its_origin = !each.is_smaller && !from.origin.empty();
     const std::string file = is_at_its_origin ? from.origin : folder.path(name).string();
     const std::string says = says_of(each);
@@ -219,9 +262,9 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
     kept.not_written += !is_there;
     kept.cases.push_back({std::move(each), from.place, from.where, file, says, least, is_there});
   };
-  Progress progress("cases shrunk:", std::min(findings.wrong.size(), options.keep),
+  Progress progress("cases shrunk:", std::min(wrong.size(), options.keep),
                     {.is_forced = options.has_progress, .has_rows = false});
-  compare::shrink_worst(findings.wrong, field,
+  compare::shrink_worst(wrong, field,
                         {.limit = options.keep,
                          .time = std::chrono::duration<double>(options.shrink_seconds),
                          .on_case = write,
@@ -259,7 +302,8 @@ std::vector<ReportFact> facts_of(const CompareOptions& options, const CompareFin
 ExitCode conclude(const CompareOptions& options, std::span<const compare::EngineEntry> engines,
                   std::span<const compare::EngineEntry> field, const CompareFindings& findings,
                   Output& output) {
-  const KeptCases kept = keep_cases(options, field, findings);
+  const std::vector<compare::WrongAnswer> wrong = findings.wrong.kept();
+  const KeptCases kept = keep_cases(options, field, findings, wrong);
   if (!options.report.empty()) {
     write_report(options.report, {.mesh_a = options.mesh_a,
                                   .mesh_b = options.mesh_b,
@@ -268,26 +312,28 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .place = findings.place,
                                   .facts = facts_of(options, findings, field),
                                   .summaries = findings.summaries,
-                                  .wrong = findings.wrong,
+                                  .wrong = wrong,
+                                  .wrong_count = findings.wrong.count(),
                                   .cases = kept.cases});
   }
   const Regression regression = regression_of(options, findings);
-  const Gate gate(findings, fail_on_of(options, field), regression.is_one ? regression.words : "");
+  const Gate gate{.is_closed = findings.wrong.closes_gate() || regression.is_one,
+                  .regression = regression.is_one ? regression.words : ""};
   if (!options.junit.empty()) files::write_file(options.junit, junit_text(findings, gate));
   if (!options.markdown.empty()) files::write_file(options.markdown, markdown_text(findings, gate));
   if (options.is_json) {
     output.write(findings.json + summary_json(findings.summaries, kept.cases, findings.place) +
-                 regression.json + fail_on_text(options, gate));
+                 regression.json + fail_on_text(options, findings));
   } else {
     output.write(text_of(findings, kept, engines) +
-                 (findings.difference ? regression.words + "\n" : "") +
-                 fail_on_text(options, gate));
+                 (findings.changes ? regression.words + "\n" : "") +
+                 fail_on_text(options, findings));
   }
   if (kept.not_written > 0) {
     std::fprintf(stderr, "graze: %zu case%s not written: %s\n", kept.not_written,
                  kept.not_written == 1 ? "" : "s", kept.failure.c_str());
   }
-  if (gate.is_closed()) return ExitCode::GrazeWrong;
+  if (gate.is_closed) return ExitCode::GrazeWrong;
   const bool is_missed = kept.not_written > 0 && !options.cases.empty();  // asked for by name
   return is_missed ? ExitCode::BadInput : ExitCode::Answered;
 }

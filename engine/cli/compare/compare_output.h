@@ -7,8 +7,9 @@
 
 #include <graze/engine/cli/compare/compare_report.h>
 #include <graze/engine/cli/compare/compare_run.h>
-#include <graze/engine/compare/run/baseline.h>
-#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/cli/compare/wrong_list.h>
+#include <graze/engine/compare/run/record/baseline.h>
+#include <graze/engine/compare/run/record/journal.h>
 #include <graze/engine/compare/run/shrink_worst.h>
 
 namespace graze::cli {
@@ -17,12 +18,16 @@ namespace graze::cli {
 /// another output, and for what --fail-on cannot mean: before a long run, not after.
 void check_before(const CompareOptions& options, std::span<const compare::EngineEntry> field);
 
+/// The wrong answers of a run among these engines, as --keep and --fail-on want them.
+WrongList wrong_list_of(const CompareOptions& options, std::span<const compare::EngineEntry> field);
+
 /// Throws UsageError if a record that is to be gone on with is of another job, or of other engines.
-void check_resumed(const CompareOptions& options, const compare::JournalStart& start,
-                   std::span<const compare::EngineEntry> engines_now);
+void check_resumed(const CompareOptions& options, const compare::JournalHead& head,
+                   const compare::JournalHead& record);
 
 /// Throws UsageError if the baseline is of another job.
-void check_baseline(const CompareOptions& options, const compare::JournalStart& start);
+void check_baseline(const CompareOptions& options, const compare::JournalHead& head,
+                    const compare::JournalHead& record);
 
 /// How far a run came that was interrupted, and how to go on.
 std::string interruption_text(const CompareOptions& options, const compare::JournalHead& head,
@@ -36,11 +41,11 @@ struct CompareFindings {
   std::string place;                    ///< what one of them is called: "pose"
   std::vector<std::string> names = {};  ///< of places, for people; empty: they are numbers
   std::string rows = {};                ///< the table of what is wrong, or differs
-  std::string json = {};                ///< lines before the summary
+  std::string json = {};                ///< lines before the summary that are not written yet
   std::vector<EngineSummary> summaries;
-  std::vector<compare::WrongAnswer> wrong;
-  std::optional<compare::BaselineDifference> difference;  ///< from --against
-  std::vector<compare::JournalPart> asked = {};           ///< what the job is about
+  WrongList wrong;
+  std::optional<std::vector<compare::EngineChange>> changes = {};  ///< from --against
+  std::vector<compare::JournalPart> asked = {};                    ///< what the job is about
 };
 
 /// Shrinks the worst answers of the engines that took part to cases, writes these and the report,

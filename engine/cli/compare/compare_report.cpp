@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 
 namespace graze::cli {
@@ -33,94 +34,85 @@ void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
   summary.largest_ulps = std::max(summary.largest_ulps, judgement.ulps);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Summaries in the order in which engines first answered, with their times.
-class Tallies {
- public:
-  /// The engine's summary with so many answers more, which took `time` together. Valid until the
-  /// next call.
-  EngineSummary& add(const std::string& engine, std::size_t answers, double time) {
-    auto at = std::find_if(summaries_.begin(), summaries_.end(),
-                           [&](const EngineSummary& summary) { return summary.engine == engine; });
-    if (at == summaries_.end()) {
-      summaries_.push_back({.engine = engine});
-      times_.emplace_back();
-      at = std::prev(summaries_.end());
-    }
-    at->answers += answers;
-    at->total_time += time;
-    if (answers > 0) {
-      times_[static_cast<std::size_t>(at - summaries_.begin())].push_back(
-          time / static_cast<double>(answers));
-    }
-    return *at;
-  }
-
-  std::vector<EngineSummary> take() {
-    for (std::size_t i = 0; i < summaries_.size(); ++i)
-      if (!times_[i].empty()) summaries_[i].median_time = median(times_[i]);
-    return std::move(summaries_);
-  }
-
- private:
-  std::vector<EngineSummary> summaries_;
-  std::vector<std::vector<double>> times_;
-};
-
 }  // namespace
 
-std::vector<EngineSummary> summarise(std::span<const PlaceRecord> records) {
-  Tallies tallies;
-  for (const PlaceRecord& record : records) {
-    for (const AnswerRecord& answer : record.answers) {
-      EngineSummary& summary = tallies.add(answer.engine, 1, answer.time);
-      if (answer.is_agreed) {
-        ++summary.agreed;
-      } else {
-        add_judged(summary, answer);
-      }
-    }
+/// The engine's summary with so many answers more, which took `time` together. Valid until the
+/// next call.
+EngineSummary& Tally::add(const std::string& engine, std::size_t answers, double time) {
+  auto at = std::find_if(engines_.begin(), engines_.end(),
+                         [&](const Counted& each) { return each.summary.engine == engine; });
+  if (at == engines_.end()) {
+    engines_.emplace_back();
+    engines_.back().summary.engine = engine;
+    at = std::prev(engines_.end());
   }
-  return tallies.take();
+  at->summary.answers += answers;
+  at->summary.total_time += time;
+  if (answers > 0) at->times.add(time / static_cast<double>(answers));
+  return at->summary;
 }
 
-std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records) {
-  Tallies tallies;
-  for (const compare::StepRecord& record : records) {
-    for (const compare::StepAnswers& each : record.engines)
-      tallies.add(each.engine, each.answers, each.time).agreed += each.answers;
-    for (const compare::SceneDifference& difference : record.differences) {
-      for (const AnswerRecord& answer : difference.answers) {
-        if (answer.is_agreed) continue;
-        EngineSummary& summary = tallies.add(answer.engine, 0, 0);
-        summary.agreed -= std::min<std::size_t>(summary.agreed, 1);
-        add_judged(summary, answer);
-      }
+void Tally::add(const PlaceRecord& record) {
+  for (const AnswerRecord& answer : record.answers) {
+    EngineSummary& summary = add(answer.engine, 1, answer.time);
+    if (answer.is_agreed) {
+      ++summary.agreed;
+    } else {
+      add_judged(summary, answer);
     }
   }
-  return tallies.take();
 }
 
-std::vector<WrongAnswer> wrong_answers(std::span<const PlaceRecord> records) {
+void Tally::add(const compare::StepRecord& record) {
+  for (const compare::StepAnswers& each : record.engines)
+    add(each.engine, each.answers, each.time).agreed += each.answers;
+  for (const compare::SceneDifference& difference : record.differences) {
+    for (const AnswerRecord& answer : difference.answers) {
+      if (answer.is_agreed) continue;
+      EngineSummary& summary = add(answer.engine, 0, 0);
+      summary.agreed -= std::min<std::size_t>(summary.agreed, 1);
+      add_judged(summary, answer);
+    }
+  }
+}
+
+std::vector<EngineSummary> Tally::summaries() const {
+  std::vector<EngineSummary> all;
+  for (const Counted& each : engines_) {
+    all.push_back(each.summary);
+    all.back().median_time = each.times.median();
+  }
+  return all;
+}
+
+std::string Tally::note() const {
+  std::string text;
+  for (const Counted& each : engines_) {
+    if (each.summary.wrong == 0) continue;
+    text += fmt::format("{}{} wrong of {}", text.empty() ? "" : ", ", each.summary.wrong,
+                        mesh_io::printable(each.summary.engine));
+  }
+  return text;
+}
+
+std::vector<WrongAnswer> wrong_answers(const PlaceRecord& record) {
   std::vector<WrongAnswer> wrong;
-  for (const PlaceRecord& record : records) {
-    const std::string number = std::to_string(record.place);
-    for (const AnswerRecord& answer : record.answers) {
-      if (!answer.is_wrong()) continue;
-      wrong.push_back({.place = record.place, .where = number, .name = number, .answer = &answer});
-    }
+  const std::string number = std::to_string(record.place);
+  for (const AnswerRecord& answer : record.answers) {
+    if (!answer.is_wrong()) continue;
+    wrong.push_back({.place = record.place,
+                     .where = number,
+                     .name = number,
+                     .answer = std::make_shared<const AnswerRecord>(answer)});
   }
   return wrong;
 }
 
-std::string wrong_rows(std::span<const WrongAnswer> wrong, const std::string& place) {
+std::string wrong_rows(std::span<const WrongAnswer> wrong, std::size_t count,
+                       const std::string& place) {
+  const std::size_t shown = std::min(wrong.size(), kMaxRows);
   std::size_t width = 6;
-  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i)
+  for (std::size_t i = 0; i < shown; ++i)
     width = std::max(width, wrong[i].where.size());
   const Table table({{place, width},
                      {"engine", 8},
@@ -130,9 +122,9 @@ std::string wrong_rows(std::span<const WrongAnswer> wrong, const std::string& pl
                      {"error (m)", 10},
                      {"ulp", 9},
                      {"pairs", 6}});
-  if (wrong.empty()) return "no wrong answer\n";
+  if (count == 0) return "no wrong answer\n";
   std::string out = "wrong answers:\n" + table.header();
-  for (std::size_t i = 0; i < std::min(wrong.size(), kMaxRows); ++i) {
+  for (std::size_t i = 0; i < shown; ++i) {
     const AnswerRecord& answer = *wrong[i].answer;
     const compare::Judgement& judgement = answer.judgement;
     out += table.row({mesh_io::printable(wrong[i].where), answer.engine, answer.brief,
@@ -140,7 +132,7 @@ std::string wrong_rows(std::span<const WrongAnswer> wrong, const std::string& pl
                       fmt::format("{:.3g}", judgement.error), fmt::format("{:.3g}", judgement.ulps),
                       judgement.wrong_pairs == 0 ? "" : std::to_string(judgement.wrong_pairs)});
   }
-  if (wrong.size() > kMaxRows) out += fmt::format("... and {} more\n", wrong.size() - kMaxRows);
+  if (count > shown) out += fmt::format("... and {} more\n", count - shown);
   return out;
 }
 

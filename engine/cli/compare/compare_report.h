@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/compare/run/record/answer_record.h>
+#include <graze/engine/compare/run/record/step_record.h>
+#include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/shrink_worst.h>
-#include <graze/engine/compare/run/step_record.h>
 
 namespace graze::cli {
 
@@ -29,14 +30,32 @@ struct EngineSummary {
   double total_time = 0;
 };
 
-/// In the order in which engines first answered.
-std::vector<EngineSummary> summarise(std::span<const compare::PlaceRecord> records);
+/// What engines did, counted as records come, in memory that does not grow with them.
+class Tally {
+ public:
+  void add(const compare::PlaceRecord& record);
+  /// Of a scene. The median is that of the steps' means.
+  void add(const compare::StepRecord& record);
 
-/// Of a scene. The median is that of the steps' means.
-std::vector<EngineSummary> summarise(std::span<const compare::StepRecord> records);
+  /// In the order in which engines first answered.
+  std::vector<EngineSummary> summaries() const;
 
-/// Of all engines, in the order of places, which have no query yet. They refer to the records.
-std::vector<compare::WrongAnswer> wrong_answers(std::span<const compare::PlaceRecord> records);
+  /// "3 wrong of fcl", for whoever waits; empty: nothing is wrong yet.
+  std::string note() const;
+
+ private:
+  struct Counted {
+    EngineSummary summary;
+    compare::TimeMedian times;
+  };
+
+  EngineSummary& add(const std::string& engine, std::size_t answers, double time);
+
+  std::vector<Counted> engines_;
+};
+
+/// Of all engines in one place, which have no query yet.
+std::vector<compare::WrongAnswer> wrong_answers(const compare::PlaceRecord& record);
 
 /// A shrunk case and the file that it went to.
 struct WrittenCase {
@@ -49,8 +68,9 @@ struct WrittenCase {
   bool is_written = true;
 };
 
-/// A table of wrong answers one by one; `place` is "pose", "case".
-std::string wrong_rows(std::span<const compare::WrongAnswer> wrong, const std::string& place);
+/// A table of the first of `count` wrong answers, one by one; `place` is "pose", "case".
+std::string wrong_rows(std::span<const compare::WrongAnswer> first, std::size_t count,
+                       const std::string& place);
 
 /// A line an engine.
 std::string summary_text(std::span<const EngineSummary> summaries);

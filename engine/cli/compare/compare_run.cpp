@@ -2,10 +2,12 @@
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/compare/recorded_run.h>
 #include <graze/engine/cli/files/case_folder.h>
+#include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/job_key.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
+#include <graze/engine/compare/run/record/place_block.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
@@ -59,34 +61,40 @@ void check_combinations(const CompareOptions& options) {
   }
 }
 
-std::vector<Pose> poses_of(const CompareOptions& options, const PlacedMeshView& a, const Mesh& b) {
+std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& options, const Mesh& a,
+                                                    const Pose& pose_a, const Mesh& b) {
   const std::uint64_t seed = options.seed.value_or(1);
-  if (options.random > 0) return compare::random_poses(a, b, options.random, seed);
-  if (options.grazing > 0) return compare::grazing_poses(a, b, options.grazing, seed);
-  if (!options.pose_b.empty()) return {parse_pose(options.pose_b, "--pose-b")};
-  if (!options.poses) return {Pose::Identity()};
-  std::vector<Pose> poses;
-  for (const PoseLine& line : load_pose_lines(*options.poses)) {
-    const std::string place = *options.poses + ":" + std::to_string(line.line);
-    check_placement(line.pose, b.bounds(), place.c_str());
-    poses.push_back(line.pose);
+  if (options.random > 0) {
+    return compare::random_pose_source(a, pose_a, b, options.random, seed);
   }
-  return poses;
+  if (options.grazing > 0) {
+    return compare::grazing_pose_source(a, pose_a, b, options.grazing, seed);
+  }
+  if (options.poses) return compare::pose_file(*options.poses, b);
+  if (options.pose_b.empty()) return compare::pose_list({Pose::Identity()});
+  const Pose pose = parse_pose(options.pose_b, "--pose-b");
+  check_placement(pose, b.bounds(), "--pose-b");
+  return compare::pose_list({pose});
 }
 
-/// From each pose to the next, as graze motion --path has it; the last is an end alone.
-void make_motions(ComparisonJob& job, const std::string& file) {
-  std::vector<Pose>& poses = job.poses_b;
-  if (poses.size() < 2)
-    throw PoseError(mesh_io::printable(file) + ": one pose, a motion has two", {.file = file});
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const RigidMotion motion = RigidMotion::between(poses[i - 1], poses[i]);
-    job.courses_b.push_back({.centre = motion.centre(),
-                             .shift = motion.shift(),
-                             .axis = motion.axis(),
-                             .angle = motion.angle()});
+/// Of --part K/N. Throws UsageError for what is none, and if no record is kept of it.
+compare::JobPart read_part(const CompareOptions& options, std::size_t places) {
+  if (options.part.empty()) return {};
+  const std::size_t slash = options.part.find('/');
+  if (slash == options.part.npos) throw UsageError("--part: is K/N, the third of eight is 3/8");
+  constexpr std::uint32_t kMostParts = 1'000'000;
+  compare::JobPart part;
+  part.count = parse_count(options.part.substr(slash + 1), "--part", 1, kMostParts);
+  part.number = parse_count(options.part.substr(0, slash), "--part", 1, kMostParts);
+  if (part.number > part.count) throw UsageError("--part: " + options.part + " is beyond the last");
+  if (part.count > places) {
+    throw UsageError(
+        fmt::format("--part: {} parts of {} poses: some would be empty", part.count, places));
   }
-  poses.pop_back();
+  if (options.resume.empty() && options.save.empty()) {
+    throw UsageError("--part needs --resume FILE or --save FILE: its record is what is merged");
+  }
+  return part;
 }
 
 ComparisonJob read_job(const CompareOptions& options) {
@@ -98,15 +106,91 @@ ComparisonJob read_job(const CompareOptions& options) {
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
   ComparisonJob job{.a = CaseMesh(mesh_a, pose_a),
                     .b = CaseMesh(mesh_b, Pose::Identity()),
-                    .poses_b = poses_of(options, {mesh_a, pose_a}, mesh_b),
-                    .question = {ask_named(options.query), {}},
-                    .threads = options.threads};
+                    .poses_b = poses_of(options, mesh_a, pose_a, mesh_b),
+                    .question = {ask_named(options.query), {}}};
   if (options.clearance >= 0) job.question.settings.clearance = options.clearance;
-  for (const Pose& pose : job.poses_b)
-    check_placement(pose, mesh_b.bounds(), "the pose of B");
-  if (is_about_motion(options)) make_motions(job, *options.poses);
+  if (is_about_motion(options) && job.poses_b->size() < 2) {
+    const std::string file = mesh_io::printable(*options.poses);
+    throw PoseError(file + ": one pose, a motion has two", {.file = file});
+  }
   return job;
 }
+
+/// One run, which hands on what it finds as it comes.
+class PoseComparison {
+ public:
+  PoseComparison(const CompareOptions& options, const ComparisonJob& job,
+                 std::span<const EngineEntry> field, Output& output)
+      : options_(options),
+        job_(job),
+        field_(field),
+        output_(output),
+        name_(fmt::format("{}-{}", name_part(fs::path(options.mesh_a).stem().string()),
+                          name_part(fs::path(options.mesh_b).stem().string()))),
+        findings_{.title = fs::path(options.mesh_a).filename().string() + " against " +
+                           fs::path(options.mesh_b).filename().string(),
+                  .question = options.query,
+                  .count = "",
+                  .place = "pose",
+                  .summaries = {},
+                  .wrong = wrong_list_of(options, field)} {}
+
+  ExitCode run(std::span<const EngineEntry> engines) {
+    RecordedJob<PlaceRecord> recorded = {.head = compare::head_of(job_)};
+    compare::JournalHead& head = recorded.head;
+    head.part = read_part(options_, head.places);
+    head.engines = compare::journal_engines(field_);
+    recorded.read = [&](const cases::JsonCursor& at, std::size_t first) {
+      return compare::read_place_block(at, head.engines, first, head.end());
+    };
+    recorded.write = [&](std::span<const PlaceRecord> block) {
+      return to_json(block, head.engines);
+    };
+    recorded.most_in_line = compare::kPlacesOfBlock;
+    recorded.run = [&](const auto& range, const auto& on_records) {
+      run_comparison(job_, field_, range, on_records);
+    };
+    recorded.on_record = [&](const PlaceRecord& record) { add(record); };
+    recorded.note = [&] { return tally_.note(); };
+    findings_.changes = RecordedRun<PlaceRecord>(options_, recorded).run();
+    findings_.summaries = tally_.summaries();
+    findings_.count = fmt::format("{} {}", count_, is_about_motion(options_) ? "motions" : "poses");
+    findings_.asked = head.parts;
+    if (!head.part.is_whole()) {
+      findings_.count += fmt::format(", part {} of {}", head.part.number, head.part.count);
+    }
+    findings_.rows = wrong_rows(findings_.wrong.kept(), findings_.wrong.count(), "pose");
+    return conclude(options_, engines, field_, findings_, output_);
+  }
+
+ private:
+  static constexpr std::size_t kMostUnwritten = std::size_t{1} << 16;
+
+  void add(const PlaceRecord& record) {
+    ++count_;
+    tally_.add(record);
+    for (WrongAnswer& wrong : wrong_answers(record)) {
+      wrong.name = fmt::format("{}-{}-{}-pose{}", name_, name_part(wrong.answer->engine),
+                               options_.query, wrong.place);
+      wrong.query = [this, pose = wrong.place] { return case_of(job_, pose); };
+      findings_.wrong.add(std::move(wrong));
+    }
+    if (!options_.is_json) return;
+    findings_.json += to_json(record, "pose") + "\n";
+    if (findings_.json.size() < kMostUnwritten) return;
+    output_.write(findings_.json);
+    findings_.json.clear();
+  }
+
+  const CompareOptions& options_;
+  const ComparisonJob& job_;
+  std::span<const EngineEntry> field_;
+  Output& output_;
+  std::string name_;
+  CompareFindings findings_;
+  Tally tally_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -118,47 +202,17 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     if (fs::path(options.mesh_a).extension() == ".json") {
       return run_compare_scene(options, engines, output);
     }
-    if (!fs::is_directory(options.mesh_a, ignored)) {
+    const bool are_cases = fs::path(options.mesh_a).extension() == ".jsonl";
+    if (!are_cases && !fs::is_directory(options.mesh_a, ignored)) {
       throw UsageError("a mesh B is needed, or a folder of cases alone, or a scene, a .json file");
     }
     return run_compare_folder(options, engines, output);
   }
-  const Field field(engines, options.engines);
-  check_before(options, field.engines());
+  Field field(engines, options.engines);
   const ComparisonJob job = read_job(options);
-  const RecordedJob<PlaceRecord> recorded = {
-      .head = compare::head_of(job),
-      .read =
-          [&](const cases::JsonCursor& at) {
-            return compare::read_place_record(at, "pose", job.poses_b.size());
-          },
-      .write = [](const PlaceRecord& record) { return to_json(record, "pose"); },
-      .run =
-          [&](const auto& is_done, const auto& on_record) {
-            run_comparison(job, field.engines(), is_done, on_record);
-          }};
-  const RecordedRun<PlaceRecord> run = run_recorded(options, recorded, field.engines());
-  CompareFindings findings{.title = fs::path(options.mesh_a).filename().string() + " against " +
-                                    fs::path(options.mesh_b).filename().string(),
-                           .question = options.query,
-                           .count = fmt::format("{} {}", run.records.size(),
-                                                job.courses_b.empty() ? "poses" : "motions"),
-                           .place = "pose",
-                           .summaries = summarise(run.records),
-                           .wrong = wrong_answers(run.records),
-                           .difference = run.difference,
-                           .asked = recorded.head.parts};
-  for (WrongAnswer& wrong : findings.wrong) {
-    wrong.name =
-        fmt::format("{}-{}-{}-{}-pose{}", name_part(fs::path(options.mesh_a).stem().string()),
-                    name_part(fs::path(options.mesh_b).stem().string()),
-                    name_part(wrong.answer->engine), options.query, wrong.place);
-    wrong.query = [&job, pose = wrong.place] { return case_of(job, pose); };
-  }
-  findings.rows = wrong_rows(findings.wrong, findings.place);
-  for (const PlaceRecord& record : run.records)
-    findings.json += recorded.write(record) + "\n";
-  return conclude(options, engines, field.engines(), findings, output);
+  field.add_answers(options.answers, {options.mesh_a, options.mesh_b, job});
+  check_before(options, field.engines());
+  return PoseComparison(options, job, field.engines(), output).run(engines);
 }
 
 }  // namespace graze::cli

@@ -36,6 +36,9 @@ struct CompareOptions {
   std::string against;
   std::string resume;
   double time_tolerance = 1.5;
+  double answer_tolerance = 0;            ///< of --against: metres, or shares of a motion
+  std::string part = {};                  ///< "K/N"; empty: the whole job
+  std::vector<std::string> answers = {};  ///< files of recorded answers, which take part
   std::size_t threads = 0;
   double timeout = 60;  ///< seconds, of each question to another engine
   // Of scenes alone:

@@ -30,6 +30,9 @@ constexpr std::size_t kMostDifferences = 40;
 void check_scene_options(const CompareOptions& options) {
   const bool has_poses = !options.pose_a.empty() || !options.pose_b.empty() || options.poses ||
                          options.random > 0 || options.grazing > 0 || options.seed;
+  if (!options.part.empty() || !options.answers.empty()) {
+    throw UsageError("--part and --answers belong to two meshes");
+  }
   if (has_poses || options.query != "any" || options.clearance >= 0) {
     throw UsageError(
         "of a scene each pair is asked whether it touches: poses and --query belong to two meshes");
@@ -40,26 +43,24 @@ std::string name_of_place(const Scene& scene, std::size_t step, const ScenePair&
   return fmt::format("{}: {}, {}", step, scene.bodies[pair.a].name, scene.bodies[pair.b].name);
 }
 
-std::vector<WrongAnswer> wrong_answers(const std::string& file, const Scene& scene,
-                                       std::span<const StepRecord> records) {
+std::vector<WrongAnswer> wrong_of_step(const std::string& file, const Scene& scene,
+                                       const StepRecord& record) {
   const std::string scene_name = name_part(std::filesystem::path(file).stem().string());
   std::vector<WrongAnswer> wrong;
-  for (const StepRecord& record : records) {
-    for (const compare::SceneDifference& difference : record.differences) {
-      for (const AnswerRecord& answer : difference.answers) {
-        if (!answer.is_wrong()) continue;
-        const ScenePair& pair = difference.pair;
-        wrong.push_back(
-            {.place = record.place,
-             .where = name_of_place(scene, record.place, pair),
-             .name = fmt::format("{}-{}-any-step{}-{}-{}", scene_name, name_part(answer.engine),
-                                 record.place, name_part(scene.bodies[pair.a].name),
-                                 name_part(scene.bodies[pair.b].name)),
-             .answer = &answer,
-             .query = [&scene, pair, time = record.time] {
-               return compare::case_of(scene, pair, time);
-             }});
-      }
+  for (const compare::SceneDifference& difference : record.differences) {
+    for (const AnswerRecord& answer : difference.answers) {
+      if (!answer.is_wrong()) continue;
+      const ScenePair& pair = difference.pair;
+      wrong.push_back(
+          {.place = record.place,
+           .where = name_of_place(scene, record.place, pair),
+           .name = fmt::format("{}-{}-any-step{}-{}-{}", scene_name, name_part(answer.engine),
+                               record.place, name_part(scene.bodies[pair.a].name),
+                               name_part(scene.bodies[pair.b].name)),
+           .answer = std::make_shared<const AnswerRecord>(answer),
+           .query = [&scene, pair, time = record.time] {
+             return compare::case_of(scene, pair, time);
+           }});
     }
   }
   return wrong;
@@ -71,48 +72,51 @@ struct Place {
   const compare::SceneDifference* difference;
 };
 
-std::vector<Place> places_of(std::span<const StepRecord> records) {
-  std::vector<Place> places;
-  for (const StepRecord& record : records) {
-    for (const compare::SceneDifference& difference : record.differences)
-      places.push_back({&record, &difference});
-  }
-  return places;
-}
+/// The table of the first differences, as they come.
+class DifferenceRows {
+ public:
+  explicit DifferenceRows(const Scene& scene) : scene_(scene) {}
 
-std::string rows_of(const Scene& scene, std::span<const StepRecord> records) {
-  const std::vector<Place> places = places_of(records);
-  if (places.empty()) return "no difference\n";
-  const Table table({{"step", 6},
-                     {"a", 12},
-                     {"b", 12},
-                     {"engine", 8},
-                     {"says", 5},
-                     {"verdict", 10},
-                     {"truth", 24},
-                     {"why", 13},
-                     {"error (m)", 10}});
-  std::string out = "differences:\n" + table.header();
-  for (std::size_t i = 0; i < std::min(places.size(), kMostDifferences); ++i) {
-    const ScenePair& pair = places[i].difference->pair;
-    std::array<std::string, 3> place = {std::to_string(places[i].record->place),
-                                        mesh_io::printable(scene.bodies[pair.a].name),
-                                        mesh_io::printable(scene.bodies[pair.b].name)};
-    for (const AnswerRecord& answer : places[i].difference->answers) {
+  void add(const Place& at) {
+    if (++count_ > kMostDifferences) return;
+    const ScenePair& pair = at.difference->pair;
+    std::array<std::string, 3> place = {std::to_string(at.record->place),
+                                        mesh_io::printable(scene_.bodies[pair.a].name),
+                                        mesh_io::printable(scene_.bodies[pair.b].name)};
+    for (const AnswerRecord& answer : at.difference->answers) {
       const compare::Judgement& judgement = answer.judgement;
       const bool is_wrong = answer.is_wrong();
-      out += table.row({place[0], place[1], place[2], answer.engine, answer.brief,
-                        name_of(judgement.verdict), judgement.truth,
-                        is_wrong ? name_of(judgement.error_class) : "",
-                        is_wrong ? fmt::format("{:.3g}", judgement.error) : ""});
+      rows_ += table_.row({place[0], place[1], place[2], answer.engine, answer.brief,
+                           name_of(judgement.verdict), judgement.truth,
+                           is_wrong ? name_of(judgement.error_class) : "",
+                           is_wrong ? fmt::format("{:.3g}", judgement.error) : ""});
       place = {};
     }
   }
-  if (places.size() > kMostDifferences) {
-    out += fmt::format("... and {} more\n", places.size() - kMostDifferences);
+
+  std::string text() const {
+    if (count_ == 0) return "no difference\n";
+    std::string out = "differences:\n" + table_.header() + rows_;
+    if (count_ > kMostDifferences) {
+      out += fmt::format("... and {} more\n", count_ - kMostDifferences);
+    }
+    return out;
   }
-  return out;
-}
+
+ private:
+  const Scene& scene_;
+  const Table table_{{{"step", 6},
+                      {"a", 12},
+                      {"b", 12},
+                      {"engine", 8},
+                      {"says", 5},
+                      {"verdict", 10},
+                      {"truth", 24},
+                      {"why", 13},
+                      {"error (m)", 10}}};
+  std::string rows_;
+  std::size_t count_ = 0;
+};
 
 std::string json_of(const Scene& scene, const Place& place) {
   const ScenePair& pair = place.difference->pair;
@@ -147,37 +151,44 @@ ExitCode run_compare_scene(const CompareOptions& options,
   check_before(options, field.engines());
   const Scene scene = read_scene(options.mesh_a, {.mesh_folder = options.mesh_folder});
   const compare::SceneComparisonSettings settings{.steps = options.steps.value_or(scene.steps),
-                                                  .step = options.step,
-                                                  .threads = options.threads};
+                                                  .step = options.step};
   check_paths(scene, static_cast<double>(settings.steps) *
                          (settings.step > 0 ? settings.step : scene.step));
-  const RecordedJob<StepRecord> job = {
-      .head = compare::head_of(options.mesh_a, scene, settings),
-      .read =
-          [&](const cases::JsonCursor& at) {
-            return compare::read_step_record(at, settings.steps + 1, scene.bodies.size());
-          },
-      .write = [](const StepRecord& record) { return to_json(record); },
-      .run =
-          [&](const auto& is_done, const auto& on_record) {
-            compare_scene(scene, field.engines(), settings, is_done, on_record);
-          }};
-  const RecordedRun<StepRecord> run = run_recorded(options, job, field.engines());
+  CompareFindings findings{.title = std::filesystem::path(options.mesh_a).filename().string(),
+                           .question = "any",
+                           .count = "",
+                           .place = "step",
+                           .summaries = {},
+                           .wrong = wrong_list_of(options, field.engines())};
+  Tally tally;
+  DifferenceRows rows(scene);
   std::size_t questions = 0;
-  for (const StepRecord& record : run.records)
+  RecordedJob<StepRecord> job = {.head = compare::head_of(options.mesh_a, scene, settings)};
+  job.head.engines = compare::journal_engines(field.engines());
+  job.read = [&](const cases::JsonCursor& at, std::size_t first) {
+    return std::vector{
+        compare::read_step_record(at, {first, settings.steps + 1}, scene.bodies.size())};
+  };
+  job.write = [](std::span<const StepRecord> line) { return to_json(line.front()); };
+  job.run = [&](const auto& range, const auto& on_records) {
+    compare_scene(scene, field.engines(), settings, range, on_records);
+  };
+  job.on_record = [&](const StepRecord& record) {
     questions += record.questions;
-  CompareFindings findings{
-      .title = std::filesystem::path(options.mesh_a).filename().string(),
-      .question = "any",
-      .count = fmt::format("{} steps, {} questions about pairs", run.records.size(), questions),
-      .place = "step",
-      .rows = rows_of(scene, run.records),
-      .summaries = summarise(run.records),
-      .wrong = wrong_answers(options.mesh_a, scene, run.records),
-      .difference = run.difference,
-      .asked = job.head.parts};
-  for (const Place& place : places_of(run.records))
-    findings.json += json_of(scene, place);
+    tally.add(record);
+    for (WrongAnswer& wrong : wrong_of_step(options.mesh_a, scene, record))
+      findings.wrong.add(std::move(wrong));
+    for (const compare::SceneDifference& difference : record.differences) {
+      rows.add({&record, &difference});
+      if (options.is_json) findings.json += json_of(scene, {&record, &difference});
+    }
+  };
+  job.note = [&] { return tally.note(); };
+  findings.changes = RecordedRun<StepRecord>(options, job).run();
+  findings.count = fmt::format("{} steps, {} questions about pairs", settings.steps + 1, questions);
+  findings.rows = rows.text();
+  findings.summaries = tally.summaries();
+  findings.asked = job.head.parts;
   return conclude(options, engines, field.engines(), findings, output);
 }
 

@@ -1,3 +1,4 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/compare/run/case_comparison.h>
@@ -52,6 +53,24 @@ class Borrowed : public compare::Engine {
   const compare::Engine& engine_;
 };
 
+/// Who gave recorded answers: nothing can be asked of it.
+class RecordedEngine : public compare::Engine {
+ public:
+  explicit RecordedEngine(CaseWitness witness) : witness_(std::move(witness)) {}
+  CaseWitness name() const override { return witness_; }
+  std::unique_ptr<compare::LoadedPair> load(const Mesh&, const Mesh&) const override {
+    throw InputError("recorded answers are heard, not asked for");
+  }
+
+ private:
+  CaseWitness witness_;
+};
+
+/// A name that no engine may give itself.
+bool is_reserved(const std::string& name) {
+  return name == compare::kRecorded || name == "world";
+}
+
 }  // namespace
 
 std::vector<EngineEntry> engines_with(const compare::PeerSettings& settings,
@@ -67,7 +86,7 @@ std::vector<EngineEntry> engines_with(const compare::PeerSettings& settings,
       refuse(error.what());
     }
     const std::string& name = engines.back().name;
-    const bool is_taken = name == compare::kRecorded || name == "world" ||
+    const bool is_taken = is_reserved(name) ||
                           std::any_of(engines.begin(), engines.end() - 1,
                                       [&](const EngineEntry& entry) { return entry.name == name; });
     if (is_taken) refuse("calls itself " + mesh_io::quoted(name) + ", as another engine does");
@@ -82,6 +101,26 @@ Field::Field(std::span<const EngineEntry> engines, std::string_view names) {
   for (std::size_t i = 0; i < engines.size(); ++i) {
     if (!is_chosen[i] || engines[i].engine == nullptr) continue;
     engines_.push_back({engines[i].name, std::make_unique<Borrowed>(*engines[i].engine)});
+  }
+}
+
+void Field::add_answers(std::span<const std::string> files, const compare::AnswersWanted& wanted) {
+  for (const std::string& path : files) {
+    const compare::AnswerFile file = compare::read_answer_file(path, wanted);
+    const auto is_taken = [&](const std::string& name) {
+      return is_reserved(name) || std::any_of(engines_.begin(), engines_.end(),
+                                              [&](const EngineEntry& e) { return e.name == name; });
+    };
+    std::string name = file.witness.engine;
+    if (is_taken(name)) name += "@" + file.witness.version;
+    const std::string place = "--answers: " + mesh_io::printable(path) + ": ";
+    if (is_taken(name)) {
+      throw UsageError(place + "is of " + mesh_io::quoted(name) + ", as another engine is");
+    }
+    if (name.empty() || name.find(',') != name.npos) {
+      throw UsageError(place + "is of " + mesh_io::quoted(name) + ", which is no name");
+    }
+    engines_.push_back({name, std::make_unique<RecordedEngine>(file.witness), true, file.answers});
   }
 }
 

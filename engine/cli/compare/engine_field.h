@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/run/answers/answer_file.h>
 
 namespace graze::cli {
 
@@ -21,6 +22,11 @@ class Field {
   /// what is on trial; and so are engines of the user's own. Throws UsageError for a name that is
   /// none, or of an engine that is not here. The engines must outlive this.
   Field(std::span<const compare::EngineEntry> engines, std::string_view names);
+
+  /// Adds the recorded answers of these files, each under the name of its engine, or, where that is
+  /// taken, under it with its version, "fcl@0.7.0". Throws UsageError if that is taken, too, and
+  /// what read_answer_file() throws.
+  void add_answers(std::span<const std::string> files, const compare::AnswersWanted& wanted);
 
   std::span<const compare::EngineEntry> engines() const { return engines_; }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 namespace graze::cli {
@@ -13,22 +12,20 @@ namespace {
 using compare::WrongAnswer;
 
 /// So many wrong answers are told one by one: enough to see what goes wrong.
-constexpr std::size_t kMostTold = 20;
+constexpr std::size_t kMostTold = WrongList::kFirstOfEngine;
 
 std::string counted(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// "3 wrong answers: 2 real, 1 touching"
-std::string by_class(const std::vector<const WrongAnswer*>& wrong) {
-  std::array<std::size_t, compare::kErrorClasses.size()> counts{};
-  for (const WrongAnswer* each : wrong)
-    ++counts[static_cast<std::size_t>(each->answer->judgement.error_class)];
-  std::string text = counted(wrong.size(), "wrong answer") + ":";
+std::string by_class(const WrongList::Closing& closing) {
+  std::string text = counted(closing.count, "wrong answer") + ":";
   const char* separator = " ";
-  for (std::size_t i = counts.size(); i-- > 0;) {
-    if (counts[i] == 0) continue;
-    text += fmt::format("{}{} {}", separator, counts[i], name_of(compare::kErrorClasses[i]));
+  for (std::size_t i = closing.classes.size(); i-- > 0;) {
+    if (closing.classes[i] == 0) continue;
+    text +=
+        fmt::format("{}{} {}", separator, closing.classes[i], name_of(compare::kErrorClasses[i]));
     separator = ", ";
   }
   return text;
@@ -58,50 +55,34 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
-Gate::Gate(const CompareFindings& findings, const FailOn& fail_on, std::string regression)
-    : regression_(std::move(regression)) {
-  for (const WrongAnswer& wrong : findings.wrong) {
-    const std::string& engine = wrong.answer->engine;
-    const bool is_named = fail_on.matches(engine, wrong.answer->judgement);
-    named_ += is_named;
-    if (is_named || engine == "graze" || engine == "world") wrong_.push_back(&wrong);
-  }
-}
-
-std::vector<const WrongAnswer*> Gate::wrong_of(const std::string& engine) const {
-  std::vector<const WrongAnswer*> its;
-  std::copy_if(wrong_.begin(), wrong_.end(), std::back_inserter(its),
-               [&](const WrongAnswer* each) { return each->answer->engine == engine; });
-  return its;
-}
-
 std::string junit_text(const CompareFindings& findings, const Gate& gate) {
   const std::string suite = escaped(subject(findings));
-  std::size_t failures = !gate.regression().empty();
+  std::size_t failures = !gate.regression.empty();
   std::string tests;
   for (const EngineSummary& summary : findings.summaries) {
-    const std::vector<const WrongAnswer*> wrong = gate.wrong_of(summary.engine);
+    const WrongList::Closing& closing = findings.wrong.closing(summary.engine);
     tests += fmt::format("<testcase classname=\"graze compare\" name=\"{}\" time=\"{:.6f}\"",
                          escaped(summary.engine), summary.total_time * 1e-6);
-    if (wrong.empty()) {
+    if (closing.count == 0) {
       tests += "/>\n";
       continue;
     }
     ++failures;
-    tests += fmt::format("><failure message=\"{}\">", by_class(wrong));
-    for (std::size_t i = 0; i < std::min(wrong.size(), kMostTold); ++i)
-      tests += escaped(told(findings, *wrong[i])) + "\n";
-    if (wrong.size() > kMostTold) tests += fmt::format("and {} more\n", wrong.size() - kMostTold);
+    tests += fmt::format("><failure message=\"{}\">", by_class(closing));
+    for (const WrongAnswer& wrong : closing.first)
+      tests += escaped(told(findings, wrong)) + "\n";
+    if (closing.count > closing.first.size())
+      tests += fmt::format("and {} more\n", closing.count - closing.first.size());
     tests += "</failure></testcase>\n";
   }
-  if (findings.difference) {
+  if (findings.changes) {
     tests += "<testcase classname=\"graze compare\" name=\"--against\"";
-    tests += gate.regression().empty()
+    tests += gate.regression.empty()
                  ? "/>\n"
                  : fmt::format("><failure message=\"a regression\">{}</failure></testcase>\n",
-                               escaped(gate.regression()));
+                               escaped(gate.regression));
   }
-  const std::size_t count = findings.summaries.size() + findings.difference.has_value();
+  const std::size_t count = findings.summaries.size() + findings.changes.has_value();
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuites><testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\">\n"
@@ -111,28 +92,30 @@ std::string junit_text(const CompareFindings& findings, const Gate& gate) {
 
 std::string markdown_text(const CompareFindings& findings, const Gate& gate) {
   std::string text = fmt::format("### graze compare: {}\n\n**{}**\n\n", cell(subject(findings)),
-                                 gate.is_closed() ? "failed" : "passed");
-  if (!gate.regression().empty()) text += cell(gate.regression()) + "\n";
+                                 gate.is_closed ? "failed" : "passed");
+  if (!gate.regression.empty()) text += cell(gate.regression) + "\n";
   text +=
       "| engine | answers | agreed | right | not judged | wrong | fails | largest error (m) | "
       "median (us) |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const EngineSummary& s : findings.summaries) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {:.3g} | {:.3g} |\n", cell(s.engine),
                         s.answers, s.agreed, s.right, s.not_judged, s.wrong,
-                        gate.wrong_of(s.engine).size(), s.largest_error, s.median_time);
+                        findings.wrong.closing(s.engine).count, s.largest_error, s.median_time);
   }
-  if (findings.wrong.empty()) return text;
+  if (findings.wrong.count() == 0) return text;
   text += "\n| " + findings.place + " | engine | says | truth | class | error (m) |\n" +
           "|---|---|---|---|---|---|\n";
-  for (std::size_t i = 0; i < std::min(findings.wrong.size(), kMostTold); ++i) {
-    const WrongAnswer& wrong = findings.wrong[i];
+  const std::vector<WrongAnswer> list = findings.wrong.kept();
+  const std::size_t shown = std::min(list.size(), kMostTold);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const WrongAnswer& wrong = list[i];
     const compare::Judgement& judgement = wrong.answer->judgement;
     text += fmt::format("| {} | {} | {} | {} | {} | {:.3g} |\n", cell(wrong.where),
                         cell(wrong.answer->engine), cell(wrong.answer->brief),
                         cell(judgement.truth), name_of(judgement.error_class), judgement.error);
   }
-  if (findings.wrong.size() > kMostTold)
-    text += fmt::format("\nand {} more\n", findings.wrong.size() - kMostTold);
+  if (findings.wrong.count() > shown)
+    text += fmt::format("\nand {} more\n", findings.wrong.count() - shown);
   return text;
 }
 

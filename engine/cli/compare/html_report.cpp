@@ -2,6 +2,7 @@
 #include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/compare/markup.h>
 #include <graze/engine/cli/compare/shell_word.h>
+#include <graze/engine/cli/compare/wrong_list.h>
 #include <graze/engine/files/output_file.h>
 
 #include <fmt/format.h>
@@ -56,13 +57,13 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
 }
 
 std::string wrong_table(const HtmlReportInput& input) {
-  constexpr std::size_t kMaxRows = 200;
+  const std::size_t shown = std::min(input.wrong.size(), WrongList::kFirst);
   if (input.wrong.empty()) return "<p>None.</p>\n";
   std::string out = fmt::format(
       "<table><tr><th>{}</th><th>engine</th><th>says</th><th>truth</th><th>why</th><th>error, "
       "m</th><th>in ulp</th></tr>\n",
       input.place);
-  for (std::size_t i = 0; i < std::min(input.wrong.size(), kMaxRows); ++i) {
+  for (std::size_t i = 0; i < shown; ++i) {
     const compare::AnswerRecord& answer = *input.wrong[i].answer;
     const compare::Judgement& judgement = answer.judgement;
     out += fmt::format(
@@ -72,8 +73,8 @@ std::string wrong_table(const HtmlReportInput& input) {
         escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps);
   }
   out += "</table>\n";
-  if (input.wrong.size() > kMaxRows) {
-    out += fmt::format("<p>And {} more.</p>\n", input.wrong.size() - kMaxRows);
+  if (input.wrong_count > shown) {
+    out += fmt::format("<p>And {} more.</p>\n", input.wrong_count - shown);
   }
   return out;
 }

@@ -24,6 +24,7 @@ struct HtmlReportInput {
   std::vector<ReportFact> facts = {};
   std::span<const EngineSummary> summaries;
   std::span<const compare::WrongAnswer> wrong;  ///< of which the first are shown
+  std::size_t wrong_count = 0;                  ///< of which these are some
   std::span<const WrittenCase> cases;
 };
 

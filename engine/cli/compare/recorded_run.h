@@ -1,7 +1,8 @@
 #pragma once
 
-#include <algorithm>
+#include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,8 +12,10 @@
 #include <graze/engine/cli/compare/compare_output.h>
 #include <graze/engine/cli/output/interruption.h>
 #include <graze/engine/cli/output/progress.h>
-#include <graze/engine/compare/run/journal.h>
-#include <graze/engine/files/output_target.h>
+#include <graze/engine/compare/run/record/baseline.h>
+#include <graze/engine/compare/run/record/journal.h>
+#include <graze/engine/compare/run/trial_threads.h>
+#include <graze/engine/files/output_file.h>
 
 namespace graze::cli {
 
@@ -20,98 +23,190 @@ namespace graze::cli {
 template <typename Record>
 struct RecordedJob {
   compare::JournalHead head;
-  std::function<Record(const cases::JsonCursor&)> read;
-  std::function<std::string(const Record&)> write;
-  /// Does what is not done, and hands on each record as it comes.
-  std::function<void(const std::function<bool(std::size_t)>& is_done,
-                     const std::function<void(Record)>& on_record)>
-      run;
+  /// What a line of its record holds, from the place `first` on.
+  std::function<std::vector<Record>(const cases::JsonCursor&, std::size_t first)> read = {};
+  /// A line of places that follow each other.
+  std::function<std::string(std::span<const Record>)> write = {};
+  std::size_t most_in_line = 1;
+  /// Goes through the places of the range, and hands on records in their order, until it is told to
+  /// stop.
+  std::function<void(const compare::PlaceRange& range,
+                     const std::function<bool(std::vector<Record>)>& on_records)>
+      run = {};
+  /// Called with each record once, in their order.
+  std::function<void(const Record&)> on_record = {};
+  /// What is told while it runs, besides how far it came.
+  std::function<std::string()> note = {};
 };
 
+/// The records in a file, one by one.
 template <typename Record>
-struct RecordedRun {
-  std::vector<Record> records;                            ///< in the order of places
-  std::optional<compare::BaselineDifference> difference;  ///< from --against
-};
+class RecordReader {
+ public:
+  RecordReader(compare::JournalReader& file, const RecordedJob<Record>& job)
+      : file_(file), job_(job), next_(file.head().first()) {}
 
-/// Thrown through a job to end it.
-class Stop {};
-
-/// The records of an earlier run of the same job, if there was one: of a pipe or a device there is
-/// none, and the record of this run is written through.
-template <typename Record>
-std::vector<Record> resumed(const CompareOptions& options, const RecordedJob<Record>& job,
-                            std::span<const compare::EngineEntry> engines) {
-  if (options.resume.empty() || !files::find_output_target(options.resume).old) return {};
-  compare::Journal<Record> journal = compare::read_journal(options.resume, job.head, job.read);
-  check_resumed(options, journal.start, engines);
-  return std::move(journal.records);
-}
-
-/// Goes on where --resume ended, keeps its record, and writes --save. Bad input, of --against too,
-/// is refused before the run. Throws UsageError, CaseError, Interrupted once what was begun is
-/// recorded, and what the job throws.
-template <typename Record>
-RecordedRun<Record> run_recorded(const CompareOptions& options, const RecordedJob<Record>& job,
-                                 std::span<const compare::EngineEntry> engines) {
-  const auto parts_of = [](const std::vector<Record>& records) {
-    std::vector<compare::GrazePart> parts;
-    parts.reserve(records.size());
-    for (const Record& record : records)
-      parts.push_back(graze_part(record));
-    return parts;
-  };
-  const auto lines_of = [&](const std::vector<Record>& records) {
-    std::vector<std::string> lines;
-    lines.reserve(records.size());
-    for (const Record& record : records)
-      lines.push_back(job.write(record));
-    return lines;
-  };
-  std::vector<compare::GrazePart> baseline;
-  if (!options.against.empty()) {
-    const compare::Journal<Record> old = compare::read_journal(options.against, job.head, job.read);
-    check_baseline(options, old.start);
-    baseline = parts_of(old.records);
-  }
-  RecordedRun<Record> result;
-  std::vector<Record>& records = result.records;
-  records = resumed(options, job, engines);
-  std::vector<bool> is_done(job.head.places, false);
-  for (const Record& record : records)
-    is_done[record.place] = true;
-  std::optional<compare::LineFile> journal;
-  if (!options.resume.empty()) {
-    journal = compare::start_journal(options.resume, job.head, engines, lines_of(records));
-  }
-  {
-    Progress progress(job.head.unit + ":", job.head.places,
-                      {.is_forced = options.has_progress, .has_rows = false});
-    std::optional<Interruption> interruption;
-    if (journal) interruption.emplace();  // without a record there is nothing to go on with
-    try {
-      job.run([&](std::size_t place) { return is_done[place]; },
-              [&](Record record) {
-                if (journal) journal->add(job.write(record));
-                records.push_back(std::move(record));
-                progress.update(records.size());
-                if (interruption && Interruption::is_requested()) throw Stop();
-              });
-    } catch (const Stop&) {  // all threads have finished what they had begun
+  /// The next one; null at the end. Throws CaseError, naming file and line.
+  const Record* next() {
+    while (at_ == block_.size()) {
+      std::string line;
+      if (!file_.next(line)) return nullptr;
+      const cases::JsonValue tree = cases::parse_json(line, file_.place());
+      block_ = job_.read(cases::JsonCursor(tree, file_.place()), next_);
+      next_ += block_.size();
+      at_ = 0;
     }
+    return &block_[at_++];
   }
-  if (records.size() < job.head.places) {
-    throw Interrupted(interruption_text(options, job.head, records.size()));
+
+ private:
+  compare::JournalReader& file_;
+  const RecordedJob<Record>& job_;
+  std::size_t next_;  // place
+  std::vector<Record> block_;
+  std::size_t at_ = 0;
+};
+
+/// Puts records together to lines.
+template <typename Record>
+class RecordWriter {
+ public:
+  RecordWriter(const RecordedJob<Record>& job, std::function<void(const std::string&)> on_line)
+      : job_(job), on_line_(std::move(on_line)) {}
+
+  void add(const Record& record) {
+    block_.push_back(record);
+    if (block_.size() == job_.most_in_line) flush();
   }
-  std::sort(records.begin(), records.end(),
-            [](const Record& a, const Record& b) { return a.place < b.place; });
-  if (!options.save.empty()) {
-    compare::start_journal(options.save, job.head, engines, lines_of(records));
+  void flush() {
+    if (!block_.empty()) on_line_(job_.write(block_));
+    block_.clear();
   }
-  if (!options.against.empty()) {
-    result.difference = compare_to_baseline(baseline, parts_of(records));
+
+ private:
+  const RecordedJob<Record>& job_;
+  std::function<void(const std::string&)> on_line_;
+  std::vector<Record> block_;
+};
+
+/// One run of a job, with what it is resumed from, what it writes and what it is held against.
+template <typename Record>
+class RecordedRun {
+ public:
+  RecordedRun(const CompareOptions& options, const RecordedJob<Record>& job)
+      : options_(options),
+        job_(job),
+        progress_(job.head.unit + ":", job.head.end() - job.head.first(),
+                  {.is_forced = options.has_progress, .has_rows = false}) {}
+
+  /// Goes on where --resume ended, keeps its record, and writes --save. Bad input, of --against
+  /// too, is refused before the run. Throws UsageError, CaseError, Interrupted once what was begun
+  /// is recorded, and what the job throws. What --against found.
+  std::optional<std::vector<compare::EngineChange>> run() {
+    open_baseline();
+    if (!options_.save.empty()) open_save();
+    std::optional<Interruption> interruption;
+    if (!options_.resume.empty()) {
+      interruption.emplace();  // without a record there is nothing to go on with
+      go_on();
+    }
+    const std::size_t first = job_.head.first() + done_;
+    const std::size_t end = job_.head.end();
+    const auto on_records = [&](std::vector<Record> records) {
+      for (const Record& record : records)
+        deliver(record, true);
+      const bool is_stopped = interruption && Interruption::is_requested();
+      if (resume_ && (is_stopped || Clock::now() >= next_flush_)) flush();
+      return !is_stopped;
+    };
+    job_.run({.first = first, .end = end, .threads = options_.threads}, on_records);
+    if (resume_) flush();
+    if (first + fresh_ < end) {
+      throw Interrupted(interruption_text(options_, job_.head, done_));
+    }
+    if (save_) save_->flush();
+    if (save_file_) save_file_->finish();
+    return changes();
   }
-  return result;
-}
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds kFlushInterval{1};
+
+  void open_baseline() {
+    if (options_.against.empty()) return;
+    baseline_file_.emplace(options_.against);
+    check_baseline(options_, job_.head, baseline_file_->head());
+    baseline_reader_.emplace(*baseline_file_, job_);
+    baseline_.emplace(options_.answer_tolerance);
+  }
+
+  void open_save() {
+    save_file_.emplace(options_.save);
+    const auto add = [this](const std::string& line) {
+      save_file_->append(compare::sealed(line) + "\n");
+    };
+    add(to_json(job_.head));
+    save_.emplace(job_, add);
+  }
+
+  /// What there is of an earlier run of the same job comes first: of a pipe or a device nothing.
+  void go_on() {
+    resume_file_.emplace(options_.resume);
+    if (resume_file_->has_record(job_.head)) {
+      compare::JournalReader file(options_.resume);
+      check_resumed(options_, job_.head, file.head());
+      RecordReader<Record> reader(file, job_);
+      while (const Record* record = reader.next())
+        deliver(*record, false);
+      resume_file_->go_on(file.bytes());
+    } else {
+      resume_file_->begin(job_.head);
+    }
+    resume_.emplace(job_, [this](const std::string& line) { resume_file_->add(line); });
+  }
+
+  void flush() {
+    resume_->flush();
+    next_flush_ = Clock::now() + kFlushInterval;
+  }
+
+  void deliver(const Record& record, bool is_fresh) {
+    if (is_fresh) {
+      ++fresh_;
+      if (resume_) resume_->add(record);
+    }
+    ++done_;
+    if (save_) save_->add(record);
+    if (baseline_) {
+      const Record* before = baseline_reader_->next();
+      baseline_->add(record.place,
+                     before == nullptr ? std::vector<compare::SaidThere>() : said_there(*before),
+                     said_there(record));
+    }
+    job_.on_record(record);
+    if (progress_.is_due()) progress_.update(done_, job_.note());
+  }
+
+  std::optional<std::vector<compare::EngineChange>> changes() {
+    if (!baseline_) return std::nullopt;
+    baseline_reader_->next();  // throws for places that there are not
+    return baseline_->changes();
+  }
+
+  const CompareOptions& options_;
+  const RecordedJob<Record>& job_;
+  std::size_t done_ = 0;
+  std::size_t fresh_ = 0;  // of these, in this run
+  Progress progress_;
+  std::optional<compare::JournalReader> baseline_file_;
+  std::optional<RecordReader<Record>> baseline_reader_;
+  std::optional<compare::Baseline> baseline_;
+  std::optional<files::OutputFile> save_file_;
+  std::optional<RecordWriter<Record>> save_;
+  std::optional<compare::JournalFile> resume_file_;
+  std::optional<RecordWriter<Record>> resume_;
+  Clock::time_point next_flush_ = Clock::now() + kFlushInterval;
+};
 
 }  // namespace graze::cli

@@ -31,11 +31,12 @@ Progress::~Progress() {
   erase();
 }
 
-void Progress::update(std::size_t done) {
-  if (style_ == Style::Silent || Clock::now() < next_report_) return;
+void Progress::update(std::size_t done, const std::string& note) {
+  if (!is_due()) return;
   erase();
   if (done >= total_) return;
-  const std::string text = fmt::format("{} {} of {} done", what_, done, total_);
+  const std::string text =
+      fmt::format("{} {} of {} done{}", what_, done, total_, note.empty() ? "" : " (" + note + ")");
   const bool is_rewritten = style_ == Style::Rewritten;
   std::fprintf(stderr, is_rewritten ? "%s" : "%s\n", text.c_str());
   std::fflush(stderr);

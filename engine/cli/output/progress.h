@@ -24,8 +24,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// To be called whenever another part is done.
-  void update(std::size_t done);
+  /// To be called whenever another part is done. `note` stands behind, in brackets, if it is not
+  /// empty.
+  void update(std::size_t done, const std::string& note = "");
+
+  /// Whether update() would say anything: what makes a note can be left out if not.
+  bool is_due() const { return style_ != Style::Silent && Clock::now() >= next_report_; }
 
  private:
   using Clock = std::chrono::steady_clock;

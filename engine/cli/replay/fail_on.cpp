@@ -85,8 +85,11 @@ FailOn::FailOn(std::span<const std::string> words, std::span<const EngineEntry> 
       throw UsageError("--fail-on: there is no engine " + mesh_io::quoted(name) + ", but " + names);
     }
     Rule rule{name, std::nullopt, above};
-    if (colon != word.npos)
-      rule.error_class = class_named(std::string_view(word).substr(colon + 1));
+    if (colon != word.npos) {
+      const std::string_view kind = std::string_view(word).substr(colon + 1);
+      rule.is_change = kind == "changed" && !above;
+      if (!rule.is_change) rule.error_class = class_named(kind);
+    }
     rules_.push_back(std::move(rule));
   }
 }
@@ -99,10 +102,19 @@ bool FailOn::matches(const compare::Testimony& testimony) const {
 
 bool FailOn::matches(const std::string& engine, const compare::Judgement& judgement) const {
   return std::any_of(rules_.begin(), rules_.end(), [&](const Rule& rule) {
-    return rule.engine == engine &&
+    return rule.engine == engine && !rule.is_change &&
            (!rule.error_class || *rule.error_class == judgement.error_class) &&
            (!rule.above || judgement.error > *rule.above);
   });
+}
+
+bool FailOn::names_changes() const {
+  return std::any_of(rules_.begin(), rules_.end(), [](const Rule& rule) { return rule.is_change; });
+}
+
+bool FailOn::matches_change(const std::string& engine) const {
+  return std::any_of(rules_.begin(), rules_.end(),
+                     [&](const Rule& rule) { return rule.engine == engine && rule.is_change; });
 }
 
 }  // namespace graze::cli

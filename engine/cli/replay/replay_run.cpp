@@ -1,13 +1,12 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/output/progress.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/replay/fail_on.h>
 #include <graze/engine/cli/replay/replay_report.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/shared_loads.h>
 #include <graze/engine/files/source.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -15,33 +14,7 @@ namespace graze::cli {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> case_files(const std::vector<std::string>& arguments) {
-  std::vector<fs::path> files;
-  for (const std::string& argument : arguments) {
-    std::error_code ignored;
-    if (!fs::is_directory(argument, ignored)) {
-      files.emplace_back(argument);
-      continue;
-    }
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(argument)) {
-      if (entry.path().extension() == ".json") found.push_back(entry.path());
-    }
-    if (found.empty()) {
-      throw CaseError(mesh_io::printable(argument) + ": holds no case, no file that ends in .json");
-    }
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  return files;
-}
-
 namespace {
-
-struct ReadFile {
-  fs::path path;
-  Case query;
-};
 
 void name_refused(const std::string& message) {
   std::fprintf(stderr, "graze: %s\n", mesh_io::printable(message).c_str());
@@ -59,16 +32,14 @@ ExitCode exit_code_of(const ReplayReport& report, const ReplayOptions& options, 
 
 ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
                     Output& output) {
-  std::vector<ReadFile> cases;
+  std::vector<ListedCase> cases;
   std::vector<std::string> refusals;
   CaseMeshes meshes;
   for (const fs::path& file : case_files(options.files)) {
-    try {
-      cases.push_back(
-          {file, read_case(file, {.mesh_folder = options.mesh_folder, .meshes = &meshes})});
-    } catch (const Error& error) {
-      refusals.emplace_back(error.what());
-    }
+    read_listed_cases(
+        file, {.mesh_folder = options.mesh_folder, .meshes = &meshes},
+        [&](ListedCase each) { cases.push_back(std::move(each)); },
+        [&](const Error& error) { refusals.emplace_back(error.what()); });
   }
   if (cases.empty() && refusals.size() == 1) throw CaseError(refusals.front());
   for (const std::string& refusal : refusals)
@@ -76,16 +47,19 @@ ExitCode run_replay(const ReplayOptions& options, std::span<const compare::Engin
   if (cases.empty()) return ExitCode::BadInput;
 
   std::vector<std::string> recorded_engines;
-  for (const ReadFile& each : cases)
+  for (const ListedCase& each : cases)
     if (each.query.answer) recorded_engines.push_back(each.query.answered_by.engine);
   const FailOn fail_on(options.fail_on, engines, recorded_engines);
+  if (fail_on.names_changes()) {
+    throw UsageError("--fail-on: of what has changed see --same; others are held against a record");
+  }
   Progress progress("cases:", cases.size(), {.is_forced = options.has_progress});
   ReplayReport report(output, fail_on, options.is_json);
   report.begin(engines);
   const compare::SharedLoads shared(engines);
   bool is_all_read = refusals.empty();
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::string file = cases[i].path.string();
+    const std::string& file = cases[i].name;
     std::vector<compare::Testimony> testimonies;
     try {
       testimonies = compare::try_case(cases[i].query, shared.engines());

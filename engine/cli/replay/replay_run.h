@@ -12,7 +12,7 @@
 namespace graze::cli {
 
 struct ReplayOptions {
-  std::vector<std::string> files = {};  ///< or folders, of which every .json is meant
+  std::vector<std::string> files = {};  ///< or folders: see case_files()
   std::string mesh_folder = {};         ///< where meshes by file lie; empty: beside each case
   bool is_json = false;
   bool has_progress = false;
@@ -28,9 +28,5 @@ struct ReplayOptions {
 /// UsageError for what `fail_on` cannot mean.
 ExitCode run_replay(const ReplayOptions& options, std::span<const compare::EngineEntry> engines,
                     Output& output);
-
-/// The cases that the arguments mean, folders in the order of their names. Throws CaseError for a
-/// folder without any.
-std::vector<std::filesystem::path> case_files(const std::vector<std::string>& arguments);
 
 }  // namespace graze::cli

@@ -132,11 +132,26 @@ class Engine {
   virtual std::unique_ptr<Engine> alone() const;
 };
 
+/// What an engine once said, a place each: poses of one job, counted from 0. May be read from many
+/// threads.
+class RecordedAnswers {
+ public:
+  virtual ~RecordedAnswers() = default;
+
+  /// As LoadedPair::timed_answer() has it. Throws EngineFailure for what was no answer.
+  virtual TimedAnswer at(std::size_t place) const = 0;
+
+  /// The SHA-256 of all of them.
+  virtual const std::string& digest() const = 0;
+};
+
 /// An engine, or the word why it is not here.
 struct EngineEntry {
   std::string name;
   std::unique_ptr<Engine> engine;  ///< null if it was not found when this was built
   bool is_users_own = false;       ///< of start_engine()
+  /// Then the engine only bears a name, and nothing can be asked of it. Null: it is asked.
+  std::shared_ptr<const RecordedAnswers> recorded = nullptr;
 };
 
 /// How engines in processes of their own are asked.

@@ -1,6 +1,5 @@
-#include <graze/engine/cases/text/sha256.h>
-#include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/case_comparison.h>
+#include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/shared_loads.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
@@ -10,11 +9,12 @@ namespace {
 
 AnswerRecord record_of(const Testimony& testimony, const Case& query) {
   AnswerRecord record{.engine = testimony.is_recorded ? kRecorded : testimony.witness.engine,
-                      .digest = cases::sha256_of(to_json(testimony.answer)),
+                      .digest = answer_digest(testimony.answer),
                       .brief = brief(testimony.answer),
-                      .time = testimony.time.count(),
+                      .time = recorded_time(testimony.time.count()),
                       .is_agreed = false,
-                      .judgement = testimony.judgement};
+                      .judgement = testimony.judgement,
+                      .value = answer_value(testimony.answer)};
   if (testimony.differs_from_record) {
     Judgement& judgement = record.judgement;
     judgement.verdict = Verdict::Wrong;
@@ -27,19 +27,19 @@ AnswerRecord record_of(const Testimony& testimony, const Case& query) {
 }  // namespace
 
 void compare_cases(const CaseJob& job, std::span<const EngineEntry> engines,
-                   const std::function<bool(std::size_t)>& is_done,
-                   const std::function<void(PlaceRecord)>& on_record) {
+                   const PlaceRange& range,
+                   const std::function<bool(std::vector<PlaceRecord>)>& on_records) {
   const SharedLoads shared(engines);
-  run_on_places<PlaceRecord>(
-      job.threads, job.cases.size(), is_done,
-      [&](std::size_t place) {
+  run_in_order<PlaceRecord>(
+      range, [](std::size_t) { return 0; },
+      [&](std::size_t place, int) {
         const Case& query = job.cases[place].query;
         PlaceRecord record{place, {}};
         for (const Testimony& testimony : try_case(query, shared.engines()))
           record.answers.push_back(record_of(testimony, query));
         return record;
       },
-      on_record);
+      on_records);
 }
 
 }  // namespace graze::compare

@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/sha256.h>
-#include <graze/engine/cases/write_case.h>
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/comparison.h>
+#include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
@@ -17,21 +17,31 @@ namespace {
 
 Question question_of(const ComparisonJob& job, std::size_t pose) {
   Question question = job.question;
-  if (!job.courses_b.empty()) question.course_b = job.courses_b[pose];
+  question.course_b = job.course_b(pose);
   return question;
 }
 
-/// An engine that holds the two meshes, once for all questions and once for those that confirm.
+/// An engine that holds the two meshes, once for all questions and once for those that confirm; or
+/// what an engine once said.
 class LoadedEngine {
  public:
   LoadedEngine(const EngineEntry& entry, const ComparisonJob& job)
-      : entry_(&entry), job_(&job), pair_(entry.engine->load(job.a.mesh, job.b.mesh)) {}
+      : entry_(&entry),
+        job_(&job),
+        pair_(entry.recorded ? nullptr : entry.engine->load(job.a.mesh, job.b.mesh)) {}
 
   const std::string& name() const { return entry_->name; }
   const Engine& engine() const { return *entry_->engine; }
 
-  Utterance hear(std::size_t pose) const { return hear(*pair_, pose); }
+  bool is_recorded() const { return entry_->recorded != nullptr; }
+
+  Utterance hear(std::size_t pose) const {
+    if (!is_recorded()) return hear(*pair_, pose);
+    return compare::hear([&] { return entry_->recorded->at(pose); }, kRecorded);
+  }
+  /// What was recorded stays as it is.
   Utterance hear_alone(std::size_t pose) const {
+    if (is_recorded()) return hear(pose);
     std::call_once(alone_->is_loaded, [&] {
       const std::unique_ptr<Engine> alone = engine().alone();
       if (alone) alone_->pair = alone->load(job_->a.mesh, job_->b.mesh);
@@ -48,7 +58,7 @@ class LoadedEngine {
   Utterance hear(const LoadedPair& pair, std::size_t pose) const {
     return compare::hear(
         [&] {
-          return pair.timed_answer(question_of(*job_, pose), job_->a.pose, job_->poses_b[pose]);
+          return pair.timed_answer(question_of(*job_, pose), job_->a.pose, job_->poses_b->at(pose));
         },
         name());
   }
@@ -121,7 +131,7 @@ class PoseTrial {
         owner.name(), std::move(said),
         [&](const CaseAnswer& answer) {
           return judge.judge(answer, {owner.name(), owner.engine().name().version},
-                             asking(owner.engine()));
+                             owner.is_recorded() ? JudgeSettings() : asking(owner.engine()));
         },
         [&] { return owner.hear_alone(pose); });
   }
@@ -129,11 +139,12 @@ class PoseTrial {
   static AnswerRecord record_of(const LoadedEngine& owner, const Heard& heard) {
     const std::optional<CaseAnswer>& answer = heard.said.answer;
     return {.engine = owner.name(),
-            .digest = answer ? cases::sha256_of(to_json(*answer)) : "",
+            .digest = answer ? answer_digest(*answer) : "",
             .brief = answer ? brief(*answer) : "nothing",
-            .time = heard.said.time.count(),
+            .time = recorded_time(heard.said.time.count()),
             .is_agreed = false,
-            .judgement = heard.judgement};
+            .judgement = heard.judgement,
+            .value = answer ? answer_value(*answer) : std::nullopt};
   }
 
   const ComparisonJob& job_;
@@ -142,10 +153,23 @@ class PoseTrial {
 
 }  // namespace
 
+std::size_t ComparisonJob::places() const {
+  return poses_b->size() - (cases::is_about_motion(question.ask) ? 1 : 0);
+}
+
+std::optional<RigidCourse> ComparisonJob::course_b(std::size_t pose) const {
+  if (!cases::is_about_motion(question.ask)) return std::nullopt;
+  const RigidMotion motion = RigidMotion::between(poses_b->at(pose), poses_b->at(pose + 1));
+  return RigidCourse{.centre = motion.centre(),
+                     .shift = motion.shift(),
+                     .axis = motion.axis(),
+                     .angle = motion.angle()};
+}
+
 Case case_of(const ComparisonJob& job, std::size_t pose) {
   CaseMesh b = job.b;
-  b.pose = job.poses_b[pose];
-  b.course = question_of(job, pose).course_b;
+  b.pose = job.poses_b->at(pose);
+  b.course = job.course_b(pose);
   return {.note = "",
           .ask = job.question.ask,
           .settings = job.question.settings,
@@ -156,13 +180,13 @@ Case case_of(const ComparisonJob& job, std::size_t pose) {
 }
 
 void run_comparison(const ComparisonJob& job, std::span<const EngineEntry> engines,
-                    const std::function<bool(std::size_t)>& is_done,
-                    const std::function<void(PlaceRecord)>& on_record) {
+                    const PlaceRange& range,
+                    const std::function<bool(std::vector<PlaceRecord>)>& on_records) {
   const std::vector<LoadedEngine> loaded = load_all(job, engines);
   const PoseTrial trial(job, loaded);
-  run_on_places<PlaceRecord>(
-      job.threads, job.poses_b.size(), is_done, [&](std::size_t pose) { return trial.run(pose); },
-      on_record);
+  run_in_order<PlaceRecord>(
+      range, [](std::size_t) { return 0; }, [&](std::size_t pose, int) { return trial.run(pose); },
+      on_records);
 }
 
 }  // namespace graze::compare

@@ -2,11 +2,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <graze/engine/compare/peers/engine.h>
-#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
+#include <graze/engine/compare/run/record/answer_record.h>
+#include <graze/engine/compare/run/trial_threads.h>
 
 namespace graze::compare {
 
@@ -14,22 +18,25 @@ namespace graze::compare {
 struct ComparisonJob {
   CaseMesh a;
   CaseMesh b;  ///< its pose is not used
-  std::vector<Pose> poses_b;
-  /// Where B goes from each of the poses, of Ask::FirstContact and Free; of other questions none.
-  std::vector<RigidCourse> courses_b = {};
-  Question question;
-  std::size_t threads = 0;  ///< 0: as many as there are processors
+  std::shared_ptr<const PoseSource> poses_b;
+  Question question;  ///< of Ask::FirstContact and Free B goes from each of the poses to the next
+
+  /// How many times the question is asked.
+  std::size_t places() const;
+  /// Where B goes from a pose; of questions that are not about motions nowhere.
+  std::optional<RigidCourse> course_b(std::size_t pose) const;
 };
 
 /// The case that asks the question in one pose.
 Case case_of(const ComparisonJob& job, std::size_t pose);
 
-/// Puts the question to all engines that are here, in every pose that `is_done` does not know, and
-/// lets the referee settle every difference; distances and times, for which differences are the
-/// rule, always. `on_record` is called as poses are finished, by one thread at a time and in no
-/// order.
+/// Puts the question to all engines that are here, in the poses of the range, and lets the referee
+/// settle every difference; distances and times, for which differences are the rule, always.
+/// Engines whose answers were recorded are heard as they once answered. `on_records` is called with
+/// the records in the order of poses, some at a time, by one thread at a time; once it returns
+/// false no other pose is begun. Memory does not grow with the poses.
 void run_comparison(const ComparisonJob& job, std::span<const EngineEntry> engines,
-                    const std::function<bool(std::size_t)>& is_done,
-                    const std::function<void(PlaceRecord)>& on_record);
+                    const PlaceRange& range,
+                    const std::function<bool(std::vector<PlaceRecord>)>& on_records);
 
 }  // namespace graze::compare

@@ -28,22 +28,6 @@ std::string digest_of(const Mesh& mesh, const std::string& before) {
   return sha256_of(text);
 }
 
-std::string digest_of(const std::vector<Pose>& poses) {
-  std::string text;
-  for (const Pose& pose : poses)
-    text += cases::json_pose(pose);
-  return sha256_of(text);
-}
-
-std::string text_of(const std::vector<RigidCourse>& courses) {
-  std::string text;
-  for (const RigidCourse& course : courses) {
-    text += cases::json_point(course.centre) + cases::json_point(course.shift) +
-            cases::json_point(course.axis) + json_number(course.angle);
-  }
-  return text;
-}
-
 bool has_clearance(const ComparisonJob& job) {
   return job.question.ask == Ask::Within || job.question.settings.clearance != 0;
 }
@@ -63,22 +47,16 @@ JournalHead head_of(const ComparisonJob& job) {
     question += " m";
   }
   text = digest_of(job.b.mesh, digest_of(job.a.mesh, text));
-  text += cases::json_pose(job.a.pose);
-  for (const Pose& pose : job.poses_b)
-    text += cases::json_pose(pose);
-  text += text_of(job.courses_b);
-  JournalHead head{.kind = "graze_comparison",
-                   .unit = "poses",
-                   .key = sha256_of(text),
-                   .parts = {{"question", question},
-                             {"mesh A", digest_of(job.a.mesh, "")},
-                             {"mesh B", digest_of(job.b.mesh, "")},
-                             {"pose of A", sha256_of(cases::json_pose(job.a.pose))},
-                             {"poses of B", digest_of(job.poses_b)}},
-                   .places = job.poses_b.size()};
-  if (!job.courses_b.empty())
-    head.parts.push_back({"motions of B", sha256_of(text_of(job.courses_b))});
-  return head;
+  text += cases::json_pose(job.a.pose) + job.poses_b->key();
+  return {.kind = "graze_comparison",
+          .unit = "poses",
+          .key = sha256_of(text),
+          .parts = {{"question", question},
+                    {"mesh A", digest_of(job.a.mesh, "")},
+                    {"mesh B", digest_of(job.b.mesh, "")},
+                    {"pose of A", sha256_of(cases::json_pose(job.a.pose))},
+                    {"poses of B", job.poses_b->key()}},
+          .places = job.places()};
 }
 
 JournalHead head_of(const std::filesystem::path& path, const Scene& scene,

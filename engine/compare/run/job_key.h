@@ -4,7 +4,7 @@
 
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/comparison.h>
-#include <graze/engine/compare/run/journal.h>
+#include <graze/engine/compare/run/record/journal.h>
 #include <graze/engine/compare/run/scene_comparison.h>
 
 namespace graze::compare {

@@ -1,8 +1,8 @@
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/compare/judge/shape_judge.h>
+#include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/scene_comparison.h>
 #include <graze/engine/compare/run/trial.h>
-#include <graze/engine/compare/run/trial_threads.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <algorithm>
@@ -127,6 +127,8 @@ class StepTrial {
     }
     for (std::size_t i = 0; i < said_.size(); ++i)
       record_.engines[i].digest = cases::sha256_of(said_[i]);
+    for (StepAnswers& each : record_.engines)
+      each.time = recorded_time(each.time);
     return std::move(record_);
   }
 
@@ -262,48 +264,34 @@ std::set<ScenePair> touching_in(const World& world) {
   return touching;
 }
 
-/// The world, which must see every step once and in order, for all threads.
-class SharedWorld {
+/// The world, which must see every step once and in order.
+class SteppedWorld {
  public:
-  SharedWorld(const Scene& scene, const SceneComparisonSettings& settings,
-              const std::function<bool(std::size_t)>& is_done)
-      : simulation_(scene, {.step = settings.step, .world = {.contacts = false}}),
-        steps_(settings.steps),
-        is_done_(is_done) {}
+  SteppedWorld(const Scene& scene, const SceneComparisonSettings& settings)
+      : simulation_(scene, {.step = settings.step, .world = {.contacts = false}}) {}
 
-  /// The next step that is not done; nothing after the last.
-  std::optional<WorldStep> next() {
-    const std::lock_guard lock(mutex_);
-    while (next_ <= steps_) {
+  /// Goes on to a step that is not behind it.
+  WorldStep at(std::size_t step) {
+    std::chrono::duration<double, std::micro> took{0};
+    for (; next_ <= step; ++next_) {
       const auto start = Clock::now();
       simulation_.advance();
-      const std::chrono::duration<double, std::micro> took = Clock::now() - start;
-      if (is_done_(next_++)) continue;
-      return WorldStep{simulation_.steps(), simulation_.time(), took.count(),
-                       touching_in(simulation_.world())};
+      took = Clock::now() - start;
     }
-    return std::nullopt;
-  }
-
-  void stop() {
-    const std::lock_guard lock(mutex_);
-    next_ = steps_ + 1;
+    return {simulation_.steps(), simulation_.time(), took.count(),
+            touching_in(simulation_.world())};
   }
 
  private:
-  std::mutex mutex_;
   Simulation simulation_;
-  std::size_t steps_;
-  const std::function<bool(std::size_t)>& is_done_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
 void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
-                   const SceneComparisonSettings& settings,
-                   const std::function<bool(std::size_t)>& is_done,
-                   const std::function<void(StepRecord)>& on_record) {
+                   const SceneComparisonSettings& settings, const PlaceRange& range,
+                   const std::function<bool(std::vector<StepRecord>)>& on_records) {
   for (const SceneBody& body : scene.bodies) {
     if (body.parts.empty()) continue;
     throw UnsupportedPairError("body \"" + body.name +
@@ -311,18 +299,15 @@ void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
   }
   const std::vector<SceneEngine> loaded = load_all(scene, engines);
   const std::vector<ScenePair> meeting = meeting_pairs(scene);
-  SharedWorld world(scene, settings, is_done);
-  std::mutex mutex;
-  run_on_threads(
-      settings.threads, settings.steps + 1,
-      [&] {
-        while (std::optional<WorldStep> step = world.next()) {
-          StepRecord record = StepTrial(scene, loaded, *std::move(step)).run(meeting);
-          const std::lock_guard lock(mutex);
-          on_record(std::move(record));
-        }
+  SteppedWorld world(scene, settings);
+  PlaceRange one_by_one = range;
+  one_by_one.most_at_once = 1;
+  run_in_order<StepRecord>(
+      one_by_one, [&](std::size_t step) { return world.at(step); },
+      [&](std::size_t, WorldStep step) {
+        return StepTrial(scene, loaded, std::move(step)).run(meeting);
       },
-      [&] { world.stop(); });
+      on_records);
 }
 
 Case case_of(const Scene& scene, const ScenePair& pair, double time) {

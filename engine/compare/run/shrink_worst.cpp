@@ -183,6 +183,10 @@ class OneShrinking {
 
 }  // namespace
 
+bool is_worse(const WrongAnswer& a, const WrongAnswer& b) {
+  return rank_of(a) < rank_of(b);
+}
+
 std::string least_size(const ShrunkCase& shrunk) {
   const std::optional<MeshCase> meshes = as_meshes(shrunk.query);
   if (!meshes) return "";
@@ -200,7 +204,7 @@ void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntr
     const auto entry = std::find_if(
         engines.begin(), engines.end(),
         [&](const EngineEntry& candidate) { return candidate.name == wrong[i].answer->engine; });
-    return entry == engines.end() ? nullptr : entry->engine.get();
+    return entry == engines.end() || entry->recorded ? nullptr : entry->engine.get();
   };
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < wrong.size(); ++i)

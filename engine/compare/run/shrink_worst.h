@@ -3,24 +3,28 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <graze/engine/compare/peers/engine.h>
-#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/compare/run/record/answer_record.h>
 
 namespace graze::compare {
 
 /// A wrong answer, and how to ask again.
 struct WrongAnswer {
-  std::size_t place = 0;                 ///< the pose, the step or the case
-  std::string where;                     ///< the same for people: "7", "3: gear, pinion"
-  std::string name;                      ///< in the name of a file: "bolt-nut-fcl-any-pose7"
-  const AnswerRecord* answer = nullptr;  ///< refers to a record
+  std::size_t place = 0;  ///< the pose, the step or the case
+  std::string where;      ///< the same for people: "7", "3: gear, pinion"
+  std::string name;       ///< in the name of a file: "bolt-nut-fcl-any-pose7"
+  std::shared_ptr<const AnswerRecord> answer = nullptr;
   std::function<Case()> query = {};
   std::string origin = {};  ///< the file that the query came from, if it came from one
 };
+
+/// Whether the first is worse: what is of graze, then by the class, then what comes before.
+bool is_worse(const WrongAnswer& a, const WrongAnswer& b);
 
 /// A wrong answer as small as it could be made, with what the referee says of that.
 struct ShrunkCase {

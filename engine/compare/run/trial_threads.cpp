@@ -8,6 +8,10 @@
 
 namespace graze::compare {
 
+std::size_t thread_count(std::size_t threads) {
+  return std::max<std::size_t>(threads != 0 ? threads : std::thread::hardware_concurrency(), 1);
+}
+
 void run_on_threads(std::size_t threads, std::size_t most, const std::function<void()>& work,
                     const std::function<void()>& stop) {
   std::mutex mutex;
@@ -21,8 +25,8 @@ void run_on_threads(std::size_t threads, std::size_t most, const std::function<v
       if (!failure) failure = std::current_exception();
     }
   };
-  std::size_t count = threads != 0 ? threads : std::thread::hardware_concurrency();
-  count = std::clamp<std::size_t>(count, 1, std::max<std::size_t>(most, 1));
+  const std::size_t count =
+      std::clamp<std::size_t>(thread_count(threads), 1, std::max<std::size_t>(most, 1));
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < count; ++i)
     others.emplace_back(guarded);

@@ -75,36 +75,47 @@ bool is_array(std::string_view bytes) {
   return bytes.starts_with(kMagic);
 }
 
-std::vector<PoseLine> poses_of_array(std::string_view bytes, const std::string& name) {
+PoseArrayLayout layout_of_array(std::string_view begin, std::size_t size, const std::string& name) {
   // Behind the magic stand two bytes of a version and the length of the header.
   const std::size_t start = kMagic.size() + 2;
-  const std::size_t width = bytes.size() > start && bytes[start - 2] == 1 ? 2 : 4;
-  if (bytes.size() < start + width) fail(name, "ends within its header");
-  const std::size_t length = little_endian(bytes.substr(start, width));
-  if (bytes.size() - start - width < length) fail(name, "ends within its header");
-  const Layout layout = layout_of(bytes.substr(start + width, length), name);
-  bytes.remove_prefix(start + width + length);
-  const std::size_t size = layout.rows * 4 * sizeof(double);
-  if (layout.count != bytes.size() / size || bytes.size() % size != 0) {
-    fail(name, "has " + std::to_string(bytes.size()) + " bytes of numbers, not " +
-                   std::to_string(layout.count) + " times " + std::to_string(size));
+  const std::size_t width = begin.size() > start && begin[start - 2] == 1 ? 2 : 4;
+  if (begin.size() < start + width) fail(name, "ends within its header");
+  const std::size_t length = little_endian(begin.substr(start, width));
+  if (begin.size() - start - width < length) fail(name, "ends within its header");
+  const Layout shape = layout_of(begin.substr(start + width, length), name);
+  const PoseArrayLayout layout{shape.count, shape.rows, start + width + length};
+  const std::size_t numbers = size - layout.start;
+  if (layout.count != numbers / layout.bytes_of_pose() || numbers % layout.bytes_of_pose() != 0) {
+    fail(name, "has " + std::to_string(numbers) + " bytes of numbers, not " +
+                   std::to_string(layout.count) + " times " +
+                   std::to_string(layout.bytes_of_pose()));
   }
+  return layout;
+}
+
+Pose pose_of_array(std::string_view bytes, std::size_t index, const std::string& name) {
+  Pose pose = Pose::Identity();
+  for (std::size_t i = 0; i < bytes.size() / sizeof(double); ++i) {
+    const std::string_view number = bytes.substr(i * sizeof(double), sizeof(double));
+    pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) =
+        std::bit_cast<double>(static_cast<std::uint64_t>(little_endian(number)));
+  }
+  try {
+    check_rigid(pose, (name + ":" + std::to_string(index + 1)).c_str());
+  } catch (const PoseError& error) {
+    throw PoseError(error.what(), {.file = name, .element = "pose", .index = index});
+  }
+  return pose;
+}
+
+std::vector<PoseLine> poses_of_array(std::string_view bytes, const std::string& name) {
+  const PoseArrayLayout layout = layout_of_array(bytes, bytes.size(), name);
   if (layout.count == 0) fail(name, "no poses");
   std::vector<PoseLine> poses;
   poses.reserve(layout.count);
   for (std::size_t n = 0; n < layout.count; ++n) {
-    Pose pose = Pose::Identity();
-    for (std::size_t i = 0; i < layout.rows * 4; ++i) {
-      const std::string_view number = bytes.substr(n * size + i * sizeof(double), sizeof(double));
-      pose.matrix()(static_cast<int>(i / 4), static_cast<int>(i % 4)) =
-          std::bit_cast<double>(static_cast<std::uint64_t>(little_endian(number)));
-    }
-    try {
-      check_rigid(pose, (name + ":" + std::to_string(n + 1)).c_str());
-    } catch (const PoseError& error) {
-      throw PoseError(error.what(), {.file = name, .element = "pose", .index = n});
-    }
-    poses.push_back({pose, n + 1});
+    const std::size_t at = layout.start + n * layout.bytes_of_pose();
+    poses.push_back({pose_of_array(bytes.substr(at, layout.bytes_of_pose()), n, name), n + 1});
   }
   return poses;
 }

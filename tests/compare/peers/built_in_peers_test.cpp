@@ -7,7 +7,7 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/run/case_comparison.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 
+#include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_source.h"
 
@@ -22,8 +23,8 @@ namespace graze::compare {
 namespace {
 
 /// Meshes of a thousand triangles, another in each case, in poses from far apart to deep.
-CaseJob many_meshes(std::size_t count, std::size_t threads) {
-  CaseJob job{.cases = {}, .threads = threads};
+CaseJob many_meshes(std::size_t count) {
+  CaseJob job;
   const Mesh proxy = tests::make_torus(1, 0.3, 25, 20);
   const std::vector<Pose> poses = random_poses({proxy}, proxy, count, 3);
   for (std::size_t i = 0; i < count; ++i) {
@@ -40,11 +41,11 @@ CaseJob many_meshes(std::size_t count, std::size_t threads) {
 /// Of each case what each engine said, and how it was judged.
 using Said = std::map<std::pair<std::size_t, std::string>, std::pair<std::string, std::string>>;
 
-Said compare_all(const CaseJob& job, std::span<const EngineEntry> engines) {
+Said compare_all(const CaseJob& job, std::size_t threads, std::span<const EngineEntry> engines) {
   Said said;
   compare_cases(
-      job, engines, [](std::size_t) { return false; },
-      [&](const PlaceRecord& record) {
+      job, engines, {.end = job.cases.size(), .threads = threads},
+      each_record<PlaceRecord>([&](const PlaceRecord& record) {
         for (const AnswerRecord& answer : record.answers) {
           said[{record.place, answer.engine}] = {answer.digest, name_of(answer.judgement.verdict)};
           EXPECT_NE(answer.judgement.verdict, Verdict::NotConfirmed) << answer.engine;
@@ -52,14 +53,14 @@ Said compare_all(const CaseJob& job, std::span<const EngineEntry> engines) {
           EXPECT_NE(answer.judgement.error_class, ErrorClass::EngineError)
               << answer.engine << " in case " << record.place << ": " << answer.judgement.truth;
         }
-      });
+      }));
   return said;
 }
 
 void expect_same_on_threads(std::size_t count, std::span<const EngineEntry> engines) {
-  const Said alone = compare_all(many_meshes(count, 1), engines);
+  const Said alone = compare_all(many_meshes(count), 1, engines);
   EXPECT_GE(alone.size(), count);
-  EXPECT_EQ(compare_all(many_meshes(count, 8), engines), alone);
+  EXPECT_EQ(compare_all(many_meshes(count), 8, engines), alone);
 }
 
 /// One of the engines besides graze: where it was not built in its tests are skipped, and say so.

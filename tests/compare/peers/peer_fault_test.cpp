@@ -15,6 +15,7 @@
 #include <mutex>
 #include <string>
 
+#include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
@@ -118,26 +119,24 @@ TEST_F(PeerFaults, StopNoComparison) {
   const std::size_t files = open_files();
   const ComparisonJob job{.a = CaseMesh(box_, Pose::Identity()),
                           .b = CaseMesh(box_, aside_),
-                          .poses_b = std::vector<Pose>(12, aside_),
-                          .question = {},
-                          .threads = 4};
+                          .poses_b = pose_list(std::vector<Pose>(12, aside_)),
+                          .question = {}};
   for (const char* fault : {"dies", "wrong", "answers twice"}) {
     std::size_t wrong = 0;
     std::size_t errors = 0;
     std::size_t unconfirmed = 0;
     {
       const std::vector<EngineEntry> engines = graze_and(fault);
-      run_comparison(
-          job, engines, [](std::size_t) { return false; },
-          [&](const PlaceRecord& record) {
-            ASSERT_EQ(record.answers.size(), 2u);
-            EXPECT_FALSE(record.answers.front().is_wrong());
-            const Judgement& judgement = record.answers.back().judgement;
-            wrong += record.answers.back().is_wrong();
-            errors += record.answers.back().is_wrong() &&
-                      judgement.error_class == ErrorClass::EngineError;
-            unconfirmed += judgement.verdict == Verdict::NotConfirmed;
-          });
+      run_comparison(job, engines, {.end = job.places(), .threads = 4},
+                     each_record<PlaceRecord>([&](const PlaceRecord& record) {
+                       ASSERT_EQ(record.answers.size(), 2u);
+                       EXPECT_FALSE(record.answers.front().is_wrong());
+                       const Judgement& judgement = record.answers.back().judgement;
+                       wrong += record.answers.back().is_wrong();
+                       errors += record.answers.back().is_wrong() &&
+                                 judgement.error_class == ErrorClass::EngineError;
+                       unconfirmed += judgement.verdict == Verdict::NotConfirmed;
+                     }));
     }
     const bool is_steady = std::string(fault) != "answers twice";
     EXPECT_EQ(wrong, is_steady ? 12u : 0u) << fault;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
@@ -74,7 +75,7 @@ TEST_F(SharedLoadsTest, ForgetWhatWasRefused) {
 }
 
 TEST_F(SharedLoadsTest, ChangeNoAnswerOfManyCases) {
-  CaseJob job{.cases = {}, .threads = 2};
+  CaseJob job;
   const Mesh a = tests::make_torus(1, 0.25, 10, 8), b = tests::make_torus(0.7, 0.2, 10, 8);
   for (int i = 0; i < 40; ++i) {
     Pose pose = Pose::Identity();
@@ -85,16 +86,15 @@ TEST_F(SharedLoadsTest, ChangeNoAnswerOfManyCases) {
     job.cases.push_back({"case" + std::to_string(i), std::move(query)});
   }
   std::size_t asked = 0;
-  compare_cases(
-      job, engines_, [](std::size_t) { return false; },
-      [&](const PlaceRecord& record) {
-        ASSERT_EQ(record.answers.size(), 1u);
-        const AnswerRecord& answer = record.answers[0];
-        EXPECT_FALSE(answer.is_wrong()) << record.place << ": " << answer.judgement.truth;
-        const Testimony alone = try_case(job.cases[record.place].query, engines_).front();
-        EXPECT_EQ(brief(alone.answer), answer.brief);
-        ++asked;
-      });
+  compare_cases(job, engines_, {.end = job.cases.size(), .threads = 2},
+                each_record<PlaceRecord>([&](const PlaceRecord& record) {
+                  ASSERT_EQ(record.answers.size(), 1u);
+                  const AnswerRecord& answer = record.answers[0];
+                  EXPECT_FALSE(answer.is_wrong()) << record.place << ": " << answer.judgement.truth;
+                  const Testimony alone = try_case(job.cases[record.place].query, engines_).front();
+                  EXPECT_EQ(brief(alone.answer), answer.brief);
+                  ++asked;
+                }));
   EXPECT_EQ(asked, 40u);
   EXPECT_EQ(loads_, 2u + 40u) << "two pairs, and once each for those that were asked alone";
 }

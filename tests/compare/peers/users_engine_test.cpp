@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::compare {
@@ -19,18 +20,19 @@ const std::string kEngines = GRAZE_ENGINE_SAMPLES;
 std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines, Ask ask) {
   ComparisonJob job{.a = CaseMesh(tests::make_torus(1, 0.25, 10, 8), Pose::Identity()),
                     .b = CaseMesh(tests::make_box({0.2, 0.2, 0.2}), Pose::Identity()),
-                    .poses_b = {},
-                    .question = {ask, {}},
-                    .threads = 2};
+                    .poses_b = nullptr,
+                    .question = {ask, {}}};
+  std::vector<Pose> poses;
   for (int i = 0; i < 12; ++i) {
     Pose pose = Pose::Identity();
     pose.translation() = Eigen::Vector3d(0.15 * i, 0.03, 0.01);
-    job.poses_b.push_back(pose);
+    poses.push_back(pose);
   }
-  std::vector<std::vector<AnswerRecord>> all(job.poses_b.size());
-  run_comparison(
-      job, engines, [](std::size_t) { return false; },
-      [&](const PlaceRecord& record) { all[record.place] = record.answers; });
+  job.poses_b = pose_list(poses);
+  std::vector<std::vector<AnswerRecord>> all(poses.size());
+  run_comparison(job, engines, {.end = job.places(), .threads = 2},
+                 each_record<PlaceRecord>(
+                     [&](const PlaceRecord& record) { all[record.place] = record.answers; }));
   return all;
 }
 

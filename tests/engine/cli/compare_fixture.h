@@ -1,7 +1,9 @@
 #pragma once
 
 #include <graze/engine/cli/compare/compare_run.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/replay/replay_run.h>
+#include <graze/engine/compare/run/record/journal.h>
 #include <gtest/gtest.h>
 #include <cstdio>
 #include <filesystem>
@@ -53,6 +55,24 @@ class CliCompare : public testing::Test {
   }
   static std::vector<EngineEntry> with_wrong_fcl() {
     return graze_and(compare::make_wrong_sign_engine("fcl"));
+  }
+
+  /// graze whose distances are off, and the wrong one.
+  static std::vector<EngineEntry> graze_changed_by(double error) {
+    std::vector<EngineEntry> engines = with_wrong_fcl();
+    engines.front().engine = compare::make_off_engine("graze", error);
+    return engines;
+  }
+
+  /// The lines of a record with the sums that they should have: what is wrong in them is no damage.
+  static std::string sealed_again(const std::string& text) {
+    std::istringstream lines(text);
+    std::string out;
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t sum = line.rfind(",\"sum\":\"");
+      out += compare::sealed(sum == line.npos ? line : line.substr(0, sum) + "}") + "\n";
+    }
+    return out;
   }
 
   /// Runs, and keeps what was written.

@@ -152,7 +152,7 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
   const std::size_t graze = text.find("\"engine\":\"graze\"", text.find("\"case\":2,"));
   const std::size_t digest = text.find("\"digest\":\"", graze) + 10;
   text[digest] = text[digest] == '0' ? '1' : '0';
-  directory_.write("base", text);
+  directory_.write("base", sealed_again(text));
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
   EXPECT_NE(out_.find(": 1 answers of graze changed in cases c-ball.json, 0 missing"), out_.npos)
       << out_;
@@ -161,7 +161,7 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
   EXPECT_NE(out_.find(": 0 answers of graze changed, 1 missing"), out_.npos) << out_;
   const std::string header = whole.substr(0, whole.find('\n') + 1);
   for (const char* line : {"{\"case\":5,\"answers\":[]}\n", "{\"pose\":1}\n", "[\n"}) {
-    directory_.write("base", header + line);
+    directory_.write("base", sealed_again(header + line));
     try {
       compare(with_wrong_fcl());
       FAIL() << line;
@@ -169,7 +169,8 @@ TEST_F(CliCompareFolder, BaselinesSeeAChangedBit) {
       EXPECT_NE(std::string(error.what()).find("base:2:"), std::string::npos) << error.what();
     }
   }
-  directory_.write("base", "{\"graze_comparison\":1,\"key\":\"\",\"engines\":[],\"poses\":1}\n");
+  directory_.write("base", sealed_again("{\"graze_comparison\":2,\"key\":\"\",\"asked\":[],"
+                                        "\"engines\":[],\"poses\":1}\n"));
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "a record of poses";
 }
 
@@ -222,6 +223,38 @@ TEST_F(CliCompareFolder, BadInputIsRefusedBeforeAnything) {
   std::filesystem::remove_all(folder_);
   std::filesystem::create_directory(folder_);
   EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << "no case";
+}
+
+/// The same cases in one file, one on each line.
+TEST_F(CliCompareFolder, ManyCasesInOneFileAreTheSameCases) {
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
+  std::string text;
+  for (const std::filesystem::path& file : case_files({folder_.string()})) {
+    std::string one = to_json(read_case(file));
+    std::replace(one.begin(), one.end(), '\n', ' ');
+    text += one + "\n";
+  }
+  ASSERT_EQ(std::count(text.begin(), text.end(), '\n'), 5) << text;
+  options_.mesh_a = directory_.write("many.jsonl", text);
+  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered) << out_;
+  EXPECT_NE(out_.find("5 cases"), out_.npos) << out_;
+  EXPECT_NE(out_.find("many.jsonl:1       fcl"), out_.npos) << out_;
+  const auto replayed = [&] {
+    return run([&](Output& output) {
+      return run_replay({.files = {options_.mesh_a}}, with_wrong_fcl(), output);
+    });
+  };
+  EXPECT_EQ(replayed(), ExitCode::Answered);
+  EXPECT_NE(out_.find("5 cases, graze wrong in 0"), out_.npos) << out_;
+  directory_.write("many.jsonl", text + "{}\n");
+  EXPECT_EQ(replayed(), ExitCode::BadInput) << "the others are replayed";
+  EXPECT_NE(out_.find("5 cases"), out_.npos) << out_;
+  try {
+    compare(with_wrong_fcl());
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_EQ(std::string(error.what()).find(options_.mesh_a + ":6:1: "), 0u) << error.what();
+  }
 }
 
 TEST(CliPictures, EveryShapeIsDrawnFromTwoSides) {

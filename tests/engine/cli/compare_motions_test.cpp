@@ -83,7 +83,7 @@ TEST_F(CliCompareMotions, ARecordKnowsItsMotions) {
                                     "1 0 0 -4  0 1 0 0  0 0 1 0\n"
                                     "1 0 0 -4  0 0 -1 5  0 1 0 0\n"
                                     "1 0 0 4  0 0 -1 6  0 1 0 0\n");
-  EXPECT_NE(refusal().find("motions of B"), std::string::npos) << "the last pose is another";
+  EXPECT_NE(refusal().find("poses of B"), std::string::npos) << "the last pose is another";
 }
 
 TEST_F(CliCompareMotions, WhatIsRefused) {

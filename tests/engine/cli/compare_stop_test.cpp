@@ -3,6 +3,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cli/output/interruption.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/compare/run/record/place_block.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <atomic>
@@ -49,9 +50,17 @@ class CliStop : public CliCompare {
     return "";
   }
 
-  std::size_t lines() const {
-    const std::string record = read("run.jsonl");
-    return static_cast<std::size_t>(std::count(record.begin(), record.end(), '\n'));
+  /// How many poses the record has.
+  std::size_t recorded() const {
+    compare::JournalReader file(options_.resume);
+    std::size_t count = 0;
+    for (std::string line; file.next(line);) {
+      const cases::JsonValue tree = cases::parse_json(line, file.place());
+      const std::vector<compare::PlaceRecord> block = compare::read_place_block(
+          {tree, file.place()}, file.head().engines, count, file.head().places);
+      count += block.size();
+    }
+    return count;
   }
 
   std::atomic<int> asked_ = 0;
@@ -61,12 +70,12 @@ TEST_F(CliStop, WhatIsBegunIsFinishedAndTheRestIsDoneLater) {
   options_.threads = 1;
   EXPECT_EQ(stopped(interrupted_at(4)),
             "interrupted: 4 of 12 poses done, go on with --resume " + options_.resume);
-  EXPECT_EQ(lines(), 5u) << "the head and four poses, the one of the signal too";
+  EXPECT_EQ(recorded(), 4u) << "the one of the signal too";
   EXPECT_EQ(stopped(interrupted_at(3)),
             "interrupted: 7 of 12 poses done, go on with --resume " + options_.resume);
   EXPECT_EQ(compare(interrupted_at(1000)), ExitCode::Answered);
   EXPECT_EQ(asked_, 5) << "the rest";
-  EXPECT_EQ(lines(), 13u);
+  EXPECT_EQ(recorded(), 12u);
   const std::string in_parts = out_;
   options_.resume.clear();
   EXPECT_EQ(compare(interrupted_at(1000)), ExitCode::Answered);
@@ -78,10 +87,10 @@ TEST_F(CliStop, AllThreadsFinishWhatTheyHaveBegun) {
   options_.random = 60;
   const std::string said = stopped(interrupted_at(10));
   ASSERT_NE(said, "");
-  const std::size_t done = lines() - 1;
+  const std::size_t done = recorded();
   EXPECT_EQ(said.find("interrupted: " + std::to_string(done) + " of 60 poses done"), 0u) << said;
   EXPECT_GE(done, 10u);
-  EXPECT_LE(done, 15u);
+  EXPECT_LE(done, 30u) << "those that were begun ahead of their turn";
   EXPECT_EQ(compare(interrupted_at(1000)), ExitCode::Answered);
   EXPECT_EQ(asked_, 60 - static_cast<int>(done));
 }
@@ -128,23 +137,22 @@ TEST_F(CliStop, ARecordOfSomethingElseSaysWhatDiffers) {
   options_.query = "within";
   options_.clearance = 0.5;
   options_.seed = 7;
-  EXPECT_EQ(difference(), place + "not the same poses of B");
+  EXPECT_EQ(difference(), place + "poses of B random 12, seed 1, not random 12, seed 7");
   options_.seed.reset();
   options_.random = 11;
-  EXPECT_EQ(difference(), place + "not the same poses of B; 12 poses, not 11");
+  EXPECT_EQ(difference(),
+            place + "poses of B random 12, seed 1, not random 11, seed 1; 12 poses, not 11");
   options_.random = 12;
   directory_.write("b.off", off_of(tests::make_box({0.5, 0.5, 0.75})));
   EXPECT_EQ(difference().find(place + "not the same mesh B"), 0u) << difference();
   directory_.write("b.off", off_of(tests::make_box({0.5, 0.5, 0.5})));
   EXPECT_EQ(difference(), "") << "the same again";
-  directory_.write("base",
-                   "{\"graze_case_comparison\":1,\"key\":\"x\",\"engines\":[],\"cases\":1}\n");
+  const std::string rest = ",\"key\":\"x\",\"asked\":[],\"engines\":[],";
+  directory_.write("base", sealed_again("{\"graze_case_comparison\":2" + rest + "\"cases\":1}\n"));
   EXPECT_EQ(difference(), place + "it is of cases, not of two meshes");
-  directory_.write("base", "{\"graze_comparison\":1,\"key\":\"x\",\"engines\":[],\"poses\":12}\n");
-  EXPECT_EQ(difference(), place + "it is of an older graze and does not say of what");
-  directory_.write("base", "{\"graze_comparison\":2,\"key\":\"x\",\"engines\":[],\"poses\":12}\n");
+  directory_.write("base", sealed_again("{\"graze_comparison\":1" + rest + "\"poses\":12}\n"));
   EXPECT_EQ(refused<CaseError>(with_wrong_fcl()),
-            base + ":1:1: /graze_comparison: is version 2; this program reads 1");
+            base + ":1:1: /graze_comparison: is version 1; this program reads 2");
 }
 
 TEST_F(CliStop, APoseThatStandsTwiceIsRefused) {
@@ -153,11 +161,11 @@ TEST_F(CliStop, APoseThatStandsTwiceIsRefused) {
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
   const std::string text = read("base");
   const std::size_t second = text.find('\n') + 1;
-  directory_.write("base", text + text.substr(second, text.find('\n', second) + 1 - second));
-  options_.against = options_.save;
+  directory_.write("base", text + text.substr(second));
+  options_.resume = options_.save;
   options_.save.clear();
   EXPECT_EQ(refused<CaseError>(with_wrong_fcl()),
-            options_.against + ":14:1: number 0 stands twice");
+            options_.resume + ":3:1: /poses/0: is 0 where 12 should stand");
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
-#include <graze/engine/compare/run/baseline.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
+#include <graze/engine/compare/run/record/baseline.h>
 #include <graze/engine/mesh/distance.h>
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -98,8 +98,8 @@ TEST_F(CliCompare, AStoppedRunGoesOn) {
   directory_.write("run.jsonl", whole.substr(0, whole.size() / 2));
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
   const std::string record = read("run.jsonl");
-  EXPECT_EQ(std::count(record.begin(), record.end(), '\n'), 13)
-      << "a line for the job and each pose";
+  EXPECT_EQ(std::count(record.begin(), record.end(), '\n'), 2)
+      << "a line for the job, and one more";
   EXPECT_EQ(out_.substr(0, out_.find("  engine   answers")),
             first_result.substr(0, first_result.find("  engine   answers")));
   options_.seed = 2;
@@ -119,29 +119,56 @@ TEST_F(CliCompare, BaselinesSeeAChangedBit) {
   options_.against = directory_.path("base");
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
   EXPECT_NE(out_.find(": 0 answers of graze changed"), out_.npos) << out_;
-  std::string text = read("base");
-  const std::size_t digest = text.find("\"digest\":\"") + 10;
-  text[digest] = text[digest] == '0' ? '1' : '0';
-  directory_.write("base", text);
-  EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
-  EXPECT_NE(out_.find(": 1 answers of graze changed in poses "), out_.npos) << out_;
+  EXPECT_EQ(compare(graze_changed_by(1e-9)), ExitCode::GrazeWrong);
+  EXPECT_NE(out_.find(": 4 answers of graze changed in poses 0 1 2 3"), out_.npos) << out_;
   options_.seed = 5;
   EXPECT_THROW(compare(with_wrong_fcl()), UsageError);
 }
 
+TEST_F(CliCompare, BaselinesHoldEveryEngineWithinATolerance) {
+  options_.query = "distance";
+  options_.random = 4;
+  options_.time_tolerance = 1e9;
+  options_.save = directory_.path("base");
+  EXPECT_EQ(compare(graze_and(compare::make_off_engine("fcl", 0))), ExitCode::Answered);
+  options_.save.clear();
+  options_.against = directory_.path("base");
+  EXPECT_EQ(compare(graze_and(compare::make_off_engine("fcl", 1e-6))), ExitCode::Answered);
+  EXPECT_NE(out_.find("4 answers of fcl changed in poses 0 1 2 3 (4 from right to wrong"),
+            out_.npos)
+      << out_;
+  options_.fail_on = {"fcl:changed"};
+  EXPECT_EQ(compare(graze_and(compare::make_off_engine("fcl", 1e-6))), ExitCode::Failed);
+  options_.answer_tolerance = 1e-5;
+  EXPECT_EQ(compare(graze_and(compare::make_off_engine("fcl", 1e-6))), ExitCode::Answered);
+  EXPECT_NE(out_.find("0 answers of fcl changed"), out_.npos) << out_;
+  options_.against.clear();
+  EXPECT_THROW(compare(with_wrong_fcl()), UsageError) << "nothing to have changed from";
+}
+
 TEST(Baseline, TimesAreJudgedByTheirMedian) {
-  using compare::GrazePart;
-  const std::vector<GrazePart> old = {{0, "x", 10000}, {1, "x", 10}, {2, "x", 12}, {3, "x", 9}};
-  std::vector<GrazePart> now = old;
-  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 1);
+  using compare::SaidThere;
+  std::vector<SaidThere> old;
+  for (const double time : {10000, 10, 12, 9})
+    old.push_back({.engine = "graze", .digest = "x", .time = time});
+  const auto held = [&](const std::vector<SaidThere>& now) {
+    compare::Baseline baseline;
+    for (std::size_t i = 0; i < old.size(); ++i)
+      baseline.add(i, {&old[i], 1}, {&now[i], 1});
+    return baseline.changes().front();
+  };
+  std::vector<SaidThere> now = old;
+  EXPECT_EQ(held(now).time_ratio, 1);
   now[0].time = 30000;  // the first, which builds the trees, or one slow moment
-  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 1);
+  EXPECT_EQ(held(now).time_ratio, 1);
   now = old;
   for (std::size_t i = 1; i < now.size(); ++i)
     now[i].time *= 3;
-  EXPECT_EQ(compare::compare_to_baseline(old, now).time_ratio, 3);
+  EXPECT_EQ(held(now).time_ratio, 3);
   now[1].digest = "y";
-  EXPECT_EQ(compare::compare_to_baseline(old, now).changed, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(held(now).places, (std::vector<std::size_t>{1}));
+  now[1].digest.clear();
+  EXPECT_EQ(held(now).missing, 1u);
 }
 
 TEST_F(CliCompare, ARecordIsOfOneQuestionAndOfItsEngines) {
@@ -165,7 +192,7 @@ TEST_F(CliCompare, ARecordThatNamesTrianglesThatAreNotThereIsHarmless) {
   std::string text = read("run.jsonl");
   for (std::size_t at = 0; (at = text.find("\"culprit\":[", at)) != text.npos; ++at)
     text.insert(at + 11, "99999");
-  directory_.write("run.jsonl", text);
+  directory_.write("run.jsonl", sealed_again(text));
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::Answered);
   EXPECT_EQ(found().size(), 1u);
 }
@@ -278,6 +305,8 @@ TEST_F(CliCompareScenes, AStoppedRunGoesOn) {
   for (const char* line : {"{\"step\":11}\n", "{\"step\":\"0x1p-1\"}\n", "[\n", "{\"pose\":1}\n"}) {
     directory_.write("run.jsonl", header + line);
     EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << line;
+    directory_.write("run.jsonl", sealed_again(header + line));
+    EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << line;
   }
 }
 
@@ -294,6 +323,8 @@ TEST_F(CliCompareScenes, BaselinesSeeAChangedBit) {
   const std::size_t digest = text.find("\"digest\":\"", text.find("\"step\":3")) + 10;
   text[digest] = text[digest] == '0' ? '1' : '0';
   directory_.write("base", text);
+  EXPECT_THROW(compare(with_wrong_fcl()), CaseError) << "a sum that is another";
+  directory_.write("base", sealed_again(text));
   EXPECT_EQ(compare(with_wrong_fcl()), ExitCode::GrazeWrong);
   EXPECT_NE(out_.find(": 1 answers of graze changed in steps 3, 0 missing"), out_.npos) << out_;
   directory_.write("base", whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
@@ -327,14 +358,15 @@ TEST(CliReport, ThePageNeedsNothingElse) {
                                   .answered_by = {}},
                              {}};
   const std::vector<WrittenCase> cases = {{shrunk, 7, "7", "it's/<b>\"x\".json"}};
-  const compare::AnswerRecord answer{.engine = "<em>",
-                                     .digest = "",
-                                     .brief = "yes",
-                                     .time = 0,
-                                     .is_agreed = false,
-                                     .judgement = {}};
+  const auto answer =
+      std::make_shared<const compare::AnswerRecord>(compare::AnswerRecord{.engine = "<em>",
+                                                                          .digest = "",
+                                                                          .brief = "yes",
+                                                                          .time = 0,
+                                                                          .is_agreed = false,
+                                                                          .judgement = {}});
   const std::vector<compare::WrongAnswer> wrong = {
-      {.place = 3, .where = "3: <u>, \"v\"", .name = "", .answer = &answer}};
+      {.place = 3, .where = "3: <u>, \"v\"", .name = "", .answer = answer}};
   const std::string page = html_report({.mesh_a = "a&b.off",
                                         .mesh_b = "http://x",
                                         .query = "any",

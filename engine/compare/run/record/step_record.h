@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/compare/run/record/answer_record.h>
 #include <graze/engine/scenes/scene.h>
 
 namespace graze::compare {
@@ -36,10 +36,11 @@ struct StepRecord {
 /// One line of JSON, without its line break.
 std::string to_json(const StepRecord& record);
 
-/// The same from JSON, of a scene with so many steps and bodies. Throws CaseError.
-StepRecord read_step_record(const cases::JsonCursor& at, std::size_t steps, std::size_t bodies);
+/// The same from JSON, of a scene with so many bodies. Throws CaseError.
+StepRecord read_step_record(const cases::JsonCursor& at, const ExpectedPlace& expected,
+                            std::size_t bodies);
 
-/// What "world" and "graze" said together.
-GrazePart graze_part(const StepRecord& record);
+/// What each said, and "world" and "graze" together, under the name of graze.
+std::vector<SaidThere> said_there(const StepRecord& record);
 
 }  // namespace graze::compare

@@ -1,10 +1,14 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/compare/run/pose_source.h>
+#include <graze/engine/compare/run/poses/block_cache.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
+#include <utility>
 
 namespace graze::compare {
 namespace {
@@ -127,6 +131,70 @@ std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b
     poses.push_back(pose_at(poses.size() % 2 == 0 ? hit : apart));
   }
   return poses;
+}
+
+namespace {
+
+/// The finisher of Sebastiano Vigna's splitmix64: one bit of the input changes half of the others.
+std::uint64_t mixed(std::uint64_t bits) {
+  bits += 0x9e3779b97f4a7c15;
+  bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;
+  bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
+  return bits ^ bits >> 31;
+}
+
+std::uint64_t seed_of(std::uint64_t seed, std::size_t block) {
+  return block == 0 ? seed : mixed(mixed(seed) ^ block);
+}
+
+/// What the poses are drawn for.
+struct DrawnFor {
+  Mesh a;
+  Pose pose_a;
+  Mesh b;
+};
+
+using Generate = std::vector<Pose> (*)(const PlacedMeshView&, const Mesh&, std::size_t,
+                                       std::uint64_t);
+
+class GeneratedPoses : public PoseSource {
+ public:
+  GeneratedPoses(const char* kind, Generate generate, DrawnFor meshes, std::size_t count,
+                 std::uint64_t seed)
+      : size_(count),
+        key_(std::string(kind) + " " + std::to_string(count) + ", seed " + std::to_string(seed)),
+        blocks_([=](std::size_t block) {
+          const std::size_t rest = count - block * kPosesOfSeed;
+          return generate({meshes.a, meshes.pose_a}, meshes.b, std::min(rest, kPosesOfSeed),
+                          seed_of(seed, block));
+        }) {}
+
+  std::size_t size() const override { return size_; }
+  Pose at(std::size_t place) const override {
+    return (*blocks_.at(place / kPosesOfSeed))[place % kPosesOfSeed];
+  }
+  const std::string& key() const override { return key_; }
+
+ private:
+  std::size_t size_;
+  std::string key_;
+  BlockCache<Pose> blocks_;
+};
+
+}  // namespace
+
+std::shared_ptr<const PoseSource> random_pose_source(const Mesh& mesh_a, const Pose& pose_a,
+                                                     const Mesh& mesh_b, std::size_t count,
+                                                     std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("random", random_poses, DrawnFor{mesh_a, pose_a, mesh_b},
+                                          count, seed);
+}
+
+std::shared_ptr<const PoseSource> grazing_pose_source(const Mesh& mesh_a, const Pose& pose_a,
+                                                      const Mesh& mesh_b, std::size_t count,
+                                                      std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("grazing", grazing_poses,
+                                          DrawnFor{mesh_a, pose_a, mesh_b}, count, seed);
 }
 
 }  // namespace graze::compare

@@ -1,7 +1,8 @@
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/compare/run/step_record.h>
+#include <graze/engine/compare/run/record/step_record.h>
 
 #include <limits>
+#include <utility>
 
 namespace graze::compare {
 namespace {
@@ -48,10 +49,11 @@ std::string to_json(const StepRecord& record) {
   return line + "]}";
 }
 
-StepRecord read_step_record(const JsonCursor& at, std::size_t steps, std::size_t bodies) {
-  at.require_keys({"step", "time", "questions", "engines", "differences"});
+StepRecord read_step_record(const JsonCursor& at, const ExpectedPlace& expected,
+                            std::size_t bodies) {
+  at.require_keys({"step", "time", "questions", "engines", "differences", "sum"});
   StepRecord record;
-  record.place = read_place(at.member("step"), steps);
+  record.place = read_place(at.member("step"), expected);
   record.time = at.member("time").number();
   record.questions = at.member("questions").index(kMaxIndex);
   const JsonCursor engines = at.member("engines");
@@ -68,14 +70,19 @@ StepRecord read_step_record(const JsonCursor& at, std::size_t steps, std::size_t
   return record;
 }
 
-GrazePart graze_part(const StepRecord& record) {
-  GrazePart part{record.place, "", 0};
+std::vector<SaidThere> said_there(const StepRecord& record) {
+  std::vector<SaidThere> all;
+  SaidThere graze{.engine = "graze"};
   for (const StepAnswers& each : record.engines) {
-    if (each.engine != "world" && each.engine != "graze") continue;
-    part.digest += each.digest;
-    part.time += each.time;
+    if (each.engine != "world" && each.engine != "graze") {
+      all.push_back({.engine = each.engine, .digest = each.digest, .time = each.time});
+      continue;
+    }
+    graze.digest += each.digest;
+    graze.time += each.time;
   }
-  return part;
+  all.insert(all.begin(), std::move(graze));
+  return all;
 }
 
 }  // namespace graze::compare

@@ -1,5 +1,7 @@
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/compare/run/answer_record.h>
+#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/cases/write_case.h>
+#include <graze/engine/compare/run/record/answer_record.h>
 #include <graze/engine/files/source.h>
 
 #include <algorithm>
@@ -28,11 +30,23 @@ auto named(const JsonCursor& at, const List& list) {
 
 }  // namespace
 
+std::string answer_digest(const CaseAnswer& answer) {
+  constexpr std::size_t kDigits = 16;
+  return cases::sha256_of(to_json(answer)).substr(0, kDigits);
+}
+
+std::optional<double> answer_value(const CaseAnswer& answer) {
+  if (answer.distance) return answer.distance;
+  if (answer.status) return answer.low;
+  return std::nullopt;
+}
+
 std::string to_json(const AnswerRecord& answer) {
   std::string out = "{\"engine\":";
   out += json_string(answer.engine) + ",\"answer\":" + json_string(answer.brief) +
          ",\"digest\":" + json_string(answer.digest) +
          ",\"us\":" + json_plain_or_infinite(answer.time);
+  if (answer.value) out += ",\"value\":" + json_plain_or_infinite(*answer.value);
   if (answer.is_agreed) return out + ",\"agreed\":true}";
   const Judgement& judgement = answer.judgement;
   out += ",\"agreed\":false,\"verdict\":";
@@ -51,13 +65,14 @@ std::string to_json(const AnswerRecord& answer) {
 
 AnswerRecord read_answer(const JsonCursor& at) {
   at.require_keys({"engine", "answer", "digest", "us", "agreed", "verdict", "truth", "class",
-                   "error", "ulps", "wrong_pairs", "culprit"});
+                   "error", "ulps", "wrong_pairs", "culprit", "value"});
   AnswerRecord answer{.engine = at.member("engine").text(),
                       .digest = at.member("digest").text(),
                       .brief = at.member("answer").text(),
                       .time = at.member("us").number_or_infinite(),
                       .is_agreed = at.member("agreed").boolean(),
                       .judgement = {}};
+  if (at.has("value")) answer.value = at.member("value").number_or_infinite();
   if (answer.is_agreed) return answer;
   Judgement& judgement = answer.judgement;
   judgement.verdict = named(at.member("verdict"), kVerdicts);
@@ -98,22 +113,35 @@ std::string to_json(const PlaceRecord& record, std::string_view name) {
          ",\"answers\":" + to_json(record.answers) + "}";
 }
 
-PlaceRecord read_place_record(const JsonCursor& at, std::string_view name, std::size_t places) {
-  at.require_keys({name, "answers"});
-  return {read_place(at.member(name), places), read_answers(at.member("answers"))};
+PlaceRecord read_place_record(const JsonCursor& at, std::string_view name,
+                              const ExpectedPlace& expected) {
+  at.require_keys({name, "answers", "sum"});
+  return {read_place(at.member(name), expected), read_answers(at.member("answers"))};
 }
 
 std::size_t read_place(const JsonCursor& at, std::size_t end) {
-  const std::size_t place = at.index(kMaxIndex);
+  constexpr std::int64_t kMostPlaces = std::int64_t{1} << 53;
+  const auto place = static_cast<std::size_t>(at.whole(0, kMostPlaces));
   if (place >= end) at.fail("there are " + std::to_string(end));
   return place;
 }
 
-GrazePart graze_part(const PlaceRecord& record) {
-  const auto at = std::find_if(record.answers.begin(), record.answers.end(),
-                               [](const AnswerRecord& answer) { return answer.engine == "graze"; });
-  if (at == record.answers.end()) return {record.place, "", 0};
-  return {record.place, at->digest, at->time};
+std::size_t read_place(const JsonCursor& at, const ExpectedPlace& expected) {
+  const std::size_t place = read_place(at, expected.end);
+  if (place != expected.next) {
+    at.fail("is " + std::to_string(place) + " where " + std::to_string(expected.next) +
+            " should stand");
+  }
+  return place;
+}
+
+std::vector<SaidThere> said_there(const PlaceRecord& record) {
+  std::vector<SaidThere> all;
+  for (const AnswerRecord& answer : record.answers) {
+    const Verdict verdict = answer.is_agreed ? Verdict::Right : answer.judgement.verdict;
+    all.push_back({answer.engine, answer.digest, answer.value, answer.time, verdict});
+  }
+  return all;
 }
 
 }  // namespace graze::compare

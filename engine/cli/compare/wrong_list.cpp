@@ -1,0 +1,63 @@
+#include <graze/engine/cli/compare/wrong_list.h>
+
+#include <algorithm>
+
+namespace graze::cli {
+namespace {
+
+using compare::WrongAnswer;
+using Numbered = std::pair<std::size_t, WrongAnswer>;
+
+/// Of two that are as bad the first one counts.
+bool is_before(const Numbered& a, const Numbered& b) {
+  if (is_worse(a.second, b.second)) return true;
+  return !is_worse(b.second, a.second) && a.first < b.first;
+}
+
+}  // namespace
+
+WrongList::WrongList(std::size_t keep, FailOn fail_on, std::set<std::string> can_be_asked)
+    : keep_(keep), fail_on_(std::move(fail_on)), can_be_asked_(std::move(can_be_asked)) {}
+
+void WrongList::add(WrongAnswer wrong) {
+  const std::string& engine = wrong.answer->engine;
+  const compare::Judgement& judgement = wrong.answer->judgement;
+  const bool is_named = fail_on_.matches(engine, judgement);
+  named_ += is_named;
+  if (is_named || engine == "graze" || engine == "world") {
+    Closing& closing = closing_[engine];
+    ++closing.count;
+    ++closing.classes[static_cast<std::size_t>(judgement.error_class)];
+    if (closing.first.size() < kFirstOfEngine) closing.first.push_back(wrong);
+  }
+  const std::size_t number = count_++;
+  keep_if_worst(number, wrong);
+  if (number < kFirst) first_.emplace(number, std::move(wrong));
+}
+
+void WrongList::keep_if_worst(std::size_t number, const WrongAnswer& wrong) {
+  if (keep_ == 0 || !can_be_asked_.contains(wrong.answer->engine)) return;
+  worst_.emplace_back(number, wrong);
+  std::push_heap(worst_.begin(), worst_.end(), is_before);
+  if (worst_.size() <= keep_) return;
+  std::pop_heap(worst_.begin(), worst_.end(), is_before);
+  worst_.pop_back();
+}
+
+std::vector<WrongAnswer> WrongList::kept() const {
+  std::map<std::size_t, WrongAnswer> all = first_;
+  for (const auto& [number, wrong] : worst_)
+    all.emplace(number, wrong);
+  std::vector<WrongAnswer> list;
+  for (auto& [number, wrong] : all)
+    list.push_back(std::move(wrong));
+  return list;
+}
+
+const WrongList::Closing& WrongList::closing(const std::string& engine) const {
+  static const Closing kNone;
+  const auto at = closing_.find(engine);
+  return at == closing_.end() ? kNone : at->second;
+}
+
+}  // namespace graze::cli

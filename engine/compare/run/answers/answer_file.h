@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/compare/run/comparison.h>
+
+namespace graze::compare {
+
+/// What the answers of a file must be about.
+struct AnswersWanted {
+  std::filesystem::path mesh_a;  ///< the files themselves, of whose bytes there are sums
+  std::filesystem::path mesh_b;
+  const ComparisonJob& job;
+};
+
+/// Answers that an engine gave elsewhere, a line a pose behind one that says of what they are:
+/// JSON, or CSV where the name ends so (README.md). Each is read again when it is heard, so that
+/// memory does not grow with them; the file must not change meanwhile.
+struct AnswerFile {
+  CaseWitness witness;  ///< who gave them, as the first line says
+  std::shared_ptr<const RecordedAnswers> answers;
+};
+
+/// Looks at every line. Throws CaseError `file:line: why` for a first line of other meshes, another
+/// question, other settings, for lines that cannot be read, and for more or fewer than the job has
+/// poses. What is no answer to the question is one all the same, and the engine's error.
+AnswerFile read_answer_file(const std::filesystem::path& path, const AnswersWanted& wanted);
+
+}  // namespace graze::compare

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/mesh/placed_mesh.h>
+
+namespace graze::compare {
+
+/// Poses of B, of which no more are held than are needed at a time. May be read from many threads.
+class PoseSource {
+ public:
+  virtual ~PoseSource() = default;
+  virtual std::size_t size() const = 0;
+
+  /// The pose of a number below size(). Throws PoseError for one that its file has no longer, and
+  /// what a generator throws.
+  virtual Pose at(std::size_t place) const = 0;
+
+  /// What tells these poses from others, together with the meshes and the pose of A.
+  virtual const std::string& key() const = 0;
+};
+
+/// So many poses a generator draws from one seed: each block of them has its own, so that a part of
+/// a run begins where it begins. The first block has the seed that was given.
+inline constexpr std::size_t kPosesOfSeed = 1024;
+
+/// Poses of B drawn at random: any rotation, the middle of its bounds within the bounds of A grown
+/// by half of B's size, so that hits and misses are both common. The same for the same seed on
+/// every machine: no library's distributions, no libm beyond sqrt.
+std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
+                               std::uint64_t seed);
+
+/// Poses at which the two just touch, where engines go wrong: B comes from outside along a line
+/// through A, and the last step before the first hit is halved until the translations of a hit and
+/// of a miss are next to each other. Hits and misses in turn. Throws InputError if they never
+/// touch.
+std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
+                                std::uint64_t seed);
+
+/// The same, as many as there are, without holding them. The meshes are kept.
+std::shared_ptr<const PoseSource> random_pose_source(const Mesh& mesh_a, const Pose& pose_a,
+                                                     const Mesh& mesh_b, std::size_t count,
+                                                     std::uint64_t seed);
+std::shared_ptr<const PoseSource> grazing_pose_source(const Mesh& mesh_a, const Pose& pose_a,
+                                                      const Mesh& mesh_b, std::size_t count,
+                                                      std::uint64_t seed);
+
+/// These.
+std::shared_ptr<const PoseSource> pose_list(std::vector<Pose> poses);
+
+/// Those of a file, as load_pose_lines() has them, all of which are looked at once: `mesh_b` must
+/// be able to stand there. Of a regular file that numpy has saved they stay in the file, which must
+/// not change meanwhile; what else there is is held. Throws PoseError, naming file and line.
+std::shared_ptr<const PoseSource> pose_file(const std::filesystem::path& path, const Mesh& mesh_b);
+
+}  // namespace graze::compare

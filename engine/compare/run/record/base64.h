@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace graze::compare {
+
+/// Bytes as text (RFC 4648, section 4), padded to a multiple of four.
+std::string to_base64(std::string_view bytes);
+
+/// The bytes of such a text; nothing for what is none.
+std::optional<std::string> from_base64(std::string_view text);
+
+}  // namespace graze::compare

@@ -1,0 +1,146 @@
+// `graze compare` as a program that is killed, in parts, and with many poses.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/engine/cli/command_test.h"
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::tests {
+namespace {
+
+using nlohmann::json;
+
+class CompareKilled : public CommandTest {
+ protected:
+  CompareKilled() {
+    write_mesh("a.off", make_torus(1, 0.25, 24, 16));
+    write_mesh("b.off", make_sphere(0.5, 12, 18));
+  }
+
+  std::vector<std::string> command(const std::string& poses,
+                                   const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> all = {"compare", "a.off",     "b.off", "--random", poses,
+                                    "--json",  "--engines", "graze", "--keep",   "0"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  /// The summary, without what hangs on times.
+  static std::string totals(const std::string& out) {
+    const std::size_t at = out.rfind("{\"summary\"");
+    if (at == out.npos) return "no summary";
+    json summary = json::parse(out.substr(at, out.find('\n', at) - at));
+    for (json& engine : summary["summary"]) {
+      engine.erase("median_us");
+      engine.erase("total_us");
+    }
+    return summary.dump();
+  }
+
+  std::uintmax_t recorded_bytes(const char* name) const {
+    std::error_code none_yet;
+    const std::uintmax_t size = std::filesystem::file_size(folder_ / name, none_yet);
+    return none_yet ? 0 : size;
+  }
+
+  /// Poses in a row, as numpy saves them.
+  void write_poses(const std::string& name, std::size_t count) const {
+    std::string head = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
+                       std::to_string(count) + ", 3, 4), }";
+    head.resize(117, ' ');
+    head += '\n';
+    std::ofstream file(folder_ / name, std::ios::binary);
+    file << std::string("\x93NUMPY\x01\x00", 8) << static_cast<char>(head.size()) << '\0' << head;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 0.5 + static_cast<double>(i % 1000) / 1000;
+      const double numbers[12] = {1, 0, 0, x, 0, 1, 0, 0.125, 0, 0, 1, 0.0625};
+      char bytes[sizeof(numbers)];
+      std::memcpy(bytes, numbers, sizeof(numbers));
+      file.write(bytes, sizeof(bytes));
+    }
+  }
+
+  /// What a run takes of memory at most, in kB; of a process of its own, whose children are no
+  /// others.
+  long peak_of(const std::vector<std::string>& arguments) const {
+    int ends[2] = {};
+    if (pipe(ends) != 0) return -1;
+    const pid_t child = fork();
+    if (child == 0) {
+      const CommandResult result = run_graze(folder_, arguments);
+      rusage usage = {};
+      getrusage(RUSAGE_CHILDREN, &usage);
+      const long peak = result.exit_code == 0 ? usage.ru_maxrss : -1;
+      _exit(::write(ends[1], &peak, sizeof(peak)) == sizeof(peak) ? 0 : 1);
+    }
+    close(ends[1]);
+    long peak = -1;
+    if (::read(ends[0], &peak, sizeof(peak)) != sizeof(peak)) peak = -1;
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return peak;
+  }
+};
+
+TEST_F(CompareKilled, GoesOnToTheSameTotals) {
+  const std::string poses = "60000";
+  const CommandResult whole = run_graze(folder_, command(poses, {"--save", "whole"}));
+  ASSERT_EQ(whole.exit_code, 0) << whole.err;
+  const std::vector<std::string> resumed = command(poses, {"--resume", "run"});
+  for (const std::uintmax_t bytes : {1, 100'000}) {
+    interrupt_graze(
+        folder_, resumed, [&] { return recorded_bytes("run") >= bytes; }, SIGKILL);
+  }
+  const CommandResult result = run_graze(folder_, resumed);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(totals(result.out), totals(whole.out));
+  std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 60001u) << "one for each pose";
+  for (std::size_t i = 0; i < 60000; i += 997)
+    EXPECT_EQ(json::parse(lines[i])["pose"], i);
+  // The record knows all of it: a run with it asks nothing, and writes the same.
+  const CommandResult again = run_graze(folder_, resumed);
+  EXPECT_EQ(again.out, result.out) << "times, too";
+}
+
+TEST_F(CompareKilled, ManyPosesTakeNoMoreMemory) {
+  write_poses("few.npy", 5000);
+  write_poses("many.npy", 100'000);
+  const auto with = [&](const char* poses) {
+    return std::vector<std::string>{"compare", "a.off",  "b.off", "--poses", poses, "--engines",
+                                    "graze",   "--keep", "0",     "--save",  "run"};
+  };
+  const long few = peak_of(with("few.npy"));
+  const long many = peak_of(with("many.npy"));
+  ASSERT_GT(few, 1000);
+  ASSERT_GT(many, 0);
+  // Held, the 95,000 poses more would take 12 MB, and their answers a hundred.
+  EXPECT_LT(many, few + 8'000) << "kB";
+}
+
+TEST_F(CompareKilled, HostileFilesAreOneLineAndExitCodeTwo) {
+  std::ofstream(folder_ / "junk") << std::string(100, '\xff') << "\n{\"graze_comparison\":2}\n";
+  std::ofstream(folder_ / "empty");
+  for (const char* file : {"junk", "empty", "nowhere", "."}) {
+    for (const std::vector<std::string>& arguments :
+         {command("5", {"--against", file}), command("5", {"--answers", file}),
+          std::vector<std::string>{"merge", file}}) {
+      const CommandResult result = run_graze(folder_, arguments);
+      EXPECT_EQ(result.exit_code, 2) << arguments.back();
+      EXPECT_EQ(result.out, "");
+      EXPECT_EQ(lines_of(result.err).size(), 1u) << result.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace graze::tests
