@@ -1,0 +1,188 @@
+"""What is returned of contacts, intersections and motions."""
+
+from typing import NamedTuple, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, _are_same
+
+
+class MeshContacts(NamedTuple):
+    """Contacts of two meshes, the deepest first."""
+
+    point: Doubles
+    """(k, 3), midway between the next two."""
+    point_a: Doubles
+    """(k, 3), the point of A that is deepest in B, along the normal."""
+    point_b: Doubles
+    """(k, 3), the point of B that is deepest in A."""
+    normal: Doubles
+    """(k, 3), unit, from A to B."""
+    depth: Doubles
+    """(k,), not negative."""
+    corners: Doubles
+    """(c, 3), of the intersections that contacts stand for."""
+    offsets: Offsets
+    """(k + 1,): those of contact i are corners[offsets[i]:offsets[i + 1]]."""
+    is_complete: bool
+    """Whether these are all contacts."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class ShapeContacts(NamedTuple):
+    """Contacts of two shapes, region by region: of each at most four, its deepest first."""
+
+    point: Doubles
+    """(k, 3), midway between the next two."""
+    point_a: Doubles
+    """(k, 3), on A's surface."""
+    point_b: Doubles
+    """(k, 3), on B's."""
+    normal: Doubles
+    """(k, 3), unit, from A to B."""
+    depth: Doubles
+    """(k,), how far the two reach past each other; negative only where there is a margin."""
+    feature: NDArray[np.uint64]
+    """(k, 2), which parts of A and of B meet: the same from step to step."""
+    region: Indices
+    """(k,); contacts of one region share a way out."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class MeshIntersection(NamedTuple):
+    """Where the surfaces of two placed meshes meet."""
+
+    points: Doubles
+    """(p, 3), ascending."""
+    feature_a: NDArray[np.uint8]
+    """(p,), in what of A each lies: 0 a vertex, 1 an edge, 2 a face."""
+    feature_b: NDArray[np.uint8]
+    """(p,), of B."""
+    segments: Indices
+    """(s, 2), indices of points."""
+    curves: Indices
+    """(c, 2), the first segment and how many there are, end to end."""
+    is_closed: Bools
+    """(c,), whether a curve ends where it began."""
+    polygons: NDArray[np.int64]
+    """(q, 6), indices of the three to six points of a common piece of plane; -1 beyond them."""
+    patches: Indices
+    """(r, 2), the first polygon and how many are connected."""
+    touching_points: Indices
+    """(t,), indices of points that are on nothing else."""
+    pairs: Indices
+    """(k, 2), the triangles that meet in segments, polygons and points."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class Separation(NamedTuple):
+    """A translation of B after which two meshes are apart."""
+
+    distance: float
+    """Along the direction."""
+    direction: Doubles
+    """A unit vector, (3,)."""
+    translation: Doubles
+    """distance * direction, (3,)."""
+    pose_b: Doubles
+    """Of B, moved by it, (4, 4)."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class MeshCast(NamedTuple):
+    """Where a mesh that goes straight meets another one first."""
+
+    time: float
+    """From 0 to 1, never late."""
+    is_at_start: bool
+    """Whether it is at t = 0 itself."""
+    pair: Tuple[int, int]
+    """Triangles that meet then."""
+    point: Doubles
+    """Where, on A, (3,)."""
+    normal: Doubles
+    """Unit, from A to B, (3,)."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class ShapeCast(NamedTuple):
+    """Where a shape that goes straight meets another one first."""
+
+    time: float
+    """From 0 to 1, never late."""
+    is_at_start: bool
+    """Whether it is at t = 0 itself."""
+    point: Doubles
+    """Where, on A, (3,)."""
+    normal: Doubles
+    """Unit, from A to B, (3,)."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class RigidContact(NamedTuple):
+    """When two rigid motions meet first."""
+
+    status: str
+    """free, hit or close."""
+    low: float
+    """There is no contact before it; 1 for what is free."""
+    high: float
+    """A witness: here they meet. 1 where there is none."""
+    is_out_of_budget: bool
+    """The search ended at `low`, whatever lies there."""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
+
+
+class RigidContacts(NamedTuple):
+    """The same for each of n motions."""
+
+    status: NDArray[np.str_]
+    """(n,)"""
+    low: Doubles
+    """(n,)"""
+    high: Doubles
+    """(n,)"""
+    is_out_of_budget: Bools
+    """(n,)"""
+
+    def __eq__(self, other: object) -> bool:
+        return _are_same(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not _are_same(self, other)
