@@ -53,6 +53,22 @@ TEST(PairMemory, CountsWhatItSaves) {
   EXPECT_GT(remembering.skipped_by_memory, remembering.volume_tests);
 }
 
+/// What was nearest in another pose bounds nothing in one that has nothing to do with it.
+TEST(PairMemory, JumpsCostWhatDistancesCost) {
+  const Mesh ring = tests::make_torus(1, 0.3, 90, 45);
+  const Mesh rod = tests::make_torus(1, 0.02, 90, 12);
+  RandomSource source(12);
+  PairMemory memory;
+  Work cold, remembering;
+  for (int i = 0; i < 60; ++i) {
+    const Pose pose = tests::random_pose(3, source);
+    const MeshDistance wanted = distance({ring}, {rod, pose}, {}, &cold);
+    EXPECT_EQ(distance({ring}, {rod, pose}, memory, {}, &remembering).distance, wanted.distance);
+  }
+  EXPECT_LT(remembering.volume_tests, 2 * cold.volume_tests);
+  EXPECT_LT(remembering.triangle_tests, 2 * cold.triangle_tests);
+}
+
 /// Two linked rings that slide through each other's holes: their boxes overlap, and one look that
 /// opens them answers several queries.
 TEST(PairMemory, LooksAheadWhereNothingMeets) {

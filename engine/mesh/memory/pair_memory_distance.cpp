@@ -114,11 +114,22 @@ class NearQuery {
   Work& work_;
 };
 
+/// Whether the pair that was nearest is so much farther now that it bounds little: a motion does
+/// not do that, but a jump to another pose. A front would have to open all that is nearer.
+bool has_jumped(const WideQuery& query, const PairCache& cache, double distance) {
+  const auto width = [](const PlacedMeshView& placed) {
+    return (placed.mesh.bounds().max - placed.mesh.bounds().min).maxCoeff();
+  };
+  constexpr double kShare = 0x1p-7;
+  return distance > 2 * cache.nearest_distance + kShare * std::min(width(query.a), width(query.b));
+}
+
 /// The distance of the meshes, beginning with the pair that was nearest before.
 MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& cache,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);
-  if (known.distance == 0) return find_distance(meshes, pair, work);
+  if (known.distance == 0 || has_jumped(meshes, cache, known.distance))
+    return find_distance(meshes, pair, work);
   NearQuery query(meshes, cache, work);
   MeshDistance best = result_of(known, pair);
   query.shrink_to(best.distance);
@@ -156,6 +167,7 @@ MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b
     MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
                                   : find_nearest(query, *hint, cache, counted.work());
     cache.nearest = best.pair;
+    cache.nearest_distance = best.distance;
     cache.was_touching = best.distance == 0;
     return best;
   });
