@@ -10,9 +10,10 @@ namespace graze {
 /// for rounding (2^-44 of the shape's size, an ulp of its coordinates) and for what the pose
 /// deviates from a rotation: it holds the shape by every reading of law 3, and distance() never
 /// says less than two boxes are apart. There are two exceptions. That of a mesh or a height
-/// field is the box around its own box as that is turned, so that the cost does not depend on it. A half-space reaches to the
-/// largest doubles wherever no coordinate axis bounds it. O(vertices) for a hull. Throws PoseError
-/// for a pose that is refused by law 10, or that moves the shape beyond kLargestLength.
+/// field is the box around its own box as that is turned, so that the cost does not depend on it. A
+/// half-space reaches to the largest doubles wherever no coordinate axis bounds it. O(vertices) for
+/// a hull. Throws PoseError for a pose that is refused by law 10, or that moves the shape beyond
+/// kLargestLength.
 Aabb bounding_aabb(const PlacedShapeView& shape);
 
 /// How far apart two boxes are along the axis along which that is most, metres, rounded down, and
