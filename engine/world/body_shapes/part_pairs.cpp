@@ -38,6 +38,14 @@ std::vector<PlacedPart> parts_near(const PosedBody& body, const Aabb& box) {
   return {{&body.shape, body.pose, box_with_room({body.shape, body.pose}), nullptr, 0}};
 }
 
+bool visit_parts_near(const PosedBody& body, const Aabb& box,
+                      const std::function<bool(const PlacedPart&)>& visit) {
+  if (const PartsBody* whole = as_parts(body.shape))
+    return whole->visit_near(body.pose, box, body.room, visit);
+  const std::vector<PlacedPart> parts = parts_near(body, box);
+  return std::all_of(parts.begin(), parts.end(), visit);
+}
+
 bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody& b,
                    const PlacedPart& part_b) {
   if (!a.has_filters || !b.has_filters) return true;

@@ -6,6 +6,7 @@
 #include <graze/engine/world/contacts/margin/nearness.h>
 #include <graze/engine/world/shapes/grown_box.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -32,20 +33,27 @@ bool do_parts_meet(const PosedBody& a, const PlacedPart& part_a, const PosedBody
 /// The box that the broad phase has of it.
 Aabb box_with_room(const PosedBody& body);
 
+/// Calls `visit(part)` for these until it returns false. False then.
+bool visit_parts_near(const PosedBody& body, const Aabb& box,
+                      const std::function<bool(const PlacedPart&)>& visit);
+
 /// Calls `visit(part_a, part_b)` for the parts that may meet, by their numbers ascending, until it
 /// returns false.
 template <typename Visit>
 void for_part_pairs(const PosedBody& a, const PosedBody& b, const Visit& visit) {
   const bool is_b_whole = as_parts(b.shape) == nullptr;
   const Aabb box_b = box_with_room(b);
-  std::vector<PlacedPart> parts_b;
-  if (is_b_whole) parts_b = parts_near(b, box_b);
-  for (const PlacedPart& part_a : parts_near(a, box_b)) {
-    if (!is_b_whole) parts_b = parts_near(b, a.room > 0 ? grown(part_a.box, a.room) : part_a.box);
-    for (const PlacedPart& part_b : parts_b) {
-      if (do_parts_meet(a, part_a, b, part_b) && !visit(part_a, part_b)) return;
-    }
-  }
+  std::vector<PlacedPart> whole_b;
+  if (is_b_whole) whole_b = parts_near(b, box_b);
+  const auto visit_a = [&](const PlacedPart& part_a) {
+    const auto visit_b = [&](const PlacedPart& part_b) {
+      return !do_parts_meet(a, part_a, b, part_b) || visit(part_a, part_b);
+    };
+    if (is_b_whole) return std::all_of(whole_b.begin(), whole_b.end(), visit_b);
+    return visit_parts_near(b, a.room > 0 ? grown(part_a.box, a.room) : part_a.box,
+                            std::cref(visit_b));
+  };
+  visit_parts_near(a, box_b, std::cref(visit_a));  // references: nothing is allocated
 }
 
 /// How two parts stand to each other, as two bodies of their own would.

@@ -118,9 +118,19 @@ PlacedPart PartsBody::placed(const Pose& pose, std::uint32_t number) const {
 }
 
 std::vector<PlacedPart> PartsBody::near(const Pose& pose, const Aabb& box, double room) const {
+  std::vector<PlacedPart> parts;
+  visit_near(pose, box, room, [&](const PlacedPart& part) {
+    parts.push_back(part);
+    return true;
+  });
+  return parts;
+}
+
+bool PartsBody::visit_near(const Pose& pose, const Aabb& box, double room,
+                           const std::function<bool(const PlacedPart&)>& visit) const {
   const Aabb around = room > 0 ? grown(box, room) : box;
   const Aabb whole = bounds(pose);
-  if (!share_a_point(around, whole)) return {};
+  if (!share_a_point(around, whole)) return true;
   // Of what is far larger than the body only what is near it need be taken into its frame.
   const bool is_known = width_of(around) <= kLargestShare * radius_ &&
                         largest_of(pose.translation()) <= kFarthestShare * radius_ &&
@@ -132,12 +142,12 @@ std::vector<PlacedPart> PartsBody::near(const Pose& pose, const Aabb& box, doubl
   } else {
     numbers = all_parts();
   }
-  std::vector<PlacedPart> parts;
   for (const std::uint32_t number : numbers) {
-    PlacedPart part = placed(pose, number);
-    if (share_a_point(room > 0 ? grown(part.box, room) : part.box, box)) parts.push_back(part);
+    const PlacedPart part = placed(pose, number);
+    if (share_a_point(room > 0 ? grown(part.box, room) : part.box, box) && !visit(part))
+      return false;
   }
-  return parts;
+  return true;
 }
 
 /// The part of a ray from where it comes near the body, in the body's frame, and how much

@@ -34,6 +34,9 @@ class PartsBody : public BodyShape {
   /// Those whose boxes, with room around them, metres, share a point with a box in the world, but
   /// for such that are surely farther from all that is in it; ascending.
   std::vector<PlacedPart> near(const Pose& pose, const Aabb& box, double room) const;
+  /// Calls `visit(part)` for these until it returns false: the rest is not placed. False then.
+  bool visit_near(const Pose& pose, const Aabb& box, double room,
+                  const std::function<bool(const PlacedPart&)>& visit) const;
   /// Where a ray meets first a part whose filter, if it has one, and the given one, if there is
   /// one, let it meet; of equal distances the least number.
   std::optional<PartRayHit> first_hit(const Pose& pose, const Ray& ray,
