@@ -44,8 +44,7 @@ struct FieldRange {
 /// (c, r + 1), which turn counter-clockwise as seen from above. The field is the surface that these
 /// triangles form, but for holes, and what is said of it is what is said of mesh(), bit for bit,
 /// but for what of a mesh depends on its tree: the last bits of a distance's lower bound, times of
-/// casts within their tolerance and what is met then, which regions contacts with another mesh
-/// have.
+/// casts within their tolerance and what is met then.
 ///
 /// A value: a copy is a handle to the same immutable heights, safe to use from many threads. Stored
 /// are the heights as they are given, 4 bytes for each float or 2 for each 16-bit number, a byte

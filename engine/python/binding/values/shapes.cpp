@@ -4,6 +4,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/convex_hull.h>
+#include <graze/engine/world/height_field.h>
 #include <graze/engine/world/shape_bounds.h>
 
 #include <string>
@@ -74,6 +75,10 @@ struct Arguments {
     return py::make_tuple(tuple_of(half_space.normal), half_space.offset);
   }
   py::tuple operator()(const Mesh& mesh) const { return py::make_tuple(mesh); }
+  /// Nothing makes one in Python yet.
+  py::tuple operator()(const HeightField&) const {
+    throw InputError("shape: a height field has no class in Python");
+  }
 };
 
 py::object bounds_of_shape(py::handle argument) {
