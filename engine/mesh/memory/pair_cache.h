@@ -88,7 +88,7 @@ class PairCache {
   void put_first(std::size_t index) { std::swap(pairs_[0], pairs_[index]); }
 
   std::optional<TrianglePair> nearest;
-  double nearest_distance = 0;  ///< metres: what distance() said last
+  std::optional<Pose> nearest_pose;  ///< of B in A, about, when distance() was last asked
   bool was_within = false;
   bool was_touching = false;    ///< when a distance was last asked for
   std::size_t pairs_found = 0;  ///< when all pairs were last asked for

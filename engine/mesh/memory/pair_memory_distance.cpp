@@ -9,6 +9,7 @@
 #include <graze/narrowphase/derived/directed_gap.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -114,22 +115,30 @@ class NearQuery {
   Work& work_;
 };
 
-/// Whether the pair that was nearest is so much farther now that it bounds little: a motion does
-/// not do that, but a jump to another pose. A front would have to open all that is nearer.
-bool has_jumped(const WideQuery& query, const PairCache& cache, double distance) {
-  const auto width = [](const PlacedMeshView& placed) {
-    return (placed.mesh.bounds().max - placed.mesh.bounds().min).maxCoeff();
-  };
-  constexpr double kShare = 0x1p-7;
-  return distance > 2 * cache.nearest_distance + kShare * std::min(width(query.a), width(query.b));
+/// Takes note of where B is in A. Whether it moved so far there since distance() was last asked
+/// that this is no motion but a jump to another pose: what was nearest bounds little then, and a
+/// front would have to open all that is nearer.
+bool has_jumped(const PlacedMeshView& a, const PlacedMeshView& b, PairCache& cache) {
+  const Eigen::Matrix3d back = a.pose.linear().transpose();
+  Pose now = Pose::Identity();
+  now.linear() = back * b.pose.linear();
+  now.translation() = back * (b.pose.translation() - a.pose.translation());
+  const std::optional<Pose> before = std::exchange(cache.nearest_pose, now);
+  if (!before) return false;
+  const auto width = [](const Aabb& box) { return (box.max - box.min).maxCoeff(); };
+  const Aabb& box = b.mesh.bounds();
+  const Eigen::Vector3d middle = box.min / 2 + box.max / 2;
+  const double moved = (now * middle - *before * middle).norm() +
+                       (now.linear() - before->linear()).norm() * width(box);
+  constexpr double kShare = 0x1p-4;
+  return moved > kShare * std::min(width(a.mesh.bounds()), width(box));
 }
 
 /// The distance of the meshes, beginning with the pair that was nearest before.
 MeshDistance find_nearest(const WideQuery& meshes, TrianglePair pair, PairCache& cache,
                           Work& work) {
   const TriangleDistance known = distance_of(meshes, pair, work);
-  if (known.distance == 0 || has_jumped(meshes, cache, known.distance))
-    return find_distance(meshes, pair, work);
+  if (known.distance == 0) return find_distance(meshes, pair, work);
   NearQuery query(meshes, cache, work);
   MeshDistance best = result_of(known, pair);
   query.shrink_to(best.distance);
@@ -162,12 +171,12 @@ MeshDistance distance(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b
     PairCache& cache = recall(memory, mesh_a, mesh_b);
     const WideQuery query(mesh_a, mesh_b, cache.deviation_a(), cache.deviation_b(), counted.work());
     const std::optional<TrianglePair> hint = cache.nearest ? cache.nearest : settings.hint;
+    const bool is_jump = has_jumped(mesh_a, mesh_b, cache);
     // After a touch another is likelier than a gap; a walk decides which touching pair is returned.
-    const bool may_touch = !cache.nearest || cache.was_touching;
+    const bool may_touch = !cache.nearest || cache.was_touching || is_jump;
     MeshDistance best = may_touch ? find_distance(query, hint, counted.work())
                                   : find_nearest(query, *hint, cache, counted.work());
     cache.nearest = best.pair;
-    cache.nearest_distance = best.distance;
     cache.was_touching = best.distance == 0;
     return best;
   });
