@@ -14,8 +14,8 @@
 namespace graze {
 namespace {
 
-constexpr std::uint32_t kSide = VoxelMap::kBlock;
-constexpr std::uint32_t kVoxels = kSide * kSide * kSide;
+constexpr std::uint32_t kSideOfBlock = VoxelMap::kBlock;
+constexpr std::uint32_t kVoxelsOfBlock = kSideOfBlock * kSideOfBlock * kSideOfBlock;
 
 /// Of the largest coordinate: a plane is off by one rounding, a middle by two, its box by another,
 /// and the bounds of a box have as much room again.
@@ -60,11 +60,11 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
 Aabb VoxelBody::box_of_block(const VoxelMap::Block& block) const {
   const VoxelGrid& grid = map_.grid();
   unsigned bits[3] = {0, 0, 0};
-  for (std::uint32_t row = 0; row < kSide * kSide; ++row) {
+  for (std::uint32_t row = 0; row < kSideOfBlock * kSideOfBlock; ++row) {
     if (block.rows[row] == 0) continue;
     bits[0] |= block.rows[row];
-    bits[1] |= 1u << row % kSide;
-    bits[2] |= 1u << row / kSide;
+    bits[1] |= 1u << row % kSideOfBlock;
+    bits[2] |= 1u << row / kSideOfBlock;
   }
   Aabb box;
   double largest = 0;
@@ -81,7 +81,7 @@ Aabb VoxelBody::box_of_block(const VoxelMap::Block& block) const {
 
 /// The least index of its voxels.
 std::uint32_t VoxelBody::corner_of(const VoxelMap::Block& block, int axis) {
-  return static_cast<std::uint32_t>(block.key >> 16 * axis & 0xffff) * kSide;
+  return static_cast<std::uint32_t>(block.key >> 16 * axis & 0xffff) * kSideOfBlock;
 }
 
 PartsBody::OwnPart VoxelBody::part(std::uint32_t number) const {
@@ -102,15 +102,15 @@ void VoxelBody::for_voxels_in(std::uint32_t place, const Aabb& own_box, const Vi
     const double corner = grid.plane(axis, corner_of(block, axis));
     const double from = (own_box.min.data()[axis] - room - corner) / grid.edge - 0x1p-16;
     const double to = (own_box.max.data()[axis] + room - corner) / grid.edge + 0x1p-16;
-    if (!(from < kSide) || !(to >= 0)) return;
+    if (!(from < kSideOfBlock) || !(to >= 0)) return;
     low[axis] = from > 0 ? static_cast<std::uint32_t>(from) : 0;
-    high[axis] = to < kSide - 1 ? static_cast<std::uint32_t>(to) : kSide - 1;
+    high[axis] = to < kSideOfBlock - 1 ? static_cast<std::uint32_t>(to) : kSideOfBlock - 1;
   }
   for (std::uint32_t z = low[2]; z <= high[2]; ++z) {
     for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
-      const std::uint32_t row = z * kSide + y;
+      const std::uint32_t row = z * kSideOfBlock + y;
       for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
-        if ((block.rows[row] >> x & 1) != 0) visit(place * kVoxels + row * kSide + x);
+        if ((block.rows[row] >> x & 1) != 0) visit(place * kVoxelsOfBlock + row * kSideOfBlock + x);
       }
     }
   }

@@ -10,12 +10,12 @@
 namespace graze {
 namespace {
 
-constexpr std::uint32_t kSide = VoxelMap::kBlock;
-constexpr std::uint32_t kVoxels = kSide * kSide * kSide;
+constexpr std::uint32_t kBlockSide = VoxelMap::kBlock;
+constexpr std::uint32_t kBlockVoxels = kBlockSide * kBlockSide * kBlockSide;
 constexpr std::size_t kMostBlocks = std::size_t{1} << 20;
 
 std::uint32_t row_of(const Voxel& voxel) {
-  return voxel.k % kSide * kSide + voxel.j % kSide;
+  return voxel.k % kBlockSide * kBlockSide + voxel.j % kBlockSide;
 }
 
 std::string name_of(const Voxel& voxel) {
@@ -25,7 +25,7 @@ std::string name_of(const Voxel& voxel) {
 
 /// The bits of a row from `first` to `last`.
 std::uint16_t bits_of(std::uint32_t first, std::uint32_t last) {
-  return static_cast<std::uint16_t>((0xffffu >> (kSide - 1 - (last - first))) << first);
+  return static_cast<std::uint16_t>((0xffffu >> (kBlockSide - 1 - (last - first))) << first);
 }
 
 Voxel voxel_at(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -44,8 +44,8 @@ VoxelMap::VoxelMap(const Voxels& voxels) : VoxelMap(voxels.grid) {
 }
 
 std::uint64_t VoxelMap::key_of(const Voxel& voxel) {
-  return std::uint64_t{voxel.k / kSide} << 32 | std::uint64_t{voxel.j / kSide} << 16 |
-         voxel.i / kSide;
+  return std::uint64_t{voxel.k / kBlockSide} << 32 | std::uint64_t{voxel.j / kBlockSide} << 16 |
+         voxel.i / kBlockSide;
 }
 
 void VoxelMap::check(const Voxel& voxel, const char* what) const {
@@ -92,22 +92,22 @@ void VoxelMap::set_block(const Voxel& first, const Voxel& last, bool is_full, co
   if (last.i < first.i || last.j < first.j || last.k < first.k) {
     throw InputError(std::string(what) + ": " + name_of(last) + " is before " + name_of(first));
   }
-  for (std::uint32_t k = first.k / kSide; k <= last.k / kSide; ++k) {
-    for (std::uint32_t j = first.j / kSide; j <= last.j / kSide; ++j) {
-      for (std::uint32_t i = first.i / kSide; i <= last.i / kSide; ++i) {
-        const Voxel corner = voxel_at(i * kSide, j * kSide, k * kSide);
+  for (std::uint32_t k = first.k / kBlockSide; k <= last.k / kBlockSide; ++k) {
+    for (std::uint32_t j = first.j / kBlockSide; j <= last.j / kBlockSide; ++j) {
+      for (std::uint32_t i = first.i / kBlockSide; i <= last.i / kBlockSide; ++i) {
+        const Voxel corner = voxel_at(i * kBlockSide, j * kBlockSide, k * kBlockSide);
         if (!is_full && find(corner) == nullptr) continue;
         Block& block = make(corner);
         const auto low = [](std::uint32_t from, std::uint32_t at) {
-          return std::max(from, at * kSide) - at * kSide;
+          return std::max(from, at * kBlockSide) - at * kBlockSide;
         };
         const auto high = [](std::uint32_t to, std::uint32_t at) {
-          return std::min(to, at * kSide + kSide - 1) - at * kSide;
+          return std::min(to, at * kBlockSide + kBlockSide - 1) - at * kBlockSide;
         };
         const std::uint16_t bits = bits_of(low(first.i, i), high(last.i, i));
         for (std::uint32_t z = low(first.k, k); z <= high(last.k, k); ++z) {
           for (std::uint32_t y = low(first.j, j); y <= high(last.j, j); ++y)
-            set_row(block, z * kSide + y, bits, is_full);
+            set_row(block, z * kBlockSide + y, bits, is_full);
         }
         if (block.count != 0) continue;
         free_.push_back(places_.at(block.key));
@@ -141,16 +141,16 @@ void VoxelMap::remove_block(const Voxel& first, const Voxel& last) {
 
 bool VoxelMap::contains(const Voxel& voxel) const {
   const Block* block = find(voxel);
-  return block != nullptr && (block->rows[row_of(voxel)] >> voxel.i % kSide & 1) != 0;
+  return block != nullptr && (block->rows[row_of(voxel)] >> voxel.i % kBlockSide & 1) != 0;
 }
 
 std::vector<Voxel> VoxelMap::voxels() const {
   std::vector<Voxel> all;
   all.reserve(size_);
   for (std::uint32_t place = 0; place < blocks_.size(); ++place) {
-    for (std::uint32_t at = 0; blocks_[place].count != 0 && at < kVoxels; ++at) {
-      if ((blocks_[place].rows[at / kSide] >> at % kSide & 1) != 0)
-        all.push_back(voxel(place * kVoxels + at));
+    for (std::uint32_t at = 0; blocks_[place].count != 0 && at < kBlockVoxels; ++at) {
+      if ((blocks_[place].rows[at / kBlockSide] >> at % kBlockSide & 1) != 0)
+        all.push_back(voxel(place * kBlockVoxels + at));
     }
   }
   std::sort(all.begin(), all.end());
@@ -160,19 +160,22 @@ std::vector<Voxel> VoxelMap::voxels() const {
 std::uint32_t VoxelMap::part(const Voxel& voxel) const {
   if (!contains(voxel))
     throw StaleIdError("part: voxel " + name_of(voxel) + " is not full", {.element = "voxel"});
-  return places_.at(key_of(voxel)) * kVoxels + row_of(voxel) * kSide + voxel.i % kSide;
+  return places_.at(key_of(voxel)) * kBlockVoxels + row_of(voxel) * kBlockSide +
+         voxel.i % kBlockSide;
 }
 
 Voxel VoxelMap::voxel(std::uint32_t part) const {
-  const std::uint32_t place = part / kVoxels, at = part % kVoxels;
-  if (place >= blocks_.size() || (blocks_[place].rows[at / kSide] >> at % kSide & 1) == 0) {
+  const std::uint32_t place = part / kBlockVoxels, at = part % kBlockVoxels;
+  if (place >= blocks_.size() ||
+      (blocks_[place].rows[at / kBlockSide] >> at % kBlockSide & 1) == 0) {
     throw StaleIdError("voxel: the map has no part " + std::to_string(part),
                        {.element = "part", .index = part});
   }
   const std::uint64_t key = blocks_[place].key;
   const auto block = [&](int shift) { return static_cast<std::uint32_t>(key >> shift & 0xffff); };
-  return voxel_at(block(0) * kSide + at % kSide, block(16) * kSide + at / kSide % kSide,
-                  block(32) * kSide + at / (kSide * kSide));
+  return voxel_at(block(0) * kBlockSide + at % kBlockSide,
+                  block(16) * kBlockSide + at / kBlockSide % kBlockSide,
+                  block(32) * kBlockSide + at / (kBlockSide * kBlockSide));
 }
 
 Pose VoxelMap::pose(std::uint32_t part) const {
