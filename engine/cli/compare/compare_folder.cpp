@@ -70,7 +70,9 @@ ExitCode run_compare_folder(const CompareOptions& options,
   check_folder_options(options);
   const Field field(engines, options.engines);
   check_before(options, field.engines());
-  const auto [job, files] = read_job(options);
+  const FolderJob read = read_job(options);
+  const auto& job = read.job;
+  const auto& files = read.files;
   CompareFindings findings{.title = fs::path(options.mesh_a).lexically_normal().string(),
                            .question = "",
                            .count = "",
@@ -89,7 +91,7 @@ ExitCode run_compare_folder(const CompareOptions& options,
           fmt::format("{}-{}-{}", name_part(fs::path(wrong.where).stem().string()),
                       name_part(wrong.answer->engine), name_of(job.cases[wrong.place].query.ask));
       wrong.origin = files[wrong.place].string();
-      wrong.query = [&job = job, place = wrong.place] { return job.cases[place].query; };
+      wrong.query = [&job, place = wrong.place] { return job.cases[place].query; };
       findings.wrong.add(std::move(wrong));
     }
   };
