@@ -1,4 +1,5 @@
-// Times of single calls and of batches in C++, for overhead.py: graze_benchmark_python BOLT NUT POSES COUNT
+// Times of single calls and of batches in C++, for overhead.py: graze_benchmark_python BOLT NUT
+// POSES COUNT
 
 #include <graze/graze.h>
 #include <nlohmann/json.hpp>
