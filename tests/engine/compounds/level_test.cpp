@@ -107,10 +107,5 @@ TEST(Level, IsWhatPlainMeshesAndBodiesAre) {
   play({.side = 31, .compounds = 40, .bodies = 120, .steps = 8, .questions = 8}, 300, 100);
 }
 
-TEST(LevelSlow, IsWhatPlainMeshesAndBodiesAre) {
-  play({.side = 1001, .compounds = 10000, .bodies = 5000, .steps = 60, .questions = 30}, 50000,
-       5000);
-}
-
 }  // namespace
 }  // namespace graze
