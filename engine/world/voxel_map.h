@@ -81,10 +81,11 @@ class VoxelMap {
 /// when is what its voxels meet as boxes of their own, each in the pose placed_part(body,
 /// pose(part)), as a Compound of these would: contacts, rays and queries name them as parts. A ball
 /// that rolls over voxels has a contact with each that it touches. An answer costs the voxels near
-/// the other, a ray those of the blocks along it; "near" being up to 2^-16 of the map's farthest
+/// the other, a ray those of the blocks along it; the distance of something far away all that could
+/// be the nearest, about a microsecond each; "near" being up to 2^-16 of the map's farthest
 /// coordinate, a grid should not be far from its frame's origin. It holds a copy of the map;
-/// O(blocks). Throws
-/// InputError for a map without voxels, PoseError for one that reaches beyond kLargestLength.
+/// O(blocks). Throws InputError for a map without voxels, PoseError for one that reaches beyond
+/// kLargestLength.
 std::shared_ptr<const BodyShape> share(const VoxelMap& map);
 
 /// The map that a shape stands for, as it was shared, or nullptr.
