@@ -8,6 +8,7 @@
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/halfspace.h>
+#include <fcl/geometry/shape/plane.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
@@ -47,6 +48,10 @@ FclGeometry converted(const Ellipsoid& s) {
 
 FclGeometry converted(const HalfSpace& s) {
   return {std::make_shared<fcl::Halfspaced>(s.normal, s.offset)};
+}
+
+FclGeometry converted(const Plane& s) {
+  return {std::make_shared<fcl::Planed>(s.normal, s.offset)};
 }
 
 FclGeometry converted(const ConvexHull& s) {

@@ -23,7 +23,8 @@ class FclShape {
   std::unique_ptr<const Geometry> geometry_;
 };
 
-/// FCL's answer, by its default solver; nothing of two half-spaces, which it does not know.
+/// FCL's answer, by its default solver; nothing of two half-spaces or planes, which it does not
+/// know, and of a hull and a plane, of which it crashes.
 std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
                                const Pose& pose_b);
 

@@ -28,8 +28,8 @@ struct PartSettings {
 /// is used again, that which was freed last first.
 class Compound {
  public:
-  /// A part in the compound's own frame. Throws InputError for a half-space, which is a body of its
-  /// own, and PoseError as bounding_aabb() does. O(1), O(vertices) for a hull.
+  /// A part in the compound's own frame. Throws InputError for a half-space or a plane, which are
+  /// bodies of their own, and PoseError as bounding_aabb() does. O(1), O(vertices) for a hull.
   std::uint32_t add(const PlacedShapeView& part, const PartSettings& settings = {});
   /// Gives a part another shape and pose; its settings stay. Throws likewise. This, and all that
   /// take the number of a part, throw StaleIdError where there is none.

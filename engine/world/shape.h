@@ -45,6 +45,15 @@ struct HalfSpace {
   double offset = 0;       ///< for the normal as it is given
 };
 
+/// The points x with normal . x == offset: a plane that has no inside, and both sides of which are
+/// free. What is convex and lies on one side meets it as it meets the half-space behind it; what
+/// reaches through it leaves it to the side where it has less to go. A mesh meets it where a
+/// triangle does: one in several pieces may have some of them on either side, and be free.
+struct Plane {
+  Eigen::Vector3d normal;  ///< either of the two; of any length but 0, and scaled to 1 by Shape
+  double offset = 0;       ///< for the normal as it is given
+};
+
 /// Which of the types a Shape is, in the order of Shape::Value.
 enum class ShapeKind {
   Sphere,
@@ -56,14 +65,15 @@ enum class ShapeKind {
   ConvexHull,
   HalfSpace,
   Mesh,
-  HeightField
+  HeightField,
+  Plane
 };
 
 /// All of them, in their order.
 inline constexpr std::array kShapeKinds{
-    ShapeKind::Sphere, ShapeKind::Box,        ShapeKind::Capsule,    ShapeKind::Cylinder,
-    ShapeKind::Cone,   ShapeKind::Ellipsoid,  ShapeKind::ConvexHull, ShapeKind::HalfSpace,
-    ShapeKind::Mesh,   ShapeKind::HeightField};
+    ShapeKind::Sphere, ShapeKind::Box,         ShapeKind::Capsule,    ShapeKind::Cylinder,
+    ShapeKind::Cone,   ShapeKind::Ellipsoid,   ShapeKind::ConvexHull, ShapeKind::HalfSpace,
+    ShapeKind::Mesh,   ShapeKind::HeightField, ShapeKind::Plane};
 
 /// "sphere", "box", ... as error messages call it.
 const char* name_of(ShapeKind kind);
@@ -81,7 +91,7 @@ class Shape {
  public:
   /// What it can be.
   using Value = std::variant<Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace,
-                             Mesh, HeightField>;
+                             Mesh, HeightField, Plane>;
 
   /// A shape is any of these: each converts to it.
   Shape(const Sphere& sphere);      // NOLINT(google-explicit-constructor): a shape is any of these
@@ -94,6 +104,7 @@ class Shape {
   Shape(const HalfSpace& half_space);  // NOLINT(google-explicit-constructor)
   Shape(Mesh mesh);                    // NOLINT(google-explicit-constructor)
   Shape(HeightField field);            // NOLINT(google-explicit-constructor)
+  Shape(const Plane& plane);           // NOLINT(google-explicit-constructor)
 
   /// Which of them it is.
   ShapeKind kind() const { return static_cast<ShapeKind>(value_.index()); }

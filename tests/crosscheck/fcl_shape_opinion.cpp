@@ -16,7 +16,7 @@ namespace graze::tests {
 namespace {
 
 bool has_distance(const Shape& shape) {
-  return shape.kind() != ShapeKind::HalfSpace;
+  return shape.kind() != ShapeKind::HalfSpace && shape.kind() != ShapeKind::Plane;
 }
 
 }  // namespace

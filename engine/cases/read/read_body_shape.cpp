@@ -10,9 +10,9 @@
 namespace graze::cases {
 namespace {
 
-constexpr std::array<std::string_view, 9> kKinds = {"sphere",      "box",        "capsule",
-                                                    "cylinder",    "cone",       "ellipsoid",
-                                                    "convex_hull", "half_space", "mesh"};
+constexpr std::array<std::string_view, 10> kKinds = {
+    "sphere",    "box",         "capsule",    "cylinder", "cone",
+    "ellipsoid", "convex_hull", "half_space", "plane",    "mesh"};
 
 Eigen::Vector3d read_point(const JsonCursor& at, const BodyShapeReader& reader) {
   at.require_size(3);
@@ -66,10 +66,11 @@ Shape read_hull(const JsonCursor& at, const BodyShapeReader& reader) {
   return ConvexHull(points);
 }
 
-Shape read_half_space(const JsonCursor& at, const BodyShapeReader& reader) {
+template <typename Flat>
+Shape read_flat(const JsonCursor& at, const BodyShapeReader& reader) {
   at.require_keys({"normal", "offset"});
-  return HalfSpace{at.member("normal").point(),
-                   at.has("offset") ? reader.length(at.member("offset")) : 0};
+  return Flat{at.member("normal").point(),
+              at.has("offset") ? reader.length(at.member("offset")) : 0};
 }
 
 Shape read_kind(const JsonCursor& at, std::string_view kind, const BodyShapeReader& reader) {
@@ -80,7 +81,8 @@ Shape read_kind(const JsonCursor& at, std::string_view kind, const BodyShapeRead
   if (kind == "cone") return read_round<Cone>(at, reader);
   if (kind == "ellipsoid") return read_ellipsoid(at, reader);
   if (kind == "convex_hull") return read_hull(at, reader);
-  if (kind == "half_space") return read_half_space(at, reader);
+  if (kind == "half_space") return read_flat<HalfSpace>(at, reader);
+  if (kind == "plane") return read_flat<Plane>(at, reader);
   return reader.mesh(at);
 }
 
@@ -93,7 +95,7 @@ Shape read_body_shape(const JsonCursor& at, const BodyShapeReader& reader) {
   if (found.size() != 1) {
     at.fail("has " + std::to_string(found.size()) +
             " shapes, not one of sphere, box, capsule, cylinder, cone, ellipsoid, convex_hull, "
-            "half_space and mesh");
+            "half_space, plane and mesh");
   }
   const JsonCursor shape = at.member(found.front());
   // What the reader itself refuses has its place already.

@@ -8,6 +8,10 @@
 namespace graze::cases {
 namespace {
 
+bool is_endless(const Shape& shape) {
+  return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
+}
+
 /// Throws what the library throws for such a motion of such a shape.
 struct MotionCheck {
   void operator()(const CaseMesh& mesh) const {
@@ -15,7 +19,7 @@ struct MotionCheck {
   }
   void operator()(const CaseBody& body) const {
     const RigidMotion motion = motion_of(body);
-    if (body.shape.as<HalfSpace>() != nullptr) return;  // it has no end that could be too far away
+    if (is_endless(body.shape)) return;  // it has no end that could be too far away
     const Pose here = Pose::Identity();
     check_reach(motion, bounding_aabb({body.shape, here}), "the motion");
   }
@@ -29,9 +33,9 @@ bool has_course(const CaseShape& shape) {
   return body != nullptr && body->course.has_value();
 }
 
-const HalfSpace* half_space_of(const CaseShape& shape) {
+bool is_endless(const CaseShape& shape) {
   const auto* body = std::get_if<CaseBody>(&shape);
-  return body != nullptr ? body->shape.as<HalfSpace>() : nullptr;
+  return body != nullptr && is_endless(body->shape);
 }
 
 bool turns(const CaseShape& shape) {
@@ -67,9 +71,9 @@ void check_motions(const JsonCursor& root, const Case& query) {
   check_motion(root.member("a"), query.a, query.ask);
   if (!query.b) return;
   check_motion(root.member("b"), *query.b, query.ask);
-  const bool are_planes = half_space_of(query.a) != nullptr && half_space_of(*query.b) != nullptr;
+  const bool are_planes = is_endless(query.a) && is_endless(*query.b);
   if (is_about_motion(query.ask) && are_planes && (turns(query.a) || turns(*query.b)))
-    root.member("question").fail("of two half-spaces none may turn: they meet far away");
+    root.member("question").fail("of two half-spaces or planes none may turn: they meet far away");
 }
 
 }  // namespace graze::cases

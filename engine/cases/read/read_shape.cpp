@@ -57,7 +57,7 @@ std::optional<RigidCourse> course_of(const JsonCursor& at) {
 CaseBody read_body(const JsonCursor& at) {
   const JsonCursor body = at.member("body");
   body.require_keys({"sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "convex_hull",
-                     "half_space", "mesh"});
+                     "half_space", "plane", "mesh"});
   const Shape shape =
       read_body_shape(body, {.length = [](const JsonCursor& length) { return length.number(); },
                              .mesh = read_inline_mesh});

@@ -69,14 +69,19 @@ struct BodyText {
     return std::string("\"convex_hull\": {\"points\": ") +
            json_list(points, ",\n      ", json_point) + "}";
   }
-  std::string operator()(const HalfSpace& half_space) const {
-    return std::string("\"half_space\": {\"normal\": ") + json_point(half_space.normal) +
-           ", \"offset\": " + json_number(half_space.offset) + "}";
-  }
+  std::string operator()(const HalfSpace& s) const { return flat("half_space", s); }
+  std::string operator()(const Plane& s) const { return flat("plane", s); }
   /// As the mesh that it is.
   std::string operator()(const HeightField& field) const { return (*this)(field.mesh()); }
   std::string operator()(const Mesh& mesh) const {
     return std::string("\"mesh\": ") + mesh_text(CaseMesh(mesh, Pose::Identity()));
+  }
+
+ private:
+  template <typename Flat>
+  static std::string flat(const char* kind, const Flat& s) {
+    return std::string("\"") + kind + "\": {\"normal\": " + json_point(s.normal) +
+           ", \"offset\": " + json_number(s.offset) + "}";
   }
 };
 

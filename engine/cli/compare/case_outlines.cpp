@@ -1,4 +1,5 @@
 #include <graze/engine/cli/compare/case_outlines.h>
+#include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/mesh/placement.h>
 
 #include <algorithm>
@@ -83,6 +84,7 @@ struct SurfacePoints {
     return points;
   }
   Points operator()(const HalfSpace&) const { return {}; }    // see plane_near()
+  Points operator()(const Plane&) const { return {}; }        // likewise
   Points operator()(const Mesh&) const { return {}; }         // see add_triangles()
   Points operator()(const HeightField&) const { return {}; }  // a case has its mesh
 };
@@ -122,7 +124,7 @@ struct ShapeOutlines {
       add_triangles(outlines, *mesh, body.pose);
       return outlines;
     }
-    if (body.shape.kind() == ShapeKind::HalfSpace) return outlines;
+    if (compare::flat_of(body.shape)) return outlines;
     return placed(std::visit(SurfacePoints{}, body.shape.value()), body.pose);
   }
 
@@ -145,7 +147,7 @@ Outline plane_near(const CaseBody& body, const std::vector<Outline>& other) {
       max = max.cwiseMax(point);
     }
   }
-  const auto& plane = *body.shape.as<HalfSpace>();
+  const HalfSpace plane = *compare::flat_of(body.shape);
   const Eigen::Vector3d normal = body.pose.linear() * plane.normal;
   const Eigen::Vector3d origin = place(body.pose, plane.normal * plane.offset);
   const Eigen::Vector3d middle = (min + max) / 2;
@@ -171,7 +173,7 @@ void add_line(std::vector<Outline>& outlines, const Ray& ray, const std::vector<
 void add_plane(std::vector<Outline>& outlines, const CaseShape& shape,
                const std::vector<Outline>& other) {
   const auto* body = std::get_if<CaseBody>(&shape);
-  if (body == nullptr || body->shape.kind() != ShapeKind::HalfSpace) return;
+  if (body == nullptr || !compare::flat_of(body->shape)) return;
   outlines.push_back(plane_near(*body, other));
 }
 

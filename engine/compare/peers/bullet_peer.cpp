@@ -157,6 +157,7 @@ struct MakeShape {
   std::unique_ptr<btCollisionShape> operator()(const HalfSpace& s) const {
     return std::make_unique<btStaticPlaneShape>(to_bullet(s.normal), s.offset);
   }
+  std::unique_ptr<btCollisionShape> operator()(const Plane&) const { return nullptr; }
   std::unique_ptr<btCollisionShape> operator()(const Ellipsoid&) const { return nullptr; }
   std::unique_ptr<btCollisionShape> operator()(const Mesh&) const { return nullptr; }
   std::unique_ptr<btCollisionShape> operator()(const HeightField&) const { return nullptr; }

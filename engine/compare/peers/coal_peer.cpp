@@ -218,6 +218,9 @@ struct MakeGeometry {
   Geometry operator()(const HalfSpace& s) const {
     return std::make_shared<coal::Halfspace>(s.normal, s.offset);
   }
+  Geometry operator()(const Plane& s) const {
+    return std::make_shared<coal::Plane>(s.normal, s.offset);
+  }
   Geometry operator()(const Mesh& s) const { return coal_mesh(s); }
   Geometry operator()(const HeightField& s) const { return coal_mesh(s.mesh()); }
   Geometry operator()(const ConvexHull& s) const {

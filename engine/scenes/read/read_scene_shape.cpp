@@ -61,7 +61,7 @@ Mesh MeshFiles::read(const JsonCursor& at) {
 
 Shape read_scene_shape(const JsonCursor& at, const SceneUnits& units, MeshFiles& files) {
   at.require_keys({"name", "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
-                   "convex_hull", "half_space", "mesh"});
+                   "convex_hull", "half_space", "plane", "mesh"});
   return cases::read_body_shape(
       at, {.length = [&](const JsonCursor& length) { return units.read_length(length); },
            .mesh =

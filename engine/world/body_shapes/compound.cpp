@@ -10,8 +10,9 @@ namespace {
 
 /// Throws unless it can be a part.
 void check_part(const PlacedShapeView& part) {
-  if (part.shape.kind() == ShapeKind::HalfSpace)
-    throw InputError("part: a half-space is a body of its own, and no part of a compound");
+  if (part.shape.kind() == ShapeKind::HalfSpace || part.shape.kind() == ShapeKind::Plane)
+    throw InputError(std::string("part: a ") + name_of(part.shape.kind()) +
+                     " is a body of its own, and no part of a compound");
   bounding_aabb(part);
 }
 

@@ -47,7 +47,8 @@ double length_of(double x, double y, double z) {
 
 /// The distance of the farthest corner of the shape's own box from the frame's origin.
 double bounding_radius_of(const Shape& shape) {
-  if (shape.kind() == ShapeKind::HalfSpace) return std::numeric_limits<double>::infinity();
+  if (shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane)
+    return std::numeric_limits<double>::infinity();
   const Aabb box = bounding_aabb({shape, Pose::Identity()});
   double side[3];
   for (int i = 0; i < 3; ++i)

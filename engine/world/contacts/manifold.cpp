@@ -6,6 +6,7 @@
 #include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 
@@ -147,6 +148,11 @@ void find_of_touching(const PlacedShapeView& a, const PlacedShapeView& b, Work& 
 void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work,
                        Manifold& found) {
   found.clear();
+  if (has_plane(a, b)) {
+    const PlaneSides by(a, b, work);
+    if (!by.is_divided()) contacts_in_boxes(by.a(), by.b(), work, found);
+    return add_materials(a, b, found, work);
+  }
   if (has_field(a, b)) {
     ask_contacts(a, b, {.aside = kContactAside},
                  [&](const PlacedShapeView& s, const PlacedShapeView& t) {
@@ -167,7 +173,10 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
     Manifold found;
-    if (has_field(a, b)) {
+    if (has_plane(a, b)) {
+      const PlaneSides by(a, b, counted.work());
+      if (!by.is_divided()) found = find_contacts<void>(by.a(), by.b(), &counted.work());
+    } else if (has_field(a, b)) {
       ask_contacts(a, b, {.aside = kContactAside},
                    [&](const PlacedShapeView& s, const PlacedShapeView& t) {
                      found = find_contacts<void>(s, t, &counted.work());

@@ -115,6 +115,13 @@ class Outline {
     line(middle, middle + normal * (settings_.half_space_extent / 4));
   }
 
+  /// The same square, and both normals.
+  void draw(const Plane& plane) {
+    draw(HalfSpace{plane.normal, plane.offset});
+    const Vector3d middle = plane.offset * plane.normal;
+    line(middle, middle - plane.normal * (settings_.half_space_extent / 4));
+  }
+
  private:
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 

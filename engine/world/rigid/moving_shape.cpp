@@ -18,6 +18,13 @@ double rounded_by(const Shape& shape) {
   return 0;
 }
 
+/// How far the plane of a half-space, or a plane, is from the origin of its frame.
+double offset_of(const Shape& shape) {
+  const auto* half_space = std::get_if<HalfSpace>(&shape.value());
+  return std::abs(half_space != nullptr ? half_space->offset
+                                        : std::get<Plane>(shape.value()).offset);
+}
+
 }  // namespace
 
 double length_of(const Eigen::Vector3d& v) {
@@ -29,9 +36,9 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
       motion(in_motion),
       turned(std::abs(in_motion.angle())),
       lengths(sum_of_lengths(in_motion)) {
-  if (is_half_space()) {
+  if (is_endless()) {
     check_reach(motion, {{0, 0, 0}, {0, 0, 0}}, what);
-    lengths += std::abs(std::get<HalfSpace>(shape.value()).offset);
+    lengths += offset_of(shape);
     return;
   }
   const Pose& start = motion.start();
@@ -50,7 +57,7 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
 Aabb swept_bounds(const MovingShape& moving) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const Eigen::Vector3d all = Eigen::Vector3d::Constant(kLargest);
-  if (moving.is_half_space()) return {-all, all};
+  if (moving.is_endless()) return {-all, all};
   const RigidMotion& motion = moving.motion;
   Aabb first, last;
   if (moving.turned == 0) {

@@ -17,8 +17,9 @@ struct MovingShape {
   const Shape& shape;
   const RigidMotion& motion;
   double turned;
-  double lengths;    ///< all that it is made of
-  double reach = 0;  ///< no point is further from the centre of the motion; of a half-space 0
+  double lengths;  ///< all that it is made of
+  /// No point is further from the centre of the motion; 0 of what has no end.
+  double reach = 0;
   /// Likewise no point of what turning moves: of a ball its centre, of a capsule its segment.
   double turning_reach = 0;
 
@@ -26,11 +27,13 @@ struct MovingShape {
   MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what);
 
   bool is_half_space() const { return shape.kind() == ShapeKind::HalfSpace; }
+  /// Half-spaces and planes.
+  bool is_endless() const { return is_half_space() || shape.kind() == ShapeKind::Plane; }
   bool is_mesh() const { return shape.kind() == ShapeKind::Mesh; }
   PlacedShape at(double t) const { return {shape, motion.at(t)}; }
 };
 
-/// A box that holds the shape at every t; for a half-space all that there is.
+/// A box that holds the shape at every t; for half-spaces and planes all that there is.
 Aabb swept_bounds(const MovingShape& moving);
 
 }  // namespace graze

@@ -14,6 +14,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/translation/displacement.h>
 
 #include <algorithm>
@@ -264,6 +265,16 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
   }
 }
 
+/// Of which one is a plane, or both.
+std::optional<ShapeCast> cast_of_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                                       const Eigen::Vector3d& displacement, Work& work) {
+  const PlaneSides by(a, b, work);
+  const auto met = cast(by.a(), by.b(), displacement, &work);
+  if (!by.is_divided()) return met;
+  const auto behind = cast(by.a(1), by.b(1), displacement, &work);
+  return behind && (!met || behind->time < met->time) ? behind : met;
+}
+
 }  // namespace
 
 template <typename>
@@ -274,6 +285,8 @@ std::optional<ShapeCast> cast(const PlacedShapeView& shape_a, const PlacedShapeV
     narrowphase::check_displacement(displacement);
     check_reach(shape_b, displacement);
     CountedWork counted(work);
+    if (has_plane(shape_a, shape_b))
+      return cast_of_plane(shape_a, shape_b, displacement, counted.work());
     return has_field(shape_a, shape_b)
                ? cast_of_field(shape_a, shape_b, displacement, counted.work())
                : cast_checked(shape_a, shape_b, displacement, counted.work());

@@ -11,6 +11,7 @@
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <optional>
@@ -132,6 +133,31 @@ RigidContact contact_of_field(const Shape& shape_a, const RigidMotion& motion_a,
   });
 }
 
+/// The first of two, of what may be met in either.
+RigidContact earlier(const RigidContact& s, const RigidContact& t) {
+  if (s.status == RigidStatus::Free) return t;
+  if (t.status == RigidStatus::Free) return s;
+  const bool is_hit = s.status == RigidStatus::Hit || t.status == RigidStatus::Hit;
+  return {is_hit ? RigidStatus::Hit : RigidStatus::Close, std::min(s.low, t.low),
+          std::min(s.high, t.high), s.is_out_of_budget || t.is_out_of_budget};
+}
+
+/// Of which one is a plane, or both.
+RigidContact contact_of_plane(const Shape& shape_a, const RigidMotion& motion_a,
+                              const Shape& shape_b, const RigidMotion& motion_b,
+                              const RigidContactSettings& settings, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> RigidContact {
+    CountedWork counted(work);
+    check_settings(settings);
+    const PlaneSides by({shape_a, motion_a.start()}, {shape_b, motion_b.start()}, counted.work());
+    const auto ask = [&](std::size_t i) {
+      return first_contact(by.a(i).shape, motion_a, by.b(i).shape, motion_b, settings,
+                           &counted.work());
+    };
+    return by.is_divided() ? earlier(ask(0), ask(1)) : ask(0);
+  });
+}
+
 }  // namespace
 
 RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, const Shape& shape_b,
@@ -139,6 +165,8 @@ RigidContact first_contact(const Shape& shape_a, const RigidMotion& motion_a, co
                            Work* work) {
   if (has_field({shape_a, motion_a.start()}, {shape_b, motion_b.start()}))
     return contact_of_field(shape_a, motion_a, shape_b, motion_b, settings, work);
+  if (has_plane({shape_a, motion_a.start()}, {shape_b, motion_b.start()}))
+    return contact_of_plane(shape_a, motion_a, shape_b, motion_b, settings, work);
   const Mesh *mesh_a = mesh_of(shape_a), *mesh_b = mesh_of(shape_b);
   if (mesh_a != nullptr && mesh_b != nullptr)
     return first_contact(*mesh_a, motion_a, *mesh_b, motion_b, settings, work);

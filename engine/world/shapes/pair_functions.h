@@ -44,11 +44,4 @@ ShapeDistance distance_of_mesh_plane(const PlacedShapeView& a, const PlacedShape
 bool intersect_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 ShapeDistance distance_of_mesh_core(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
-/// Where a mesh lies beside a plane: its vertex that is least along the normal.
-struct LowestVertex {
-  double height;            ///< metres above the plane; negative below it
-  narrowphase::Vec3 point;  ///< relative to the origin of the question
-  double slack;
-};
-
 }  // namespace graze

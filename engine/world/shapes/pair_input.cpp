@@ -70,6 +70,8 @@ struct NumbersOf {
     const int by_normal = order(s.normal.data(), o.normal.data(), 3);
     return by_normal != 0 ? by_normal : order(&s.offset, &o.offset, 1);
   }
+  /// Half-spaces stand for them wherever the order matters.
+  int operator()(const graze::Plane&) const { return 0; }
   int operator()(const Mesh& s) const {
     const Mesh& o = std::get<Mesh>(other);
     if (s == o) return 0;

@@ -69,6 +69,7 @@ class CoreOf {
     return core;
   }
   Core operator()(const HalfSpace&) const { throw InputError("half-space: it has no core"); }
+  Core operator()(const graze::Plane&) const { throw InputError("plane: it has no core"); }
   Core operator()(const Mesh&) const { throw InputError("mesh: it has no core"); }
   Core operator()(const HeightField&) const { throw InputError("height field: it has no core"); }
 
@@ -92,7 +93,8 @@ class CoreOf {
 }  // namespace
 
 bool is_convex_core(ShapeKind kind) {
-  return kind != ShapeKind::HalfSpace && kind != ShapeKind::Mesh && kind != ShapeKind::HeightField;
+  using enum ShapeKind;
+  return kind != HalfSpace && kind != Plane && kind != Mesh && kind != HeightField;
 }
 
 Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose) {

@@ -20,7 +20,7 @@ static inline Eigen::Vector3d to_eigen(const narrowphase::Vec3& v) {
 Eigen::Vector3d middle_of(const Shape& shape, const Pose& pose);
 
 /// The core of a convex shape in a pose, in the frame with the world's axes and that origin. The
-/// shape must outlive it, and be no half-space and no mesh.
+/// shape must outlive it, and be convex: is_convex_core().
 narrowphase::Core core_of(const Shape& shape, const Pose& pose, const Eigen::Vector3d& origin);
 
 /// A placed triangle, likewise.
@@ -35,7 +35,7 @@ struct PlacedHalfSpace {
 PlacedHalfSpace placed_half_space(const HalfSpace& half_space, const Pose& pose,
                                   const Eigen::Vector3d& origin);
 
-/// False for half-spaces and meshes.
+/// False for half-spaces, planes, meshes and height fields.
 bool is_convex_core(ShapeKind kind);
 
 }  // namespace graze

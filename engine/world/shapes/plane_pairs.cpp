@@ -1,7 +1,4 @@
-#include <graze/bvh/traverse/traverse_nearest.h>
-#include <graze/engine/mesh/data/mesh_trees.h>
-#include <graze/engine/mesh/placement.h>
-#include <graze/engine/world/shapes/mesh_descent.h>
+#include <graze/engine/world/shapes/mesh_heights.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
 
@@ -15,13 +12,6 @@ using narrowphase::Core;
 using narrowphase::Vec3;
 
 namespace {
-
-/// How a set lies above a plane.
-struct Height {
-  double height;  ///< of the lowest point, metres; negative below
-  double slack;   ///< what it is off by, at most
-  Vec3 lowest;
-};
 
 Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
   return to_eigen(point + to_vec3(origin));
@@ -63,60 +53,6 @@ bool are_opposite(const Vec3& a, const Vec3& b) {
   return a.x == -b.x && a.y == -b.y && a.z == -b.z;
 }
 
-/// Nodes by a lower bound of the height of what is in them, for traverse_nearest().
-template <typename Bound>
-struct HeightBounds {
-  const Bound& bound;
-  const double& best;
-
-  double of(std::uint32_t node) const { return bound(node); }
-  bool is_missed(double) const { return false; }
-  bool is_beyond(double height) const { return height >= best; }
-};
-
-/// Walks towards the lowest vertex. A node's box is bounded by the plane turned into the mesh's
-/// frame; the slack there is that of MeshDescent, whose box this plane stands in for.
-Height lowest_vertex(const PlacedMeshView& mesh, const PlacedHalfSpace& plane,
-                     const Eigen::Vector3d& origin, double enough, Work& work) {
-  const bvh::Tree& tree = tree_of(mesh.mesh, &work);
-  const double* m = mesh.pose.data();
-  const double unit = tree.frame.unit();
-  const Vec3 from_mesh = to_vec3(origin) - Vec3{m[12], m[13], m[14]};
-  double own[3];  // the normal in the mesh's frame
-  double base = -plane.offset - dot(plane.normal, from_mesh);
-  for (int k = 0; k < 3; ++k) {
-    own[k] = dot(plane.normal, Vec3{m[4 * k], m[4 * k + 1], m[4 * k + 2]});
-    base += own[k] * tree.frame.centre[k];
-  }
-  const Aabb& box = mesh.mesh.bounds();
-  const double size = 2 * (largest(to_vec3(box.min)) + largest(to_vec3(box.max))) +
-                      2 * largest(from_mesh) + std::abs(plane.offset);
-  const double law_1 = std::max(std::abs(m[12]), std::max(std::abs(m[13]), std::abs(m[14])));
-  const double slack = 0x40p-53 * size + 0x10p-53 * law_1 + plane.slack;
-  Height best{std::numeric_limits<double>::infinity(), slack, {}};
-  const auto bound = [&](std::uint32_t node) {
-    ++work.volume_tests;
-    const bvh::FloatBox& b = tree.nodes[node].box;
-    double low = 0;
-    for (int k = 0; k < 3; ++k)
-      low += std::min(own[k] * b.min[k], own[k] * b.max[k]);
-    return base + low * unit - slack;
-  };
-  bvh::traverse_nearest(
-      tree, HeightBounds<decltype(bound)>{bound, best.height}, [&](const bvh::Node& leaf) {
-        for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-          const Triangle t = narrowphase::place(mesh.pose, mesh.mesh.triangle(tree.primitives[i]));
-          for (const Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) {
-            const Vec3 point = to_vec3(*corner) - to_vec3(origin);
-            const double height = dot(plane.normal, point) - plane.offset;
-            if (height < best.height) best.height = height, best.lowest = point;
-          }
-        }
-        return best.height > enough ? bvh::Walk::Continue : bvh::Walk::Stop;
-      });
-  return best;
-}
-
 struct MeshSituation {
   Eigen::Vector3d origin;
   PlacedHalfSpace plane;
@@ -129,7 +65,8 @@ MeshSituation mesh_beside_plane(const PlacedShapeView& a, const PlacedShapeView&
   const double* m = b.pose.data();
   const Eigen::Vector3d origin(m[12], m[13], m[14]);
   const PlacedHalfSpace plane = placed_half_space(*a.shape.as<HalfSpace>(), a.pose, origin);
-  return {origin, plane, lowest_vertex({mesh, b.pose}, plane, origin, enough, work)};
+  const PlacedMeshView placed{mesh, b.pose};
+  return {origin, plane, MeshHeights(placed, plane, origin, work).lowest(enough)};
 }
 
 }  // namespace

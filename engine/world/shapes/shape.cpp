@@ -72,18 +72,19 @@ Ellipsoid checked(const Ellipsoid& ellipsoid) {
   });
 }
 
-/// The same set, with a normal of length 1 to rounding.
-HalfSpace checked(const HalfSpace& half_space) {
-  return bvh::in_standard_arithmetic([&]() -> HalfSpace {
-    check_coordinates(half_space.normal, "half-space", "normal");
-    const double* n = half_space.normal.data();
+/// The same set, with a normal of length 1 to rounding: a half-space, or a plane.
+template <typename Flat>
+Flat checked_flat(const Flat& flat, const char* what) {
+  return bvh::in_standard_arithmetic([&]() -> Flat {
+    check_coordinates(flat.normal, what, "normal");
+    const double* n = flat.normal.data();
     const double largest = std::max(std::abs(n[0]), std::max(std::abs(n[1]), std::abs(n[2])));
-    if (!(largest >= kSmallestLength)) refuse("half-space", "the normal is zero");
+    if (!(largest >= kSmallestLength)) refuse(what, "the normal is zero");
     const double x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
     const double length = std::sqrt((x * x + y * y) + z * z);
-    const double offset = half_space.offset / largest / length;
+    const double offset = flat.offset / largest / length;
     if (!(std::abs(offset) <= kLargestLength)) {
-      refuse("half-space", "the offset is not finite or beyond the largest length");
+      refuse(what, "the offset is not finite or beyond the largest length");
     }
     return {{x / length, y / length, z / length}, offset};
   });
@@ -101,8 +102,9 @@ Mesh checked(Mesh mesh) {
 }  // namespace
 
 const char* name_of(ShapeKind kind) {
-  constexpr std::array kNames{"sphere",    "box",         "capsule",    "cylinder", "cone",
-                              "ellipsoid", "convex hull", "half-space", "mesh",     "height field"};
+  constexpr std::array kNames{"sphere", "box",          "capsule",     "cylinder",
+                              "cone",   "ellipsoid",    "convex hull", "half-space",
+                              "mesh",   "height field", "plane"};
   static_assert(kNames.size() == kShapeKinds.size());
   const auto index = static_cast<std::size_t>(kind);
   if (index >= kNames.size()) throw InputError("shape kind: there is no such kind");
@@ -116,9 +118,10 @@ Shape::Shape(const Cylinder& cylinder) : value_(checked(cylinder, "cylinder")) {
 Shape::Shape(const Cone& cone) : value_(checked(cone, "cone")) {}
 Shape::Shape(const Ellipsoid& ellipsoid) : value_(checked(ellipsoid)) {}
 Shape::Shape(ConvexHull hull) : value_(std::move(hull)) {}
-Shape::Shape(const HalfSpace& half_space) : value_(checked(half_space)) {}
+Shape::Shape(const HalfSpace& half_space) : value_(checked_flat(half_space, "half-space")) {}
 Shape::Shape(Mesh mesh) : value_(checked(std::move(mesh))) {}
 Shape::Shape(HeightField field) : value_(std::move(field)) {}
+Shape::Shape(const Plane& plane) : value_(checked_flat(plane, "plane")) {}
 
 namespace {
 

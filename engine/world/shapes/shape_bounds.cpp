@@ -4,6 +4,7 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shapes/next_double.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,13 @@ Aabb bounds_of_half_space(const HalfSpace& half_space, const Pose& pose) {
   return box;
 }
 
+/// What is in both of its half-spaces.
+Aabb bounds_of_plane(const graze::Plane& plane, const Pose& pose) {
+  const Aabb front = bounds_of_half_space(front_of(plane), pose);
+  const Aabb back = bounds_of_half_space(back_of(plane), pose);
+  return {front.min.cwiseMax(back.min), front.max.cwiseMin(back.max)};
+}
+
 // A placed coordinate is a sum of four terms with at most 4 roundings of what largest_coordinates()
 // bounds.
 Aabb bounds_of_mesh(const Aabb& own, const Pose& pose) {
@@ -135,6 +143,7 @@ Aabb bounding_aabb(const PlacedShapeView& placed) {
     const double deviation = check_pose(pose, "pose");
     if (const auto* half_space = shape.as<HalfSpace>())
       return bounds_of_half_space(*half_space, pose);
+    if (const auto* plane = shape.as<graze::Plane>()) return bounds_of_plane(*plane, pose);
     if (const auto* mesh = shape.as<Mesh>()) return bounds_of_mesh(mesh->bounds(), pose);
     if (const auto* field = shape.as<HeightField>()) return bounds_of_mesh(field->bounds(), pose);
     if (const auto* box = shape.as<Box>()) return bounds_of_box(*box, pose, deviation);

@@ -10,6 +10,7 @@
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
@@ -28,8 +29,8 @@ using enum PairMethod;
 // Rows and columns in the order of ShapeKind; below the diagonal it is mirrored.
 constexpr std::size_t kKinds = kShapeKinds.size();
 constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods = [] {
-  // Below a height field, which is asked as a mesh is.
-  constexpr std::array<std::array<PairMethod, kKinds - 1>, kKinds - 1> kOthers{{
+  // A height field is asked as a mesh is, and a plane as a half-space.
+  constexpr std::array<std::array<PairMethod, kKinds - 2>, kKinds - 2> kOthers{{
       {ExactSpheres, ExactSphereBox, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshVolume},
       {ExactSphereBox, BoxAxes, Cores, Cores, Cores, Cores, Cores, Plane, MeshVolume},
       {ClosedForm, Cores, ClosedForm, Cores, Cores, Cores, Cores, Plane, MeshCore},
@@ -41,11 +42,16 @@ constexpr std::array<std::array<PairMethod, kKinds>, kKinds> kMethods = [] {
       {MeshVolume, MeshVolume, MeshCore, MeshCore, MeshCore, MeshCore, MeshCore, MeshPlane, Meshes},
   }};
   std::array<std::array<PairMethod, kKinds>, kKinds> methods{};
-  constexpr auto kMesh = static_cast<std::size_t>(ShapeKind::Mesh);
-  static_assert(kMesh + 2 == kKinds);
+  const auto row_of = [](std::size_t kind) {
+    constexpr auto kMesh = static_cast<std::size_t>(ShapeKind::Mesh);
+    static_assert(kMesh + 3 == kKinds);
+    if (kind == static_cast<std::size_t>(ShapeKind::Plane))
+      return static_cast<std::size_t>(ShapeKind::HalfSpace);
+    return std::min(kind, kMesh);
+  };
   for (std::size_t a = 0; a < kKinds; ++a) {
     for (std::size_t b = 0; b < kKinds; ++b)
-      methods[a][b] = kOthers[std::min(a, kMesh)][std::min(b, kMesh)];
+      methods[a][b] = kOthers[row_of(a)][row_of(b)];
   }
   return methods;
 }();
@@ -208,6 +214,20 @@ ShapeDistance distance_in_boxes(const PlacedShapeView& a, const PlacedShapeView&
   return boxes.gap == 0 ? found : parted(found, boxes);
 }
 
+/// Of which one is a plane, or both.
+ShapeDistance distance_of_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  const PlaneSides by(a, b, work);
+  ShapeDistance found = distance(by.a(), by.b(), &work);
+  if (found.distance == 0) {
+    // In the half-space, but perhaps not in the plane.
+    found.point_a = found.point_b = point_in_plane(a, b, found.point_a, work);
+    return found;
+  }
+  if (!by.is_divided()) return found;
+  const ShapeDistance behind = distance(by.a(1), by.b(1), &work);
+  return behind.distance < found.distance ? behind : found;
+}
+
 /// Of which one is a height field, or both.
 ShapeDistance distance_of_field(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   if (!is_field(a)) return mirrored(distance_of_field(b, a, work));
@@ -227,6 +247,10 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
 }
 
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
+  if (has_plane(a, b)) {
+    const PlaneSides by(a, b, work);
+    return !by.is_divided() && intersect_in_boxes(by.a(), by.b(), work);
+  }
   if (has_field(a, b)) {
     const StandIns by(a, b);
     return by.are_near() && intersect_in_boxes(by.a.view(), by.b.view(), work);
@@ -239,6 +263,10 @@ bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, 
   return bvh::in_standard_arithmetic([&]() -> bool {
     check_poses(shape_a.pose, shape_b.pose);
     CountedWork counted(work);
+    if (has_plane(shape_a, shape_b)) {
+      const PlaneSides by(shape_a, shape_b, counted.work());
+      return !by.is_divided() && intersects(by.a(), by.b(), &counted.work());
+    }
     if (!has_field(shape_a, shape_b)) return intersect_placed(shape_a, shape_b, counted.work());
     const StandIns by(shape_a, shape_b);
     return by.are_near() && intersect_placed(by.a.view(), by.b.view(), counted.work());
@@ -251,6 +279,7 @@ ShapeDistance distance(const PlacedShapeView& a, const PlacedShapeView& b, Work*
   return bvh::in_standard_arithmetic([&]() -> ShapeDistance {
     check_poses(a.pose, b.pose);
     CountedWork counted(work);
+    if (has_plane(a, b)) return distance_of_plane(a, b, counted.work());
     if (has_field(a, b)) return distance_of_field(a, b, counted.work());
     return is_swapped(a, b) ? mirrored(distance_in_boxes(b, a, counted.work()))
                             : distance_in_boxes(a, b, counted.work());

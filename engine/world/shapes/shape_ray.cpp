@@ -5,6 +5,7 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_ray.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
 
 #include <cmath>
@@ -21,13 +22,22 @@ Vec3 unit_direction(const Ray& ray) {
   return {d[0] / scaled.length, d[1] / scaled.length, d[2] / scaled.length};
 }
 
-std::optional<CoreRayHit> cast_at_plane(const HalfSpace& half_space, const Pose& pose,
-                                        const Ray& ray, const Vec3& direction) {
+std::optional<CoreRayHit> cast_at_half_space(const HalfSpace& half_space, const Pose& pose,
+                                             const Ray& ray, const Vec3& direction) {
   const PlacedHalfSpace placed = placed_half_space(half_space, pose, ray.origin);
   if (placed.offset >= 0) return CoreRayHit{0, -direction};
   const double slope = dot(placed.normal, direction);
   if (!(slope < 0)) return std::nullopt;
   return CoreRayHit{placed.offset / slope, placed.normal};
+}
+
+/// From the side that the ray begins on.
+std::optional<CoreRayHit> cast_at_plane(const graze::Plane& plane, const Pose& pose, const Ray& ray,
+                                        const Vec3& direction) {
+  const HalfSpace front = front_of(plane);
+  const PlacedHalfSpace placed = placed_half_space(front, pose, ray.origin);
+  const bool is_behind = placed.offset > 0;
+  return cast_at_half_space(is_behind ? back_of(plane) : front, pose, ray, direction);
 }
 
 }  // namespace
@@ -47,7 +57,9 @@ std::optional<RayHit> cast_ray(const PlacedShapeView& placed, const Ray& ray, Wo
     const Vec3 direction = unit_direction(ray);
     std::optional<CoreRayHit> found;
     if (const auto* half_space = shape.as<HalfSpace>()) {
-      found = cast_at_plane(*half_space, pose, ray, direction);
+      found = cast_at_half_space(*half_space, pose, ray, direction);
+    } else if (const auto* plane = shape.as<graze::Plane>()) {
+      found = cast_at_plane(*plane, pose, ray, direction);
     } else {
       const Eigen::Vector3d middle = middle_of(shape, pose);
       found =

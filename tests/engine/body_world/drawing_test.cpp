@@ -70,6 +70,19 @@ TEST(WorldDrawing, OutlinesLieOnTheirShapes) {
   }
 }
 
+TEST(WorldDrawing, APlaneHasBothItsNormals) {
+  Kept kept;
+  draw(Shape(Plane{{0, 0, 1}, 2}), kept);
+  int above = 0, below = 0;
+  for (const DrawnLine& line : kept.lines) {
+    EXPECT_EQ(line.from.z(), 2);
+    above += line.to.z() > 2;
+    below += line.to.z() < 2;
+  }
+  EXPECT_EQ(above, 1);
+  EXPECT_EQ(below, 1);
+}
+
 /// How many lines there are of a shape, and how many different ends.
 std::pair<std::size_t, std::size_t> size_of_drawing(const Shape& shape) {
   Kept kept;

@@ -337,15 +337,12 @@ TEST_F(Cases, MeshesByFileAreReadWithTheirHash) {
 
 TEST_F(Cases, BodiesOfEveryKindComeBack) {
   const std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {0.75, 0, 0}, {0, 0.5, 0}, {0, 0, 3}};
-  const std::vector<Shape> shapes = {Sphere{{0.1, 0, 0}, 0.7},
-                                     Box{{0.1, 0.2, 0.3}},
-                                     Capsule{0.3, 0},
-                                     Cylinder{0.1, 0.9},
-                                     Cone{0.3, 0.7},
-                                     Ellipsoid{{0, 0.1, 0}, {0.1, 0.2, 0.3}},
-                                     ConvexHull(corners),
-                                     HalfSpace{{0, -1, 0}, -0.3},
-                                     Mesh(corners, std::vector<TriangleIndices>{{0, 1, 3}})};
+  const std::vector<Shape> shapes = {
+      Sphere{{0.1, 0, 0}, 0.7}, Box{{0.1, 0.2, 0.3}},
+      Capsule{0.3, 0},          Cylinder{0.1, 0.9},
+      Cone{0.3, 0.7},           Ellipsoid{{0, 0.1, 0}, {0.1, 0.2, 0.3}},
+      ConvexHull(corners),      HalfSpace{{0, -1, 0}, -0.3},
+      Plane{{0, 1, 0.5}, 0.1},  Mesh(corners, std::vector<TriangleIndices>{{0, 1, 3}})};
   std::set<bool> answers;
   for (const Shape& shape_a : shapes) {
     for (const Shape& shape_b : shapes) {

@@ -124,7 +124,7 @@ TEST(HostileMotion, WhatNoQueryAnswers) {
   const std::string turn = R"(, "motion": {"centre": [0,0,0], "axis": [1,0,0], "angle": 1}})";
   EXPECT_EQ(motion_refusal(R"({"graze_case": 1, "question": "free", "a": )" + plane +
                            R"(}, "b": )" + plane + turn + "}"),
-            "c:1: /question: of two half-spaces none may turn: they meet far away");
+            "c:1: /question: of two half-spaces or planes none may turn: they meet far away");
   EXPECT_EQ(
       motion_refusal(
           R"({"graze_case": 1, "question": "free", "a": {"sphere": {"centre": [0,0,0], "radius": 1}}, "b": {"point": [0,0,0]}})"),

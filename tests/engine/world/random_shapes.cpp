@@ -40,9 +40,11 @@ Shape random_shape(ShapeKind kind, double size, RandomSource& source) {
         points.push_back(source.vector(-1, 1).cwiseProduct(Vector3d(a, b, c)));
       return ConvexHull(points);
     }
-    case ShapeKind::HalfSpace: {
+    case ShapeKind::HalfSpace:
+    case ShapeKind::Plane: {
       const Vector3d normal = source.vector(-1, 1);
       const double offset = source.uniform(-0.2, 0.2) * size * normal.norm();
+      if (kind == ShapeKind::Plane) return Plane{normal, offset};
       return HalfSpace{normal, offset};
     }
     default:

@@ -293,7 +293,7 @@ TEST(ShapePairs, TheTableIsSymmetricAndRefusesStrangers) {
     for (const ShapeKind b : kShapeKinds)
       EXPECT_EQ(pair_method(a, b), pair_method(b, a));
   }
-  EXPECT_THROW(pair_method(ShapeKind::Box, static_cast<ShapeKind>(10)), InputError);
+  EXPECT_THROW(pair_method(ShapeKind::Box, static_cast<ShapeKind>(kShapeKinds.size())), InputError);
 }
 
 }  // namespace

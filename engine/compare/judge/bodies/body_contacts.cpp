@@ -38,8 +38,8 @@ bool is(const PlacedBody& body, ShapeKind kind) {
 
 /// The size of the smaller one that is bounded.
 double smaller_size(const PlacedBody& a, const PlacedBody& b) {
-  if (is(a, ShapeKind::HalfSpace)) return size_of(b);
-  if (is(b, ShapeKind::HalfSpace)) return size_of(a);
+  if (flat_of(a.shape)) return size_of(b);
+  if (flat_of(b.shape)) return size_of(a);
   return std::min(size_of(a), size_of(b));
 }
 

@@ -24,7 +24,7 @@ bool is(const PlacedBody& body, ShapeKind kind) {
 }
 
 double largest_of(const PlacedBody& body) {
-  if (const auto* plane = body.shape.as<HalfSpace>())
+  if (const auto plane = flat_of(body.shape))
     return body.pose.translation().cwiseAbs().maxCoeff() + std::abs(plane->offset);
   const Aabb box = bounding_aabb({body.shape, body.pose});
   return std::max({box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff(),

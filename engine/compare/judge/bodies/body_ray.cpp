@@ -17,14 +17,26 @@ constexpr double kUnitTolerance = 0x1p-48;     // of normals
 constexpr double kSupportTolerance = 0x1p-28;  // of the scale: a normal to about 1e-4
 constexpr int kSteps = 200;                    // each leaves two thirds of the interval
 
+/// For a plane the half-space behind it, as the ray's origin sees it.
+CaseBody behind_plane(const CaseBody& body, const Ray& ray) {
+  const auto* plane = body.shape.as<Plane>();
+  if (plane == nullptr) return body;
+  const Vector3d origin = body.pose.linear().transpose() * (ray.origin - body.pose.translation());
+  const bool is_above = plane->normal.dot(origin) >= plane->offset;
+  CaseBody half_space(is_above ? HalfSpace{plane->normal, plane->offset}
+                               : HalfSpace{-plane->normal, -plane->offset},
+                      body.pose);
+  half_space.course = body.course;
+  return half_space;
+}
+
 class BodyRay {
  public:
   BodyRay(const CaseBody& body, const Ray& ray)
-      : body_(body), ray_(ray), direction_(ray.direction.stableNormalized()) {
-    const bool is_plane = body.shape.kind() == ShapeKind::HalfSpace;
+      : body_(behind_plane(body, ray)), ray_(ray), direction_(ray.direction.stableNormalized()) {
     const double largest = ray.origin.norm() + body.pose.translation().norm();
-    if (is_plane) {
-      scale_ = largest + std::abs(body.shape.as<HalfSpace>()->offset);
+    if (const auto* plane = body_.shape.as<HalfSpace>()) {
+      scale_ = largest + std::abs(plane->offset);
       // Beyond this distance even a ray that comes in at an angle of 1e-12 has met it.
       most_ = 1e12 * (scale_ + 1);
     } else {
@@ -114,7 +126,7 @@ class BodyRay {
     least_ = level(least_at_);
   }
 
-  const CaseBody& body_;
+  CaseBody body_;
   const Ray& ray_;
   Vector3d direction_;
   double scale_ = 0;  // metres

@@ -43,6 +43,9 @@ struct Support {
   double operator()(const HalfSpace& s) const {
     return (d - s.normal).norm() < 1e-7 ? s.offset : kInfinity;
   }
+  double operator()(const Plane& s) const {
+    return (d + s.normal).norm() < 1e-7 ? -s.offset : (*this)(HalfSpace{s.normal, s.offset});
+  }
   double operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   double operator()(const Mesh& s) const {
     double most = -kInfinity;
@@ -88,6 +91,7 @@ struct Outside {
     return most;
   }
   double operator()(const HalfSpace& s) const { return s.normal.dot(p) - s.offset; }
+  double operator()(const Plane& s) const { return std::abs(s.normal.dot(p) - s.offset); }
   double operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   double operator()(const Mesh& s) const {
     double least = kInfinity;
@@ -98,6 +102,12 @@ struct Outside {
 };
 
 }  // namespace
+
+std::optional<HalfSpace> flat_of(const Shape& shape) {
+  if (const auto* plane = shape.as<Plane>()) return HalfSpace{plane->normal, plane->offset};
+  if (const auto* half_space = shape.as<HalfSpace>()) return *half_space;
+  return std::nullopt;
+}
 
 double support_along(const Shape& shape, const Pose& pose, const Vector3d& n) {
   const Vector3d d = pose.linear().transpose() * n;

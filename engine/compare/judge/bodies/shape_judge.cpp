@@ -63,11 +63,11 @@ std::optional<VolumeError> error_of_boxes(const PlacedBody& body_a, const Placed
   return volume_error(Obb{body_a.pose, box_a->half_extents}, Obb{body_b.pose, box_b->half_extents});
 }
 
-/// The largest side of the box around both, half-spaces left out.
+/// The largest side of the box around both, half-spaces and planes left out.
 double scale_of(const PlacedBody& body_a, const PlacedBody& body_b) {
   std::optional<Aabb> all;
   for (const PlacedBody* body : {&body_a, &body_b}) {
-    if (body->shape.kind() == ShapeKind::HalfSpace) continue;
+    if (flat_of(body->shape)) continue;
     const Aabb box = bounding_aabb({body->shape, body->pose});
     all = all ? Aabb{all->min.cwiseMin(box.min), all->max.cwiseMax(box.max)} : box;
   }
@@ -79,7 +79,7 @@ double largest_coordinate(const PlacedBody& body_a, const PlacedBody& body_b) {
   double largest = 0;
   for (const PlacedBody* body : {&body_a, &body_b}) {
     largest = std::max(largest, body->pose.translation().cwiseAbs().maxCoeff());
-    if (const auto* plane = body->shape.as<HalfSpace>()) {
+    if (const auto plane = flat_of(body->shape)) {
       largest = std::max(largest, std::abs(plane->offset));
     } else {
       const Aabb box = bounding_aabb({body->shape, body->pose});
@@ -91,9 +91,14 @@ double largest_coordinate(const PlacedBody& body_a, const PlacedBody& body_b) {
 
 /// By how much a plane at right angles to the direction from A to B keeps the two apart.
 double proved_gap(const PlacedBody& a, const PlacedBody& b, Eigen::Vector3d n) {
-  // A half-space is bounded in its own direction only.
-  if (const auto* plane = a.shape.as<HalfSpace>()) n = a.pose.linear() * plane->normal;
-  if (const auto* plane = b.shape.as<HalfSpace>()) n = -(b.pose.linear() * plane->normal);
+  // A half-space is bounded in its own direction only, and a plane in its two.
+  const Eigen::Vector3d proposed = n;
+  const auto turned_to = [&](const PlacedBody& plane, const Eigen::Vector3d& out) {
+    const bool is_two_sided = plane.shape.kind() == ShapeKind::Plane;
+    n = is_two_sided && out.dot(proposed) < 0 ? -out : out;
+  };
+  if (const auto plane = flat_of(a.shape)) turned_to(a, a.pose.linear() * plane->normal);
+  if (const auto plane = flat_of(b.shape)) turned_to(b, -(b.pose.linear() * plane->normal));
   const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
@@ -168,9 +173,7 @@ struct ShapeJudge::Truth {
     if (!is_hit && is_proved_hit) is_hit = true;
     if (!is_hit) return;
     size = *is_hit ? 0 : std::max(is_proved_apart ? gap : 0.0, found.lower_bound);
-    const bool are_planes =
-        a.shape.kind() == ShapeKind::HalfSpace && b.shape.kind() == ShapeKind::HalfSpace;
-    if (!*is_hit || are_planes) return;
+    if (!*is_hit || (flat_of(a.shape) && flat_of(b.shape))) return;
     const Manifold manifold = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
     if (!manifold.empty()) size = manifold[0].depth;
   }

@@ -52,6 +52,7 @@ struct Listed {
     add(s.normal);
     numbers.push_back(s.offset);
   }
+  void operator()(const Plane& s) { (*this)(HalfSpace{s.normal, s.offset}); }
   template <typename Corners>
   void operator()(const Corners& s) {
     for (const Eigen::Vector3d& point : points_of(s))
@@ -71,6 +72,7 @@ struct Rebuilt {
   Shape operator()(const Cone&) const { return Cone{n[0], n[1]}; }
   Shape operator()(const Ellipsoid&) const { return Ellipsoid{point(0), point(3)}; }
   Shape operator()(const HalfSpace&) const { return HalfSpace{point(0), n[3]}; }
+  Shape operator()(const Plane&) const { return Plane{point(0), n[3]}; }
   Shape operator()(const ConvexHull&) const { return ConvexHull(points_in(n)); }
   Shape operator()(const Mesh& mesh) const { return Mesh(points_in(n), mesh.triangles()); }
   Shape operator()(const HeightField& field) const { return (*this)(field.mesh()); }

@@ -88,15 +88,21 @@ struct ShapeText {
     return std::string("{\"convex_hull\":{\"points\":") +
            json_list(*points, ",", [](const Eigen::Vector3d& p) { return text_of(p); }) + "}}";
   }
-  std::string operator()(const HalfSpace& s) const {
-    const std::optional<HalfSpace> source = source_of(s);
-    if (!source) return "";
-    return std::string("{\"half_space\":{\"normal\":") + text_of(source->normal) +
-           ",\"offset\":" + number(source->offset) + "}}";
+  std::string operator()(const HalfSpace& s) const { return flat("half_space", s); }
+  std::string operator()(const Plane& s) const {
+    return flat("plane", HalfSpace{s.normal, s.offset});
   }
   std::string operator()(const HeightField& s) const { return (*this)(s.mesh()); }
   std::string operator()(const Mesh& s) const {
     return std::string("{\"mesh\":") + text_of(s) + "}";
+  }
+
+ private:
+  static std::string flat(const char* kind, const HalfSpace& s) {
+    const std::optional<HalfSpace> source = source_of(s);
+    if (!source) return "";
+    return std::string("{\"") + kind + "\":{\"normal\":" + text_of(source->normal) +
+           ",\"offset\":" + number(source->offset) + "}}";
   }
 };
 

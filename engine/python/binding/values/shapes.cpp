@@ -40,6 +40,7 @@ Shape make_shape(const std::string& kind, const py::args& numbers) {
   if (kind == "cylinder") return Cylinder{number(0, "radius"), number(1, "half_height")};
   if (kind == "cone") return Cone{number(0, "radius"), number(1, "half_height")};
   if (kind == "ellipsoid") return Ellipsoid{vector(0, "centre"), vector(1, "semi_axes")};
+  if (kind == "plane") return Plane{vector(0, "normal"), number(1, "offset")};
   if (kind == "half-space") return HalfSpace{vector(0, "normal"), number(1, "offset")};
   if (kind == "convex hull") return hull_from(numbers[0]);
   throw InputError("kind: \"" + kind + "\" is no kind of shape");
@@ -71,6 +72,9 @@ struct Arguments {
     return py::make_tuple(tuple_of(ellipsoid.centre), tuple_of(ellipsoid.semi_axes));
   }
   py::tuple operator()(const ConvexHull& hull) const { return py::make_tuple(hull_vertices(hull)); }
+  py::tuple operator()(const Plane& plane) const {
+    return py::make_tuple(tuple_of(plane.normal), plane.offset);
+  }
   py::tuple operator()(const HalfSpace& half_space) const {
     return py::make_tuple(tuple_of(half_space.normal), half_space.offset);
   }

@@ -9,10 +9,13 @@
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
+#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace graze {
 
@@ -111,6 +114,12 @@ bool are_plain(const ManifoldSettings& settings) {
 
 Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,
                   const ManifoldSettings& settings, Work& work) {
+  if (has_plane(a, b)) {
+    const PlaneSides by(a, b, work);
+    const Nearness first = nearness(by.a(), by.b(), settings, work);
+    if (!by.is_divided() || first != Nearness::Apart) return first;
+    return nearness(by.a(1), by.b(1), settings, work);
+  }
   if (has_field(a, b)) {
     const StandIns by(a, b, need_of(settings));
     return by.are_near() ? nearness(by.a.view(), by.b.view(), settings, work) : Nearness::Apart;
@@ -146,11 +155,37 @@ void write_enclosed(const PlacedShapeView& a, const PlacedShapeView& b,
   write_manifold(candidates, !is_a_body, found);
 }
 
+double deepest_in(const Manifold& found) {
+  return found.empty() ? -std::numeric_limits<double>::infinity() : found[0].depth;
+}
+
+/// Of which one is a plane, or both.
+Nearness contacts_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
+                               const ManifoldSettings& settings, Work& work, Manifold& found) {
+  const PlaneSides by(a, b, work);
+  const Nearness first = contacts_within(by.a(), by.b(), settings, work, found);
+  if (!by.is_divided()) return first;
+  Manifold behind;
+  const Nearness second = contacts_within(by.a(1), by.b(1), settings, work, behind);
+  if (deepest_in(behind) > deepest_in(found)) std::swap(found, behind);
+  const auto regions = static_cast<std::uint32_t>(found.region_count());
+  for (ShapeContact contact : behind) {
+    contact.region += regions;
+    found.add(contact);
+  }
+  return std::max(first, second);
+}
+
 }  // namespace
 
 Nearness contacts_within(const PlacedShapeView& a, const PlacedShapeView& b,
                          const ManifoldSettings& settings, Work& work, Manifold& found) {
   found.clear();
+  if (has_plane(a, b)) {
+    const Nearness nearness = contacts_beside_plane(a, b, settings, work, found);
+    add_materials(a, b, found, work);
+    return nearness;
+  }
   if (has_field(a, b)) {
     Nearness nearness = Nearness::Apart;
     ask_contacts(a, b, need_of(settings), [&](const PlacedShapeView& s, const PlacedShapeView& t) {
