@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <typeinfo>
 
 namespace graze {
@@ -42,16 +43,15 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
   if (map.empty()) throw InputError("share: a map without voxels");
   const Eigen::Vector3d most = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
   Aabb own{most, -most};
-  std::vector<Aabb> boxes;
   for (std::uint32_t place = 0; place < map_.blocks_.size(); ++place) {
     if (map_.blocks_[place].count == 0) continue;
     const Aabb box = box_of_block(map_.blocks_[place]);
     own = {own.min.cwiseMin(box.min), own.max.cwiseMax(box.max)};
     places_.push_back(place);
-    boxes.push_back(box);
+    boxes_.push_back(box);
   }
   set_frame(own, 0);
-  for (const Aabb& box : boxes)
+  for (const Aabb& box : boxes_)
     blocks_.add(grown(box, index_room()));
   parts_near({own.min, own.min});  // sorts them, once for all threads
 }
@@ -134,11 +134,92 @@ std::vector<std::uint32_t> VoxelBody::all_parts() const {
   return all;
 }
 
+namespace {
+
+/// Something and how far it is away, at least.
+struct NearNumber {
+  double gap;
+  std::uint32_t number;
+  auto operator<=>(const NearNumber&) const = default;
+};
+
+/// Calls `look` for what is no farther than the limit, which it returns; nearest first.
+template <typename LookAt>
+double look_in_order(std::vector<NearNumber>& near, double limit, const LookAt& look) {
+  std::sort(near.begin(), near.end());
+  for (const NearNumber& next : near) {
+    if (next.gap > limit) break;
+    limit = look(next.number);
+  }
+  return limit;
+}
+
+}  // namespace
+
+void VoxelBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap,
+                                double limit, const Look& look) const {
+  std::vector<std::uint32_t> blocks(places_.size());
+  std::iota(blocks.begin(), blocks.end(), 0u);
+  if (own_box) {
+    blocks.clear();
+    blocks_.find_overlapping(*own_box, blocks);
+  }
+  std::vector<NearNumber> near;
+  for (const std::uint32_t block : blocks) {
+    const double least = gap.to_own(boxes_[block]);
+    if (least <= limit) near.push_back({least, block});
+  }
+  double now = limit;
+  look_in_order(near, limit, [&](std::uint32_t block) {
+    now = look_in_block(places_[block], gap, now, look);
+    return now;
+  });
+}
+
+double VoxelBody::look_in_block(std::uint32_t place, const GapToParts& gap, double limit,
+                                const Look& look) const {
+  const VoxelMap::Block& block = map_.blocks_[place];
+  const VoxelGrid& grid = map_.grid();
+  // Around voxels x to last of a row, with room as a block has.
+  const auto gap_to = [&](std::uint32_t row, std::uint32_t x, std::uint32_t last) {
+    const std::uint32_t first[3] = {x, row % kSideOfBlock, row / kSideOfBlock};
+    const std::uint32_t end[3] = {last + 1, first[1] + 1, first[2] + 1};
+    Aabb box;
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t corner = corner_of(block, axis);
+      box.min.data()[axis] = grid.plane(axis, corner + first[axis]);
+      box.max.data()[axis] = grid.plane(axis, corner + end[axis]);
+      largest = std::max({largest, std::abs(box.min.data()[axis]), std::abs(box.max.data()[axis])});
+    }
+    return gap.to_own(grown(box, kPlaneShare * largest));
+  };
+  std::vector<NearNumber> rows, voxels;
+  for (std::uint32_t row = 0; row < kSideOfBlock * kSideOfBlock; ++row) {
+    const unsigned bits = block.rows[row];
+    if (bits == 0) continue;
+    const auto first = static_cast<std::uint32_t>(std::countr_zero(bits));
+    const double least = gap_to(row, first, static_cast<std::uint32_t>(std::bit_width(bits)) - 1);
+    if (least <= limit) rows.push_back({least, row});
+  }
+  return look_in_order(rows, limit, [&](std::uint32_t row) {
+    voxels.clear();
+    for (std::uint32_t x = 0; x < kSideOfBlock; ++x) {
+      if ((block.rows[row] >> x & 1) == 0) continue;
+      const double least = gap_to(row, x, x);
+      if (least <= limit)
+        voxels.push_back({least, place * kVoxelsOfBlock + row * kSideOfBlock + x});
+    }
+    limit = look_in_order(voxels, limit, look);
+    return limit;
+  });
+}
+
 void VoxelBody::visit_along(const Ray& own_ray, const Look& look) const {
   Ray shorter = own_ray;
   const auto look_at = [&](std::uint32_t block) {
     const std::uint32_t place = places_[block];
-    const Aabb along = box_along(shorter, grown(box_of_block(map_.blocks_[place]), index_room()));
+    const Aabb along = box_along(shorter, grown(boxes_[block], index_room()));
     for_voxels_in(place, along, [&](std::uint32_t number) { shorter.max_distance = look(number); });
     return shorter.max_distance;
   };

@@ -25,11 +25,16 @@ class VoxelBody final : public PartsBody {
   OwnPart part(std::uint32_t number) const override;
   std::vector<std::uint32_t> parts_near(const Aabb& own_box) const override;
   std::vector<std::uint32_t> all_parts() const override;
+  /// Blocks nearest first, of these rows nearest first, and of these voxels.
+  void look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap, double limit,
+                       const Look& look) const override;
   void visit_along(const Ray& own_ray, const Look& look) const override;
   void check_parts(const Pose& pose) const override;
 
   Aabb box_of_block(const VoxelMap::Block& block) const;
   static std::uint32_t corner_of(const VoxelMap::Block& block, int axis);
+  double look_in_block(std::uint32_t place, const GapToParts& gap, double limit,
+                       const Look& look) const;
   template <typename Visit>
   void for_voxels_in(std::uint32_t place, const Aabb& own_box, const Visit& visit) const;
 
@@ -37,6 +42,7 @@ class VoxelBody final : public PartsBody {
   std::shared_ptr<const BodyShape> box_;  ///< of each voxel
   BroadPhase blocks_;                     ///< with index_room(), by places in `places_`
   std::vector<std::uint32_t> places_;     ///< of the blocks that are full, ascending
+  std::vector<Aabb> boxes_;               ///< of these, around what is full, without room
 };
 
 }  // namespace graze
