@@ -69,7 +69,7 @@ class NearestParts {
       const double reach = std::min(apart + width, most_);
       const bool is_all = width >= widest || reach >= most_;
       best_.reset();
-      whole->visit_nearest(a_.pose, box_b, reach, most_, std::cref(ask));
+      whole->visit_nearest(a_.pose, {box_b, reach, most_}, std::cref(ask));
       if (is_all || limit() <= reach) return best_;
       if (best_) width = std::max(width, (limit() - apart) / 4);
     }

@@ -4,6 +4,7 @@
 
 #include <graze/bvh/aabb.h>
 #include <graze/bvh/pose.h>
+#include <graze/engine/world/placed_shape.h>
 
 namespace graze {
 
@@ -15,19 +16,31 @@ struct BoxPlacing {
   Aabb operator()(const Aabb& own) const;
 };
 
-/// Of shapes in a box of the world, and parts in boxes of a body's frame. The diagonal of the one,
-/// and a length that no part is wider than, say how coarse distances may be.
+/// What the nearest part of a body is looked for to.
+struct PartSeeker {
+  const Aabb& box;                         ///< in the world, around all of it
+  double reach;                            ///< metres: parts farther from the box are of no use
+  double limit;                            ///< likewise parts that are farther from it
+  const PlacedShapeView* shape = nullptr;  ///< if it is one
+};
+
+/// How far a seeker is from parts in boxes of a body's frame. The diagonal of its box, and a length
+/// that no part is wider than, say how coarse distances may be.
 class GapToParts {
  public:
-  GapToParts(const Aabb& box, const BoxPlacing& placing, double widest_part);
+  GapToParts(const PartSeeker& seeker, const BoxPlacing& placing, double widest_part);
 
-  /// distance() says no less than this of a shape in the box and a part in that box, if its search
+  /// distance() says no less than this of what is sought for and a part in that box, if its search
   /// converges: metres.
   double to_box(const Aabb& world) const;
   double to_own(const Aabb& own) const { return to_box(placing_(own)); }
+  /// The same, as near as it can be known: by the distance of a shape and the box.
+  double measured(const Aabb& own) const;
 
  private:
-  Aabb box_;
+  double sure(double apart) const;
+
+  PartSeeker seeker_;
   BoxPlacing placing_;
   double lengths_;
 };

@@ -116,7 +116,7 @@ std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const Par
     const bool is_all = width >= widest || apart + width >= most;
     const double reach = std::min(apart + width, most);
     nearest.reset();
-    whole.visit_nearest(pose, own, reach, most, std::cref(ask));
+    whole.visit_nearest(pose, {own, reach, most, &shape}, std::cref(ask));
     if (is_all || (nearest && nearest->distance.distance <= reach)) return nearest;
     if (nearest) width = std::max(width, (nearest->distance.distance - apart) / 4);
   }

@@ -160,17 +160,17 @@ bool PartsBody::visit_near(const Pose& pose, const Aabb& box, double room,
   return true;
 }
 
-void PartsBody::visit_nearest(const Pose& pose, const Aabb& box, double reach, double limit,
+void PartsBody::visit_nearest(const Pose& pose, const PartSeeker& seeker,
                               const std::function<double(const PlacedPart&)>& visit) const {
-  const Aabb around = grown(box, reach);
+  const Aabb around = grown(seeker.box, seeker.reach);
   const Aabb whole = bounds(pose);
   if (!share_a_point(around, whole)) return;
-  const GapToParts gap(box, placing(pose, rotation_deviation(pose)), 2 * extent_);
-  double now = limit;
+  const GapToParts gap(seeker, placing(pose, rotation_deviation(pose)), 2 * extent_);
+  double limit = seeker.limit;
   const auto look = [&](std::uint32_t number) {
     const PlacedPart part = placed(pose, number);
-    if (gap.to_box(part.box) <= now) now = visit(part);
-    return now;
+    if (gap.to_box(part.box) <= limit) limit = visit(part);
+    return limit;
   };
   look_at_nearest(own_box(pose, around, whole), gap, limit, std::cref(look));
 }

@@ -38,10 +38,9 @@ class PartsBody : public BodyShape {
   /// Calls `visit(part)` for these until it returns false: the rest is not placed. False then.
   bool visit_near(const Pose& pose, const Aabb& box, double room,
                   const std::function<bool(const PlacedPart&)>& visit) const;
-  /// Calls `visit(part)` for parts that may be no farther than `limit` from shapes in a box in the
-  /// world, metres: `visit` says what the limit is from then on. Those that are farther than
-  /// `reach` may be left out. Those of a map of voxels that are near come roughly first.
-  void visit_nearest(const Pose& pose, const Aabb& box, double reach, double limit,
+  /// Calls `visit(part)` for parts that may be no farther from the seeker than its limit: `visit`
+  /// says what that is from then on. Those of a map of voxels come roughly nearest first.
+  void visit_nearest(const Pose& pose, const PartSeeker& seeker,
                      const std::function<double(const PlacedPart&)>& visit) const;
   /// No part is farther from the middle of them all, metres, or not much where that is far away
   /// from the origin of the frame.

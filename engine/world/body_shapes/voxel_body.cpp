@@ -5,11 +5,14 @@
 #include <graze/engine/world/shapes/grown_box.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <typeinfo>
 
 namespace graze {
@@ -45,7 +48,7 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
   Aabb own{most, -most};
   for (std::uint32_t place = 0; place < map_.blocks_.size(); ++place) {
     if (map_.blocks_[place].count == 0) continue;
-    const Aabb box = box_of_block(map_.blocks_[place]);
+    const Aabb box = *box_of(map_.blocks_[place], {});
     own = {own.min.cwiseMin(box.min), own.max.cwiseMax(box.max)};
     places_.push_back(place);
     boxes_.push_back(box);
@@ -56,16 +59,21 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
   parts_near({own.min, own.min});  // sorts them, once for all threads
 }
 
-/// Around what is full, with room for what boxes of voxels are rounded by.
-Aabb VoxelBody::box_of_block(const VoxelMap::Block& block) const {
+/// Around what is full, if anything is, with room for what boxes of voxels are rounded by.
+std::optional<Aabb> VoxelBody::box_of(const VoxelMap::Block& block, const BlockCube& cube) const {
   const VoxelGrid& grid = map_.grid();
+  const unsigned mask = ((1u << cube.side) - 1) << cube.x;
   unsigned bits[3] = {0, 0, 0};
-  for (std::uint32_t row = 0; row < kSideOfBlock * kSideOfBlock; ++row) {
-    if (block.rows[row] == 0) continue;
-    bits[0] |= block.rows[row];
-    bits[1] |= 1u << row % kSideOfBlock;
-    bits[2] |= 1u << row / kSideOfBlock;
+  for (std::uint32_t z = cube.z; z < cube.z + cube.side; ++z) {
+    for (std::uint32_t y = cube.y; y < cube.y + cube.side; ++y) {
+      const unsigned row = block.rows[z * kSideOfBlock + y] & mask;
+      if (row == 0) continue;
+      bits[0] |= row;
+      bits[1] |= 1u << y;
+      bits[2] |= 1u << z;
+    }
   }
+  if (bits[0] == 0) return std::nullopt;
   Aabb box;
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -145,13 +153,12 @@ struct NearNumber {
 
 /// Calls `look` for what is no farther than the limit, which it returns; nearest first.
 template <typename LookAt>
-double look_in_order(std::vector<NearNumber>& near, double limit, const LookAt& look) {
+void look_in_order(std::span<NearNumber> near, double limit, const LookAt& look) {
   std::sort(near.begin(), near.end());
   for (const NearNumber& next : near) {
-    if (next.gap > limit) break;
+    if (next.gap > limit) return;
     limit = look(next.number);
   }
-  return limit;
 }
 
 }  // namespace
@@ -171,48 +178,36 @@ void VoxelBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToP
   }
   double now = limit;
   look_in_order(near, limit, [&](std::uint32_t block) {
-    now = look_in_block(places_[block], gap, now, look);
+    if (gap.measured(boxes_[block]) <= now) now = look_in_cube(places_[block], {}, gap, now, look);
     return now;
   });
 }
 
-double VoxelBody::look_in_block(std::uint32_t place, const GapToParts& gap, double limit,
-                                const Look& look) const {
-  const VoxelMap::Block& block = map_.blocks_[place];
-  const VoxelGrid& grid = map_.grid();
-  // Around voxels x to last of a row, with room as a block has.
-  const auto gap_to = [&](std::uint32_t row, std::uint32_t x, std::uint32_t last) {
-    const std::uint32_t first[3] = {x, row % kSideOfBlock, row / kSideOfBlock};
-    const std::uint32_t end[3] = {last + 1, first[1] + 1, first[2] + 1};
-    Aabb box;
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::uint32_t corner = corner_of(block, axis);
-      box.min.data()[axis] = grid.plane(axis, corner + first[axis]);
-      box.max.data()[axis] = grid.plane(axis, corner + end[axis]);
-      largest = std::max({largest, std::abs(box.min.data()[axis]), std::abs(box.max.data()[axis])});
-    }
-    return gap.to_own(grown(box, kPlaneShare * largest));
+double VoxelBody::look_in_cube(std::uint32_t place, const BlockCube& cube, const GapToParts& gap,
+                               double limit, const Look& look) const {
+  if (cube.side == 1)
+    return look(place * kVoxelsOfBlock + (cube.z * kSideOfBlock + cube.y) * kSideOfBlock + cube.x);
+  const std::uint32_t half = cube.side / 2;
+  std::vector<NearNumber> near;
+  near.reserve(8);
+  std::array<Aabb, 8> boxes;
+  const auto eighth = [&](std::uint32_t which) {
+    return BlockCube{cube.x + (which & 1) * half, cube.y + (which >> 1 & 1) * half,
+                     cube.z + (which >> 2) * half, half};
   };
-  std::vector<NearNumber> rows, voxels;
-  for (std::uint32_t row = 0; row < kSideOfBlock * kSideOfBlock; ++row) {
-    const unsigned bits = block.rows[row];
-    if (bits == 0) continue;
-    const auto first = static_cast<std::uint32_t>(std::countr_zero(bits));
-    const double least = gap_to(row, first, static_cast<std::uint32_t>(std::bit_width(bits)) - 1);
-    if (least <= limit) rows.push_back({least, row});
+  for (std::uint32_t which = 0; which < 8; ++which) {
+    const std::optional<Aabb> box = box_of(map_.blocks_[place], eighth(which));
+    if (!box) continue;
+    boxes[which] = *box;
+    near.push_back({gap.to_own(*box), which});
   }
-  return look_in_order(rows, limit, [&](std::uint32_t row) {
-    voxels.clear();
-    for (std::uint32_t x = 0; x < kSideOfBlock; ++x) {
-      if ((block.rows[row] >> x & 1) == 0) continue;
-      const double least = gap_to(row, x, x);
-      if (least <= limit)
-        voxels.push_back({least, place * kVoxelsOfBlock + row * kSideOfBlock + x});
-    }
-    limit = look_in_order(voxels, limit, look);
-    return limit;
+  double now = limit;
+  look_in_order(near, limit, [&](std::uint32_t which) {
+    if (half == 1 || gap.measured(boxes[which]) <= now)
+      now = look_in_cube(place, eighth(which), gap, now, look);
+    return now;
   });
+  return now;
 }
 
 void VoxelBody::visit_along(const Ray& own_ray, const Look& look) const {
