@@ -17,7 +17,7 @@ namespace graze {
 
 /// Which voxels of a grid are full: what an occupancy map, such as an octree's leaves, becomes to
 /// be one body. A value; voxels are added and removed one by one or as blocks. Kept in blocks of 16
-/// x 16 x 16, of which each takes 600 to 1,200 bytes and in a body up to 800 more, whatever is in
+/// x 16 x 16, of which each takes 600 to 1,200 bytes and in a body up to 850 more, whatever is in
 /// it: 3 to 8 bytes a voxel of a surface, and some 0.2 where all are full. At most 2^20 blocks.
 class VoxelMap {
  public:
@@ -81,11 +81,10 @@ class VoxelMap {
 /// when is what its voxels meet as boxes of their own, each in the pose placed_part(body,
 /// pose(part)), as a Compound of these would: contacts, rays and queries name them as parts. A ball
 /// that rolls over voxels has a contact with each that it touches. An answer costs the voxels near
-/// the other, a ray those of the blocks along it; the distance of something far away all that could
-/// be the nearest, about a microsecond each; "near" being up to 2^-16 of the map's farthest
-/// coordinate, a grid should not be far from its frame's origin. It holds a copy of the map;
-/// O(blocks). Throws InputError for a map without voxels, PoseError for one that reaches beyond
-/// kLargestLength.
+/// the other, a ray those of the blocks along it, and a distance the blocks that could hold the
+/// nearest, of which the nearest are looked into first; wherever in its frame the grid lies. It
+/// holds a copy of the map; O(blocks). Throws InputError for a map without voxels, PoseError for
+/// one that reaches beyond kLargestLength.
 std::shared_ptr<const BodyShape> share(const VoxelMap& map);
 
 /// The map that a shape stands for, as it was shared, or nullptr.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -56,17 +57,19 @@ class NearestParts {
       return best_;
     }
     // As nearest_part() does: parts in a box around the other that grows.
-    const Aabb box_b = box_with_room({b_.shape, b_.pose});
-    const double apart = gap_between(whole->bounds(a_.pose), box_b).gap;
+    const Aabb box_b = box_with_room({b_.shape, b_.pose}), box_a = whole->bounds(a_.pose);
+    const double apart = gap_between(box_a, box_b).gap;
     if (apart > most_) return std::nullopt;
-    const double widest = 4 * (whole->bounding_radius() + width_of(box_b));
-    for (double width = 0x1p-6 * whole->bounding_radius();; width *= 4) {
+    const double widest = 4 * (width_of(box_a) + width_of(box_b));
+    const auto ask = [&](const PlacedPart& part) {
+      ask_part(part);
+      return limit();
+    };
+    for (double width = 0x1p-6 * whole->extent();; width *= 4) {
       const double reach = std::min(apart + width, most_);
       const bool is_all = width >= widest || reach >= most_;
       best_.reset();
-      for (const PlacedPart& part : whole->near(a_.pose, grown(box_b, reach), 0)) {
-        if (gap_between(part.box, box_b).gap <= limit()) ask_part(part);
-      }
+      whole->visit_nearest(a_.pose, {box_b, reach, most_}, std::cref(ask));
       if (is_all || limit() <= reach) return best_;
       if (best_) width = std::max(width, (limit() - apart) / 4);
     }
@@ -94,7 +97,10 @@ class NearestParts {
   }
 
   void take(const ShapeDistance& found, std::uint32_t part_a, std::uint32_t part_b) {
-    if (found.distance > most_ || (best_ && found.distance >= best_->distance.distance)) return;
+    if (found.distance > most_) return;
+    if (best_ &&
+        std::tuple(found.distance, part_a) >= std::tuple(best_->distance.distance, best_->part_a))
+      return;
     best_ = {id_a_, id_b_, found, part_a, part_b};
   }
 

@@ -6,6 +6,8 @@
 #include <graze/engine/world/shapes/shape_work.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -92,27 +94,29 @@ Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSet
 }
 
 // Looks at the parts in a box around the shape that grows until the nearest part is nearer than all
-// outside can be. Those whose boxes are farther than the nearest so far need not be asked:
-// distance() never says less than boxes do.
+// outside can be.
 std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
                                          const Pose& pose, double most,
                                          const std::function<bool(const PlacedPart&)>& may_meet) {
-  const Aabb own = bounding_aabb(shape);
-  const double widest = 4 * (whole.bounding_radius() + width_of(own));
-  const double apart = gap_between(own, whole.bounds(pose)).gap;
+  const Aabb own = bounding_aabb(shape), bounds = whole.bounds(pose);
+  const double widest = 4 * (width_of(bounds) + width_of(own));
+  const double apart = gap_between(own, bounds).gap;
   if (apart > most) return std::nullopt;
   std::optional<PartDistance> nearest;
-  for (double width = 0x1p-6 * whole.bounding_radius();; width *= 4) {
+  const auto ask = [&](const PlacedPart& part) {
+    if (!may_meet(part)) return nearest ? nearest->distance.distance : most;
+    const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
+    const bool is_nearer = nearest ? std::pair(found.distance, part.number) <
+                                         std::pair(nearest->distance.distance, nearest->part)
+                                   : found.distance <= most;
+    if (is_nearer) nearest = {found, part.number};
+    return nearest ? nearest->distance.distance : most;
+  };
+  for (double width = 0x1p-6 * whole.extent();; width *= 4) {
     const bool is_all = width >= widest || apart + width >= most;
     const double reach = std::min(apart + width, most);
     nearest.reset();
-    for (const PlacedPart& part : whole.near(pose, grown(own, reach), 0)) {
-      if (!may_meet(part)) continue;
-      if (nearest && gap_between(own, part.box).gap > nearest->distance.distance) continue;
-      const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
-      if (found.distance <= most && (!nearest || found.distance < nearest->distance.distance))
-        nearest = {found, part.number};
-    }
+    whole.visit_nearest(pose, {own, reach, most, &shape}, std::cref(ask));
     if (is_all || (nearest && nearest->distance.distance <= reach)) return nearest;
     if (nearest) width = std::max(width, (nearest->distance.distance - apart) / 4);
   }

@@ -13,10 +13,12 @@
 namespace graze {
 namespace {
 
-// Boxes in the body's frame have room of 2^-16 of its radius r, so that a box or a ray that was
-// taken into that frame still meets what it met before. Let u be 2^-53.
-// - A point and a body of which no coordinate is above kFarthestShare r are taken there by 9
-//   roundings of what is below 2^31 r: off by less than 2^-18 r. So are middles of boxes.
+// Boxes in the body's frame have room of 2^-16 of its extent r, so that a box or a ray that was
+// taken into that frame still meets what it met before. Let u be 2^-53. The frame is taken as one
+// about the middle c of the parts, of which no coordinate is above kFarthestShare r, by definition.
+// - Of a point and a body no coordinate is above kFarthestShare r either: the middle is placed by 6
+//   roundings of what is below 2^31 r, and parts by as many, off by less than 2^-19 r each. That
+//   the rest rounds, of what is about as far from the middle as the parts, is less than 2^-23 r.
 // - A pose that deviates by at most kSmallDeviation from a rotation adds 4 times that share of r
 //   (kReadings of shape_bounds.cpp): 2^-20 r.
 // - Shapes that are apart by less than kTouchTolerance of their scale may touch. The other's box
@@ -55,10 +57,20 @@ Eigen::Vector3d turned_back(const Pose& pose, const Eigen::Vector3d& v) {
   return back;
 }
 
-/// A box around the box of the world in the frame of the pose.
-Aabb taken_back(const Pose& pose, const Aabb& box) {
+/// A point of the body's frame in the world.
+Eigen::Vector3d placed_point(const Pose& pose, const Eigen::Vector3d& p) {
   const double* m = pose.data();
-  const Eigen::Vector3d middle = turned_back(pose, box.min / 2 + box.max / 2 - pose.translation());
+  Eigen::Vector3d at;
+  for (int i = 0; i < 3; ++i)
+    at.data()[i] = ((m[i] * p.x() + m[4 + i] * p.y()) + m[8 + i] * p.z()) + m[12 + i];
+  return at;
+}
+
+/// A box around the box of the world in the frame of the pose, by way of a point of that frame.
+Aabb taken_back(const Pose& pose, const Eigen::Vector3d& about, const Aabb& box) {
+  const double* m = pose.data();
+  const Eigen::Vector3d away = box.min / 2 + box.max / 2 - placed_point(pose, about);
+  const Eigen::Vector3d middle = about + turned_back(pose, away);
   const Eigen::Vector3d half = box.max / 2 - box.min / 2;
   Eigen::Vector3d reach;
   for (int i = 0; i < 3; ++i) {
@@ -76,10 +88,13 @@ void PartsBody::set_frame(const Aabb& own, double deviation) {
   radius_ = radius_of(own);
   if (!(radius_ <= kLargestLength))
     throw PoseError("share: the parts reach beyond the largest length");
+  middle_ = own.min / 2 + own.max / 2;
+  extent_ = std::max(radius_of({own.min - middle_, own.max - middle_}),
+                     largest_of(middle_) / kFarthestShare);
 }
 
 double PartsBody::index_room() const {
-  return kIndexRoom * radius_;
+  return kIndexRoom * extent_;
 }
 
 /// The sum of the deviations, at most three times that of the body for each entry, or each part.
@@ -93,22 +108,14 @@ Aabb PartsBody::bounds(const Pose& pose) const {
   return bvh::in_standard_arithmetic([&]() -> Aabb {
     const double deviation = check_pose(pose, "pose");
     check_poses_of_parts(pose, deviation);
-    const double* m = pose.data();
-    Aabb box;
-    for (int i = 0; i < 3; ++i) {
-      double low = m[12 + i], high = m[12 + i];
-      for (int j = 0; j < 3; ++j) {
-        const double at_min = m[4 * j + i] * own_.min.data()[j];
-        const double at_max = m[4 * j + i] * own_.max.data()[j];
-        low += std::min(at_min, at_max);
-        high += std::max(at_min, at_max);
-      }
-      box.min.data()[i] = low;
-      box.max.data()[i] = high;
-    }
-    const double size = radius_ + largest_of(pose.translation());
-    return grown(box, kBoundsShare * size + 2 * kReadings * (deviation + deviation_) * radius_);
+    return placing(pose, deviation)(own_);
   });
+}
+
+/// The boxes of parts, too, are within that of a box around them.
+BoxPlacing PartsBody::placing(const Pose& pose, double deviation) const {
+  const double size = radius_ + largest_of(pose.translation());
+  return {pose, kBoundsShare * size + 2 * kReadings * (deviation + deviation_) * radius_};
 }
 
 PlacedPart PartsBody::placed(const Pose& pose, std::uint32_t number) const {
@@ -126,23 +133,26 @@ std::vector<PlacedPart> PartsBody::near(const Pose& pose, const Aabb& box, doubl
   return parts;
 }
 
+/// What of a box in the world may be near the parts, in the body's frame; nothing if that is not
+/// known well enough to look parts up. Of what is far larger than the body only what is near it
+/// need be taken there.
+std::optional<Aabb> PartsBody::own_box(const Pose& pose, const Aabb& around,
+                                       const Aabb& whole) const {
+  const bool is_known = width_of(around) <= kLargestShare * extent_ &&
+                        largest_of(pose.translation()) <= kFarthestShare * extent_ &&
+                        rotation_deviation(pose) <= kSmallDeviation;
+  if (!is_known) return std::nullopt;
+  return taken_back(pose, middle_,
+                    {around.min.cwiseMax(whole.min), around.max.cwiseMin(whole.max)});
+}
+
 bool PartsBody::visit_near(const Pose& pose, const Aabb& box, double room,
                            const std::function<bool(const PlacedPart&)>& visit) const {
   const Aabb around = room > 0 ? grown(box, room) : box;
   const Aabb whole = bounds(pose);
   if (!share_a_point(around, whole)) return true;
-  // Of what is far larger than the body only what is near it need be taken into its frame.
-  const bool is_known = width_of(around) <= kLargestShare * radius_ &&
-                        largest_of(pose.translation()) <= kFarthestShare * radius_ &&
-                        rotation_deviation(pose) <= kSmallDeviation;
-  std::vector<std::uint32_t> numbers;
-  if (is_known) {
-    const Aabb common{around.min.cwiseMax(whole.min), around.max.cwiseMin(whole.max)};
-    numbers = parts_near(taken_back(pose, common));
-  } else {
-    numbers = all_parts();
-  }
-  for (const std::uint32_t number : numbers) {
+  const std::optional<Aabb> own = own_box(pose, around, whole);
+  for (const std::uint32_t number : own ? parts_near(*own) : all_parts()) {
     const PlacedPart part = placed(pose, number);
     if (share_a_point(room > 0 ? grown(part.box, room) : part.box, box) && !visit(part))
       return false;
@@ -150,12 +160,33 @@ bool PartsBody::visit_near(const Pose& pose, const Aabb& box, double room,
   return true;
 }
 
+void PartsBody::visit_nearest(const Pose& pose, const PartSeeker& seeker,
+                              const std::function<double(const PlacedPart&)>& visit) const {
+  const Aabb around = grown(seeker.box, seeker.reach);
+  const Aabb whole = bounds(pose);
+  if (!share_a_point(around, whole)) return;
+  const GapToParts gap(seeker, placing(pose, rotation_deviation(pose)), 2 * extent_);
+  double limit = seeker.limit;
+  const auto look = [&](std::uint32_t number) {
+    const PlacedPart part = placed(pose, number);
+    if (gap.to_box(part.box) <= limit) limit = visit(part);
+    return limit;
+  };
+  look_at_nearest(own_box(pose, around, whole), gap, limit, std::cref(look));
+}
+
+void PartsBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts&, double,
+                                const Look& look) const {
+  for (const std::uint32_t number : own_box ? parts_near(*own_box) : all_parts())
+    look(number);
+}
+
 /// The part of a ray from where it comes near the body, in the body's frame, and how much
 /// of it lies before that; nothing if that is not known well enough to look parts up.
 std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& skipped) const {
-  const Eigen::Vector3d way = pose.translation() - ray.origin;
-  if (!(largest_of(pose.translation()) <= kFarthestShare * radius_ &&
-        largest_of(way) <= kFarthestRay * radius_ && rotation_deviation(pose) <= kSmallDeviation)) {
+  const Eigen::Vector3d way = placed_point(pose, middle_) - ray.origin;
+  if (!(largest_of(pose.translation()) <= kFarthestShare * extent_ &&
+        largest_of(way) <= kFarthestRay * extent_ && rotation_deviation(pose) <= kSmallDeviation)) {
     return std::nullopt;
   }
   // Scaled first, as squares could overflow.
@@ -164,8 +195,8 @@ std::optional<Ray> PartsBody::own_ray(const Pose& pose, const Ray& ray, double& 
       scaled /
       std::sqrt((scaled.x() * scaled.x() + scaled.y() * scaled.y()) + scaled.z() * scaled.z());
   const double along = (way.x() * unit.x() + way.y() * unit.y()) + way.z() * unit.z();
-  skipped = std::max(along - 1.125 * radius_, 0.0);
-  return Ray{turned_back(pose, skipped * unit - way), turned_back(pose, unit),
+  skipped = std::max(along - 1.125 * extent_, 0.0);
+  return Ray{middle_ + turned_back(pose, skipped * unit - way), turned_back(pose, unit),
              std::max(ray.max_distance - skipped, 0.0) + index_room()};
 }
 

@@ -4,6 +4,7 @@
 // engine/world.
 
 #include <graze/engine/world/body.h>
+#include <graze/engine/world/body_shapes/gap_to_parts.h>
 
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,13 @@ class PartsBody : public BodyShape {
   /// Calls `visit(part)` for these until it returns false: the rest is not placed. False then.
   bool visit_near(const Pose& pose, const Aabb& box, double room,
                   const std::function<bool(const PlacedPart&)>& visit) const;
+  /// Calls `visit(part)` for parts that may be no farther from the seeker than its limit: `visit`
+  /// says what that is from then on. Those of a map of voxels come roughly nearest first.
+  void visit_nearest(const Pose& pose, const PartSeeker& seeker,
+                     const std::function<double(const PlacedPart&)>& visit) const;
+  /// No part is farther from the middle of them all, metres, or not much where that is far away
+  /// from the origin of the frame.
+  double extent() const { return extent_; }
   /// Where a ray meets first a part whose filter, if it has one, and the given one, if there is
   /// one, let it meet; of equal distances the least number.
   std::optional<PartRayHit> first_hit(const Pose& pose, const Ray& ray,
@@ -75,6 +83,10 @@ class PartsBody : public BodyShape {
   const Aabb& own() const { return own_; }
 
   virtual OwnPart part(std::uint32_t number) const = 0;
+  /// Calls `look(number)` for parts that may be no farther than a limit, which `look` returns. All
+  /// of them, or those whose boxes, with index_room(), share a point with a box of the own frame.
+  virtual void look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap,
+                               double limit, const Look& look) const;
   /// Those whose boxes, with index_room(), share a point with a box of the own frame; ascending.
   virtual std::vector<std::uint32_t> parts_near(const Aabb& own_box) const = 0;
   virtual std::vector<std::uint32_t> all_parts() const = 0;
@@ -86,11 +98,15 @@ class PartsBody : public BodyShape {
 
  private:
   PlacedPart placed(const Pose& pose, std::uint32_t number) const;
+  BoxPlacing placing(const Pose& pose, double deviation) const;
+  std::optional<Aabb> own_box(const Pose& pose, const Aabb& around, const Aabb& whole) const;
   void check_poses_of_parts(const Pose& pose, double deviation) const;
   std::optional<Ray> own_ray(const Pose& pose, const Ray& ray, double& skipped) const;
 
   Aabb own_;
-  double radius_ = 0;
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  double radius_ = 0;  ///< about the frame's origin
+  double extent_ = 0;  ///< about the middle, and at least kFarthestShare^-1 of how far that is
   double deviation_ = 0;
 };
 

@@ -5,10 +5,14 @@
 #include <graze/engine/world/shapes/grown_box.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <typeinfo>
 
 namespace graze {
@@ -42,30 +46,34 @@ VoxelBody::VoxelBody(const VoxelMap& map) : map_(map), box_(share(map.box())) {
   if (map.empty()) throw InputError("share: a map without voxels");
   const Eigen::Vector3d most = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
   Aabb own{most, -most};
-  std::vector<Aabb> boxes;
   for (std::uint32_t place = 0; place < map_.blocks_.size(); ++place) {
     if (map_.blocks_[place].count == 0) continue;
-    const Aabb box = box_of_block(map_.blocks_[place]);
+    const Aabb box = *box_of(map_.blocks_[place], {});
     own = {own.min.cwiseMin(box.min), own.max.cwiseMax(box.max)};
     places_.push_back(place);
-    boxes.push_back(box);
+    boxes_.push_back(box);
   }
   set_frame(own, 0);
-  for (const Aabb& box : boxes)
+  for (const Aabb& box : boxes_)
     blocks_.add(grown(box, index_room()));
   parts_near({own.min, own.min});  // sorts them, once for all threads
 }
 
-/// Around what is full, with room for what boxes of voxels are rounded by.
-Aabb VoxelBody::box_of_block(const VoxelMap::Block& block) const {
+/// Around what is full, if anything is, with room for what boxes of voxels are rounded by.
+std::optional<Aabb> VoxelBody::box_of(const VoxelMap::Block& block, const BlockCube& cube) const {
   const VoxelGrid& grid = map_.grid();
+  const unsigned mask = ((1u << cube.side) - 1) << cube.x;
   unsigned bits[3] = {0, 0, 0};
-  for (std::uint32_t row = 0; row < kSideOfBlock * kSideOfBlock; ++row) {
-    if (block.rows[row] == 0) continue;
-    bits[0] |= block.rows[row];
-    bits[1] |= 1u << row % kSideOfBlock;
-    bits[2] |= 1u << row / kSideOfBlock;
+  for (std::uint32_t z = cube.z; z < cube.z + cube.side; ++z) {
+    for (std::uint32_t y = cube.y; y < cube.y + cube.side; ++y) {
+      const unsigned row = block.rows[z * kSideOfBlock + y] & mask;
+      if (row == 0) continue;
+      bits[0] |= row;
+      bits[1] |= 1u << y;
+      bits[2] |= 1u << z;
+    }
   }
+  if (bits[0] == 0) return std::nullopt;
   Aabb box;
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -134,11 +142,79 @@ std::vector<std::uint32_t> VoxelBody::all_parts() const {
   return all;
 }
 
+namespace {
+
+/// Something and how far it is away, at least.
+struct NearNumber {
+  double gap;
+  std::uint32_t number;
+  auto operator<=>(const NearNumber&) const = default;
+};
+
+/// Calls `look` for what is no farther than the limit, which it returns; nearest first.
+template <typename LookAt>
+void look_in_order(std::span<NearNumber> near, double limit, const LookAt& look) {
+  std::sort(near.begin(), near.end());
+  for (const NearNumber& next : near) {
+    if (next.gap > limit) return;
+    limit = look(next.number);
+  }
+}
+
+}  // namespace
+
+void VoxelBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap,
+                                double limit, const Look& look) const {
+  std::vector<std::uint32_t> blocks(places_.size());
+  std::iota(blocks.begin(), blocks.end(), 0u);
+  if (own_box) {
+    blocks.clear();
+    blocks_.find_overlapping(*own_box, blocks);
+  }
+  std::vector<NearNumber> near;
+  for (const std::uint32_t block : blocks) {
+    const double least = gap.to_own(boxes_[block]);
+    if (least <= limit) near.push_back({least, block});
+  }
+  double now = limit;
+  look_in_order(near, limit, [&](std::uint32_t block) {
+    if (gap.measured(boxes_[block]) <= now) now = look_in_cube(places_[block], {}, gap, now, look);
+    return now;
+  });
+}
+
+double VoxelBody::look_in_cube(std::uint32_t place, const BlockCube& cube, const GapToParts& gap,
+                               double limit, const Look& look) const {
+  if (cube.side == 1)
+    return look(place * kVoxelsOfBlock + (cube.z * kSideOfBlock + cube.y) * kSideOfBlock + cube.x);
+  const std::uint32_t half = cube.side / 2;
+  std::vector<NearNumber> near;
+  near.reserve(8);
+  std::array<Aabb, 8> boxes;
+  const auto eighth = [&](std::uint32_t which) {
+    return BlockCube{cube.x + (which & 1) * half, cube.y + (which >> 1 & 1) * half,
+                     cube.z + (which >> 2) * half, half};
+  };
+  for (std::uint32_t which = 0; which < 8; ++which) {
+    const std::optional<Aabb> box = box_of(map_.blocks_[place], eighth(which));
+    if (!box) continue;
+    boxes[which] = *box;
+    near.push_back({gap.to_own(*box), which});
+  }
+  double now = limit;
+  look_in_order(near, limit, [&](std::uint32_t which) {
+    if (half == 1 || gap.measured(boxes[which]) <= now)
+      now = look_in_cube(place, eighth(which), gap, now, look);
+    return now;
+  });
+  return now;
+}
+
 void VoxelBody::visit_along(const Ray& own_ray, const Look& look) const {
   Ray shorter = own_ray;
   const auto look_at = [&](std::uint32_t block) {
     const std::uint32_t place = places_[block];
-    const Aabb along = box_along(shorter, grown(box_of_block(map_.blocks_[place]), index_room()));
+    const Aabb along = box_along(shorter, grown(boxes_[block], index_room()));
     for_voxels_in(place, along, [&](std::uint32_t number) { shorter.max_distance = look(number); });
     return shorter.max_distance;
   };

@@ -25,11 +25,20 @@ class VoxelBody final : public PartsBody {
   OwnPart part(std::uint32_t number) const override;
   std::vector<std::uint32_t> parts_near(const Aabb& own_box) const override;
   std::vector<std::uint32_t> all_parts() const override;
+  /// Blocks nearest first, and of these eighths, again and again, down to voxels.
+  void look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap, double limit,
+                       const Look& look) const override;
   void visit_along(const Ray& own_ray, const Look& look) const override;
   void check_parts(const Pose& pose) const override;
 
-  Aabb box_of_block(const VoxelMap::Block& block) const;
+  /// Of a block the voxels from a corner on, `side` along each axis.
+  struct BlockCube {
+    std::uint32_t x = 0, y = 0, z = 0, side = VoxelMap::kBlock;
+  };
+  std::optional<Aabb> box_of(const VoxelMap::Block& block, const BlockCube& cube) const;
   static std::uint32_t corner_of(const VoxelMap::Block& block, int axis);
+  double look_in_cube(std::uint32_t place, const BlockCube& cube, const GapToParts& gap,
+                      double limit, const Look& look) const;
   template <typename Visit>
   void for_voxels_in(std::uint32_t place, const Aabb& own_box, const Visit& visit) const;
 
@@ -37,6 +46,7 @@ class VoxelBody final : public PartsBody {
   std::shared_ptr<const BodyShape> box_;  ///< of each voxel
   BroadPhase blocks_;                     ///< with index_room(), by places in `places_`
   std::vector<std::uint32_t> places_;     ///< of the blocks that are full, ascending
+  std::vector<Aabb> boxes_;               ///< of these, around what is full, without room
 };
 
 }  // namespace graze

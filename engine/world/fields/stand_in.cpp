@@ -108,8 +108,9 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
     wide.grow_aside(need.aside * (need.is_kept ? steepest_sine(field, around) : 1));
     around = wide.columns_of_cells(field);
   }
-  around = with_rings(field, around, need.rings);
   const bool is_whole = around.count() <= (need.aside > 0 ? kMostAtOnce : kFewCells);
+  // However many: who asks for rings has met the end of a patch with fewer.
+  around = with_rings(field, around, need.rings);
   if (is_whole && has_cell(field, around)) {
     mesh_ =
         Shape(need.is_kept ? kept_patch_of(field, around) : patch_of(field, std::span(&around, 1)));

@@ -85,7 +85,7 @@ inline constexpr double kContactAside = 1;
 template <typename Ask>
 void ask_contacts(const PlacedShapeView& a, const PlacedShapeView& b, FieldNeed need,
                   const Ask& ask) {
-  for (;; need.rings = 4 * need.rings + 8) {
+  for (;; need.rings = 2 * need.rings + 8) {
     const StandIns by(a, b, need);
     if (!by.are_near()) return;
     PatchRim::forget();

@@ -47,5 +47,31 @@ TEST(HeightFieldMeshContacts, AreThoseOfTheWholeFieldsMesh) {
   EXPECT_GT(touching, 1500u);
 }
 
+/// Fine cells: where a box comes through the surface in several places, what lies inside or rises
+/// goes on for a hundred cells.
+TEST(HeightFieldMeshContacts, GoAsFarAsTheSurfaceLeads) {
+  RandomSource source(43);
+  constexpr std::uint32_t kSide = 401;
+  constexpr double kSpacing = 0.25;
+  std::vector<float> heights;
+  for (std::uint32_t row = 0; row < kSide; ++row) {
+    for (std::uint32_t column = 0; column < kSide; ++column) {
+      const double height = hill(column * kSpacing, row * kSpacing);
+      heights.push_back(static_cast<float>(height + source.uniform(0, 0.05)));
+    }
+  }
+  const HeightField field(kSide, kSide, std::span<const float>(heights),
+                          {.spacing_x = kSpacing, .spacing_y = kSpacing});
+  const Mesh mesh = field.mesh();
+  for (int i = 0; i < 480 && !HasFailure(); ++i) {
+    const double size = source.uniform(0.1, 0.6);
+    const Shape body = tests::make_box({size, 0.3, 0.1});
+    Pose pose = tests::random_pose(0, source);
+    const double x = source.uniform(0, 100), y = source.uniform(0, 100);
+    pose.translation() = Eigen::Vector3d(x, y, hill(x, y) + source.uniform(-0.2, 0.8));
+    EXPECT_TRUE(find_contacts({body, pose}, {field}) == find_contacts({body, pose}, {mesh})) << i;
+  }
+}
+
 }  // namespace
 }  // namespace graze
