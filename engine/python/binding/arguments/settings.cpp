@@ -29,6 +29,10 @@ MeshSides sides_from(py::handle argument, const char* name) {
                                     {{"surface", Sides::Surface}, {"solid", Sides::Solid}})};
 }
 
+std::string path_from(py::handle argument) {
+  return py::module_::import("os").attr("fsencode")(argument).cast<std::string>();
+}
+
 std::size_t limit_from(py::handle argument) {
   return argument.is_none() ? kNoLimit : count_from(argument, "limit");
 }

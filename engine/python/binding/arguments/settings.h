@@ -37,6 +37,8 @@ Touch touch_from(py::handle argument);
 StartContact start_from(py::handle argument);
 /// None and "surface" are the surface alone; "solid"; ("one_sided", thickness). Throws InputError.
 MeshSides sides_from(py::handle argument, const char* name);
+/// The bytes of a file's name, whatever they are: a str, bytes or a path. Throws TypeError.
+std::string path_from(py::handle argument);
 /// None is no limit.
 std::size_t limit_from(py::handle argument);
 

@@ -53,7 +53,7 @@ void write_voxels_of(py::handle path, py::handle argument, py::handle progress) 
   voxels.voxels.reserve(static_cast<std::size_t>(indices.shape(0)));
   for (py::ssize_t i = 0; i < indices.shape(0); ++i, at += 3)
     voxels.voxels.push_back({at[0], at[1], at[2]});
-  const auto file = py::module_::import("os").attr("fsdecode")(path).cast<std::string>();
+  const std::string file = path_from(path);
   const VoxelWriteSettings settings{.on_progress = watcher(progress)};
   const py::gil_scoped_release released;
   write_voxels(file, voxels, settings);

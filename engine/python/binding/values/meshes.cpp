@@ -115,10 +115,6 @@ Mesh deformed(const Mesh& mesh, py::handle vertices) {
   return mesh.deformed(rows_of<Eigen::Vector3d, double>(points));
 }
 
-std::string path_from(py::handle argument) {
-  return py::module_::import("os").attr("fsdecode")(argument).cast<std::string>();
-}
-
 py::object poses_of_file(py::handle argument) {
   const std::string path = path_from(argument);
   std::vector<Pose> poses;
