@@ -67,6 +67,22 @@ class UnsupportedPairError : public Error {
   using Error::Error;
 };
 
+/// A batch that was asked to stop before all was done. There is no answer: what is done is lost.
+class StoppedError : public Error {
+ public:
+  /// So many elements were done, of so many.
+  StoppedError(std::size_t done, std::size_t total);
+
+  /// How many elements were done.
+  std::size_t done() const noexcept { return done_; }
+  /// How many there were.
+  std::size_t total() const noexcept { return total_; }
+
+ private:
+  std::size_t done_;
+  std::size_t total_;
+};
+
 /// A case file that cannot be read: what() reads `file:line: /place/in/it: why`.
 class CaseError : public Error {
  public:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include <graze/bvh/error.h>
 
@@ -19,6 +20,19 @@ void at_element(const char* element, std::size_t index, Check&& check) {
     throw InputError(error.what(), place());
   } catch (const StaleIdError& error) {
     throw StaleIdError(error.what(), place());
+  }
+}
+
+/// Calls `check(what)` for element `index` of those that are called `element`; what it throws names
+/// it, `what` being "pose 12 of mesh B", say. Writes that only where something is thrown.
+template <typename Check>
+void check_element(const char* element, std::size_t index, const char* of, Check&& check) {
+  try {
+    check(element);
+  } catch (const Error&) {
+    const std::string what = element + (" " + std::to_string(index)) + of;
+    at_element(element, index, [&] { check(what.c_str()); });
+    throw;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <graze/bvh/error.h>
 
+#include <string>
 #include <utility>
 
 namespace graze {
@@ -12,5 +13,10 @@ const ErrorPlace& Error::place() const noexcept {
   static const ErrorPlace kNowhere;
   return place_ == nullptr ? kNowhere : *place_;
 }
+
+StoppedError::StoppedError(std::size_t done, std::size_t total)
+    : Error("stopped: " + std::to_string(done) + " of " + std::to_string(total) + " are done"),
+      done_(done),
+      total_(total) {}
 
 }  // namespace graze

@@ -2,6 +2,7 @@
 
 #include <graze/bvh/ray.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/mesh/query_settings.h>
 #include <graze/engine/work.h>
 #include <Eigen/Core>
 
@@ -43,6 +44,11 @@ bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work = nullptr
 /// does, for any of the rays, and then leaves `hits` as they are.
 void cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
                std::vector<std::optional<RayHit>>& hits, Work* work = nullptr);
+
+/// cast_ray() for each of many rays, a million say, which threads share, bit for bit, in their
+/// order. Throws as cast_ray() does, before the first answer, and names the ray by its index.
+std::vector<std::optional<RayHit>> cast_rays(const PlacedMeshView& mesh, std::span<const Ray> rays,
+                                             const BatchSettings& batch = {}, Work* work = nullptr);
 
 /// All triangles that the ray meets, by distance, then by index: a ray through an edge meets both.
 /// Throws as cast_ray() does.

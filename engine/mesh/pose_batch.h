@@ -30,6 +30,11 @@ std::vector<TrianglePairs> find_triangle_pairs(const PlacedMeshView& mesh_a,
                                                const PairSettings& settings = {},
                                                const BatchSettings& batch = {},
                                                Work* work = nullptr);
+std::vector<bool> interiors_intersect(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
+                                      const BatchSettings& batch = {}, Work* work = nullptr);
+std::vector<bool> within(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b, double clearance,
+                         const DistanceSettings& settings = {}, const BatchSettings& batch = {},
+                         Work* work = nullptr);
 std::vector<MeshDistance> distance(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
                                    const DistanceSettings& settings = {},
                                    const BatchSettings& batch = {}, Work* work = nullptr);

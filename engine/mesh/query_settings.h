@@ -8,7 +8,9 @@
 #include <graze/narrowphase/touch.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <stop_token>
 
 namespace graze {
 
@@ -110,9 +112,16 @@ struct SelfSettings {
   Volume volume = Volume::Aabb;
 };
 
-/// Queries for many poses at once.
+/// Queries for many poses, points, rays or motions at once.
 struct BatchSettings {
-  int threads = 0;  ///< how many threads share the poses at most; 0: all that there are
+  int threads = 0;  ///< how many threads share the elements at most; 0: all that there are
+  /// Whoever holds the source may ask a batch to stop, from any thread. No element is begun after
+  /// that, and the batch throws StoppedError unless all were done: there is no part of an answer.
+  std::stop_token stop = {};
+  /// If set, called on the thread that called the batch: when that one has answered something,
+  /// then some twenty times a second, with how many elements are done by all threads and their
+  /// total, and once more at the end. What it throws ends the batch.
+  std::function<void(std::size_t done, std::size_t total)> on_progress = {};
 };
 
 }  // namespace graze

@@ -110,6 +110,7 @@ class WorldSnapshot {
 
  private:
   friend class World;
+  friend struct WorldSnapshotAccess;
   struct State;
   explicit WorldSnapshot(std::shared_ptr<const State> state) : state_(std::move(state)) {}
   std::shared_ptr<const State> state_;

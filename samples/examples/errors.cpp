@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stop_token>
 #include <string>
 
 #include "samples/examples/example.h"
@@ -47,5 +48,15 @@ int main(int argc, char** argv) {
   thrown_by<graze::UnsupportedPairError>([&] {
     graze::find_contacts({below}, {below, at(0, 0, 0)});
   });
+  std::stop_source source;
+  source.request_stop();
+  const std::vector<graze::Pose> poses(100, graze::Pose::Identity());
+  try {
+    const graze::Mesh cube = examples::cube(1);
+    graze::intersects({cube}, {cube, poses}, {}, {.stop = source.get_token()});
+    expect(false, "a batch that was stopped has no answer");
+  } catch (const graze::StoppedError& error) {
+    expect(error.done() == 0 && error.total() == 100, "how many of how many were done");
+  }
   thrown_by<graze::Error>([] { graze::load_poses("no such file"); });  // all derive from this
 }

@@ -5,12 +5,10 @@
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/points/nearest_search.h>
+#include <graze/engine/mesh/query/batch.h>
 #include <graze/engine/mesh/query/query_results.h>
-#include <graze/engine/mesh/query/threads.h>
 
-#include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -19,9 +17,6 @@ namespace {
 
 /// Points of a part: enough that what is made once for each does not count, few enough to share.
 constexpr std::size_t kMostInAPart = 4096;
-
-/// Parts for each thread, at least, where there are points enough.
-constexpr std::size_t kPartsPerThread = 16;
 
 bool is_finite(const Eigen::Vector3d& point) {
   return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
@@ -75,16 +70,11 @@ class PointRows {
 /// Calls `ask(first, last, work)` for parts of so many points, on any thread.
 template <typename Ask>
 void ask_all(std::size_t count, const BatchSettings& batch, Work* total, Ask&& ask) {
-  check_threads(batch.threads);
-  const std::size_t parts = thread_count(batch.threads) * kPartsPerThread;
-  const std::size_t size = std::clamp(count / parts, std::size_t{1}, kMostInAPart);
-  std::mutex mutex;
-  for_each_part((count + size - 1) / size, batch.threads, [&](std::size_t part) {
-    Work work;
-    ask(part * size, std::min((part + 1) * size, count), work);
-    const std::scoped_lock lock(mutex);
-    if (total != nullptr) *total += work;
-  });
+  for_each_part_of_batch(count, kMostInAPart, batch, total,
+                         [&](std::size_t first, std::size_t last, BatchRun& run, Work& work) {
+                           ask(first, last, work);
+                           run.add(last - first);
+                         });
 }
 
 /// Throws PoseError; returns the deviation from a rotation.

@@ -2,11 +2,8 @@
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/pose_batch.h>
+#include <graze/engine/mesh/query/batch.h>
 #include <graze/engine/mesh/query/threads.h>
-
-#include <algorithm>
-#include <mutex>
-#include <string>
 
 namespace graze {
 namespace {
@@ -14,15 +11,11 @@ namespace {
 /// Poses of a part: enough that far ones, of a hundred nanoseconds each, outweigh its start.
 constexpr std::size_t kMostInAPart = 64;
 
-/// Parts for each thread, at least, where there are poses enough.
-constexpr std::size_t kPartsPerThread = 16;
-
 void check_poses(const PlacedMeshView& a, const MeshInPoses& b) {
   check_placement(a.pose, a.mesh.bounds(), "pose of mesh A");
   for (std::size_t i = 0; i < b.poses.size(); ++i) {
-    bvh::at_element("pose", i, [&] {
-      check_placement(b.poses[i], b.mesh.bounds(),
-                      ("pose " + std::to_string(i) + " of mesh B").c_str());
+    bvh::check_element("pose", i, " of mesh B", [&](const char* what) {
+      check_placement(b.poses[i], b.mesh.bounds(), what);
     });
   }
 }
@@ -34,17 +27,20 @@ void answer_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettin
   check_threads(batch.threads);
   check_poses(a, b);
   answers.resize(b.poses.size());
-  const std::size_t parts = thread_count(batch.threads) * kPartsPerThread;
-  const std::size_t size = std::clamp(b.poses.size() / parts, std::size_t{1}, kMostInAPart);
-  std::mutex mutex;
-  for_each_part((b.poses.size() + size - 1) / size, batch.threads, [&](std::size_t part) {
-    Work work;
-    const std::size_t end = std::min((part + 1) * size, b.poses.size());
-    for (std::size_t i = part * size; i < end; ++i)
-      answers[i] = ask(PlacedMeshView{b.mesh, b.poses[i]}, work);
-    const std::scoped_lock lock(mutex);
-    if (total != nullptr) *total += work;
+  for_each_in_batch(b.poses.size(), kMostInAPart, batch, total, [&](std::size_t i, Work& work) {
+    answers[i] = ask(PlacedMeshView{b.mesh, b.poses[i]}, work);
   });
+}
+
+/// The same of yes and no: bits of one word are no place for many threads to write to.
+template <typename Ask>
+std::vector<bool> say_all(const PlacedMeshView& a, const MeshInPoses& b, const BatchSettings& batch,
+                          Work* total, const Ask& ask) {
+  std::vector<char> answers;
+  answer_all(a, b, batch, total, answers, [&](const PlacedMeshView& placed_b, Work& work) {
+    return static_cast<char>(ask(placed_b, work));
+  });
+  return {answers.begin(), answers.end()};
 }
 
 }  // namespace
@@ -53,12 +49,27 @@ std::vector<bool> intersects(const PlacedMeshView& mesh_a, const MeshInPoses& me
                              const QuerySettings& settings, const BatchSettings& batch,
                              Work* work) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
-    // Bits of one word are no place for many threads to write to.
-    std::vector<char> answers;
-    answer_all(mesh_a, mesh_b, batch, work, answers, [&](const PlacedMeshView& b, Work& own) {
-      return static_cast<char>(intersects(mesh_a, b, settings, &own));
+    return say_all(mesh_a, mesh_b, batch, work, [&](const PlacedMeshView& b, Work& own) {
+      return intersects(mesh_a, b, settings, &own);
     });
-    return {answers.begin(), answers.end()};
+  });
+}
+
+std::vector<bool> interiors_intersect(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b,
+                                      const BatchSettings& batch, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
+    return say_all(mesh_a, mesh_b, batch, work, [&](const PlacedMeshView& b, Work& own) {
+      return interiors_intersect(mesh_a, b, &own);
+    });
+  });
+}
+
+std::vector<bool> within(const PlacedMeshView& mesh_a, const MeshInPoses& mesh_b, double clearance,
+                         const DistanceSettings& settings, const BatchSettings& batch, Work* work) {
+  return bvh::in_standard_arithmetic([&]() -> std::vector<bool> {
+    return say_all(mesh_a, mesh_b, batch, work, [&](const PlacedMeshView& b, Work& own) {
+      return within(mesh_a, b, clearance, settings, &own);
+    });
   });
 }
 

@@ -1,10 +1,10 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/element_error.h>
+#include <graze/engine/mesh/query/batch.h>
 #include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/mesh/rigid_contact.h>
 
-#include <mutex>
 #include <string>
 
 namespace graze {
@@ -15,13 +15,8 @@ namespace {
 template <typename Answer, typename Ask>
 void answer_all(const BatchSettings& batch, Work* total, std::vector<Answer>& answers,
                 const Ask& ask) {
-  std::mutex mutex;
-  for_each_part(answers.size(), batch.threads, [&](std::size_t i) {
-    Work work;
-    answers[i] = ask(i, work);
-    const std::scoped_lock lock(mutex);
-    if (total != nullptr) *total += work;
-  });
+  for_each_in_batch(answers.size(), 1, batch, total,
+                    [&](std::size_t i, Work& work) { answers[i] = ask(i, work); });
 }
 
 /// One answer for each motion of B.
@@ -30,10 +25,8 @@ std::vector<Answer> answers_of_motions(const Mesh& mesh_b, std::span<const Rigid
                                        const BatchSettings& batch, Work* total, const Ask& ask) {
   check_threads(batch.threads);
   for (std::size_t i = 0; i < motions_b.size(); ++i) {
-    bvh::at_element("motion", i, [&] {
-      check_reach(motions_b[i], mesh_b.bounds(),
-                  ("motion " + std::to_string(i) + " of mesh B").c_str());
-    });
+    bvh::check_element("motion", i, " of mesh B",
+                       [&](const char* what) { check_reach(motions_b[i], mesh_b.bounds(), what); });
   }
   std::vector<Answer> answers(motions_b.size());
   answer_all(batch, total, answers,

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_graze, module) {
   graze::python::add_work(module);
   graze::python::add_meshes(module);
   graze::python::add_shapes(module);
+  graze::python::add_height_fields(module);
   graze::python::add_rigid_motions(module);
   graze::python::add_pair_memories(module);
   graze::python::add_pair_queries(module);
@@ -21,8 +22,13 @@ PYBIND11_MODULE(_graze, module) {
   graze::python::add_contacts(module);
   graze::python::add_motions(module);
   graze::python::add_mesh_checks(module);
+  graze::python::add_fits(module);
+  graze::python::add_mesh_paths(module);
+  graze::python::add_certificates(module);
+  graze::python::add_voxels(module);
   graze::python::add_cases(module);
   graze::python::add_compounds(module);
+  graze::python::add_voxel_maps(module);
   graze::python::add_worlds(module);
   graze::python::add_broad_phases(module);
 }

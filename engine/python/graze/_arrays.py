@@ -51,6 +51,60 @@ def rows_of_indices(value: Any, name: str) -> Any:
     return np.ascontiguousarray(array, np.uint32)
 
 
+def rows_of_unsigned(value: Any, name: str) -> Any:
+    """The same as uint32."""
+    array = _array_of(value, name)
+    return rows_of_indices(array.astype(np.int64) if array.dtype.kind == "i" else array, name)
+
+
+def shorts(value: Any, name: str) -> Any:
+    """Whole numbers of the shape (n,) from 0 to 65535, one after the other in memory."""
+    return _small_numbers(value, name, np.uint16, 1)
+
+
+def heights(value: Any, name: str) -> Any:
+    """Heights of the shape (rows, columns), row after row in memory: uint16 as they are, others as float32, which
+    must hold them."""
+    array = _array_of(value, name)
+    if array.ndim != 2:
+        raise InputError(f"{name}: the shape {array.shape} is not (rows, columns)")
+    if array.dtype == np.uint16:
+        return np.require(array, np.uint16, ["C", "A"])
+    if array.dtype.kind not in "fiu":
+        raise InputError(f"{name}: numbers of the type {array.dtype} are no heights")
+    with np.errstate(all="ignore"):
+        floats = np.require(array, np.float32, ["C", "A"])
+        changed = (floats.astype(np.float64) != array.astype(np.float64)) & ~np.isnan(array.astype(np.float64))
+    if changed.any():
+        row, column = (int(place) for place in np.argwhere(changed)[0])
+        raise InputError(f"{name}: row {row}, column {column}: {array[row, column]} is no number of 32 bits; round them")
+    return floats
+
+
+def bytes_of_cells(value: Any, name: str) -> Any:
+    """For each cell a whole number from 0 to 255, or a bool: of the shape (rows, columns), row after row."""
+    array = _array_of(value, name)
+    return _small_numbers(array.astype(np.uint8) if array.dtype == np.bool_ else array, name, np.uint8, 2)
+
+
+def voxels(value: Any, name: str) -> Any:
+    """Rows of three whole numbers from 0 to 65535; one of the shape (3,) becomes a row."""
+    array = _array_of(value, name)
+    array = array.reshape(1, -1) if array.ndim == 1 and array.size == 3 else array
+    _check_rows(array, name)
+    return _small_numbers(array, name, np.uint16, 2)
+
+
+def _small_numbers(value: Any, name: str, kind: Any, dimensions: int) -> Any:
+    array = _array_of(value, name)
+    if array.size == 0 and array.dtype == np.float64:
+        array = array.astype(kind)
+    if array.ndim != dimensions or array.dtype.kind not in "iu":
+        raise InputError(f"{name}: are no whole numbers in {dimensions} dimensions, but {array.dtype} {array.shape}")
+    most = np.iinfo(kind).max
+    if array.size and (int(array.min()) < 0 or int(array.max()) > most):
+        raise InputError(f"{name}: are not all from 0 to {most}")
+    return np.require(array, kind, ["C", "A"])
 
 
 def _array_of(value: Any, name: str) -> Any:
@@ -66,13 +120,18 @@ def _check_rows(array: Any, name: str) -> None:
         raise InputError(f"{name}: the shape {array.shape} is not (n, 3)")
 
 
-def ids(value: Any) -> NDArray[np.uint64]:
-    """Ids of bodies or boxes, one after the other in memory."""
-    array = _array_of(value, "ids")
+def ids(value: Any, name: str = "ids") -> NDArray[np.uint64]:
+    """Ids of bodies or boxes, or other whole numbers of 64 bits, one after the other in memory."""
+    array = _array_of(value, name)
     if array.size == 0 and array.ndim == 1:
         return np.empty(0, np.uint64)
+    if array.dtype.kind in "fO" and all(isinstance(number, int) for number in np.ravel(np.array(value, object))):
+        try:
+            array = np.array(value, np.uint64)  # of large and small ones numpy would make float64
+        except (OverflowError, ValueError):
+            raise InputError(f"{name}: are not all from 0 to 2^64 - 1") from None
     if array.dtype.kind not in "iu" or array.ndim > 1:
-        raise InputError(f"ids: are neither a whole number nor an array of the shape (n,), but {array.dtype} {array.shape}")
+        raise InputError(f"{name}: are neither a whole number nor an array of the shape (n,), but {array.dtype} {array.shape}")
     if array.dtype.kind == "i" and (array < 0).any():
-        raise InputError("ids: below 0 there are none")
+        raise InputError(f"{name}: below 0 there are none")
     return np.ascontiguousarray(array, np.uint64).reshape(array.shape)

@@ -5,9 +5,10 @@ from typing import NamedTuple, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, _are_same
+from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, result
 
 
+@result
 class MeshContacts(NamedTuple):
     """Contacts of two meshes, the deepest first."""
 
@@ -28,13 +29,8 @@ class MeshContacts(NamedTuple):
     is_complete: bool
     """Whether these are all contacts."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class ShapeContacts(NamedTuple):
     """Contacts of two shapes, region by region: of each at most four, its deepest first."""
 
@@ -52,14 +48,11 @@ class ShapeContacts(NamedTuple):
     """(k, 2), which parts of A and of B meet: the same from step to step."""
     region: Indices
     """(k,); contacts of one region share a way out."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    material: NDArray[np.uint16]
+    """(k, 2), of the triangle or cell of A and of B that is nearest there; 0 of what has none."""
 
 
+@result
 class MeshIntersection(NamedTuple):
     """Where the surfaces of two placed meshes meet."""
 
@@ -71,26 +64,27 @@ class MeshIntersection(NamedTuple):
     """(p,), of B."""
     segments: Indices
     """(s, 2), indices of points."""
+    segment_pairs: Indices
+    """(s, 2), the first of `pairs` that meets in each and how many there are."""
     curves: Indices
     """(c, 2), the first segment and how many there are, end to end."""
     is_closed: Bools
     """(c,), whether a curve ends where it began."""
     polygons: NDArray[np.int64]
     """(q, 6), indices of the three to six points of a common piece of plane; -1 beyond them."""
+    polygon_pairs: Indices
+    """(q, 2), likewise."""
     patches: Indices
     """(r, 2), the first polygon and how many are connected."""
     touching_points: Indices
     """(t,), indices of points that are on nothing else."""
+    touching_pairs: Indices
+    """(t, 2), likewise."""
     pairs: Indices
     """(k, 2), the triangles that meet in segments, polygons and points."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class Separation(NamedTuple):
     """A translation of B after which two meshes are apart."""
 
@@ -103,13 +97,8 @@ class Separation(NamedTuple):
     pose_b: Doubles
     """Of B, moved by it, (4, 4)."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class MeshCast(NamedTuple):
     """Where a mesh that goes straight meets another one first."""
 
@@ -124,13 +113,8 @@ class MeshCast(NamedTuple):
     normal: Doubles
     """Unit, from A to B, (3,)."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class ShapeCast(NamedTuple):
     """Where a shape that goes straight meets another one first."""
 
@@ -143,13 +127,8 @@ class ShapeCast(NamedTuple):
     normal: Doubles
     """Unit, from A to B, (3,)."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class RigidContact(NamedTuple):
     """When two rigid motions meet first."""
 
@@ -162,13 +141,8 @@ class RigidContact(NamedTuple):
     is_out_of_budget: bool
     """The search ended at `low`, whatever lies there."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class RigidContacts(NamedTuple):
     """The same for each of n motions."""
 
@@ -180,9 +154,3 @@ class RigidContacts(NamedTuple):
     """(n,)"""
     is_out_of_budget: Bools
     """(n,)"""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)

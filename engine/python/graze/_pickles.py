@@ -22,24 +22,24 @@ _known: "weakref.WeakValueDictionary[bytes, Mesh]" = weakref.WeakValueDictionary
 _kept: "OrderedDict[bytes, Mesh]" = OrderedDict()
 
 
-def reduce_mesh(mesh: Mesh) -> Tuple[Any, Tuple[bytes, Any, Any]]:
+def reduce_mesh(mesh: Mesh) -> Tuple[Any, Tuple[bytes, Any, Any, Any]]:
     """What pickle asks for. Arrays go out of band where a protocol allows it."""
     with _lock:
         digest = _digests.get(mesh)
     if digest is None:
-        digest = _digest_of(mesh.vertices, mesh.triangles)
+        digest = _digest_of(mesh.vertices, mesh.triangles, mesh.materials)
         with _lock:
             _digests[mesh] = digest
             _known.setdefault(digest, mesh)
-    return restore_mesh, (digest, np.asarray(mesh.vertices), np.asarray(mesh.triangles))
+    return restore_mesh, (digest, np.asarray(mesh.vertices), np.asarray(mesh.triangles), mesh.materials)
 
 
-def restore_mesh(digest: bytes, vertices: Any, triangles: Any) -> Mesh:
+def restore_mesh(digest: bytes, vertices: Any, triangles: Any, materials: Any = None) -> Mesh:
     """The mesh of that content which this process has, or a new one."""
     with _lock:
         mesh = _known.get(digest)
         if mesh is None:
-            mesh = Mesh(vertices, triangles)
+            mesh = Mesh(vertices, triangles, materials)
             _known[digest] = mesh
             _digests[mesh] = digest
         _kept[digest] = mesh
@@ -49,10 +49,12 @@ def restore_mesh(digest: bytes, vertices: Any, triangles: Any) -> Mesh:
     return mesh
 
 
-def _digest_of(vertices: Any, triangles: Any) -> bytes:
+def _digest_of(vertices: Any, triangles: Any, materials: Any) -> bytes:
     digest = hashlib.sha256(b"%d,%d;" % (len(vertices), len(triangles)))
     digest.update(np.ascontiguousarray(vertices).data)
     digest.update(np.ascontiguousarray(triangles).data)
+    if materials is not None:
+        digest.update(np.ascontiguousarray(materials).data)
     return digest.digest()
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple, Optional, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, _are_same
+from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, result
 from graze._contact_results import MeshContacts as MeshContacts
 from graze._contact_results import ShapeContacts as ShapeContacts
 from graze._contact_results import MeshIntersection as MeshIntersection
@@ -21,8 +21,15 @@ from graze._world_results import BodyDistance as BodyDistance
 from graze._world_results import BodyDistances as BodyDistances
 from graze._world_results import BodyRayHits as BodyRayHits
 from graze._world_results import BodyCast as BodyCast
+from graze._world_results import BodyPairDistance as BodyPairDistance
+from graze._world_results import BodyPairDistances as BodyPairDistances
+from graze._world_results import WorldDrawing as WorldDrawing
+from graze._motion_results import MeshFirstContact as MeshFirstContact
+from graze._motion_results import MeshFirstContacts as MeshFirstContacts
+from graze._motion_results import FreedomCertificate as FreedomCertificate
 
 
+@result
 class Topology(NamedTuple):
     """What the triangles of a mesh form once equal positions are one vertex."""
 
@@ -40,6 +47,7 @@ class Topology(NamedTuple):
     """Every welded edge has an even number of triangles."""
 
 
+@result
 class TrianglePairs(NamedTuple):
     """Pairs of triangles of two meshes, ascending."""
 
@@ -48,13 +56,8 @@ class TrianglePairs(NamedTuple):
     is_complete: bool
     """Whether that is all there is; else a limit was reached."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class TriangleList(NamedTuple):
     """Triangles of a mesh, ascending."""
 
@@ -63,13 +66,8 @@ class TriangleList(NamedTuple):
     is_complete: bool
     """Whether that is all there is; else a limit was reached."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class TrianglePairLists(NamedTuple):
     """Pairs of triangles for each of many poses."""
 
@@ -88,13 +86,8 @@ class TrianglePairLists(NamedTuple):
         pose %= count
         return self.pairs[self.offsets[pose] : self.offsets[pose + 1]]
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class MeshDistance(NamedTuple):
     """How far apart two placed meshes are, and where."""
 
@@ -107,13 +100,8 @@ class MeshDistance(NamedTuple):
     pair: Tuple[int, int]
     """The triangles that these lie in."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class MeshDistances(NamedTuple):
     """The same for each of n poses."""
 
@@ -126,13 +114,8 @@ class MeshDistances(NamedTuple):
     pair: Indices
     """(n, 2)"""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class ShapeDistance(NamedTuple):
     """How far apart two placed shapes are, and where."""
 
@@ -149,13 +132,8 @@ class ShapeDistance(NamedTuple):
     is_converged: bool
     """Whether the distance is known to its tolerance."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class ShapeDistances(NamedTuple):
     """The same for each of n poses."""
 
@@ -172,13 +150,8 @@ class ShapeDistances(NamedTuple):
     is_converged: Bools
     """(n,)"""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class ShapeSeparation(NamedTuple):
     """By how much two placed convex shapes are apart, or reach past each other."""
 
@@ -193,13 +166,8 @@ class ShapeSeparation(NamedTuple):
     is_converged: bool
     """Whether the distance, or that the depth is the least, is proved."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class NearestPoint(NamedTuple):
     """The point of a placed mesh that is nearest to another."""
 
@@ -210,13 +178,8 @@ class NearestPoint(NamedTuple):
     triangle: int
     """In which it lies."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class NearestPoints(NamedTuple):
     """The same for each of n points."""
 
@@ -227,13 +190,8 @@ class NearestPoints(NamedTuple):
     triangle: Indices
     """(n,)"""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class RayHit(NamedTuple):
     """Where a ray meets something first."""
 
@@ -244,15 +202,12 @@ class RayHit(NamedTuple):
     normal: Doubles
     """Unit, against the ray, (3,)."""
     triangle: Optional[int]
-    """Of a mesh; None for other shapes."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    """Of a mesh or a height field; None for other shapes."""
+    material: int
+    """Of that triangle, if it has one; else 0."""
 
 
+@result
 class RayHits(NamedTuple):
     """The same for each of n rays."""
 
@@ -265,15 +220,12 @@ class RayHits(NamedTuple):
     normal: Doubles
     """(n, 3); NaN there."""
     triangle: NDArray[np.int64]
-    """(n,); -1 there, and where a shape that is no mesh is hit."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    """(n,); -1 there, and where a shape without triangles is hit."""
+    material: NDArray[np.uint16]
+    """(n,), of those triangles; 0 of what has none."""
 
 
+@result
 class MeshHealth(NamedTuple):
     """What is wrong with a mesh: every array is empty in a healthy one. Edges are rows of two vertices, the lowest triangle and how many triangles there are."""
 
@@ -297,13 +249,8 @@ class MeshHealth(NamedTuple):
         """Closed, manifold at its edges, consistently wound with its front outside, and crossing itself nowhere."""
         return not any(len(faults) for faults in self)
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class Voxels(NamedTuple):
     """Voxels of a grid, ascending."""
 
@@ -316,8 +263,32 @@ class Voxels(NamedTuple):
     indices: NDArray[np.uint16]
     """(k, 3): voxel (i, j, k) is the box from origin + edge (i, j, k) on."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+@result
+class KDop(NamedTuple):
+    """The points p with min[i] <= p . directions[i] <= max[i] for each of nine slabs."""
+
+    min: Doubles
+    """(9,)"""
+    max: Doubles
+    """(9,)"""
+    directions: NDArray[np.int64]
+    """(9, 3), whole numbers that are not normalised."""
+
+
+@result
+class MeshFit(NamedTuple):
+    """How well volumes of four kinds fit a mesh."""
+
+    enclosed_volume: Optional[float]
+    """Of a closed mesh, m^3; else None."""
+    kinds: Tuple[str, ...]
+    """Of the volumes: aabb, sphere, obb, kdop."""
+    volume: Doubles
+    """(4,), m^3."""
+    surface: Doubles
+    """(4,), m^2."""
+    empty_share: Doubles
+    """(4,), of a closed mesh from 0 for a perfect fit to 1; NaN where it is not known."""
+    relative_volume: Doubles
+    """(4,), of an open mesh relative to that of its bounds; else NaN."""

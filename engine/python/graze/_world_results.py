@@ -1,12 +1,16 @@
 """What worlds return."""
 
-from typing import NamedTuple
+from typing import Dict, List, NamedTuple, Tuple
 
-from graze._arrays_of_results import Bools, Doubles, Ids, Indices, Offsets, _are_same
+import numpy as np
+from numpy.typing import NDArray
+
+from graze._arrays_of_results import Bools, Doubles, Ids, Indices, Offsets, result
 from graze._contact_results import RigidContact, ShapeContacts
 from graze._graze import Work
 
 
+@result
 class WorldContacts(NamedTuple):
     """Contacts of pairs of bodies."""
 
@@ -19,13 +23,8 @@ class WorldContacts(NamedTuple):
     contacts: ShapeContacts
     """Normals from the first body of a pair to the second."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class BodyFirstContacts(NamedTuple):
     """Bodies that are swept and not proved to stay apart, from the last update, time 0, to this one, time 1."""
 
@@ -43,14 +42,11 @@ class BodyFirstContacts(NamedTuple):
     """(k, 3), at `low`, between the two."""
     normal: Doubles
     """(k, 3), from the first to the second."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    parts: Indices
+    """(k, 2), which part of each, if it is a compound; else 0."""
 
 
+@result
 class WorldUpdate(NamedTuple):
     """What changed between two updates. Pairs are ids, ascending, of the shape (k, 2)."""
 
@@ -70,14 +66,11 @@ class WorldUpdate(NamedTuple):
     """Of bodies that are swept."""
     work: Work
     """What was done."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    counters: Dict[str, int]
+    """What pairs of bodies took, and what could be left out, by name."""
 
 
+@result
 class BodyDistance(NamedTuple):
     """A body and how far it is from a shape, A."""
 
@@ -90,14 +83,15 @@ class BodyDistance(NamedTuple):
     """(3,)"""
     normal: Doubles
     """(3,), from A to B."""
+    part: int
+    """Of a compound the nearest part; else 0."""
+    lower_bound: float
+    """Proved: the true distance is not less."""
+    is_converged: bool
+    """Whether the distance is known to its tolerance."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class BodyDistances(NamedTuple):
     """The same for each of k bodies."""
 
@@ -111,14 +105,15 @@ class BodyDistances(NamedTuple):
     """(k, 3)"""
     normal: Doubles
     """(k, 3)"""
+    part: Indices
+    """(k,)"""
+    lower_bound: Doubles
+    """(k,)"""
+    is_converged: Bools
+    """(k,)"""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class BodyRayHits(NamedTuple):
     """The body that each of n rays meets first."""
 
@@ -132,14 +127,15 @@ class BodyRayHits(NamedTuple):
     """(n, 3); NaN there."""
     normal: Doubles
     """(n, 3); NaN there."""
+    part: Indices
+    """(n,), of a compound or a map of voxels; else 0."""
+    triangle: Offsets
+    """(n,), of a mesh or a height field; else -1."""
+    material: NDArray[np.uint16]
+    """(n,), of that triangle; 0 of what has none."""
 
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
 
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
-
-
+@result
 class BodyCast(NamedTuple):
     """A body that a shape in motion comes to, and when."""
 
@@ -147,15 +143,69 @@ class BodyCast(NamedTuple):
     """Of the body."""
     contact: RigidContact
     """Hit or close."""
-
-    def __eq__(self, other: object) -> bool:
-        return _are_same(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not _are_same(self, other)
+    part: int
+    """Of a compound that which is met first; else 0."""
 
 
-for _type in list(globals().values()):
-    if isinstance(_type, type) and _type.__module__ == __name__:
-        _type.__module__ = "graze"
-del _type
+@result
+class BodyPairDistance(NamedTuple):
+    """How far two bodies are apart, and where."""
+
+    a: int
+    """Of the world that was asked."""
+    b: int
+    """Of the other one, where there are two."""
+    distance: float
+    """0 if and only if they touch."""
+    point_a: Doubles
+    """(3,), in the frame of the world that was asked."""
+    point_b: Doubles
+    """(3,)"""
+    normal: Doubles
+    """(3,), from A to B."""
+    parts: Tuple[int, int]
+    """The nearest part of each, if it is a compound; else 0."""
+    lower_bound: float
+    """Proved: the true distance is not less."""
+    is_converged: bool
+    """Whether the distance is known to its tolerance."""
+
+
+@result
+class BodyPairDistances(NamedTuple):
+    """The same for each of k pairs."""
+
+    pairs: Ids
+    """(k, 2)"""
+    distance: Doubles
+    """(k,)"""
+    point_a: Doubles
+    """(k, 3)"""
+    point_b: Doubles
+    """(k, 3)"""
+    normal: Doubles
+    """(k, 3)"""
+    parts: Indices
+    """(k, 2)"""
+    lower_bound: Doubles
+    """(k,)"""
+    is_converged: Bools
+    """(k,)"""
+
+
+@result
+class WorldDrawing(NamedTuple):
+    """A world as a renderer shows it. For looking, not for deciding."""
+
+    lines: Doubles
+    """(k, 2, 3), the ends of segments, metres."""
+    shows: NDArray[np.uint8]
+    """(k,): 0 a shape, 1 a box, 2 a contact, 3 an island."""
+    bodies: Ids
+    """(k,), of a contact that of A, of an island its first."""
+    points: Doubles
+    """(p, 3), of contacts."""
+    point_bodies: Ids
+    """(p, 2)"""
+    labels: List[Tuple[Doubles, str, int]]
+    """Places, words and bodies."""

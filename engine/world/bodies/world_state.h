@@ -170,6 +170,15 @@ struct WorldSnapshot::State {
   std::vector<std::uint8_t> states;
 };
 
+/// The way to what a snapshot holds, for those who keep it elsewhere.
+struct WorldSnapshotAccess {
+  using State = WorldSnapshot::State;
+  static const State& state(const WorldSnapshot& snapshot) { return *snapshot.state_; }
+  static WorldSnapshot make(std::shared_ptr<const State> state) {
+    return WorldSnapshot(std::move(state));
+  }
+};
+
 /// The box of the shape with room around it, metres, checked.
 Aabb bounds_of(const BodyShape& shape, bool is_users, const Pose& pose, double room,
                const char* what);

@@ -45,11 +45,22 @@ class IdTable {
   std::size_t bytes() const;
 
  private:
+  friend struct IdTableAccess;
   std::vector<Generation> generation_;  ///< odd while the index is in use
   std::vector<std::uint32_t> free_;     ///< indices that may be taken, the last first
   std::array<std::vector<std::uint32_t>, 2> resting_;
   std::size_t live_count_ = 0;
   Generation limit_ = 0;
+};
+
+/// The way to all that a table holds, for those who keep it elsewhere.
+struct IdTableAccess {
+  /// `visit(generations, free, resting, older resting, live count, limit)`, each by reference.
+  template <typename Table, typename Visit>
+  static void visit(Table& table, const Visit& visit) {
+    visit(table.generation_, table.free_, table.resting_[0], table.resting_[1], table.live_count_,
+          table.limit_);
+  }
 };
 
 }  // namespace graze

@@ -1,6 +1,7 @@
 """What a call from Python costs over the same call from C++: overhead.py PROGRAM MESHES [--poses N] [--rounds N]
 
-Both take turns, round by round; medians. A batch's ratio is of wall clocks on all threads.
+Both take turns, round by round; medians of the processors' time, which a busy machine disturbs less than a clock, and of
+the wall clock for batches on all threads.
 """
 
 import argparse
@@ -10,7 +11,7 @@ import subprocess
 import tempfile
 import time
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Tuple
 
 import graze
 import numpy as np
@@ -19,10 +20,11 @@ KINDS = {"far": (1, 0, 0), "near": (0.0145, 0, 0.004), "touch": (0, 0, 0.002)}
 SINGLES = 20_000
 
 
-def seconds(ask: Any) -> float:
-    began = time.perf_counter()
+def seconds(ask: Any) -> Tuple[float, float]:
+    """Of the wall clock, and of the processors on all threads."""
+    began, spent = time.perf_counter(), time.process_time()
     ask()
-    return time.perf_counter() - began
+    return time.perf_counter() - began, time.process_time() - spent
 
 
 def of_python(bolt: graze.Mesh, nut: graze.Mesh, poses: Any, size: int) -> List[Dict[str, float]]:
@@ -34,10 +36,11 @@ def of_python(bolt: graze.Mesh, nut: graze.Mesh, poses: Any, size: int) -> List[
             for _ in range(SINGLES):
                 graze.intersects(bolt, (nut, pose))
 
-        single = seconds(singles) / SINGLES
+        single, single_cpu = (taken / SINGLES for taken in seconds(singles))
         answers: List[Any] = []
-        batch = seconds(lambda many=many, answers=answers: answers.append(graze.intersects(bolt, (nut, many))))
-        results.append({"single": single, "batch": batch, "hits": int(answers[0].sum())})
+        batch, batch_cpu = seconds(lambda many=many, answers=answers: answers.append(graze.intersects(bolt, (nut, many))))
+        took = {"single": single, "single_cpu": single_cpu, "batch": batch, "batch_cpu": batch_cpu}
+        results.append({**took, "hits": int(answers[0].sum())})
     return results
 
 
@@ -59,16 +62,21 @@ def main() -> None:
         for _ in range(options.rounds):
             python.append(of_python(bolt, nut, poses, options.poses))
             native.append(json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout))
-    print(f"{'':8}{'single, us':>12}{'C++':>8}{'more':>8}{'batch, s':>12}{'C++':>8}{'ratio':>8}")
+    columns = ("single, us", "C++", "more", "batch, CPU s", "C++", "ratio", "batch, s", "C++", "ratio")
+    print(f"{'':8}" + "".join(f"{column:>13}" for column in columns))
     for i, kind in enumerate(KINDS):
         if python[0][i]["hits"] != native[0][i]["hits"]:
             raise SystemExit(f"{kind}: {python[0][i]['hits']} hits, and in C++ {native[0][i]['hits']}")
-        single, batch = (statistics.median(run[i][name] for run in python) for name in ("single", "batch"))
-        single_native, batch_native = (statistics.median(run[i][name] for run in native) for name in ("single", "batch"))
-        print(
-            f"{kind:8}{1e6 * single:12.3f}{1e6 * single_native:8.3f}{1e6 * (single - single_native):8.3f}"
-            f"{batch:12.3f}{batch_native:8.3f}{batch / batch_native:8.3f}"
-        )
+
+        def median(runs: List[List[Dict[str, float]]], name: str, i: int = i) -> float:
+            return statistics.median(run[i][name] for run in runs)
+
+        single, single_native = (1e6 * median(runs, "single_cpu") for runs in (python, native))
+        numbers = [single, single_native, single - single_native]
+        for name in ("batch_cpu", "batch"):
+            mine, theirs = median(python, name), median(native, name)
+            numbers += [mine, theirs, mine / theirs]
+        print(f"{kind:8}" + "".join(f"{number:13.3f}" for number in numbers))
 
 
 if __name__ == "__main__":

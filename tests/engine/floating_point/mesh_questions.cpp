@@ -227,6 +227,10 @@ void ask_batches(const Inputs& in, Words& words, int threads) {
   if (in.poses.size() > 64) return;  // the rest costs more
   for (const MeshDistance& found : distance(a, b, {}, batch))
     add_distance(words, found);
+  for (const bool is : within(a, b, 0.01, {}, batch))
+    words.add(is);
+  for (const auto& hit : cast_rays(a, std::vector<Ray>(3, in.ray), batch))
+    if (hit) add_hit(words, *hit);
 }
 
 void ask_voxels(const Inputs& in, Words& words, int threads) {

@@ -53,12 +53,14 @@ def run(*command):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.outside
 def test_the_stub_is_of_the_module(tmp_path):
     pytest.importorskip("mypy")
     allowed = SOURCES / "engine" / "python" / "stubtest_allowlist.txt"
     run("-m", "mypy.stubtest", "graze._graze", "--allowlist", str(allowed), "--ignore-unused-allowlist")
 
 
+@pytest.mark.outside
 def test_the_package_and_the_samples_have_types_that_hold(tmp_path):
     pytest.importorskip("mypy")
     samples = sorted(map(str, (SOURCES / "samples" / "python").glob("*.py")))
@@ -106,6 +108,7 @@ def test_a_wheel_needs_nothing_but_numpy(tmp_path):
     assert "5858 of 10000 poses touch" in call(python, str(SOURCES / "samples" / "python" / "first_steps.py"))
 
 
+@pytest.mark.outside
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize("sample", sorted((SOURCES / "samples" / "python").glob("*.py")), ids=lambda path: path.name)
 def test_the_samples_run(sample):

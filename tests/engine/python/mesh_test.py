@@ -1,5 +1,6 @@
 """Meshes from arrays of all kinds, and what is refused."""
 
+import os
 import pickle
 from types import SimpleNamespace
 
@@ -166,3 +167,12 @@ def test_prepare_leaves_nothing_to_build():
 def test_functions_can_be_pickled():
     assert pickle.loads(pickle.dumps(graze.intersects)) is graze.intersects
     assert pickle.loads(pickle.dumps([len, "a".upper]))[1]() == "A"
+
+
+def test_files_whose_names_are_no_text(tmp_path, unit_cube):
+    name = bytes(tmp_path) + b"/\xff\xfe.obj"
+    graze.write_voxels(name, graze.find_voxels(unit_cube, resolution=1))
+    assert len(graze.load_mesh(name).triangles) == 12
+    with pytest.raises(graze.MeshError) as caught:
+        graze.load_mesh(name + b".stl")
+    assert caught.value.place.file == os.fsdecode(name + b".stl")

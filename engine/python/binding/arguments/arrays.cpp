@@ -2,6 +2,7 @@
 
 #include <graze/bvh/error.h>
 
+#include <algorithm>
 #include <string>
 
 namespace graze::python {
@@ -88,6 +89,22 @@ Points::Points(py::handle argument, const char* name)
     size_ = static_cast<std::size_t>(keeper_.shape(0));
     row_stride_ = keeper_.strides(0);
   }
+}
+
+MatrixView<double> Points::matrix() const {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  constexpr auto kSize = static_cast<py::ssize_t>(sizeof(double));
+  const auto rows = static_cast<Eigen::Index>(size_);
+  if (stride_ > 0 && (row_stride_ > 0 || rows <= 1)) {
+    using Strides = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
+    const Strides strides(stride_ / kSize, std::max(row_stride_ / kSize, py::ssize_t{1}));
+    return Eigen::Map<const Eigen::MatrixXd, 0, Strides>(reinterpret_cast<const double*>(data_),
+                                                         rows, 3, strides);
+  }
+  Rows copy(rows, 3);  // of another storage order: what is returned keeps a copy of its own
+  for (Eigen::Index i = 0; i < rows; ++i)
+    copy.row(i) = (*this)[static_cast<std::size_t>(i)].transpose();
+  return copy;
 }
 
 py::object array_of(const Eigen::Vector3d& point) {

@@ -2,6 +2,7 @@
 
 // Arrays of numpy as arguments and as results.
 
+#include <graze/engine/mesh/mesh.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <Eigen/Core>
@@ -36,6 +37,8 @@ class Points {
 
   bool is_many() const { return is_many_; }
   std::size_t size() const { return size_; }
+  /// The rows as the library takes them: in place, but for what is broadcast or goes backwards.
+  MatrixView<double> matrix() const;
   Eigen::Vector3d operator[](std::size_t row) const {
     const char* at = data_ + static_cast<py::ssize_t>(row) * row_stride_;
     return {read(at), read(at + stride_), read(at + 2 * stride_)};

@@ -5,15 +5,24 @@
 #include <graze/engine/python/binding/arguments/arrays.h>
 
 #include <graze/bvh/error.h>
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/mesh/query/batch.h>
 #include <graze/engine/work.h>
 
 #include <functional>
 
 namespace graze::python {
 
+/// What work of long duration calls now and then: looks for signals, and tells of progress. Throws
+/// TypeError for what can be told of none.
+std::function<void(std::size_t done, std::size_t total)> watcher(py::handle progress);
+
 /// How a batch is asked.
 struct Batch {
   Batch(py::handle threads_argument, py::handle progress_argument);
+
+  /// As the library takes it: it looks for signals while it runs.
+  BatchSettings settings() const { return {.threads = threads, .on_progress = watcher(progress)}; }
 
   int threads;          ///< 0: all that there are
   py::handle progress;  ///< called with (done, total), or has a method update(more); None: neither
@@ -34,12 +43,34 @@ void ask_and_blame(const Ask& ask, const std::function<void()>& blame) {
   }
 }
 
-/// Calls `part` for parts [begin, end) of [0, count) until all are done, on threads that hold no
-/// lock of Python, and between chunks of about a twentieth of a second looks for signals and tells
-/// of progress. What `part` throws ends it and is thrown here; if that is of graze, `blame` is
-/// called first, to throw what names the first element that is at fault.
-void run_batch(std::size_t count, const Batch& batch, Work* total,
-               const std::function<void(std::size_t begin, std::size_t end, Work& work)>& part,
-               const std::function<void()>& blame = {});
+/// Calls `ask(settings, work)` without the lock of Python, as the library's batches are asked. What
+/// it throws is thrown here; if that is of graze, `blame` is called first, to throw what names the
+/// first element that is at fault.
+template <typename Ask>
+void run_batch(const Batch& batch, Work* total, const Ask& ask,
+               const std::function<void()>& blame = {}) {
+  Work sum;  // Python may look at the other one meanwhile
+  const BatchSettings settings = batch.settings();
+  {
+    const py::gil_scoped_release released;
+    ask_and_blame([&] { bvh::in_standard_arithmetic([&] { ask(settings, sum); }); }, blame);
+  }
+  if (total != nullptr) *total += sum;
+}
+
+/// Elements of a part: as many as the library's own batches of poses take.
+inline constexpr std::size_t kMostInAPart = 64;
+
+/// Calls `ask(i, work)` for each element, as the library's own batches do for what it has none for.
+template <typename Ask>
+void run_batch(std::size_t count, const Batch& batch, Work* total, const Ask& ask,
+               const std::function<void()>& blame = {}, std::size_t most_in_a_part = kMostInAPart) {
+  run_batch(
+      batch, total,
+      [&](const BatchSettings& settings, Work& sum) {
+        for_each_in_batch(count, most_in_a_part, settings, &sum, ask);
+      },
+      blame);
+}
 
 }  // namespace graze::python

@@ -46,15 +46,18 @@ Poses::Poses(py::handle argument, const char* name) {
     stride_ = array.strides(0);
   }
   keeper_ = array;
+  if (!is_many_) single_ = read(0);
 }
 
-Pose Poses::operator[](std::size_t index) const {
+Pose Poses::read(std::size_t index) const {
   Pose pose;
-  if (data_ == nullptr) {
-    pose.setIdentity();
+  const char* row = data_ + static_cast<py::ssize_t>(index) * stride_;
+  constexpr auto kSize = static_cast<py::ssize_t>(sizeof(double));
+  if (has_last_row_ && column_stride_ == kSize && row_stride_ == 4 * kSize) {
+    using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor | Eigen::DontAlign>;
+    pose.matrix() = Eigen::Map<const Rows>(reinterpret_cast<const double*>(row));
     return pose;
   }
-  const char* row = data_ + static_cast<py::ssize_t>(index) * stride_;
   double* entries = pose.matrix().data();
   for (int i = 0; i < (has_last_row_ ? 4 : 3); ++i, row += row_stride_) {
     const char* at = row;

@@ -24,9 +24,11 @@ class Poses {
   bool is_many() const { return is_many_; }
   std::size_t size() const { return size_; }
   /// Unchecked: that is for the query to do.
-  Pose operator[](std::size_t index) const;
+  Pose operator[](std::size_t index) const { return is_many_ ? read(index) : single_; }
 
  private:
+  Pose read(std::size_t index) const;
+
   py::object keeper_;
   const char* data_ = nullptr;
   std::size_t size_ = 1;
@@ -35,6 +37,7 @@ class Poses {
   py::ssize_t stride_ = 0;
   py::ssize_t row_stride_ = 0;
   py::ssize_t column_stride_ = 0;
+  Pose single_ = Pose::Identity();  ///< of all that are not many
 };
 
 /// One pose. Throws PoseError, also for one that is not rigid.

@@ -18,6 +18,21 @@ StartContact start_from(py::handle argument) {
       argument, "start", {{"counts", StartContact::Counts}, {"is_left", StartContact::IsLeft}});
 }
 
+MeshSides sides_from(py::handle argument, const char* name) {
+  if (argument.is_none()) return {};
+  if (PyTuple_Check(argument.ptr()) != 0 && py::len(argument) == 2) {
+    const auto pair = py::reinterpret_borrow<py::tuple>(argument);
+    return {.sides = word_from<Sides>(pair[0], name, {{"one_sided", Sides::OneSided}}),
+            .thickness = number_from(pair[1], name)};
+  }
+  return {.sides = word_from<Sides>(argument, name,
+                                    {{"surface", Sides::Surface}, {"solid", Sides::Solid}})};
+}
+
+std::string path_from(py::handle argument) {
+  return py::module_::import("os").attr("fsencode")(argument).cast<std::string>();
+}
+
 std::size_t limit_from(py::handle argument) {
   return argument.is_none() ? kNoLimit : count_from(argument, "limit");
 }

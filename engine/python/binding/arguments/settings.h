@@ -6,6 +6,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/mesh/query_settings.h>
+#include <graze/engine/world/sides.h>
 #include <graze/narrowphase/first_contact.h>
 #include <graze/narrowphase/touch.h>
 
@@ -34,6 +35,10 @@ T word_from(py::handle argument, const char* name,
 Hit hit_from(py::handle argument);
 Touch touch_from(py::handle argument);
 StartContact start_from(py::handle argument);
+/// None and "surface" are the surface alone; "solid"; ("one_sided", thickness). Throws InputError.
+MeshSides sides_from(py::handle argument, const char* name);
+/// The bytes of a file's name, whatever they are: a str, bytes or a path. Throws TypeError.
+std::string path_from(py::handle argument);
 /// None is no limit.
 std::size_t limit_from(py::handle argument);
 

@@ -24,9 +24,9 @@ Id id_of(std::uint64_t number) {
 /// One id, or an array of the shape (n,).
 template <typename Id>
 struct Ids {
-  explicit Ids(py::handle argument) {
+  explicit Ids(py::handle argument, const char* name = "ids") {
     const auto array = py::module_::import("graze._arrays")
-                           .attr("ids")(argument)
+                           .attr("ids")(argument, name)
                            .template cast<py::array_t<std::uint64_t>>();
     is_many = array.ndim() == 1;
     all.reserve(static_cast<std::size_t>(array.size()));

@@ -1,4 +1,5 @@
 #include <graze/engine/python/binding/bodies/compounds.h>
+#include <graze/engine/python/binding/bodies/shared_world.h>
 #include <graze/engine/python/binding/module.h>
 #include <graze/engine/python/binding/values/shapes.h>
 
@@ -10,7 +11,30 @@
 namespace graze::python {
 namespace {
 
-std::unique_ptr<SharedCompound> make_compound(const py::iterable& parts) {
+/// The filter of each part, None for that of its body.
+void set_filters(Compound& parts, py::handle filters) {
+  if (filters.is_none()) return;
+  if (!PySequence_Check(filters.ptr()) || py::len(filters) != parts.size())
+    throw InputError("filters: are not as many as parts");
+  const auto all = py::reinterpret_borrow<py::sequence>(filters);
+  for (const std::uint32_t part : parts.parts()) {
+    const py::object filter = all[part];
+    if (!filter.is_none()) parts.set_settings(part, {.filter = filter_from(filter)});
+  }
+}
+
+py::object filters_of(const SharedCompound& compound) {
+  py::list filters;
+  bool has_any = false;
+  for (const std::uint32_t part : compound.parts.parts()) {
+    const auto& filter = compound.parts.settings(part).filter;
+    has_any = has_any || filter;
+    filters.append(filter ? py::object(tuple_of(*filter)) : py::none());
+  }
+  return has_any ? py::object(filters) : py::none();
+}
+
+std::unique_ptr<SharedCompound> make_compound(const py::iterable& parts, py::handle filters) {
   auto made = std::make_unique<SharedCompound>();
   for (const py::handle part : parts) {
     const std::size_t index = made->parts.size();
@@ -22,6 +46,7 @@ std::unique_ptr<SharedCompound> make_compound(const py::iterable& parts) {
       made->parts.add(placed.shape_at(0));
     });
   }
+  set_filters(made->parts, filters);
   made->shape = share(made->parts);
   return made;
 }
@@ -44,17 +69,40 @@ PlacedBody::PlacedBody(py::handle argument) {
     owner = PyTuple_GET_ITEM(argument.ptr(), 0);
     poses = PyTuple_GET_ITEM(argument.ptr(), 1);
   }
-  if (!py::isinstance<SharedCompound>(owner)) {
+  const bool is_map = py::isinstance<SharedMap>(owner);
+  if (!is_map && !py::isinstance<SharedCompound>(owner)) {
     placed_.emplace(argument, "shape");
     return;
   }
   owner_ = py::reinterpret_borrow<py::object>(owner);
-  compound_ = owner.cast<const SharedCompound*>();
+  if (is_map) {
+    map_ = owner.cast<SharedMap*>();
+  } else {
+    compound_ = owner.cast<const SharedCompound*>();
+  }
   poses_ = Poses(poses, "pose of shape");
 }
 
 std::shared_ptr<const BodyShape> PlacedBody::shape() const {
-  return placed_ ? share(placed_->shape()) : compound_->shape;
+  if (placed_) return share(placed_->shape());
+  if (compound_ != nullptr) return compound_->shape;
+  const std::scoped_lock lock(map_->mutex);
+  return share(map_->map);
+}
+
+py::object object_of(const BodyShape& shape) {
+  if (const Shape* known = shape.shape()) return object_of(*known);
+  if (const VoxelMap* map = voxel_map_of(shape))
+    return py::cast(std::make_shared<SharedMap>(VoxelMap(*map)));
+  const Compound* compound = compound_of(shape);
+  if (compound == nullptr) return py::none();
+  return py::cast(std::make_unique<SharedCompound>(SharedCompound{*compound, share(*compound)}));
+}
+
+std::shared_ptr<const BodyShape> body_shape_from(py::handle argument) {
+  const PlacedBody body(argument);
+  const py::gil_scoped_release released;
+  return body.shape();
 }
 
 void PlacedBody::check_poses() const {
@@ -70,11 +118,13 @@ void PlacedBody::check_poses() const {
 }
 
 void add_compounds(py::module_& module) {
-  py::class_<SharedCompound>(module, "Compound",
-                             R"(Several shapes that are one body of a World: Compound(parts).
+  py::class_<SharedCompound>(
+      module, "Compound",
+      R"(Several shapes that are one body of a World: Compound(parts, filters=None).
 
 `parts` are meshes and shapes, or tuples of one and its pose in the compound's frame. They may overlap. What a body
-meets is what its parts meet; contacts say which parts these are, counted from 0.
+meets is what its parts meet; contacts say which parts these are, counted from 0. `filters` has a (category, mask, group)
+for each part, or None for that of its body.
 
 Raises InputError for a half-space and for no parts, and PoseError, with the index.
 
@@ -85,13 +135,16 @@ Raises InputError for a half-space and for no parts, and PoseError, with the ind
 >>> world.update().contacts.parts
 array([[1, 0]], dtype=uint32)
 )")
-      .def(py::init(&make_compound), "__init__(self, parts)\n--\n\nSee the class.",
-           py::arg("parts"))
+      .def(py::init(&make_compound), "__init__(self, parts, filters=None)\n--\n\nSee the class.",
+           py::arg("parts"), py::arg("filters") = py::none())
+      .def_property_readonly("filters", &filters_of,
+                             "The filter of each part, or None if no part has one of its own.")
       .def_property_readonly("parts", &parts_of, "Its parts, each with its pose.")
       .def("__len__", [](const SharedCompound& compound) { return compound.parts.size(); })
       .def("__reduce__", [](const py::object& self) {
         return py::make_tuple(py::type::of(self),
-                              py::make_tuple(parts_of(self.cast<const SharedCompound&>())));
+                              py::make_tuple(parts_of(self.cast<const SharedCompound&>()),
+                                             filters_of(self.cast<const SharedCompound&>())));
       });
 }
 

@@ -2,6 +2,7 @@
 
 #include <graze/engine/python/binding/arguments/placed.h>
 
+#include <graze/engine/python/binding/bodies/voxel_maps.h>
 #include <graze/engine/world/compound.h>
 
 #include <memory>
@@ -14,7 +15,13 @@ struct SharedCompound {
   std::shared_ptr<const BodyShape> shape;
 };
 
-/// A body of a world that is to be: a mesh, a shape or a compound, and its poses.
+/// What a body of a world has: a mesh or a shape, a Compound or a VoxelMap of Python.
+py::object object_of(const BodyShape& shape);
+
+/// The shape that an object of Python stands for. Throws TypeError.
+std::shared_ptr<const BodyShape> body_shape_from(py::handle argument);
+
+/// A body of a world that is to be: a mesh, a shape, a compound or a map of voxels, and its poses.
 class PlacedBody {
  public:
   /// Throws TypeError for what is none of them.
@@ -29,6 +36,7 @@ class PlacedBody {
   std::optional<Placed> placed_;
   py::object owner_;
   const SharedCompound* compound_ = nullptr;
+  SharedMap* map_ = nullptr;
   Poses poses_;
 };
 

@@ -6,7 +6,9 @@
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/world.h>
 
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace graze::python {
@@ -40,11 +42,51 @@ void for_each_id(SharedWorld& shared, py::handle argument, const Ask& ask) {
   });
 }
 
+/// What `ask(world, other)` returns, with the locks of both and without Python's.
+template <typename Ask>
+auto ask_both(SharedWorld& shared, SharedWorld& other, const Ask& question) {
+  const py::gil_scoped_release released;
+  const std::scoped_lock lock(shared.mutex, other.mutex);
+  return question(shared.world, other.world);
+}
+
+/// A function of Python that says which pairs may meet, and which threads without Python's lock may
+/// let go of.
+class PythonFilter {
+ public:
+  /// Throws TypeError for what cannot be called.
+  explicit PythonFilter(py::handle argument);
+  bool operator()(BodyId a, BodyId b) const;
+  py::object function() const { return *function_; }
+
+ private:
+  std::shared_ptr<py::object> function_;
+};
+
+/// Another world in a pose, as an argument where a shape may stand.
+struct PlacedWorld {
+  SharedWorld* shared;
+  Pose pose;
+};
+std::optional<PlacedWorld> world_from(py::handle argument);
+
+// What worlds are asked about each other.
+py::object pairs_touching(SharedWorld& shared, const PlacedWorld& other,
+                          const WorldPairSettings& settings);
+py::object pairs_within(SharedWorld& shared, const PlacedWorld& other, double clearance,
+                        const WorldPairSettings& settings);
+py::object closest_pair(SharedWorld& shared, const PlacedWorld& other,
+                        const WorldPairSettings& settings);
+/// Throws InputError for a filter: those of the worlds count.
+WorldPairSettings pair_settings(py::handle filter, py::handle role);
+
 /// Contacts of pairs as WorldContacts.
 py::object result_of(const std::vector<BodyContact>& contacts);
 BodyQuerySettings query_settings(py::handle filter, py::handle role);
 /// (category, mask, group).
 Filter filter_from(py::handle argument);
+/// And back.
+py::tuple tuple_of(const Filter& filter);
 Role role_from(py::handle argument);
 BodyKind kind_from(py::handle argument);
 Detection detection_from(py::handle argument);

@@ -5,6 +5,8 @@
 #include <graze/engine/python/binding/queries/answers.h>
 #include <graze/engine/python/binding/values/motions.h>
 
+#include <graze/bvh/value/element_error.h>
+
 #include <limits>
 #include <optional>
 
@@ -17,21 +19,31 @@ Placed single_shape(py::handle argument) {
   return placed;
 }
 
+bool is_converged(const ShapeDistance& gap) {
+  return gap.status == PairStatus::Converged;
+}
+
 py::object distances_of(const std::vector<BodyDistance>& found) {
   static const ResultType kType("BodyDistances");
   std::vector<BodyId> ids;
   ids.reserve(found.size());
   for (const BodyDistance& near : found)
     ids.push_back(near.id);
-  return kType(array_of_ids(ids),
-               numbers_of<double>(found, [](const auto& near) { return near.distance.distance; }),
-               points_of(found, [](const auto& near) { return near.distance.point_a; }),
-               points_of(found, [](const auto& near) { return near.distance.point_b; }),
-               points_of(found, [](const auto& near) { return near.distance.normal; }));
+  return kType(
+      array_of_ids(ids),
+      numbers_of<double>(found, [](const auto& near) { return near.distance.distance; }),
+      points_of(found, [](const auto& near) { return near.distance.point_a; }),
+      points_of(found, [](const auto& near) { return near.distance.point_b; }),
+      points_of(found, [](const auto& near) { return near.distance.normal; }),
+      numbers_of<std::uint32_t>(found, [](const auto& near) { return near.part; }),
+      numbers_of<double>(found, [](const auto& near) { return near.distance.lower_bound; }),
+      numbers_of<bool>(found, [](const auto& near) { return is_converged(near.distance); }));
 }
 
 py::object find_touching(SharedWorld& shared, py::handle shape, py::handle filter,
                          py::handle role) {
+  if (const auto other = world_from(shape))
+    return pairs_touching(shared, *other, pair_settings(filter, role));
   const Placed placed = single_shape(shape);
   const BodyQuerySettings settings = query_settings(filter, role);
   return array_of_ids(
@@ -40,8 +52,10 @@ py::object find_touching(SharedWorld& shared, py::handle shape, py::handle filte
 
 py::object find_within(SharedWorld& shared, py::handle shape, py::handle clearance,
                        py::handle filter, py::handle role) {
-  const Placed placed = single_shape(shape);
   const double metres = number_from(clearance, "clearance");
+  if (const auto other = world_from(shape))
+    return pairs_within(shared, *other, metres, pair_settings(filter, role));
+  const Placed placed = single_shape(shape);
   const BodyQuerySettings settings = query_settings(filter, role);
   return distances_of(shared.ask(
       [&](World& world) { return world.find_within(placed.shape_at(0), metres, settings); }));
@@ -49,13 +63,16 @@ py::object find_within(SharedWorld& shared, py::handle shape, py::handle clearan
 
 py::object find_closest(SharedWorld& shared, py::handle shape, py::handle filter, py::handle role) {
   static const ResultType kType("BodyDistance");
+  if (const auto other = world_from(shape))
+    return closest_pair(shared, *other, pair_settings(filter, role));
   const Placed placed = single_shape(shape);
   const BodyQuerySettings settings = query_settings(filter, role);
   const auto found =
       shared.ask([&](World& world) { return world.find_closest(placed.shape_at(0), settings); });
   if (!found) return py::none();
   return kType(number_of(found->id), found->distance.distance, array_of(found->distance.point_a),
-               array_of(found->distance.point_b), array_of(found->distance.normal));
+               array_of(found->distance.point_b), array_of(found->distance.normal), found->part,
+               found->distance.lower_bound, is_converged(found->distance));
 }
 
 py::object find_in_box(SharedWorld& shared, py::handle bounds, py::handle filter, py::handle role) {
@@ -67,27 +84,10 @@ py::object find_in_box(SharedWorld& shared, py::handle bounds, py::handle filter
   }));
 }
 
-py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
-                          py::handle directions_argument, py::handle max_distance,
-                          py::handle filter, py::handle role) {
+using BodyHits = std::vector<std::optional<BodyRayHit>>;
+
+py::object ray_hits_of(const BodyHits& hits) {
   static const ResultType kType("BodyRayHits");
-  const Points origins(origins_argument, "origins");
-  const Points directions(directions_argument, "directions");
-  const double length = number_from(max_distance, "max_distance");
-  const std::size_t count = origins.is_many() ? origins.size() : directions.size();
-  if (origins.is_many() && directions.is_many() && origins.size() != directions.size()) {
-    throw InputError("directions: are not as many as origins");
-  }
-  const BodyQuerySettings settings = query_settings(filter, role);
-  const auto hits = shared.ask([&](World& world) {
-    std::vector<std::optional<BodyRayHit>> found(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      found[i] = world.cast_ray(
-          {origins[origins.is_many() ? i : 0], directions[directions.is_many() ? i : 0], length},
-          settings);
-    }
-    return found;
-  });
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector3d nowhere(kNone, kNone, kNone);
   std::vector<BodyId> ids;
@@ -102,21 +102,97 @@ py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
                          }),
       points_of(hits,
                 [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->hit.point : nowhere; }),
-      points_of(hits, [&](const auto& hit) -> Eigen::Vector3d {
-        return hit ? hit->hit.normal : nowhere;
-      }));
+      points_of(
+          hits,
+          [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->hit.normal : nowhere; }),
+      numbers_of<std::uint32_t>(hits, [](const auto& hit) { return hit ? hit->part : 0; }),
+      numbers_of<std::int64_t>(hits,
+                               [](const auto& hit) {
+                                 return hit && hit->hit.triangle != kNoTriangle
+                                            ? static_cast<std::int64_t>(hit->hit.triangle)
+                                            : -1;
+                               }),
+      numbers_of<std::uint16_t>(hits, [](const auto& hit) { return hit ? hit->hit.material : 0; }));
 }
 
-py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, py::handle filter,
-                     py::handle role) {
-  static const ResultType kType("BodyCast");
-  const Placed placed = single_shape(shape);
-  const RigidMotion course = motion_from(motion, "motion");
+py::object body_cast_rays(SharedWorld& shared, py::handle origins_argument,
+                          py::handle directions_argument, py::handle max_distance,
+                          py::handle filter, py::handle role, py::handle progress) {
+  const Points origins(origins_argument, "origins");
+  const Points directions(directions_argument, "directions");
+  const double length = number_from(max_distance, "max_distance");
+  const std::size_t count = origins.is_many() ? origins.size() : directions.size();
+  if (origins.is_many() && directions.is_many() && origins.size() != directions.size()) {
+    throw InputError("directions: are not as many as origins");
+  }
+  const auto ray_at = [&](std::size_t i) {
+    return Ray{origins[origins.is_many() ? i : 0], directions[directions.is_many() ? i : 0],
+               length};
+  };
   const BodyQuerySettings settings = query_settings(filter, role);
-  const auto found =
-      shared.ask([&](World& world) { return world.cast(placed.shape(), course, {}, settings); });
-  if (!found) return py::none();
-  return kType(number_of(found->id), result_of(found->contact));
+  const BatchSettings batch{.threads = 1, .on_progress = watcher(progress)};
+  return ray_hits_of(shared.ask([&](World& world) {
+    for (std::size_t i = 0; i < count; ++i)
+      bvh::check_element("ray", i, "", [&](const char* what) { check_ray(ray_at(i), what); });
+    BodyHits found(count);
+    for_each_in_batch(count, kMostInAPart, batch, nullptr, [&](std::size_t i, Work&) {
+      found[i] = world.cast_ray(ray_at(i), settings);
+    });
+    return found;
+  }));
+}
+
+py::object body_cast_ray_all(SharedWorld& shared, py::handle origin, py::handle direction,
+                             py::handle max_distance, py::handle filter, py::handle role) {
+  const Ray ray{vector_from(origin, "origin"), vector_from(direction, "direction"),
+                number_from(max_distance, "max_distance")};
+  const BodyQuerySettings settings = query_settings(filter, role);
+  const auto all = shared.ask([&](World& world) { return world.cast_ray_all(ray, settings); });
+  return ray_hits_of(BodyHits(all.begin(), all.end()));
+}
+
+/// What a cast in a world is asked.
+struct CastQuestion {
+  CastQuestion(py::handle shape, py::handle motion_argument, py::handle clearance,
+               py::handle tolerance, py::handle budget, py::handle filter, py::handle role)
+      : placed(single_shape(shape)),
+        motion(motion_from(motion_argument, "motion")),
+        contact(contact_settings(clearance, tolerance, budget)),
+        settings(query_settings(filter, role)) {
+    if (PyTuple_Check(shape.ptr()) != 0)
+      throw py::type_error("shape: has no pose; its motion says where it is");
+  }
+
+  Placed placed;
+  RigidMotion motion;
+  RigidContactSettings contact;
+  BodyQuerySettings settings;
+};
+
+py::object cast_result(const BodyCast& found) {
+  static const ResultType kType("BodyCast");
+  return kType(number_of(found.id), result_of(found.contact), found.part);
+}
+
+py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, py::handle clearance,
+                     py::handle tolerance, py::handle budget, py::handle filter, py::handle role) {
+  const CastQuestion asked(shape, motion, clearance, tolerance, budget, filter, role);
+  const auto found = shared.ask([&](World& world) {
+    return world.cast(asked.placed.shape(), asked.motion, asked.contact, asked.settings);
+  });
+  return found ? cast_result(*found) : py::none();
+}
+
+py::object body_cast_all(SharedWorld& shared, py::handle shape, py::handle motion,
+                         py::handle clearance, py::handle tolerance, py::handle budget,
+                         py::handle filter, py::handle role) {
+  const CastQuestion asked(shape, motion, clearance, tolerance, budget, filter, role);
+  py::list all;
+  for (const BodyCast& found : shared.ask([&](World& world) {
+         return world.cast_all(asked.placed.shape(), asked.motion, asked.contact, asked.settings);
+       }))
+    all.append(cast_result(found));
+  return all;
 }
 
 }  // namespace
@@ -127,6 +203,41 @@ BodyQuerySettings query_settings(py::handle filter, py::handle role) {
   if (!role.is_none()) settings.role = role_from(role);
   return settings;
 }
+
+namespace {
+
+void add_rays_and_casts(py::class_<SharedWorld>& type) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  type.def("cast_rays", &body_cast_rays,
+           "cast_rays(self, origins, directions, max_distance=1e999, *, filter=None, role=None, "
+           "progress=None)\n--\n\nThe body that each ray meets first, and where: BodyRayHits. "
+           "Raises InputError, with its index, for a ray that is none.",
+           py::arg("origins"), py::arg("directions"), py::arg("max_distance") = infinity,
+           py::kw_only(), py::arg("filter") = py::none(), py::arg("role") = py::none(),
+           py::arg("progress") = py::none());
+  type.def("cast_ray_all", &body_cast_ray_all,
+           "cast_ray_all(self, origin, direction, max_distance=1e999, *, filter=None, "
+           "role=None)\n--\n\nWhere one ray first meets each body that it meets, by distance: "
+           "BodyRayHits.",
+           py::arg("origin"), py::arg("direction"), py::arg("max_distance") = infinity,
+           py::kw_only(), py::arg("filter") = py::none(), py::arg("role") = py::none());
+  const auto add_cast = [&](const char* name, auto* function, const char* text) {
+    type.def(name, function, text, py::arg("shape"), py::arg("motion"), py::kw_only(),
+             py::arg("clearance") = 0.0, py::arg("tolerance") = 1e-6,
+             py::arg("budget") = std::size_t{1} << 24, py::arg("filter") = py::none(),
+             py::arg("role") = py::none());
+  };
+  add_cast("cast", &body_cast,
+           "cast(self, shape, motion, *, clearance=0.0, tolerance=1e-06, budget=16777216, "
+           "filter=None, role=None)\n--\n\nThe body to which a shape in rigid motion comes first, "
+           "a BodyCast, or None. None is missed.");
+  add_cast("cast_all", &body_cast_all,
+           "cast_all(self, shape, motion, *, clearance=0.0, tolerance=1e-06, budget=16777216, "
+           "filter=None, role=None)\n--\n\nAll bodies that it comes to, each asked as if it were "
+           "alone: a list of BodyCasts, by time.");
+}
+
+}  // namespace
 
 void add_world_queries(py::module_& module) {
   py::class_<SharedWorld> type(module.attr("World"));
@@ -141,60 +252,27 @@ void add_world_queries(py::module_& module) {
       "bodies(self, *, filter=None, role=None)\n--\n\nThe ids of all bodies, or of those that are "
       "asked for, ascending.",
       py::kw_only(), filter(), role());
-  type.def(
-      "pairs",
-      [](SharedWorld& shared) {
-        return array_of_pairs(shared.ask([](World& world) { return world.pairs(); }));
-      },
-      "pairs(self)\n--\n\nAll pairs that touched at the last update, ascending, of the shape (k, "
-      "2).");
-  type.def(
-      "touching",
-      [](SharedWorld& shared, std::uint64_t id) {
-        return array_of_ids(
-            shared.ask([&](World& world) { return world.touching(id_of<BodyId>(id)); }));
-      },
-      "touching(self, id)\n--\n\nThe bodies that one touched at the last update, ascending.",
-      py::arg("id"));
-  type.def(
-      "contacts",
-      [](SharedWorld& shared) {
-        return result_of(shared.ask([](World& world) { return world.contacts(); }));
-      },
-      "contacts(self)\n--\n\nThe contacts of all solid pairs that touch or are near: "
-      "WorldContacts. Raises InputError while "
-      "changes wait for an update.");
   type.def("find_touching", &find_touching,
            "find_touching(self, shape, *, filter=None, role=None)\n--\n\nThe bodies that touch a "
-           "shape that is none of them, as "
-           "they are now: ids, ascending.",
+           "shape that is none of them, as they are now: ids, ascending. Of another World, or "
+           "(world, pose), the pairs of a body of this world and one of it, (k, 2), of those that "
+           "their filters let meet, or with `filter` False of all.",
            py::arg("shape"), py::kw_only(), filter(), role());
   type.def("find_within", &find_within,
            "find_within(self, shape, clearance, *, filter=None, role=None)\n--\n\nThe bodies whose "
-           "distance to a shape is at most "
-           "the clearance, metres: BodyDistances.",
+           "distance to a shape is at most the clearance, metres: BodyDistances; of another World "
+           "BodyPairDistances.",
            py::arg("shape"), py::arg("clearance"), py::kw_only(), filter(), role());
   type.def("find_closest", &find_closest,
            "find_closest(self, shape, *, filter=None, role=None)\n--\n\nThe body whose distance is "
-           "least, a BodyDistance, or None.",
+           "least, a BodyDistance, or None; of another World a BodyPairDistance.",
            py::arg("shape"), py::kw_only(), filter(), role());
   type.def("find_in_box", &find_in_box,
            "find_in_box(self, bounds, *, filter=None, role=None)\n--\n\nThe bodies whose boxes "
            "share a point with one, of the "
            "shape (2, 3): ids, ascending.",
            py::arg("bounds"), py::kw_only(), filter(), role());
-  type.def("cast_rays", &body_cast_rays,
-           "cast_rays(self, origins, directions, max_distance=1e999, *, filter=None, "
-           "role=None)\n--\n\nThe body that each ray meets "
-           "first, and where: BodyRayHits.",
-           py::arg("origins"), py::arg("directions"),
-           py::arg("max_distance") = std::numeric_limits<double>::infinity(), py::kw_only(),
-           filter(), role());
-  type.def("cast", &body_cast,
-           "cast(self, shape, motion, *, filter=None, role=None)\n--\n\nThe body to which a shape "
-           "in rigid motion comes first, a "
-           "BodyCast, or None. None is missed.",
-           py::arg("shape"), py::arg("motion"), py::kw_only(), filter(), role());
+  add_rays_and_casts(type);
 }
 
 }  // namespace graze::python

@@ -7,19 +7,9 @@
 namespace graze::python {
 namespace {
 
-/// A function of Python that threads without its lock may let go of.
 std::function<bool(BodyId, BodyId)> pair_filter_from(py::handle argument) {
   if (argument.is_none()) return {};
-  if (PyCallable_Check(argument.ptr()) == 0) throw py::type_error("filter: is not callable");
-  const std::shared_ptr<py::object> function(
-      new py::object(py::reinterpret_borrow<py::object>(argument)), [](py::object* held) {
-        const py::gil_scoped_acquire acquired;
-        delete held;
-      });
-  return [function](BodyId a, BodyId b) {
-    const py::gil_scoped_acquire acquired;
-    return (*function)(number_of(a), number_of(b)).cast<bool>();
-  };
+  return PythonFilter(argument);
 }
 
 void add_settings(py::class_<SharedWorld>& type) {
@@ -55,6 +45,19 @@ void add_settings(py::class_<SharedWorld>& type) {
         for_each_id(shared, ids,
                     [margin](World& world, BodyId id) { world.set_margin(id, margin); });
       });
+  add("set_user_data",
+      "set_user_data(self, ids, value)\n--\n\nA whole number that the world keeps and does not "
+      "read; or one for each body.",
+      [](SharedWorld& shared, py::handle ids, py::handle value) {
+        const Ids<BodyId> bodies(ids);
+        const Ids<BodyId> numbers(value, "value");  // whole numbers of 64 bits
+        if (numbers.is_many && numbers.all.size() != bodies.all.size())
+          throw InputError("value: are not as many as ids");
+        std::size_t i = 0;
+        for_each_id(shared, ids, [&](World& world, BodyId id) {
+          world.set_user_data(id, number_of(numbers.all[numbers.is_many ? i++ : 0]));
+        });
+      });
   add("set_detection",
       "set_detection(self, ids, value)\n--\n\n\"discrete\", or \"continuous\": swept from here on.",
       [](SharedWorld& shared, py::handle ids, py::handle value) {
@@ -81,15 +84,6 @@ void add_states(py::class_<SharedWorld>& type) {
         shared.ask([&](World& world) { world.wake(std::span<const BodyId>(ids.all)); });
       },
       "wake(self, ids)\n--\n\nWakes bodies.", py::arg("ids"));
-  type.def(
-      "is_awake",
-      [](SharedWorld& shared, py::handle id) {
-        const Ids<BodyId> ids(id);
-        return shared.ask([&](World& world) { return world.is_awake(ids.all.at(0)); });
-      },
-      "is_awake(self, id)\n--\n\nWhether a body is awake. Static bodies are not, unless they are "
-      "sensors.",
-      py::arg("id"));
   const auto add_pair = [&](const char* name, const char* text,
                             void (World::*change)(BodyId, BodyId)) {
     type.def(
@@ -110,20 +104,23 @@ void add_states(py::class_<SharedWorld>& type) {
       "set_pair_filter(self, filter)\n--\n\nAsked last, filter(a, b), once for each pair whose "
       "boxes begin to overlap; None: no more.",
       py::arg("filter"));
-  type.def(
-      "snapshot",
-      [](SharedWorld& shared) { return shared.ask([](World& world) { return world.snapshot(); }); },
-      "snapshot(self)\n--\n\nA copy of all there is, for restore(). Raises InputError while "
-      "changes wait for an update.");
-  type.def(
-      "restore",
-      [](SharedWorld& shared, const WorldSnapshot& snapshot) {
-        shared.ask([&](World& world) { world.restore(snapshot); });
-      },
-      "restore(self, snapshot)\n--\n\nThe world as it was, bit for bit.", py::arg("snapshot"));
 }
 
 }  // namespace
+
+PythonFilter::PythonFilter(py::handle argument) {
+  if (PyCallable_Check(argument.ptr()) == 0) throw py::type_error("filter: is not callable");
+  function_.reset(new py::object(py::reinterpret_borrow<py::object>(argument)),
+                  [](py::object* held) {
+                    const py::gil_scoped_acquire acquired;
+                    delete held;
+                  });
+}
+
+bool PythonFilter::operator()(BodyId a, BodyId b) const {
+  const py::gil_scoped_acquire acquired;
+  return (*function_)(number_of(a), number_of(b)).cast<bool>();
+}
 
 BodyKind kind_from(py::handle argument) {
   return word_from<BodyKind>(argument, "kind",
@@ -150,6 +147,10 @@ Filter filter_from(py::handle argument) {
     throw InputError(
         "filter: category and mask are whole numbers of 32 bits, the group one with a sign");
   }
+}
+
+py::tuple tuple_of(const Filter& filter) {
+  return py::make_tuple(filter.category, filter.mask, filter.group);
 }
 
 Role role_from(py::handle argument) {

@@ -5,6 +5,7 @@
 #include <graze/engine/python/binding/bodies/compounds.h>
 #include <graze/engine/python/binding/bodies/shared_world.h>
 #include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/queries/answers.h>
 #include <graze/engine/python/binding/queries/manifolds.h>
 #include <graze/engine/python/binding/values/motions.h>
 #include <graze/engine/python/binding/values/shapes.h>
@@ -17,12 +18,15 @@ namespace graze::python {
 namespace {
 
 py::object add_bodies(SharedWorld& shared, py::handle shape, py::handle kind, py::handle filter,
-                      py::handle role, py::handle margin, py::handle detection) {
+                      py::handle role, py::handle margin, py::handle detection, py::handle sides,
+                      py::handle user_data) {
   const PlacedBody placed(shape);
   const BodySettings settings{.kind = kind_from(kind),
                               .filter = filter.is_none() ? Filter{} : filter_from(filter),
+                              .user_data = count_from(user_data, "user_data"),
                               .role = role_from(role),
                               .margin = number_from(margin, "margin"),
+                              .sides = sides_from(sides, "sides"),
                               .detection = detection_from(detection)};
   placed.check_poses();
   const auto ids = shared.ask([&](World& world) {
@@ -89,7 +93,7 @@ struct KeptUpdate {
   std::vector<BodyPair> begun, ended, moved, begun_near, ended_near;
   std::vector<BodyContact> contacts;
   std::vector<BodyFirstContact> first_contacts;
-  Work shapes;
+  WorldWork work;
 };
 
 template <typename T>
@@ -115,21 +119,46 @@ py::object first_contacts_of(const std::vector<BodyFirstContact>& contacts) {
     write(contact.point, points.mutable_data() + 3 * i);
     write(contact.normal, normals.mutable_data() + 3 * i);
   }
-  return kType(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals);
+  return kType(array_of_pairs(pairs), is_hit, low, high, touches_at_start, points, normals,
+               columns_of(contacts, {&BodyFirstContact::part_a, &BodyFirstContact::part_b}));
+}
+
+constexpr std::pair<const char*, std::uint64_t WorldWork::*> kCounters[] = {
+    {"pairs_filtered", &WorldWork::pairs_filtered},
+    {"pairs_at_rest", &WorldWork::pairs_at_rest},
+    {"pairs_asleep", &WorldWork::pairs_asleep},
+    {"pairs_apart", &WorldWork::pairs_apart},
+    {"shape_tests", &WorldWork::shape_tests},
+    {"gaps_measured", &WorldWork::gaps_measured},
+    {"pairs_near", &WorldWork::pairs_near},
+    {"contacts_found", &WorldWork::contacts_found},
+    {"contacts_skipped", &WorldWork::contacts_skipped},
+    {"islands_merged", &WorldWork::islands_merged},
+    {"islands_split", &WorldWork::islands_split},
+    {"island_steps", &WorldWork::island_steps},
+    {"pairs_swept", &WorldWork::pairs_swept},
+    {"trees_unbuilt", &WorldWork::trees_unbuilt}};
+
+py::dict counters_of(const WorldWork& work) {
+  py::dict counters;
+  for (const auto& [name, counter] : kCounters)
+    counters[name] = work.*counter;
+  return counters;
 }
 
 py::object update(SharedWorld& shared) {
   static const ResultType kType("WorldUpdate");
   const KeptUpdate found = shared.ask([](World& world) {
     const WorldUpdate update = world.update();
-    return KeptUpdate{kept(update.begun),          kept(update.ended),      kept(update.moved),
-                      kept(update.begun_near),     kept(update.ended_near), kept(update.contacts),
-                      kept(update.first_contacts), update.work.shapes};
+    return KeptUpdate{kept(update.begun),          kept(update.ended),
+                      kept(update.moved),          kept(update.begun_near),
+                      kept(update.ended_near),     kept(update.contacts),
+                      kept(update.first_contacts), update.work};
   });
   return kType(array_of_pairs(found.begun), array_of_pairs(found.ended),
                array_of_pairs(found.moved), result_of(found.contacts),
                array_of_pairs(found.begun_near), array_of_pairs(found.ended_near),
-               first_contacts_of(found.first_contacts), found.shapes);
+               first_contacts_of(found.first_contacts), found.work.shapes, counters_of(found.work));
 }
 
 py::list islands_of(SharedWorld& shared) {
@@ -142,40 +171,47 @@ py::list islands_of(SharedWorld& shared) {
 py::object shape_of(SharedWorld& shared, py::handle argument) {
   const Ids<BodyId> ids(argument);
   if (ids.is_many) throw InputError("id: is one body");
-  const std::shared_ptr<Shape> shape = shared.ask([&](World& world) {
-    const Shape* found = world.shape(ids.all[0]).shape();
-    return found == nullptr ? nullptr : std::make_shared<Shape>(*found);
-  });
-  return shape ? object_of(*shape) : py::none();
+  // What a body has may be taken from it as soon as the lock is let go of.
+  std::unique_lock<std::recursive_mutex> lock(shared.mutex, std::defer_lock);
+  {
+    const py::gil_scoped_release released;
+    lock.lock();
+  }
+  return object_of(shared.world.shape(ids.all[0]));
 }
 
 std::unique_ptr<SharedWorld> make_world(py::handle threads, bool contacts, bool islands,
-                                        py::handle number) {
+                                        py::handle number, py::handle sliding_depth) {
   const std::size_t which = count_from(number, "number");
   if (which > kLargestWorldNumber) throw InputError("number: is from 0 to 255");
-  return std::make_unique<SharedWorld>(WorldSettings{.threads = Batch(threads, py::none()).threads,
-                                                     .contacts = contacts,
-                                                     .number = static_cast<std::uint32_t>(which),
-                                                     .islands = islands});
+  return std::make_unique<SharedWorld>(
+      WorldSettings{.threads = Batch(threads, py::none()).threads,
+                    .contacts = contacts,
+                    .number = static_cast<std::uint32_t>(which),
+                    .islands = islands,
+                    .sliding_depth = number_from(sliding_depth, "sliding_depth")});
 }
 
 void add_bodies_to(py::class_<SharedWorld>& type) {
   type.def(
       "add", &add_bodies,
-      R"(add(self, shape, *, kind='dynamic', filter=None, role='solid', margin=0.0, detection='discrete')
+      R"(add(self, shape, *, kind='dynamic', filter=None, role='solid', margin=0.0, detection='discrete', sides=None, user_data=0)
 --
 
-Adds a body, and returns its id: a whole number. `shape` is a Mesh, a Shape or a Compound, or a tuple of one and its pose; with
-poses of the shape (n, 4, 4) n bodies are added, and their ids are an array of n.
+Adds a body, and returns its id: a whole number. `shape` is a Mesh, a Shape, a Compound or a VoxelMap, or a tuple of one
+and its pose; with poses of the shape (n, 4, 4) n bodies are added, and their ids are an array of n.
 
 `kind` is "static", "kinematic" or "dynamic"; `role` "solid" or "sensor"; `detection` "discrete", or "continuous" for
 a body that is swept from update to update. `filter` is (category, mask, group). Contacts of two bodies begin when
-they are apart by no more than the sum of both margins, metres.
+they are apart by no more than the sum of both margins, metres. `sides` say what of a mesh counts beside its surface:
+"surface", "solid" for what is inside a closed one, too, or ("one_sided", thickness in metres) for what is behind it.
+`user_data` is a whole number that the world keeps.
 
 Raises PoseError, with its index, and InputError.
 )",
       py::arg("shape"), py::kw_only(), py::arg("kind") = "dynamic", py::arg("filter") = py::none(),
-      py::arg("role") = "solid", py::arg("margin") = 0.0, py::arg("detection") = "discrete");
+      py::arg("role") = "solid", py::arg("margin") = 0.0, py::arg("detection") = "discrete",
+      py::arg("sides") = py::none(), py::arg("user_data") = 0);
   type.def(
       "remove",
       [](SharedWorld& shared, py::handle ids) {
@@ -193,7 +229,8 @@ Raises PoseError, with its index, and InputError.
   type.def("poses", &poses_of,
            "poses(self, ids)\n--\n\nWhere bodies were put last: (4, 4) for one, (n, 4, 4) for n.",
            py::arg("ids"));
-  type.def("shape", &shape_of, "shape(self, id)\n--\n\nThe Mesh or the Shape of a body.",
+  type.def("shape", &shape_of,
+           "shape(self, id)\n--\n\nThe Mesh, Shape, Compound or VoxelMap of a body.",
            py::arg("id"));
   type.def(
       "set_shape",
@@ -232,16 +269,15 @@ py::object result_of(const std::vector<BodyContact>& contacts) {
 }
 
 void add_worlds(py::module_& module) {
-  py::class_<WorldSnapshot>(module, "WorldSnapshot",
-                            "A copy of a world's state, for World.restore().");
   py::class_<SharedWorld> type(
       module, "World",
       R"(Bodies that move, and which of them touch. An update looks only at what moved.
 
-    World(*, threads=1, contacts=True, islands=False, number=0)
+    World(*, threads=1, contacts=True, islands=False, number=0, sliding_depth=0.001)
 
 `threads` share each stage of an update; 0: all that there are. No result depends on it. Without `contacts` updates
-find none. `islands` are kept for islands(). A world with a `number`, 1 to 255, refuses the ids of others.
+find none. `islands` are kept for islands(). A world with a `number`, 1 to 255, refuses the ids of others. A convex body
+that is swept slides along a mesh that it gets no deeper behind than `sliding_depth`, metres.
 
 >>> world = graze.World()
 >>> balls = world.add((graze.Sphere([0, 0, 0], 0.6), np.stack([np.eye(4), raised])))
@@ -251,11 +287,11 @@ find none. `islands` are kept for islands(). A world with a `number`, 1 to 255, 
 >>> np.array_equal(world.update().begun, [balls])
 True
 )");
-  type.def(
-      py::init(&make_world),
-      "__init__(self, *, threads=1, contacts=True, islands=False, number=0)\n--\n\nWithout bodies.",
-      py::kw_only(), py::arg("threads") = 1, py::arg("contacts") = true, py::arg("islands") = false,
-      py::arg("number") = 0);
+  type.def(py::init(&make_world),
+           "__init__(self, *, threads=1, contacts=True, islands=False, number=0, "
+           "sliding_depth=0.001)\n--\n\nWithout bodies.",
+           py::kw_only(), py::arg("threads") = 1, py::arg("contacts") = true,
+           py::arg("islands") = false, py::arg("number") = 0, py::arg("sliding_depth") = 1e-3);
   type.def("__len__", [](SharedWorld& shared) {
     return shared.ask([](World& world) { return world.size(); });
   });
@@ -267,7 +303,11 @@ True
   type.def("islands", &islands_of,
            "islands(self)\n--\n\nSets of bodies that touch, as arrays of ids. Raises InputError "
            "unless the world keeps them.");
+  add_snapshots(module);
+  add_world_states(module);
   add_world_queries(module);
+  add_world_pairs(module);
+  add_world_drawing(module);
 }
 
 }  // namespace graze::python

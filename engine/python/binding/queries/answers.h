@@ -4,6 +4,7 @@
 #include <graze/engine/python/binding/arguments/placed.h>
 
 #include <functional>
+#include <initializer_list>
 #include <vector>
 
 namespace graze::python {
@@ -13,16 +14,13 @@ namespace graze::python {
 /// ones.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_all(bool is_many, std::size_t count, const Batch& batch, Work* work,
-                            const Ask& ask, const std::function<void()>& blame = {}) {
+                            const Ask& ask, const std::function<void()>& blame = {},
+                            std::size_t most_in_a_part = kMostInAPart) {
   std::vector<Answer> answers(count);
   if (is_many) {
     run_batch(
-        count, batch, work,
-        [&](std::size_t begin, std::size_t end, Work& own) {
-          for (std::size_t i = begin; i < end; ++i)
-            answers[i] = ask(i, &own);
-        },
-        blame);
+        count, batch, work, [&](std::size_t i, Work& own) { answers[i] = ask(i, &own); }, blame,
+        most_in_a_part);
   } else {
     const py::gil_scoped_release released;
     ask_and_blame([&] { answers[0] = ask(0, work); }, blame);
@@ -43,7 +41,7 @@ template <typename T, typename Answer, typename Member>
 py::array_t<T> numbers_of(const std::vector<Answer>& answers, const Member& member) {
   auto array = new_array<T>({static_cast<py::ssize_t>(answers.size())});
   T* at = array.mutable_data();
-  for (const Answer& answer : answers)
+  for (const auto& answer : answers)
     *at++ = static_cast<T>(member(answer));
   return array;
 }
@@ -65,6 +63,19 @@ py::array_t<std::uint32_t> index_pairs_of(const std::vector<Answer>& answers,
   for (const Answer& answer : answers) {
     row[0] = member(answer).a, row[1] = member(answer).b;
     row += 2;
+  }
+  return array;
+}
+
+/// Members of each part, one beside the other.
+template <typename Part, typename Member>
+py::object columns_of(const std::vector<Part>& parts, std::initializer_list<Member> members) {
+  auto array = new_array<std::uint32_t>(
+      {static_cast<py::ssize_t>(parts.size()), static_cast<py::ssize_t>(members.size())});
+  std::uint32_t* at = array.mutable_data();
+  for (const Part& part : parts) {
+    for (const Member& member : members)
+      *at++ = static_cast<std::uint32_t>(part.*member);
   }
   return array;
 }

@@ -7,15 +7,10 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/write_case.h>
 
-#include <filesystem>
 #include <memory>
 
 namespace graze::python {
 namespace {
-
-std::filesystem::path file_from(py::handle argument) {
-  return py::module_::import("os").attr("fsdecode")(argument).cast<std::string>();
-}
 
 CaseShape shape_from(const Placed& placed) {
   if (placed.poses().is_many())
@@ -109,7 +104,7 @@ void add_cases(py::module_& module) {
           "is_answered_the_same(self)\n--\n\nWhether this library answers now, to the bit, what "
           "the case says.")
       .def(
-          "write", [](const Case& query, py::handle path) { write_case(file_from(path), query); },
+          "write", [](const Case& query, py::handle path) { write_case(path_from(path), query); },
           "write(self, path)\n--\n\nWrites it to a file, which appears whole or stays as it was. "
           "Raises CaseError.",
           py::arg("path"))
@@ -124,7 +119,7 @@ void add_cases(py::module_& module) {
              py::arg("b") = py::none(), py::kw_only(), py::arg("clearance") = 0.0,
              py::arg("direction") = py::none(), py::arg("note") = "");
   module.def(
-      "read_case", [](py::handle path) { return read_case(file_from(path)); },
+      "read_case", [](py::handle path) { return read_case(path_from(path)); },
       "read_case(path)\n--\n\nReads a case from a file. Raises CaseError, `file:line: /place: "
       "why`.",
       py::arg("path"));

@@ -40,10 +40,10 @@ py::object mesh_contacts(MeshContacts&& found) {
 }
 
 py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle margin,
-                       py::handle work_argument) {
+                       py::handle sides_a, py::handle sides_b, py::handle work_argument) {
   const PlacedPair pair = single_pair(a, b, "find_contacts");
   Work* work = work_from(work_argument);
-  if (pair.are_meshes() && margin.is_none()) {
+  if (pair.are_meshes() && margin.is_none() && sides_a.is_none() && sides_b.is_none()) {
     const ContactSettings settings{.limit = limit_from(limit)};
     MeshContacts found;
     {
@@ -54,8 +54,10 @@ py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle 
     }
     return mesh_contacts(std::move(found));
   }
-  if (!limit.is_none()) throw InputError("limit: is for two meshes without a margin");
-  const ManifoldSettings settings{.margin = margin.is_none() ? 0 : number_from(margin, "margin")};
+  if (!limit.is_none()) throw InputError("limit: is for two meshes without a margin or sides");
+  const ManifoldSettings settings{.margin = margin.is_none() ? 0 : number_from(margin, "margin"),
+                                  .sides_a = sides_from(sides_a, "sides_a"),
+                                  .sides_b = sides_from(sides_b, "sides_b")};
   Manifold found;
   {
     const py::gil_scoped_release released;
@@ -71,18 +73,6 @@ py::object features_of(const std::vector<IntersectionPoint>& points,
   return numbers_of<std::uint8_t>(points, [&](const IntersectionPoint& point) {
     return static_cast<std::uint8_t>(point.*feature);
   });
-}
-
-template <typename Part, typename Member>
-py::object columns_of(const std::vector<Part>& parts, std::initializer_list<Member> members) {
-  auto array = new_array<std::uint32_t>(
-      {static_cast<py::ssize_t>(parts.size()), static_cast<py::ssize_t>(members.size())});
-  std::uint32_t* at = array.mutable_data();
-  for (const Part& part : parts) {
-    for (const Member& member : members)
-      *at++ = static_cast<std::uint32_t>(part.*member);
-  }
-  return array;
 }
 
 py::object polygons_of(const MeshIntersection& found) {
@@ -111,16 +101,21 @@ py::object intersection_of(py::handle a, py::handle b, py::handle work_argument)
   using Segment = IntersectionSegment;
   using Curve = IntersectionCurve;
   using Patch = IntersectionPatch;
+  using Polygon = IntersectionPolygon;
+  using Touching = TouchingPoint;
   return kType(points_of(found.points, [](const auto& point) { return point.position; }),
                features_of(found.points, &IntersectionPoint::feature_a),
                features_of(found.points, &IntersectionPoint::feature_b),
                columns_of(found.segments, {&Segment::from, &Segment::to}),
+               columns_of(found.segments, {&Segment::first_pair, &Segment::pair_count}),
                columns_of(found.curves, {&Curve::first_segment, &Curve::segment_count}),
                numbers_of<bool>(found.curves, [](const Curve& curve) { return curve.is_closed; }),
                polygons_of(found),
+               columns_of(found.polygons, {&Polygon::first_pair, &Polygon::pair_count}),
                columns_of(found.patches, {&Patch::first_polygon, &Patch::polygon_count}),
                numbers_of<std::uint32_t>(found.touching_points,
                                          [](const auto& touch) { return touch.point; }),
+               columns_of(found.touching_points, {&Touching::first_pair, &Touching::pair_count}),
                array_over<std::uint32_t>(std::move(found.pairs), 2));
 }
 
@@ -144,7 +139,8 @@ py::object separation_of(py::handle a, py::handle b, py::handle direction,
                array_of(found.pose_b));
 }
 
-constexpr const char* kContactsText = R"(find_contacts(a, b, *, limit=None, margin=None, work=None)
+constexpr const char* kContactsText =
+    R"(find_contacts(a, b, *, limit=None, margin=None, sides_a=None, sides_b=None, work=None)
 --
 
 Where two placed meshes or shapes meet, and how deep they are in each other.
@@ -155,7 +151,8 @@ of contact i are corners[offsets[i]:offsets[i + 1]]. At most `limit` contacts; `
 all.
 
 Where one is another shape than a mesh, or with a `margin`, metres, ShapeContacts: points for a solver, of each
-region at most four, with features that persist. With a margin contacts begin when the two are so near.
+region at most four, with features that persist. With a margin contacts begin when the two are so near. `sides_a` and
+`sides_b` say what of a mesh counts beside its surface: "surface", "solid", or ("one_sided", thickness in metres).
 
 Raises what intersects() raises, InputError for a margin that is none, and UnsupportedPairError for two half-spaces.
 
@@ -205,19 +202,27 @@ py::object result_of(const std::vector<ShapeContact>& contacts) {
     *feature++ = contact.feature.a;
     *feature++ = contact.feature.b;
   }
-  return kType(points_of(contacts, [](const auto& contact) { return contact.point; }),
-               points_of(contacts, [](const auto& contact) { return contact.point_a; }),
-               points_of(contacts, [](const auto& contact) { return contact.point_b; }),
-               points_of(contacts, [](const auto& contact) { return contact.normal; }),
-               numbers_of<double>(contacts, [](const auto& contact) { return contact.depth; }),
-               std::move(features), numbers_of<std::uint32_t>(contacts, [](const auto& contact) {
-                 return contact.region;
-               }));
+  auto materials = new_array<std::uint16_t>({static_cast<py::ssize_t>(contacts.size()), 2});
+  std::uint16_t* material = materials.mutable_data();
+  for (const ShapeContact& contact : contacts) {
+    *material++ = contact.material_a;
+    *material++ = contact.material_b;
+  }
+  return kType(
+      points_of(contacts, [](const auto& contact) { return contact.point; }),
+      points_of(contacts, [](const auto& contact) { return contact.point_a; }),
+      points_of(contacts, [](const auto& contact) { return contact.point_b; }),
+      points_of(contacts, [](const auto& contact) { return contact.normal; }),
+      numbers_of<double>(contacts, [](const auto& contact) { return contact.depth; }),
+      std::move(features),
+      numbers_of<std::uint32_t>(contacts, [](const auto& contact) { return contact.region; }),
+      std::move(materials));
 }
 
 void add_contacts(py::module_& module) {
   module.def("find_contacts", &contacts_of, kContactsText, py::arg("a"), py::arg("b"),
              py::kw_only(), py::arg("limit") = py::none(), py::arg("margin") = py::none(),
+             py::arg("sides_a") = py::none(), py::arg("sides_b") = py::none(),
              py::arg("work") = py::none());
   module.def("find_intersection", &intersection_of, kIntersectionText, py::arg("a"), py::arg("b"),
              py::kw_only(), py::arg("work") = py::none());

@@ -4,32 +4,13 @@
 #include <graze/engine/python/binding/module.h>
 #include <graze/engine/python/binding/queries/answers.h>
 
-#include <graze/engine/mesh/fit.h>
 #include <graze/engine/mesh/mesh_health.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/self.h>
 #include <graze/engine/mesh/volume_query.h>
-#include <graze/engine/mesh/voxels.h>
-#include <graze/engine/mesh/write_voxels.h>
 
 namespace graze::python {
 namespace {
-
-/// What work of long duration calls now and then: told of progress and asked for signals.
-std::function<void(std::size_t, std::size_t)> watcher(py::handle progress) {
-  static_cast<void>(Batch(py::int_(0), progress));  // throws for what cannot be called
-  return [progress, before = std::size_t{0}](std::size_t done, std::size_t total) mutable {
-    const py::gil_scoped_acquire acquired;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (progress.is_none()) return;
-    if (py::hasattr(progress, "update")) {
-      progress.attr("update")(done - before);
-      before = done;
-    } else {
-      progress(done, total);
-    }
-  };
-}
 
 py::object edges_of(const std::vector<FaultyEdge>& edges) {
   auto array = new_array<std::uint32_t>({static_cast<py::ssize_t>(edges.size()), 4});
@@ -92,32 +73,6 @@ py::object self_pairs_of(const Mesh& mesh, py::handle kind, py::handle limit,
                found.completeness == Completeness::Complete);
 }
 
-py::object voxels_of(py::handle mesh, py::handle resolution, py::handle fill, py::handle threads,
-                     py::handle progress, py::handle work_argument) {
-  static const ResultType kType("Voxels");
-  const Placed placed = placed_mesh(mesh, "mesh");
-  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken");
-  const std::size_t count = count_from(resolution, "resolution");
-  if (count < 1 || count > 65535)
-    throw InputError("resolution: " + std::to_string(count) + " is not from 1 to 65535");
-  const VoxelSettings settings{
-      .resolution = static_cast<std::uint32_t>(count),
-      .fill = word_from<VoxelFill>(fill, "fill",
-                                   {{"surface", VoxelFill::Surface}, {"solid", VoxelFill::Solid}}),
-      .threads = Batch(threads, progress).threads,
-      .on_progress = watcher(progress)};
-  Work* work = work_from(work_argument);
-  Voxels found;
-  {
-    const py::gil_scoped_release released;
-    found = find_voxels(placed.mesh_at(0), settings, work);
-  }
-  const auto& counts = found.grid.counts;
-  return kType(array_of(found.grid.origin), found.grid.edge,
-               py::make_tuple(counts[0], counts[1], counts[2]),
-               array_over<std::uint16_t>(std::move(found.voxels), 3));
-}
-
 /// A box along the axes, a turned one, or a ball, as the library finds triangles in them.
 TriangleList triangles_in(const Placed& mesh, py::handle volume, const TriangleSettings& settings,
                           Work* work) {
@@ -154,16 +109,6 @@ py::object find_triangles_of(py::handle mesh, py::handle volume, py::handle limi
                found.completeness == Completeness::Complete);
 }
 
-py::object sphere_around(const Mesh& mesh) {
-  const Sphere sphere = bounding_sphere(mesh);
-  return py::make_tuple(array_of(sphere.centre), sphere.radius);
-}
-
-py::object box_around(const Mesh& mesh) {
-  const Obb box = bounding_obb(mesh);
-  return py::make_tuple(array_of(box.pose), array_of(box.half_extents));
-}
-
 constexpr const char* kCheckText = R"(check(mesh, *, progress=None, work=None)
 --
 
@@ -177,20 +122,6 @@ True
 array([[0, 1, 0, 1],
        [0, 2, 0, 1],
        [1, 2, 0, 1]], dtype=uint32)
-)";
-
-constexpr const char* kVoxelsText =
-    R"(find_voxels(mesh, *, resolution=64, fill='surface', threads=0, progress=None, work=None)
---
-
-All voxels that a placed mesh's surface touches, exactly, or with `fill` "solid" those inside a closed one, too: Voxels.
-`resolution` is how many there are along the longest side of its bounds, 1 to 65535.
-
-Raises InputError, and MeshError for the solid of a mesh that is not closed.
-
->>> voxels = graze.find_voxels(bolt, resolution=8)
->>> voxels.indices.shape[1], max(voxels.counts)
-(3, 8)
 )";
 
 }  // namespace
@@ -233,18 +164,6 @@ dtype('uint32')
 )",
              py::arg("mesh"), py::arg("volume"), py::kw_only(), py::arg("limit") = py::none(),
              py::arg("work") = py::none());
-  module.def("find_voxels", &voxels_of, kVoxelsText, py::arg("mesh"), py::kw_only(),
-             py::arg("resolution") = 64, py::arg("fill") = "surface", py::arg("threads") = 0,
-             py::arg("progress") = py::none(), py::arg("work") = py::none());
-  module.def(
-      "bounding_sphere", &sphere_around,
-      "bounding_sphere(mesh)\n--\n\nThe smallest ball around a mesh: (centre, radius), metres.",
-      py::arg("mesh"));
-  module.def("bounding_obb", &box_around,
-             "bounding_obb(mesh)\n--\n\nA turned box around a mesh, none of whose turns about its "
-             "axes makes it smaller: (pose, "
-             "half_extents), metres.",
-             py::arg("mesh"));
 }
 
 }  // namespace graze::python

@@ -41,8 +41,10 @@ struct MotionQuestion {
 
   template <typename Answer, typename Ask>
   std::vector<Answer> answers(const Batch& batch, Work* work, const Ask& ask) const {
-    return ask_all<Answer>(is_many, motions_b.size(), batch, work,
-                           [&](std::size_t i, Work* own) { return ask(*this, motions_b[i], own); });
+    // Motions differ a thousandfold in what they take, so that each is a part by itself.
+    return ask_all<Answer>(
+        is_many, motions_b.size(), batch, work,
+        [&](std::size_t i, Work* own) { return ask(*this, motions_b[i], own); }, {}, 1);
   }
 
   bool are_meshes() const { return a.is_mesh() && b.is_mesh(); }
@@ -54,12 +56,6 @@ struct MotionQuestion {
   bool is_many;
 };
 
-RigidContactSettings settings_from(py::handle clearance, py::handle tolerance, py::handle budget) {
-  return {.clearance = number_from(clearance, "clearance"),
-          .tolerance = number_from(tolerance, "tolerance"),
-          .budget = count_from(budget, "budget")};
-}
-
 py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py::handle motion_b,
                             py::handle clearance, py::handle tolerance, py::handle budget,
                             py::handle threads, py::handle progress, py::handle work) {
@@ -67,7 +63,7 @@ py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py:
   const MotionQuestion question(a, motion_a, b, motion_b);
   static_cast<void>(question.b.shape());  // made once, before threads ask for it
   static_cast<void>(question.a.shape());
-  const RigidContactSettings settings = settings_from(clearance, tolerance, budget);
+  const RigidContactSettings settings = contact_settings(clearance, tolerance, budget);
   const auto answers = question.answers<RigidContact>(
       Batch(threads, progress), work_from(work),
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
@@ -92,7 +88,7 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
   const MotionQuestion question(a, motion_a, b, motion_b);
   static_cast<void>(question.b.shape());
   static_cast<void>(question.a.shape());
-  const RigidContactSettings settings = settings_from(clearance, tolerance, budget);
+  const RigidContactSettings settings = contact_settings(clearance, tolerance, budget);
   const auto answers = question.answers<char>(
       Batch(threads, progress), work_from(work),
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
@@ -103,6 +99,21 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
       });
   if (!question.is_many) return py::bool_(answers[0] != 0);
   return numbers_of<bool>(answers, [](char says) { return says != 0; });
+}
+
+py::object last_free_of(const Mesh& a, py::handle motion_a, const Mesh& b, py::handle motion_b,
+                        py::handle clearance, py::handle tolerance, py::handle budget,
+                        py::handle work_argument) {
+  const RigidMotion course_a = motion_from(motion_a, "motion_a");
+  const RigidMotion course_b = motion_from(motion_b, "motion_b");
+  const RigidContactSettings settings = contact_settings(clearance, tolerance, budget);
+  Work* work = work_from(work_argument);
+  std::optional<double> found;
+  {
+    const py::gil_scoped_release released;
+    found = last_free(a, course_a, b, course_b, settings, work);
+  }
+  return found ? py::object(py::float_(*found)) : py::none();
 }
 
 py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::handle start,
@@ -188,6 +199,20 @@ void add_motions(py::module_& module) {
   };
   add("first_contact", &first_contact_of, kFirstContactText);
   add("is_free", &is_free_of, kIsFreeText);
+  module.def(
+      "last_free", &last_free_of,
+      R"(last_free(a, motion_a, b, motion_b, *, clearance=0.0, tolerance=1e-06, budget=16777216, work=None)
+--
+
+The last time up to which two meshes are proved to stay apart, 1.0 if that is so to the end; None if they are too near at
+the start.
+
+>>> graze.last_free(bolt, np.eye(4), nut, far)
+1.0
+)",
+      py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::kw_only(),
+      py::arg("clearance") = 0.0, py::arg("tolerance") = 1e-6,
+      py::arg("budget") = std::size_t{1} << 24, py::arg("work") = py::none());
   module.def("cast", &cast_of, kCastText, py::arg("a"), py::arg("b"), py::arg("displacement"),
              py::kw_only(), py::arg("start") = "counts", py::arg("work") = py::none());
 }

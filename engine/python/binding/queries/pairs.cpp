@@ -46,10 +46,7 @@ py::object intersects_of(py::handle a, py::handle b, py::handle hit_word,
   const auto lock = memory.lock_for_batch();
   run_batch(
       pair.size(), memory.batch(threads, progress), work,
-      [&](std::size_t begin, std::size_t end, Work& own) {
-        for (std::size_t i = begin; i < end; ++i)
-          says[i] = ask_intersects(pair, i, hit, memory.get(), &own);
-      },
+      [&](std::size_t i, Work& own) { says[i] = ask_intersects(pair, i, hit, memory.get(), &own); },
       [&] { pair.check_poses(); });
   return answers;
 }
@@ -116,9 +113,8 @@ py::object pairs_of(py::handle a, py::handle b, py::handle limit, py::handle tou
   const auto lock = memory.lock_for_batch();
   run_batch(
       pair.size(), memory.batch(threads, progress), work,
-      [&](std::size_t begin, std::size_t end, Work& own) {
-        for (std::size_t i = begin; i < end; ++i)
-          found[i] = ask_pairs(pair, i, settings, memory.get(), &own);
+      [&](std::size_t i, Work& own) {
+        found[i] = ask_pairs(pair, i, settings, memory.get(), &own);
       },
       [&] { pair.check_poses(); });
   return lists_of(std::move(found));
@@ -142,9 +138,8 @@ py::object interiors_of(py::handle a, py::handle b, py::handle threads, py::hand
   bool* says = answers.mutable_data();
   run_batch(
       pair.size(), Batch(threads, progress), work,
-      [&](std::size_t begin, std::size_t end, Work& own) {
-        for (std::size_t i = begin; i < end; ++i)
-          says[i] = interiors_intersect(pair.a.mesh_at(i), pair.b.mesh_at(i), &own);
+      [&](std::size_t i, Work& own) {
+        says[i] = interiors_intersect(pair.a.mesh_at(i), pair.b.mesh_at(i), &own);
       },
       [&] { pair.check_poses(); });
   return answers;

@@ -7,6 +7,8 @@
 #include <graze/engine/mesh/distance.h>
 
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace graze::python {
 namespace {
@@ -28,12 +30,27 @@ struct PointQuestion {
     }
   }
 
-  template <typename Answer, typename Ask>
-  std::vector<Answer> answers(const Batch& batch, Work* work, const Ask& ask) const {
-    const PlacedMeshView mesh = placed.mesh_at(0);
-    return ask_all<Answer>(
-        points.is_many(), points.size(), batch, work,
-        [&](std::size_t i, Work* own) { return ask(mesh, points[i], own); }, [this] { blame(); });
+  /// What `one(mesh, point, work)` answers of a single point.
+  template <typename One>
+  auto single(Work* work, const One& one) const {
+    const py::gil_scoped_release released;
+    return one(placed.mesh_at(0), points[0], work);
+  }
+
+  /// What `all(mesh, points, settings, work)` answers, the library's batch.
+  template <typename All>
+  auto many(const Batch& batch, Work* work, const All& all) const {
+    const MatrixView<double> rows = points.matrix();
+    std::invoke_result_t<const All&, PlacedMeshView, const MatrixView<double>&,
+                         const BatchSettings&, Work*>
+        answers;
+    run_batch(
+        batch, work,
+        [&](const BatchSettings& settings, Work& sum) {
+          answers = all(placed.mesh_at(0), rows, settings, &sum);
+        },
+        [this] { blame(); });
+    return answers;
   }
 
   Placed placed;
@@ -43,13 +60,18 @@ struct PointQuestion {
 py::object contains_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
                        py::handle work) {
   const PointQuestion question(mesh, points);
+  const Batch batch(threads, progress);
+  if (!question.points.is_many()) {
+    return py::bool_(
+        question.single(work_from(work), [](const auto& placed, const auto& point, Work* own) {
+          return contains(placed, point, own);
+        }));
+  }
   const auto answers =
-      question.answers<char>(Batch(threads, progress), work_from(work),
-                             [](const auto& placed, const auto& point, Work* own) {
-                               return static_cast<char>(contains(placed, point, own));
-                             });
-  if (!question.points.is_many()) return py::bool_(answers[0] != 0);
-  return numbers_of<bool>(answers, [](char says) { return says != 0; });
+      question.many(batch, work_from(work),
+                    [](const auto& placed, const auto& rows, const BatchSettings& settings,
+                       Work* own) { return contains_points(placed, rows, settings, own); });
+  return numbers_of<bool>(answers, [](bool says) { return says; });
 }
 
 py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
@@ -57,14 +79,18 @@ py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py
   static const ResultType kSingle("NearestPoint");
   static const ResultType kMany("NearestPoints");
   const PointQuestion question(mesh, points);
-  const auto answers =
-      question.answers<NearestPoint>(Batch(threads, progress), work_from(work),
-                                     [](const auto& placed, const auto& point, Work* own) {
-                                       return nearest_point(placed, point, own);
-                                     });
+  const Batch batch(threads, progress);
   if (!question.points.is_many()) {
-    return kSingle(answers[0].distance, array_of(answers[0].point), answers[0].triangle);
+    const NearestPoint near =
+        question.single(work_from(work), [](const auto& placed, const auto& point, Work* own) {
+          return nearest_point(placed, point, own);
+        });
+    return kSingle(near.distance, array_of(near.point), near.triangle);
   }
+  const auto answers =
+      question.many(batch, work_from(work),
+                    [](const auto& placed, const auto& rows, const BatchSettings& settings,
+                       Work* own) { return nearest_points(placed, rows, settings, own); });
   return kMany(numbers_of<double>(answers, [](const auto& near) { return near.distance; }),
                points_of(answers, [](const auto& near) { return near.point; }),
                numbers_of<std::uint32_t>(answers, [](const auto& near) { return near.triangle; }));
@@ -73,13 +99,18 @@ py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py
 py::object signed_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,
                      py::handle work) {
   const PointQuestion question(mesh, points);
-  const auto answers =
-      question.answers<double>(Batch(threads, progress), work_from(work),
-                               [](const auto& placed, const auto& point, Work* own) {
-                                 return signed_distance(placed, point, own);
-                               });
-  if (!question.points.is_many()) return py::float_(answers[0]);
-  return numbers_of<double>(answers, [](double value) { return value; });
+  const Batch batch(threads, progress);
+  if (!question.points.is_many()) {
+    return py::float_(
+        question.single(work_from(work), [](const auto& placed, const auto& point, Work* own) {
+          return signed_distance(placed, point, own);
+        }));
+  }
+  auto answers =
+      question.many(batch, work_from(work),
+                    [](const auto& placed, const auto& rows, const BatchSettings& settings,
+                       Work* own) { return signed_distances(placed, rows, settings, own); });
+  return array_over<double>(std::move(answers));
 }
 
 constexpr const char* kContainsText =

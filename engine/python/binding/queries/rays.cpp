@@ -67,6 +67,10 @@ class Rays {
 
 using Hits = std::vector<std::optional<RayHit>>;
 
+/// As many as the library's own batch of rays takes; of that the binding asks no more than what
+/// would have to be copied as a whole.
+constexpr std::size_t kMostRaysInAPart = 4096;
+
 /// Of a mesh what its pose costs is computed once for each part.
 void cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::size_t end,
                Hits& hits, Work* work) {
@@ -89,7 +93,7 @@ py::object hit_of(const std::optional<RayHit>& hit) {
   if (!hit) return py::none();
   const py::object triangle =
       hit->triangle == kNoTriangle ? py::object(py::none()) : py::int_(hit->triangle);
-  return kType(hit->distance, array_of(hit->point), array_of(hit->normal), triangle);
+  return kType(hit->distance, array_of(hit->point), array_of(hit->normal), triangle, hit->material);
 }
 
 py::object hits_of(const Hits& hits) {
@@ -106,9 +110,13 @@ py::object hits_of(const Hits& hits) {
                 [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->point : nowhere; }),
       points_of(hits,
                 [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->normal : nowhere; }),
-      numbers_of<std::int64_t>(hits, [](const auto& hit) {
-        return hit && hit->triangle != kNoTriangle ? static_cast<std::int64_t>(hit->triangle) : -1;
-      }));
+      numbers_of<std::int64_t>(hits,
+                               [](const auto& hit) {
+                                 return hit && hit->triangle != kNoTriangle
+                                            ? static_cast<std::int64_t>(hit->triangle)
+                                            : -1;
+                               }),
+      numbers_of<std::uint16_t>(hits, [](const auto& hit) { return hit ? hit->material : 0; }));
 }
 
 py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directions,
@@ -127,9 +135,13 @@ py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directio
     return hit_of(hits[0]);
   }
   run_batch(
-      rays.size(), Batch(threads, progress), work,
-      [&](std::size_t begin, std::size_t end, Work& own) {
-        cast_part(placed, rays, begin, end, hits, &own);
+      Batch(threads, progress), work,
+      [&](const BatchSettings& settings, Work& sum) {
+        for_each_part_of_batch(rays.size(), kMostRaysInAPart, settings, &sum,
+                               [&](std::size_t begin, std::size_t end, BatchRun& run, Work& own) {
+                                 cast_part(placed, rays, begin, end, hits, &own);
+                                 run.add(end - begin);
+                               });
       },
       [&] { rays.blame(); });
   return hits_of(hits);

@@ -16,12 +16,19 @@ py::object or_none(const std::optional<std::size_t>& number) {
 void raise(const char* name, const Error& error) {
   const py::module_ errors = py::module_::import("graze._errors");
   const ErrorPlace& place = error.place();
-  const auto text_or_none = [](const std::string& text) -> py::object {
+  // A file's name may be any bytes.
+  const auto text_of = [](const std::string& text) {
+    PyObject* made =
+        PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape");
+    if (made == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(made);
+  };
+  const auto text_or_none = [&](const std::string& text) -> py::object {
     if (text.empty()) return py::none();
-    return py::str(text);
+    return text_of(text);
   };
   const py::object type = errors.attr(name);
-  const py::object made = type(error.what());
+  const py::object made = type(text_of(error.what()));
   made.attr("place") =
       errors.attr("ErrorPlace")(text_or_none(place.file), or_none(place.line), or_none(place.byte),
                                 text_or_none(place.element), or_none(place.index));

@@ -7,7 +7,9 @@
 #include <graze/engine/mesh/mesh.h>
 #include <graze/engine/mesh/prepare.h>
 #include <graze/engine/pose_text.h>
+#include <graze/engine/print.h>
 #include <graze/engine/python/binding/arguments/batch.h>
+#include <graze/engine/python/binding/arguments/placed.h>
 #include <graze/engine/python/binding/arguments/results.h>
 #include <graze/engine/python/binding/arguments/settings.h>
 
@@ -31,7 +33,7 @@ py::array vertices_from(py::handle argument) {
       .cast<py::array>();
 }
 
-Mesh make_mesh(py::handle vertices, py::handle triangles);
+Mesh make_mesh(py::handle vertices, py::handle triangles, py::handle materials);
 
 /// Of something that has vertices and faces: a mesh of trimesh, say, or of this package.
 Mesh mesh_like(py::handle other) {
@@ -40,12 +42,28 @@ Mesh mesh_like(py::handle other) {
     throw py::type_error(std::string("vertices: ") + Py_TYPE(other.ptr())->tp_name +
                          " has no members vertices and faces, and no triangles are given");
   }
-  return make_mesh(other.attr("vertices"), other.attr("faces"));
+  return make_mesh(other.attr("vertices"), other.attr("faces"), py::none());
 }
 
-Mesh make_mesh(py::handle vertices, py::handle triangles) {
-  if (triangles.is_none()) return mesh_like(vertices);
+/// What triangles are made of.
+Mesh mesh_of_materials(const py::array& points, py::handle triangles, py::handle materials) {
+  const py::module_ arrays = py::module_::import("graze._arrays");
+  const auto indices = arrays.attr("rows_of_unsigned")(triangles, "triangles").cast<py::array>();
+  const auto numbers =
+      arrays.attr("shorts")(materials, "materials").cast<py::array_t<std::uint16_t>>();
+  const py::gil_scoped_release released;
+  return {rows_of<Eigen::Vector3d, double>(points),
+          rows_of<TriangleIndices, std::uint32_t>(indices),
+          std::span<const std::uint16_t>(numbers.data(), static_cast<std::size_t>(numbers.size()))};
+}
+
+Mesh make_mesh(py::handle vertices, py::handle triangles, py::handle materials) {
+  if (triangles.is_none()) {
+    if (!materials.is_none()) throw InputError("materials: are for triangles that are given");
+    return mesh_like(vertices);
+  }
   const py::array points = vertices_from(vertices);
+  if (!materials.is_none()) return mesh_of_materials(points, triangles, materials);
   const py::array indices = py::module_::import("graze._arrays")
                                 .attr("rows_of_indices")(triangles, "triangles")
                                 .cast<py::array>();
@@ -61,6 +79,14 @@ template <typename Number, typename Row>
 py::array view_of(const py::object& mesh, std::span<const Row> rows) {
   py::array_t<Number> view({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}},
                            reinterpret_cast<const Number*>(rows.data()), mesh);
+  view.attr("setflags")(false);
+  return view;
+}
+
+/// The same of one number each.
+template <typename Number>
+py::array list_of(const py::object& mesh, std::span<const Number> numbers) {
+  py::array_t<Number> view({static_cast<py::ssize_t>(numbers.size())}, numbers.data(), mesh);
   view.attr("setflags")(false);
   return view;
 }
@@ -89,10 +115,6 @@ Mesh deformed(const Mesh& mesh, py::handle vertices) {
   return mesh.deformed(rows_of<Eigen::Vector3d, double>(points));
 }
 
-std::string path_from(py::handle argument) {
-  return py::module_::import("os").attr("fsdecode")(argument).cast<std::string>();
-}
-
 py::object poses_of_file(py::handle argument) {
   const std::string path = path_from(argument);
   std::vector<Pose> poses;
@@ -111,14 +133,46 @@ py::object poses_of_file(py::handle argument) {
   return array;
 }
 
+void add_pose_texts(py::module_& module) {
+  module.def(
+      "parse_pose",
+      [](const std::string& text) {
+        const Pose pose = parse_pose(text, "text");
+        return array_of_matrix(pose.matrix().data());
+      },
+      R"(parse_pose(text)
+--
+
+A pose of 12 numbers, the rows of [R | t], separated by blanks or commas, each rounded once: of the shape (4, 4).
+
+Raises PoseError for what is no rigid pose.
+
+>>> graze.parse_pose("1 0 0 5  0 1 0 6  0 0 1 7")[:3, 3]
+array([5., 6., 7.])
+)",
+      py::arg("text"));
+  module.def(
+      "pose_text", [](py::handle pose) { return to_text(pose_from(pose, "pose")); },
+      R"(pose_text(pose)
+--
+
+The 12 numbers of a pose as parse_pose() and load_poses() read them: the same pose to the last bit.
+
+>>> graze.pose_text(raised)
+'1 0 0 0 0 1 0 0 0 0 1 1.5'
+)",
+      py::arg("pose"));
+}
+
 constexpr const char* kMeshText =
     R"(A triangle mesh in metres, which does not change. Its trees are built when a query first walks them.
 
-    Mesh(vertices, triangles)
+    Mesh(vertices, triangles, materials=None)
 
 `vertices` have the shape (n, 3), numbers of any kind that float64 holds without loss; `triangles` are indices
 into them, whole numbers of the shape (m, 3). Both are copied once. Degenerate and duplicate triangles are
-accepted, and counted by `topology`.
+accepted, and counted by `topology`. `materials` are a number from 0 to 65535 for each triangle, which contacts of
+shapes and hits of rays carry.
 
     Mesh(other)
 
@@ -161,8 +215,10 @@ Raises PoseError, naming `file:line`, for what is no rigid pose.
 )";
 
 void add_members(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
-  type.def(py::init(&make_mesh), "__init__(self, vertices, triangles=None)\n--\n\nSee the class.",
-           py::arg("vertices"), py::arg("triangles") = py::none());
+  type.def(py::init(&make_mesh),
+           "__init__(self, vertices, triangles=None, materials=None)\n--\n\nSee the class.",
+           py::arg("vertices"), py::arg("triangles") = py::none(),
+           py::arg("materials") = py::none());
   type.def_property_readonly(
       "vertices",
       [](const py::object& self) {
@@ -183,6 +239,42 @@ void add_members(py::class_<Mesh, std::shared_ptr<Mesh>>& type) {
         return view_of<std::uint32_t>(self, self.cast<const Mesh&>().triangles());
       },
       "The same as triangles, by the name that other packages know.");
+  type.def_property_readonly(
+      "materials",
+      [](const py::object& self) -> py::object {
+        const auto materials = self.cast<const Mesh&>().materials();
+        if (materials.empty()) return py::none();
+        return list_of(self, materials);
+      },
+      "What triangles are made of, as it was given: uint16 of the shape (m,), not to be written "
+      "to; "
+      "or None. No copy.");
+  type.def(
+      "welded",
+      [](const py::object& self) {
+        const auto& mesh = self.cast<const Mesh&>();
+        std::span<const std::uint32_t> welded;
+        {
+          const py::gil_scoped_release released;
+          welded = mesh.welded();
+        }
+        return list_of(self, welded);
+      },
+      "welded(self)\n--\n\nFor each vertex the lowest index of a vertex in the same position: "
+      "uint32 of the shape (n,).");
+  type.def(
+      "component_vertices",
+      [](const py::object& self) {
+        const auto& mesh = self.cast<const Mesh&>();
+        std::span<const std::uint32_t> vertices;
+        {
+          const py::gil_scoped_release released;
+          vertices = mesh.component_vertices();
+        }
+        return list_of(self, vertices);
+      },
+      "component_vertices(self)\n--\n\nOne vertex of each of the topology's components, "
+      "ascending: uint32.");
   type.def_property_readonly(
       "bounds", &bounds_of,
       "The smallest box around all vertices in use, metres: its least and its greatest "
@@ -241,6 +333,7 @@ void add_meshes(py::module_& module) {
       },
       kLoadMeshText, py::arg("path"));
   module.def("load_poses", &poses_of_file, kLoadPosesText, py::arg("path"));
+  add_pose_texts(module);
   module.def(
       "prepare",
       [](const Mesh& mesh, py::handle queries, py::handle work) {

@@ -48,6 +48,13 @@ const char* word_of(RigidStatus status) {
   return status == RigidStatus::Free ? "free" : status == RigidStatus::Hit ? "hit" : "close";
 }
 
+RigidContactSettings contact_settings(py::handle clearance, py::handle tolerance,
+                                      py::handle budget) {
+  return {.clearance = number_from(clearance, "clearance"),
+          .tolerance = number_from(tolerance, "tolerance"),
+          .budget = count_from(budget, "budget")};
+}
+
 py::object result_of(const RigidContact& contact) {
   static const ResultType kType("RigidContact");
   return kType(word_of(contact.status), contact.low, contact.high, contact.is_out_of_budget);
@@ -104,6 +111,22 @@ array([0.  , 0.75, 1.5 ])
           "screw(start, point, axis, angle, pitch)\n--\n\nFrom a pose along and about a line: "
           "radians, and metres for each turn.",
           py::arg("start"), py::arg("point"), py::arg("axis"), py::arg("angle"), py::arg("pitch"))
+      .def_static(
+          "from_velocities",
+          [](py::handle start, py::handle linear, py::handle angular, py::handle centre,
+             py::handle duration) {
+            return RigidMotion::from_velocities(pose_from(start, "start"),
+                                                {.linear = vector_from(linear, "linear"),
+                                                 .angular = vector_from(angular, "angular"),
+                                                 .body_centre = vector_from(centre, "body_centre"),
+                                                 .duration = number_from(duration, "duration")});
+          },
+          "from_velocities(start, linear, angular=(0, 0, 0), body_centre=(0, 0, 0), "
+          "duration=1.0)\n--\n\nFrom a pose with velocities that stay: metres and radians per "
+          "second, in the common frame, for so many seconds; the point of the body's frame has the "
+          "linear one.",
+          py::arg("start"), py::arg("linear"), py::arg("angular") = py::make_tuple(0, 0, 0),
+          py::arg("body_centre") = py::make_tuple(0, 0, 0), py::arg("duration") = 1.0)
       .def("at", &poses_at,
            "at(self, t)\n--\n\nThe pose at t, from 0 to 1, or the poses at many, of the shape (n, "
            "4, 4). Raises InputError for "
@@ -117,6 +140,16 @@ array([0.  , 0.75, 1.5 ])
       .def_property_readonly(
           "start", [](const RigidMotion& motion) { return array_of(motion.start()); },
           "The pose at t = 0, of the shape (4, 4).")
+      .def_property_readonly(
+          "centre", [](const RigidMotion& motion) { return array_of(motion.centre()); },
+          "The point that goes straight, at t = 0, common frame, metres, (3,).")
+      .def_property_readonly(
+          "shift", [](const RigidMotion& motion) { return array_of(motion.shift()); },
+          "Of that point, metres, (3,).")
+      .def_property_readonly(
+          "axis", [](const RigidMotion& motion) { return array_of(motion.axis()); }, "Unit, (3,).")
+      .def_property_readonly(
+          "angle", [](const RigidMotion& motion) { return motion.angle(); }, "Radians.")
       .def("__reduce__", [](const py::object& self) {
         return py::make_tuple(py::type::of(self), state_of(self.cast<const RigidMotion&>()));
       });

@@ -12,5 +12,8 @@ RigidMotion motion_from(py::handle argument, const char* name);
 /// A RigidContact of Python.
 py::object result_of(const RigidContact& contact);
 const char* word_of(RigidStatus status);
+/// What first contacts are told. Throws InputError for what are no numbers.
+RigidContactSettings contact_settings(py::handle clearance, py::handle tolerance,
+                                      py::handle budget);
 
 }  // namespace graze::python

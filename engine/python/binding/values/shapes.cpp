@@ -1,10 +1,10 @@
 #include <graze/engine/python/binding/arguments/placed.h>
 #include <graze/engine/python/binding/module.h>
+#include <graze/engine/python/binding/values/height_fields.h>
 #include <graze/engine/python/binding/values/shapes.h>
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/convex_hull.h>
-#include <graze/engine/world/height_field.h>
 #include <graze/engine/world/shape_bounds.h>
 
 #include <string>
@@ -43,6 +43,7 @@ Shape make_shape(const std::string& kind, const py::args& numbers) {
   if (kind == "plane") return Plane{vector(0, "normal"), number(1, "offset")};
   if (kind == "half-space") return HalfSpace{vector(0, "normal"), number(1, "offset")};
   if (kind == "convex hull") return hull_from(numbers[0]);
+  if (kind == "height field") return field_from(numbers);
   throw InputError("kind: \"" + kind + "\" is no kind of shape");
 }
 
@@ -79,11 +80,20 @@ struct Arguments {
     return py::make_tuple(tuple_of(half_space.normal), half_space.offset);
   }
   py::tuple operator()(const Mesh& mesh) const { return py::make_tuple(mesh); }
-  /// Nothing makes one in Python yet.
-  py::tuple operator()(const HeightField&) const {
-    throw InputError("shape: a height field has no class in Python");
-  }
+  py::tuple operator()(const HeightField& field) const { return arguments_of(field); }
 };
+
+/// The corners of each facet of a hull.
+py::list facets_of(const Shape& shape) {
+  const ConvexHull* hull = shape.as<ConvexHull>();
+  if (hull == nullptr) throw py::type_error("this is no hull");
+  py::list facets;
+  for (std::size_t i = 0; i < hull->facet_count(); ++i) {
+    const auto corners = hull->facet(i);
+    facets.append(array_over<std::uint32_t>(std::vector(corners.begin(), corners.end())));
+  }
+  return facets;
+}
 
 py::object bounds_of_shape(py::handle argument) {
   const Placed placed(argument, "shape");
@@ -106,7 +116,7 @@ py::object object_of(const Shape& shape) {
 void add_shapes(py::module_& module) {
   py::class_<Shape>(
       module, "Shape",
-      R"(A convex solid, or a half-space, in its own frame, metres; see Sphere, Box and the other classes.
+      R"(A convex solid, a half-space or a terrain, in its own frame, metres; see Sphere, Box and the other classes.
 
 Shapes do not change; they can be pickled, and stand wherever a Mesh may, alone or as (shape, pose).
 )")
@@ -118,6 +128,8 @@ Shapes do not change; they can be pickled, and stand wherever a Mesh may, alone 
       .def(
           "_arguments", [](const Shape& shape) { return std::visit(Arguments{}, shape.value()); },
           "_arguments(self)\n--\n\nWhat its class was called with.");
+  module.def("_facets_of_hull", &facets_of, "_facets_of_hull(hull)\n--\n\nSee ConvexHull.facets.",
+             py::arg("hull"));
   module.def("bounding_aabb", &bounds_of_shape, R"(bounding_aabb(shape)
 --
 

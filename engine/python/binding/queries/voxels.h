@@ -1,0 +1,12 @@
+#pragma once
+
+#include <graze/engine/python/binding/arguments/arrays.h>
+
+#include <graze/engine/mesh/voxel_grid.h>
+
+namespace graze::python {
+
+/// A grid of an origin, an edge and three counts, checked. Throws InputError.
+VoxelGrid grid_from(py::handle origin, py::handle edge, py::handle counts);
+
+}  // namespace graze::python
