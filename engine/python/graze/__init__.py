@@ -126,6 +126,7 @@ from graze._shapes import (
     Ellipsoid,
     HalfSpace,
     HeightField,
+    Plane,
     Sphere,
 )
 from graze._sweep import (
@@ -177,6 +178,7 @@ __all__ = [
     "NearestPoint",
     "NearestPoints",
     "PairMemory",
+    "Plane",
     "PoseError",
     "RayHit",
     "RayHits",

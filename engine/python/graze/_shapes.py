@@ -107,6 +107,17 @@ class HalfSpace(_Kind):
         super().__init__("half-space", normal, offset)
 
 
+class Plane(_Kind):
+    """The points x with normal . x == offset: both sides of it are free. The normal is of any length but 0.
+
+    >>> graze.distance(graze.Plane([0, 0, 1]), graze.Sphere([0, 0, -3], 1)).distance
+    2.0
+    """
+
+    def __init__(self, normal: ArrayLike, offset: float = 0.0) -> None:
+        super().__init__("plane", normal, offset)
+
+
 class HeightField(_Kind):
     """A terrain: heights over a grid, a surface without a triangle in memory.
 
@@ -164,8 +175,19 @@ class HeightField(_Kind):
         return _bytes_of_field(self)
 
 
-_CLASSES = (Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace, HeightField)
-_NAMES = ("sphere", "box", "capsule", "cylinder", "cone", "ellipsoid", "convex hull", "half-space", "height field")
+_CLASSES = (Sphere, Box, Capsule, Cylinder, Cone, Ellipsoid, ConvexHull, HalfSpace, HeightField, Plane)
+_NAMES = (
+    "sphere",
+    "box",
+    "capsule",
+    "cylinder",
+    "cone",
+    "ellipsoid",
+    "convex hull",
+    "half-space",
+    "height field",
+    "plane",
+)
 
 
 def _plain(number: Any) -> Any:

@@ -16,6 +16,7 @@ SHAPES = [
     graze.Ellipsoid([0, 0, 0], [1, 2, 3]),
     graze.ConvexHull(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])),
     graze.HalfSpace([0, 0, 2], 4),
+    graze.Plane([0, 0, 2], 4),
 ]
 
 
@@ -26,7 +27,7 @@ def test_shapes_are_values(shape):
     assert repr(shape).startswith(type(shape).__name__)
     assert isinstance(shape, graze.Shape)
     world = graze.World()
-    if shape.kind != "half-space":
+    if shape.kind not in ("half-space", "plane"):
         assert world.shape(world.add(shape)) == shape
 
 
@@ -247,6 +248,7 @@ def test_compounds():
     for parts, error, says in (
         ([], graze.InputError, "parts"),
         ([graze.HalfSpace([0, 0, 1])], graze.InputError, "half-space"),
+        ([graze.Plane([0, 0, 1])], graze.InputError, "plane"),
         ([graze.Box([1] * 3), (graze.Box([1] * 3), 2 * np.eye(4))], graze.PoseError, r"parts\[1\]"),
         ([3], TypeError, r"parts\[0\]"),
     ):

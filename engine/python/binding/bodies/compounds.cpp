@@ -126,7 +126,7 @@ void add_compounds(py::module_& module) {
 meets is what its parts meet; contacts say which parts these are, counted from 0. `filters` has a (category, mask, group)
 for each part, or None for that of its body.
 
-Raises InputError for a half-space and for no parts, and PoseError, with the index.
+Raises InputError for a half-space, a plane and for no parts, and PoseError, with the index.
 
 >>> dumbbell = graze.Compound([graze.Sphere([-1, 0, 0], 0.5), graze.Sphere([1, 0, 0], 0.5)])
 >>> world = graze.World()
