@@ -55,13 +55,14 @@ enum class Setting {
   Lattice,  // whole coordinates and right angles, some an ulp off: touching, coincident, just apart
   Sizes,    // from 1e-6 to 1e6
   Far,      // sizes about 1 at 1e7 from the origin
-  OnePoint,  // all in one place, some an ulp off
-  Skewed,    // turned by matrices that are as far from rotations as the door lets in
-  Teleports  // between places that are 1e9 apart
+  OnePoint,   // all in one place, some an ulp off
+  Skewed,     // turned by matrices that are as far from rotations as the door lets in
+  Teleports,  // between places that are 1e9 apart
+  Terrains    // sizes about 1, with height fields and planes of two sides
 };
-inline constexpr std::array kSettings{Setting::Crowd,    Setting::Lattice,  Setting::Sizes,
-                                      Setting::Far,      Setting::OnePoint, Setting::Skewed,
-                                      Setting::Teleports};
+inline constexpr std::array kSettings{Setting::Crowd,     Setting::Lattice,  Setting::Sizes,
+                                      Setting::Far,       Setting::OnePoint, Setting::Skewed,
+                                      Setting::Teleports, Setting::Terrains};
 const char* name_of(Setting setting);
 
 /// Shapes of every kind, made without the C library's sine: the same on every machine.

@@ -53,8 +53,8 @@ constexpr Word kWords[] = {
     {"ask_box", kBox},
 };
 
-constexpr const char* kSettingNames[] = {"crowd",     "lattice", "sizes",    "far",
-                                         "one_point", "skewed",  "teleports"};
+constexpr const char* kSettingNames[] = {"crowd",     "lattice", "sizes",     "far",
+                                         "one_point", "skewed",  "teleports", "terrains"};
 
 /// Numbers to or from text: one list of parts for both ways.
 template <typename Visit>

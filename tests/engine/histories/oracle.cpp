@@ -30,6 +30,10 @@ bool are_of_interest(const Oracle::Being& s, const Oracle::Being& t) {
   return kMeets[row(s)][row(t)];
 }
 
+bool is_endless(const Shape& shape) {
+  return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
+}
+
 }  // namespace
 
 NamePair ordered(std::uint32_t a, std::uint32_t b) {
@@ -190,7 +194,7 @@ bool Oracle::are_solid(const NamePair& pair) const {
 Manifold Oracle::contacts(const NamePair& pair) const {
   const Shape& a = shape_of(pair.first);
   const Shape& b = shape_of(pair.second);
-  if (a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace) return {};
+  if (is_endless(a) && is_endless(b)) return {};
   return find_contacts({a, beings_.at(pair.first).pose}, {b, beings_.at(pair.second).pose});
 }
 

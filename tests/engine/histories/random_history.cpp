@@ -78,6 +78,22 @@ void add_kinds(std::vector<Shape>& shapes, double s) {
                  corners_of_box(s, s, 0.5 * s), ball_mesh(s, 1), plate_mesh(0.5 * s, 4)});
 }
 
+/// Five by four heights on a lattice: steps, a flat part, slopes.
+HeightField terrain(double size, bool has_floats) {
+  std::vector<float> floats;
+  std::vector<std::uint16_t> shorts;
+  for (std::uint32_t row = 0; row < 4; ++row) {
+    for (std::uint32_t column = 0; column < 5; ++column) {
+      const std::uint32_t height = (row * column) % 3 == 1 ? 2 : column > 3 ? 1 : 0;
+      floats.push_back(static_cast<float>(height));
+      shorts.push_back(static_cast<std::uint16_t>(height));
+    }
+  }
+  const HeightFieldSettings settings{
+      .spacing_x = size, .spacing_y = size, .height_scale = size / 4};
+  return has_floats ? HeightField(5, 4, floats, settings) : HeightField(5, 4, shorts, settings);
+}
+
 class Author {
  public:
   Author(Setting setting, std::uint64_t seed)
@@ -341,6 +357,12 @@ std::vector<Shape> palette_of(Setting setting) {
   if (setting != Setting::OnePoint) {
     shapes.emplace_back(HalfSpace{{0, 0, 1}, -1});
     shapes.emplace_back(HalfSpace{{1, 2, -2}, -6});
+  }
+  if (setting == Setting::Terrains) {
+    shapes.emplace_back(Plane{{0, 0, 1}, -1});
+    shapes.emplace_back(Plane{{2, -1, 2}, 3});
+    shapes.emplace_back(terrain(0.5, true));
+    shapes.emplace_back(terrain(1, false));
   }
   return shapes;
 }
