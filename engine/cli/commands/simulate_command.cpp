@@ -40,6 +40,7 @@ Examples:
   graze simulate data/scenes/shapes.json
   graze simulate data/scenes/fast.json --json
   graze simulate data/scenes/parts.json --contacts
+  graze simulate data/scenes/terrain.json
   graze simulate data/scenes/machine.json --meshes data/meshes --steps 20 --contacts --json
 
 Exit codes:

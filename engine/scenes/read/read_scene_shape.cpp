@@ -35,13 +35,11 @@ std::string hash_of(const std::filesystem::path& path, const std::string& name) 
 
 }  // namespace
 
-Mesh MeshFiles::read(const JsonCursor& at) {
-  at.require_keys({"file", "unit", "sha256"});
+/// The path to what "file" names, if its bytes have the "sha256" that may be there.
+std::filesystem::path MeshFiles::find(const JsonCursor& at) {
   const JsonCursor place = at.member("file");
   const std::filesystem::path path =
       at_place(place, [&] { return cases::find_inside(folder_, place.text(), "scene"); });
-  const LengthUnit unit =
-      at.has("unit") ? read_length_unit(at.member("unit")) : LengthUnit{"m", 1, 1};
   if (at.has("sha256")) {
     const JsonCursor hash = at.member("sha256");
     const std::string found = at_place(place, [&] {
@@ -51,17 +49,40 @@ Mesh MeshFiles::read(const JsonCursor& at) {
     });
     if (found != hash.text()) hash.fail("the file has the SHA-256 " + found);
   }
+  return path;
+}
+
+std::string MeshFiles::read_bytes(const JsonCursor& at) {
+  const std::filesystem::path path = find(at);
+  const JsonCursor place = at.member("file");
+  return at_place(place, [&] {
+    const std::string name = mesh_io::printable(place.text());
+    mesh_io::require_regular_file(path, name);
+    return mesh_io::read_file(path, name);
+  });
+}
+
+Mesh MeshFiles::read(const JsonCursor& at) {
+  at.require_keys({"file", "unit", "sha256"});
+  const std::filesystem::path path = find(at);
+  const LengthUnit unit =
+      at.has("unit") ? read_length_unit(at.member("unit")) : LengthUnit{"m", 1, 1};
   const std::pair key(path.string(), std::string(unit.name));
   const auto known = loaded_.find(key);
   if (known != loaded_.end()) return known->second;
-  Mesh mesh = at_place(place, [&] { return in_metres(load_mesh(path), unit); });
+  Mesh mesh = at_place(at.member("file"), [&] { return in_metres(load_mesh(path), unit); });
   loaded_.emplace(key, mesh);
   return mesh;
 }
 
 Shape read_scene_shape(const JsonCursor& at, const SceneUnits& units, MeshFiles& files) {
   at.require_keys({"name", "sphere", "box", "capsule", "cylinder", "cone", "ellipsoid",
-                   "convex_hull", "half_space", "plane", "mesh"});
+                   "convex_hull", "half_space", "plane", "mesh", "height_field"});
+  // Cases, which have all other kinds, have none.
+  if (at.has("height_field")) {
+    at.require_keys({"name", "height_field"});
+    return read_height_field(at.member("height_field"), units, files);
+  }
   return cases::read_body_shape(
       at, {.length = [&](const JsonCursor& length) { return units.read_length(length); },
            .mesh =

@@ -15,7 +15,7 @@
 
 namespace graze::scenes {
 
-/// Mesh files of one folder, each loaded once however often a scene names it.
+/// Files of one folder; meshes are loaded once however often a scene names them.
 class MeshFiles {
  public:
   explicit MeshFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -23,7 +23,12 @@ class MeshFiles {
   /// {"file", "unit", "sha256"}
   Mesh read(const cases::JsonCursor& at);
 
+  /// All bytes of what "file" names, if they have the "sha256" that may be there.
+  std::string read_bytes(const cases::JsonCursor& at);
+
  private:
+  std::filesystem::path find(const cases::JsonCursor& at);
+
   std::filesystem::path folder_;
   std::map<std::pair<std::string, std::string>, Mesh> loaded_;  ///< by path and unit
   std::unordered_map<std::string, std::string> hashes_;         ///< by path
@@ -47,6 +52,10 @@ class NameTable {
 
 /// The one shape that an object with a name describes.
 Shape read_scene_shape(const cases::JsonCursor& at, const SceneUnits& units, MeshFiles& files);
+
+/// A terrain, of heights in the file or in another one.
+HeightField read_height_field(const cases::JsonCursor& at, const SceneUnits& units,
+                              MeshFiles& files);
 
 SceneBody read_body(const cases::JsonCursor& at, const SceneUnits& units, const Scene& scene,
                     const NameTable& shapes);
