@@ -1,6 +1,6 @@
 """What is returned of contacts, intersections and motions."""
 
-from typing import NamedTuple, Tuple
+from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,6 +53,28 @@ class ShapeContacts(NamedTuple):
 
 
 @result
+class MeshContactLists(NamedTuple):
+    """Contacts of two meshes in each of n poses."""
+
+    contacts: MeshContacts
+    """Those of all poses, one pose after the other; `is_complete` if all are."""
+    offsets: Offsets
+    """(n + 1,): those of pose i are contacts[offsets[i]:offsets[i + 1]] of each array."""
+    is_complete: Bools
+    """(n,), whether these are all contacts of the pose."""
+
+
+@result
+class ShapeContactLists(NamedTuple):
+    """Contacts of two shapes in each of n poses."""
+
+    contacts: ShapeContacts
+    """Those of all poses, one pose after the other."""
+    offsets: Offsets
+    """(n + 1,): those of pose i are contacts[offsets[i]:offsets[i + 1]] of each array."""
+
+
+@result
 class MeshIntersection(NamedTuple):
     """Where the surfaces of two placed meshes meet."""
 
@@ -99,6 +121,20 @@ class Separation(NamedTuple):
 
 
 @result
+class Separations(NamedTuple):
+    """The same for each of n poses."""
+
+    distance: Doubles
+    """(n,)"""
+    direction: Doubles
+    """(n, 3)"""
+    translation: Doubles
+    """(n, 3)"""
+    pose_b: Doubles
+    """(n, 4, 4)"""
+
+
+@result
 class MeshCast(NamedTuple):
     """Where a mesh that goes straight meets another one first."""
 
@@ -126,6 +162,24 @@ class ShapeCast(NamedTuple):
     """Where, on A, (3,)."""
     normal: Doubles
     """Unit, from A to B, (3,)."""
+
+
+@result
+class Casts(NamedTuple):
+    """The same of meshes or shapes for each of n poses or ways."""
+
+    is_hit: Bools
+    """(n,)"""
+    time: Doubles
+    """(n,); NaN where nothing is met."""
+    is_at_start: Bools
+    """(n,)"""
+    pair: Optional[NDArray[np.int64]]
+    """(n, 2), triangles that meet; -1 where none do, and None of shapes."""
+    point: Doubles
+    """(n, 3); NaN where nothing is met."""
+    normal: Doubles
+    """(n, 3); NaN there."""
 
 
 @result

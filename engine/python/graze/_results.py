@@ -8,6 +8,10 @@ from numpy.typing import NDArray
 from graze._arrays_of_results import Bools, Doubles, Indices, Offsets, result
 from graze._contact_results import MeshContacts as MeshContacts
 from graze._contact_results import ShapeContacts as ShapeContacts
+from graze._contact_results import MeshContactLists as MeshContactLists
+from graze._contact_results import ShapeContactLists as ShapeContactLists
+from graze._contact_results import Separations as Separations
+from graze._contact_results import Casts as Casts
 from graze._contact_results import MeshIntersection as MeshIntersection
 from graze._contact_results import Separation as Separation
 from graze._contact_results import MeshCast as MeshCast
@@ -168,6 +172,22 @@ class ShapeSeparation(NamedTuple):
 
 
 @result
+class ShapeSeparations(NamedTuple):
+    """The same for each of n poses."""
+
+    distance: Doubles
+    """(n,)"""
+    point_a: Doubles
+    """(n, 3)"""
+    point_b: Doubles
+    """(n, 3)"""
+    normal: Doubles
+    """(n, 3)"""
+    is_converged: Bools
+    """(n,)"""
+
+
+@result
 class NearestPoint(NamedTuple):
     """The point of a placed mesh that is nearest to another."""
 
@@ -223,6 +243,16 @@ class RayHits(NamedTuple):
     """(n,); -1 there, and where a shape without triangles is hit."""
     material: NDArray[np.uint16]
     """(n,), of those triangles; 0 of what has none."""
+
+
+@result
+class RayHitLists(NamedTuple):
+    """All that each of n rays meets."""
+
+    hits: RayHits
+    """Those of all rays, one ray after the other."""
+    offsets: Offsets
+    """(n + 1,): those of ray i are hits[offsets[i]:offsets[i + 1]] of each array."""
 
 
 @result

@@ -28,7 +28,7 @@ def seconds(ask: Any) -> Tuple[float, float]:
 
 
 def of_python(bolt: graze.Mesh, nut: graze.Mesh, poses: Any, size: int) -> List[Dict[str, float]]:
-    results = []
+    results: List[Dict[str, float]] = []
     for pose in poses:
         many = np.tile(pose, (size, 1, 1))
 
@@ -39,8 +39,8 @@ def of_python(bolt: graze.Mesh, nut: graze.Mesh, poses: Any, size: int) -> List[
         single, single_cpu = (taken / SINGLES for taken in seconds(singles))
         answers: List[Any] = []
         batch, batch_cpu = seconds(lambda many=many, answers=answers: answers.append(graze.intersects(bolt, (nut, many))))
-        took = {"single": single, "single_cpu": single_cpu, "batch": batch, "batch_cpu": batch_cpu}
-        results.append({**took, "hits": int(answers[0].sum())})
+        took: Dict[str, float] = {"single": single, "single_cpu": single_cpu, "batch": batch, "batch_cpu": batch_cpu}
+        results.append({**took, "hits": float(answers[0].sum())})
     return results
 
 

@@ -142,8 +142,6 @@ def test_contacts_of_meshes(unit_cube):
     assert contacts.normal[0].tolist() == [1, 0, 0]
     assert contacts.offsets[-1] == len(contacts.corners) > 2
     assert len(graze.find_contacts(unit_cube, (unit_cube, translation(9, 0, 0))).depth) == 0
-    with pytest.raises(graze.InputError, match="takes one pose"):
-        graze.find_contacts(unit_cube, (unit_cube, np.tile(np.eye(4), (2, 1, 1))))
 
 
 def test_intersections(unit_cube):

@@ -12,60 +12,86 @@
 namespace graze::python {
 namespace {
 
-PlacedPair single_pair(py::handle a, py::handle b, const char* query) {
-  PlacedPair pair(a, b);
-  if (pair.is_many()) throw InputError(std::string(query) + "() takes one pose");
-  return pair;
+/// Where the contacts of each answer begin in the list of all.
+template <typename Answer, typename Size>
+py::array_t<std::int64_t> offsets_of(const std::vector<Answer>& answers, const Size& size) {
+  auto offsets = new_array<std::int64_t>({static_cast<py::ssize_t>(answers.size()) + 1});
+  std::int64_t* offset = offsets.mutable_data();
+  *offset = 0;
+  for (const Answer& answer : answers) {
+    offset[1] = offset[0] + static_cast<std::int64_t>(size(answer));
+    ++offset;
+  }
+  return offsets;
 }
 
-py::object mesh_contacts(MeshContacts&& found) {
+/// Those of all answers, one behind the other.
+py::object mesh_contacts(const std::vector<MeshContacts>& answers) {
   static const ResultType kType("MeshContacts");
-  const auto& all = found.contacts;
-  auto offsets = new_array<std::int64_t>({static_cast<py::ssize_t>(all.size()) + 1});
+  std::vector<MeshContact> all;
   std::vector<Eigen::Vector3d> corners;
-  std::int64_t* offset = offsets.mutable_data();
-  for (const MeshContact& contact : all) {
-    *offset++ = static_cast<std::int64_t>(corners.size());
-    const auto own = found.points_of(contact);
-    corners.insert(corners.end(), own.begin(), own.end());
+  std::vector<std::int64_t> offsets{0};
+  bool is_complete = true;
+  for (const MeshContacts& found : answers) {
+    is_complete = is_complete && found.completeness == Completeness::Complete;
+    for (const MeshContact& contact : found.contacts) {
+      all.push_back(contact);
+      const auto own = found.points_of(contact);
+      corners.insert(corners.end(), own.begin(), own.end());
+      offsets.push_back(static_cast<std::int64_t>(corners.size()));
+    }
   }
-  *offset = static_cast<std::int64_t>(corners.size());
   return kType(points_of(all, [](const auto& contact) { return contact.point; }),
                points_of(all, [](const auto& contact) { return contact.point_a; }),
                points_of(all, [](const auto& contact) { return contact.point_b; }),
                points_of(all, [](const auto& contact) { return contact.normal; }),
                numbers_of<double>(all, [](const auto& contact) { return contact.depth; }),
-               array_over<double>(std::move(corners), 3), std::move(offsets),
-               found.completeness == Completeness::Complete);
+               array_over<double>(std::move(corners), 3),
+               array_over<std::int64_t>(std::move(offsets)), is_complete);
+}
+
+py::object contacts_of_meshes(const PlacedPair& pair, const ContactSettings& settings,
+                              const Batch& batch, Work* work) {
+  static const ResultType kMany("MeshContactLists");
+  const auto answers = ask_all<MeshContacts>(pair, batch, work, [&](std::size_t i, Work* own) {
+    return find_contacts(pair.a.mesh_at(i), pair.b.mesh_at(i), settings, own);
+  });
+  py::object all = mesh_contacts(answers);
+  if (!pair.is_many()) return all;
+  return kMany(
+      std::move(all), offsets_of(answers, [](const auto& found) { return found.contacts.size(); }),
+      numbers_of<bool>(
+          answers, [](const auto& found) { return found.completeness == Completeness::Complete; }));
+}
+
+py::object contacts_of_shapes(const PlacedPair& pair, const ManifoldSettings& settings,
+                              const Batch& batch, Work* work) {
+  static const ResultType kMany("ShapeContactLists");
+  const auto answers = ask_all<Manifold>(pair, batch, work, [&](std::size_t i, Work* own) {
+    return find_contacts(pair.a.shape_at(i), pair.b.shape_at(i), settings, own);
+  });
+  std::vector<ShapeContact> all;
+  for (const Manifold& found : answers)
+    all.insert(all.end(), found.begin(), found.end());
+  py::object contacts = result_of(all);
+  if (!pair.is_many()) return contacts;
+  return kMany(std::move(contacts),
+               offsets_of(answers, [](const Manifold& found) { return found.size(); }));
 }
 
 py::object contacts_of(py::handle a, py::handle b, py::handle limit, py::handle margin,
-                       py::handle sides_a, py::handle sides_b, py::handle work_argument) {
-  const PlacedPair pair = single_pair(a, b, "find_contacts");
+                       py::handle sides_a, py::handle sides_b, py::handle threads,
+                       py::handle progress, py::handle work_argument) {
+  const PlacedPair pair(a, b);
+  const Batch batch(threads, progress);
   Work* work = work_from(work_argument);
-  if (pair.are_meshes() && margin.is_none() && sides_a.is_none() && sides_b.is_none()) {
-    const ContactSettings settings{.limit = limit_from(limit)};
-    MeshContacts found;
-    {
-      const py::gil_scoped_release released;
-      ask_and_blame(
-          [&] { found = find_contacts(pair.a.mesh_at(0), pair.b.mesh_at(0), settings, work); },
-          [&] { pair.check_poses(); });
-    }
-    return mesh_contacts(std::move(found));
-  }
+  if (pair.are_meshes() && margin.is_none() && sides_a.is_none() && sides_b.is_none())
+    return contacts_of_meshes(pair, {.limit = limit_from(limit)}, batch, work);
   if (!limit.is_none()) throw InputError("limit: is for two meshes without a margin or sides");
   const ManifoldSettings settings{.margin = margin.is_none() ? 0 : number_from(margin, "margin"),
                                   .sides_a = sides_from(sides_a, "sides_a"),
                                   .sides_b = sides_from(sides_b, "sides_b")};
-  Manifold found;
-  {
-    const py::gil_scoped_release released;
-    ask_and_blame(
-        [&] { found = find_contacts(pair.a.shape_at(0), pair.b.shape_at(0), settings, work); },
-        [&] { pair.check_poses(); });
-  }
-  return result_of(std::vector<ShapeContact>(found.begin(), found.end()));
+  return contacts_of_shapes(pair, settings, batch, work);
 }
 
 py::object features_of(const std::vector<IntersectionPoint>& points,
@@ -86,18 +112,8 @@ py::object polygons_of(const MeshIntersection& found) {
   return array;
 }
 
-py::object intersection_of(py::handle a, py::handle b, py::handle work_argument) {
+py::object result_of_intersection(MeshIntersection&& found) {
   static const ResultType kType("MeshIntersection");
-  const PlacedPair pair = single_pair(a, b, "find_intersection");
-  pair.require_meshes("find_intersection");
-  Work* work = work_from(work_argument);
-  MeshIntersection found;
-  {
-    const py::gil_scoped_release released;
-    ask_and_blame(
-        [&] { found = find_intersection(pair.a.mesh_at(0), pair.b.mesh_at(0), {}, work); },
-        [&] { pair.check_poses(); });
-  }
   using Segment = IntersectionSegment;
   using Curve = IntersectionCurve;
   using Patch = IntersectionPatch;
@@ -119,28 +135,58 @@ py::object intersection_of(py::handle a, py::handle b, py::handle work_argument)
                array_over<std::uint32_t>(std::move(found.pairs), 2));
 }
 
-py::object separation_of(py::handle a, py::handle b, py::handle direction,
-                         py::handle work_argument) {
-  static const ResultType kType("Separation");
-  const PlacedPair pair = single_pair(a, b, "separating_translation");
+/// One for each pose.
+py::object intersections_of(py::handle a, py::handle b, py::handle threads, py::handle progress,
+                            py::handle work) {
+  const PlacedPair pair(a, b);
+  pair.require_meshes("find_intersection");
+  auto answers = ask_all<MeshIntersection>(
+      pair, Batch(threads, progress), work_from(work), [&](std::size_t i, Work* own) {
+        return find_intersection(pair.a.mesh_at(i), pair.b.mesh_at(i), {}, own);
+      });
+  if (!pair.is_many()) return result_of_intersection(std::move(answers[0]));
+  py::list all;
+  for (MeshIntersection& found : answers)
+    all.append(result_of_intersection(std::move(found)));
+  return all;
+}
+
+py::object separations_of(py::handle a, py::handle b, py::handle direction, py::handle threads,
+                          py::handle progress, py::handle work) {
+  static const ResultType kSingle("Separation");
+  static const ResultType kMany("Separations");
+  const PlacedPair pair(a, b);
   pair.require_meshes("separating_translation");
   std::optional<Eigen::Vector3d> way;
   if (!direction.is_none()) way = vector_from(direction, "direction");
-  Work* work = work_from(work_argument);
-  Separation found;
-  {
-    const py::gil_scoped_release released;
-    const PlacedMeshView mesh_a = pair.a.mesh_at(0);
-    const PlacedMeshView mesh_b = pair.b.mesh_at(0);
-    found = way ? separating_translation(mesh_a, mesh_b, *way, work)
-                : separating_translation(mesh_a, mesh_b, work);
+  const auto answers = ask_all<Separation>(
+      pair, Batch(threads, progress), work_from(work), [&](std::size_t i, Work* own) {
+        const PlacedMeshView mesh_a = pair.a.mesh_at(i);
+        const PlacedMeshView mesh_b = pair.b.mesh_at(i);
+        return way ? separating_translation(mesh_a, mesh_b, *way, own)
+                   : separating_translation(mesh_a, mesh_b, own);
+      });
+  if (!pair.is_many()) {
+    const Separation& found = answers[0];
+    return kSingle(found.distance, array_of(found.direction), array_of(found.translation),
+                   array_of(found.pose_b));
   }
-  return kType(found.distance, array_of(found.direction), array_of(found.translation),
-               array_of(found.pose_b));
+  auto poses = new_array<double>({static_cast<py::ssize_t>(answers.size()), 4, 4});
+  double* at = poses.mutable_data();
+  for (const Separation& found : answers) {
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column)
+        *at++ = found.pose_b.matrix()(row, column);
+    }
+  }
+  return kMany(numbers_of<double>(answers, [](const auto& found) { return found.distance; }),
+               points_of(answers, [](const auto& found) { return found.direction; }),
+               points_of(answers, [](const auto& found) { return found.translation; }),
+               std::move(poses));
 }
 
 constexpr const char* kContactsText =
-    R"(find_contacts(a, b, *, limit=None, margin=None, sides_a=None, sides_b=None, work=None)
+    R"(find_contacts(a, b, *, limit=None, margin=None, sides_a=None, sides_b=None, threads=0, progress=None, work=None)
 --
 
 Where two placed meshes or shapes meet, and how deep they are in each other.
@@ -148,7 +194,8 @@ Where two placed meshes or shapes meet, and how deep they are in each other.
 Of two meshes MeshContacts: one contact for each connected piece of their intersection, the deepest first. `point`,
 `point_a`, `point_b` and `normal`, from A to B, have the shape (k, 3), `depth` (k,); the corners of the intersection
 of contact i are corners[offsets[i]:offsets[i + 1]]. At most `limit` contacts; `is_complete` says whether these are
-all.
+all. With many poses, as of intersects(), MeshContactLists, or ShapeContactLists: all contacts in one result, and where
+those of each pose begin.
 
 Where one is another shape than a mesh, or with a `margin`, metres, ShapeContacts: points for a solver, of each
 region at most four, with features that persist. With a margin contacts begin when the two are so near. `sides_a` and
@@ -164,11 +211,12 @@ True
 array([0.5, 0.5, 0.5, 0.5])
 )";
 
-constexpr const char* kIntersectionText = R"(find_intersection(a, b, *, work=None)
+constexpr const char* kIntersectionText =
+    R"(find_intersection(a, b, *, threads=0, progress=None, work=None)
 --
 
 Where the surfaces of two placed meshes meet, exactly in all but the rounded positions: a MeshIntersection of points,
-segments, curves, polygons and patches. Empty if and only if intersects() is False.
+segments, curves, polygons and patches. Empty if and only if intersects() is False. With many poses a list of them.
 
 Raises what intersects() raises.
 
@@ -178,12 +226,12 @@ True
 )";
 
 constexpr const char* kSeparatingText =
-    R"(separating_translation(a, b, direction=None, *, work=None)
+    R"(separating_translation(a, b, direction=None, *, threads=0, progress=None, work=None)
 --
 
 A translation of B after which two meshes are apart: a Separation of `distance`, `direction`, `translation` and
 `pose_b`. Along a direction of any length it is the last contact; without one the shortest that is found, which is no
-less than the smallest one.
+less than the smallest one. With many poses Separations: arrays.
 
 Raises InputError for a direction that is zero or not finite, and what intersects() raises.
 
@@ -223,11 +271,14 @@ void add_contacts(py::module_& module) {
   module.def("find_contacts", &contacts_of, kContactsText, py::arg("a"), py::arg("b"),
              py::kw_only(), py::arg("limit") = py::none(), py::arg("margin") = py::none(),
              py::arg("sides_a") = py::none(), py::arg("sides_b") = py::none(),
+             py::arg("threads") = 0, py::arg("progress") = py::none(),
              py::arg("work") = py::none());
-  module.def("find_intersection", &intersection_of, kIntersectionText, py::arg("a"), py::arg("b"),
-             py::kw_only(), py::arg("work") = py::none());
-  module.def("separating_translation", &separation_of, kSeparatingText, py::arg("a"), py::arg("b"),
-             py::arg("direction") = py::none(), py::kw_only(), py::arg("work") = py::none());
+  module.def("find_intersection", &intersections_of, kIntersectionText, py::arg("a"), py::arg("b"),
+             py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
+             py::arg("work") = py::none());
+  module.def("separating_translation", &separations_of, kSeparatingText, py::arg("a"), py::arg("b"),
+             py::arg("direction") = py::none(), py::kw_only(), py::arg("threads") = 0,
+             py::arg("progress") = py::none(), py::arg("work") = py::none());
 }
 
 }  // namespace graze::python

@@ -112,18 +112,28 @@ py::object within_of(py::handle a, py::handle b, py::handle clearance_argument,
   return numbers_of<bool>(answers, [](char says) { return says != 0; });
 }
 
-py::object separation_of_shapes(py::handle a, py::handle b, py::handle work_argument) {
-  static const ResultType kType("ShapeSeparation");
+py::object separation_of_shapes(py::handle a, py::handle b, py::handle threads, py::handle progress,
+                                py::handle work) {
+  static const ResultType kSingle("ShapeSeparation");
+  static const ResultType kMany("ShapeSeparations");
   const PlacedPair pair(a, b);
-  if (pair.is_many()) throw InputError("find_separation() takes one pose");
-  Work* work = work_from(work_argument);
-  ShapeSeparation found;
-  {
-    const py::gil_scoped_release released;
-    found = find_separation(pair.a.shape_at(0), pair.b.shape_at(0), work);
+  const auto answers = ask_all<ShapeSeparation>(
+      pair, Batch(threads, progress), work_from(work), [&](std::size_t i, Work* own) {
+        return find_separation(pair.a.shape_at(i), pair.b.shape_at(i), own);
+      });
+  const auto is_converged = [](const ShapeSeparation& found) {
+    return found.status == PairStatus::Converged;
+  };
+  if (!pair.is_many()) {
+    const ShapeSeparation& found = answers[0];
+    return kSingle(found.distance, array_of(found.point_a), array_of(found.point_b),
+                   array_of(found.normal), is_converged(found));
   }
-  return kType(found.distance, array_of(found.point_a), array_of(found.point_b),
-               array_of(found.normal), found.status == PairStatus::Converged);
+  return kMany(numbers_of<double>(answers, [](const auto& found) { return found.distance; }),
+               points_of(answers, [](const auto& found) { return found.point_a; }),
+               points_of(answers, [](const auto& found) { return found.point_b; }),
+               points_of(answers, [](const auto& found) { return found.normal; }),
+               numbers_of<bool>(answers, is_converged));
 }
 
 constexpr const char* kDistanceText =
@@ -157,11 +167,12 @@ Raises what distance() raises, and InputError for a clearance that is negative o
 False
 )";
 
-constexpr const char* kSeparationText = R"(find_separation(a, b, *, work=None)
+constexpr const char* kSeparationText =
+    R"(find_separation(a, b, *, threads=0, progress=None, work=None)
 --
 
 The signed distance of two convex shapes, metres: a ShapeSeparation, whose `distance` is minus the depth where they
-reach past each other.
+reach past each other. With many poses ShapeSeparations: arrays.
 
 Raises UnsupportedPairError for a mesh, which is a surface, and for two half-spaces that intersect.
 
@@ -182,7 +193,8 @@ void add_distances(py::module_& module) {
              py::kw_only(), py::arg("memory") = py::none(), py::arg("threads") = 0,
              py::arg("progress") = py::none(), py::arg("work") = py::none());
   module.def("find_separation", &separation_of_shapes, kSeparationText, py::arg("a"), py::arg("b"),
-             py::kw_only(), py::arg("work") = py::none());
+             py::kw_only(), py::arg("threads") = 0, py::arg("progress") = py::none(),
+             py::arg("work") = py::none());
 }
 
 }  // namespace graze::python

@@ -9,7 +9,11 @@
 #include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/shape_motion.h>
 
+#include <graze/bvh/value/element_error.h>
+
+#include <limits>
 #include <optional>
+#include <string>
 
 namespace graze::python {
 namespace {
@@ -101,48 +105,125 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
   return numbers_of<bool>(answers, [](char says) { return says != 0; });
 }
 
-py::object last_free_of(const Mesh& a, py::handle motion_a, const Mesh& b, py::handle motion_b,
+py::object last_free_of(py::handle a, py::handle motion_a, py::handle b, py::handle motion_b,
                         py::handle clearance, py::handle tolerance, py::handle budget,
-                        py::handle work_argument) {
-  const RigidMotion course_a = motion_from(motion_a, "motion_a");
-  const RigidMotion course_b = motion_from(motion_b, "motion_b");
+                        py::handle threads, py::handle progress, py::handle work) {
+  const MotionQuestion question(a, motion_a, b, motion_b);
+  if (!question.are_meshes()) throw py::type_error("last_free() is asked about meshes");
   const RigidContactSettings settings = contact_settings(clearance, tolerance, budget);
-  Work* work = work_from(work_argument);
-  std::optional<double> found;
-  {
-    const py::gil_scoped_release released;
-    found = last_free(a, course_a, b, course_b, settings, work);
+  const auto answers = question.answers<std::optional<double>>(
+      Batch(threads, progress), work_from(work),
+      [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
+        return last_free(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own);
+      });
+  if (question.is_many) {
+    return numbers_of<double>(answers, [](const auto& time) {
+      return time.value_or(std::numeric_limits<double>::quiet_NaN());
+    });
   }
-  return found ? py::object(py::float_(*found)) : py::none();
+  return answers[0] ? py::object(py::float_(*answers[0])) : py::none();
+}
+
+/// One displacement for all poses, or one for each.
+class Displacements {
+ public:
+  Displacements(py::handle argument, const PlacedPair& pair)
+      : points_(argument, "displacement"),
+        is_many_(points_.is_many() || pair.is_many()),
+        size_(points_.is_many() ? points_.size() : pair.size()) {
+    if (points_.is_many() && pair.is_many() && points_.size() != pair.size()) {
+      throw InputError("displacement: are " + std::to_string(points_.size()) + ", and there are " +
+                       std::to_string(pair.size()) + " poses");
+    }
+  }
+
+  bool is_many() const { return is_many_; }
+  std::size_t size() const { return size_; }
+  Eigen::Vector3d operator[](std::size_t i) const { return points_[points_.is_many() ? i : 0]; }
+
+  /// Throws for the first that is not finite, and then for the first bad pose.
+  void blame(const PlacedPair& pair) const {
+    for (std::size_t i = 0; points_.is_many() && i < size_; ++i) {
+      bvh::at_element("displacement", i, [&] {
+        if (!points_[i].allFinite())
+          throw InputError("displacement: " + std::to_string(i) + " is not finite");
+      });
+    }
+    pair.check_poses();
+  }
+
+ private:
+  Points points_;
+  bool is_many_;
+  std::size_t size_;
+};
+
+/// The members that casts of meshes and of shapes have; `pair` between them.
+template <typename Cast>
+py::object casts_of(const std::vector<std::optional<Cast>>& answers, const ResultType& type,
+                    const py::object& pairs) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d nowhere(kNone, kNone, kNone);
+  return type(
+      numbers_of<bool>(answers, [](const auto& met) { return met.has_value(); }),
+      numbers_of<double>(answers, [](const auto& met) { return met ? met->time : kNone; }),
+      numbers_of<bool>(answers, [](const auto& met) { return met && met->is_at_start; }), pairs,
+      points_of(answers,
+                [&](const auto& met) -> Eigen::Vector3d { return met ? met->point : nowhere; }),
+      points_of(answers,
+                [&](const auto& met) -> Eigen::Vector3d { return met ? met->normal : nowhere; }));
+}
+
+py::object casts_of_meshes(const PlacedPair& pair, const Displacements& ways,
+                           const CastSettings& settings, const Batch& batch, Work* work) {
+  static const ResultType kSingle("MeshCast");
+  static const ResultType kMany("Casts");
+  const auto answers = ask_all<std::optional<MeshCast>>(
+      ways.is_many(), ways.size(), batch, work,
+      [&](std::size_t i, Work* own) {
+        return cast(pair.a.mesh_at(i), pair.b.mesh_at(i), ways[i], settings, own);
+      },
+      [&] { ways.blame(pair); });
+  if (ways.is_many()) {
+    auto pairs = new_array<std::int64_t>({static_cast<py::ssize_t>(answers.size()), 2});
+    std::int64_t* at = pairs.mutable_data();
+    for (const auto& met : answers) {
+      *at++ = met ? static_cast<std::int64_t>(met->pair.a) : -1;
+      *at++ = met ? static_cast<std::int64_t>(met->pair.b) : -1;
+    }
+    return casts_of(answers, kMany, pairs);
+  }
+  const auto& met = answers[0];
+  if (!met) return py::none();
+  return kSingle(met->time, met->is_at_start, py::make_tuple(met->pair.a, met->pair.b),
+                 array_of(met->point), array_of(met->normal));
+}
+
+py::object casts_of_shapes(const PlacedPair& pair, const Displacements& ways, const Batch& batch,
+                           Work* work) {
+  static const ResultType kSingle("ShapeCast");
+  static const ResultType kMany("Casts");
+  const auto answers = ask_all<std::optional<ShapeCast>>(
+      ways.is_many(), ways.size(), batch, work,
+      [&](std::size_t i, Work* own) {
+        return cast(pair.a.shape_at(i), pair.b.shape_at(i), ways[i], own);
+      },
+      [&] { ways.blame(pair); });
+  if (ways.is_many()) return casts_of(answers, kMany, py::none());
+  const auto& met = answers[0];
+  if (!met) return py::none();
+  return kSingle(met->time, met->is_at_start, array_of(met->point), array_of(met->normal));
 }
 
 py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::handle start,
-                   py::handle work_argument) {
-  static const ResultType kMeshType("MeshCast");
-  static const ResultType kShapeType("ShapeCast");
+                   py::handle threads, py::handle progress, py::handle work) {
   const PlacedPair pair(a, b);
-  if (pair.is_many()) throw InputError("cast() takes one pose");
-  const Eigen::Vector3d way = vector_from(displacement, "displacement");
+  const Displacements ways(displacement, pair);
   const CastSettings settings{.start = start_from(start)};
-  Work* work = work_from(work_argument);
-  if (pair.are_meshes()) {
-    std::optional<MeshCast> met;
-    {
-      const py::gil_scoped_release released;
-      met = cast(pair.a.mesh_at(0), pair.b.mesh_at(0), way, settings, work);
-    }
-    if (!met) return py::none();
-    return kMeshType(met->time, met->is_at_start, py::make_tuple(met->pair.a, met->pair.b),
-                     array_of(met->point), array_of(met->normal));
-  }
+  const Batch batch(threads, progress);
+  if (pair.are_meshes()) return casts_of_meshes(pair, ways, settings, batch, work_from(work));
   if (settings.start != StartContact::Counts) throw InputError("start: is for two meshes");
-  std::optional<ShapeCast> met;
-  {
-    const py::gil_scoped_release released;
-    met = cast(pair.a.shape_at(0), pair.b.shape_at(0), way, work);
-  }
-  if (!met) return py::none();
-  return kShapeType(met->time, met->is_at_start, array_of(met->point), array_of(met->normal));
+  return casts_of_shapes(pair, ways, batch, work_from(work));
 }
 
 constexpr const char* kFirstContactText =
@@ -174,12 +255,25 @@ Whether first_contact() says "free": a bool, or with a list of motions of B an a
 True
 )";
 
-constexpr const char* kCastText = R"(cast(a, b, displacement, *, start='counts', work=None)
+constexpr const char* kLastFreeText =
+    R"(last_free(a, motion_a, b, motion_b, *, clearance=0.0, tolerance=1e-06, budget=16777216, threads=0, progress=None, work=None)
+--
+
+The last time up to which two meshes are proved to stay apart, 1.0 if that is so to the end; None if they are too near at
+the start. With a list of motions of B an array, in which that is NaN.
+
+>>> graze.last_free(bolt, np.eye(4), nut, far)
+1.0
+)";
+
+constexpr const char* kCastText =
+    R"(cast(a, b, displacement, *, start='counts', threads=0, progress=None, work=None)
 --
 
 When placed B, moved straight by t `displacement`, metres, t from 0 to 1, meets A first: a MeshCast, or a ShapeCast
 where one is another shape than a mesh, or None if it never does. Of two meshes it is exact, and never late. With
-`start` "is_left" what merely touches at t = 0 may leave.
+`start` "is_left" what merely touches at t = 0 may leave. With many poses, or displacements of the shape (n, 3), or as
+many of both, Casts: arrays.
 
 Raises InputError for a displacement that is not finite, and what intersects() raises.
 
@@ -199,22 +293,10 @@ void add_motions(py::module_& module) {
   };
   add("first_contact", &first_contact_of, kFirstContactText);
   add("is_free", &is_free_of, kIsFreeText);
-  module.def(
-      "last_free", &last_free_of,
-      R"(last_free(a, motion_a, b, motion_b, *, clearance=0.0, tolerance=1e-06, budget=16777216, work=None)
---
-
-The last time up to which two meshes are proved to stay apart, 1.0 if that is so to the end; None if they are too near at
-the start.
-
->>> graze.last_free(bolt, np.eye(4), nut, far)
-1.0
-)",
-      py::arg("a"), py::arg("motion_a"), py::arg("b"), py::arg("motion_b"), py::kw_only(),
-      py::arg("clearance") = 0.0, py::arg("tolerance") = 1e-6,
-      py::arg("budget") = std::size_t{1} << 24, py::arg("work") = py::none());
+  add("last_free", &last_free_of, kLastFreeText);
   module.def("cast", &cast_of, kCastText, py::arg("a"), py::arg("b"), py::arg("displacement"),
-             py::kw_only(), py::arg("start") = "counts", py::arg("work") = py::none());
+             py::kw_only(), py::arg("start") = "counts", py::arg("threads") = 0,
+             py::arg("progress") = py::none(), py::arg("work") = py::none());
 }
 
 }  // namespace graze::python

@@ -147,20 +147,25 @@ py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directio
   return hits_of(hits);
 }
 
-py::object cast_ray_all_of(py::handle mesh, py::handle origin, py::handle direction,
-                           py::handle max_distance, py::handle work_argument) {
+py::object cast_ray_all_of(py::handle mesh, py::handle origins, py::handle directions,
+                           py::handle max_distance, py::handle threads, py::handle progress,
+                           py::handle work) {
+  static const ResultType kMany("RayHitLists");
   const Placed placed = placed_mesh(mesh, "mesh");
-  const Rays rays(origin, direction, max_distance);
-  if (rays.is_many() || placed.poses().is_many())
-    throw InputError("cast_ray_all() takes one ray and one pose");
-  Work* work = work_from(work_argument);
+  if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken beside rays");
+  const Rays rays(origins, directions, max_distance);
+  const auto answers = ask_all<std::vector<RayHit>>(
+      rays.is_many(), rays.size(), Batch(threads, progress), work_from(work),
+      [&](std::size_t i, Work* own) { return cast_ray_all(placed.mesh_at(0), rays[i], own); },
+      [&] { rays.blame(); });
   Hits hits;
-  {
-    const py::gil_scoped_release released;
-    const auto all = cast_ray_all(placed.mesh_at(0), rays[0], work);
-    hits.assign(all.begin(), all.end());
+  std::vector<std::int64_t> offsets{0};
+  for (const auto& all : answers) {
+    hits.insert(hits.end(), all.begin(), all.end());
+    offsets.push_back(static_cast<std::int64_t>(hits.size()));
   }
-  return hits_of(hits);
+  if (!rays.is_many()) return hits_of(hits);
+  return kMany(hits_of(hits), array_over<std::int64_t>(std::move(offsets)));
 }
 
 constexpr const char* kCastRaysText =
@@ -182,10 +187,11 @@ array([ True, False])
 )";
 
 constexpr const char* kCastRayAllText =
-    R"(cast_ray_all(mesh, origin, direction, max_distance=1e999, *, work=None)
+    R"(cast_ray_all(mesh, origins, directions, max_distance=1e999, *, threads=0, progress=None, work=None)
 --
 
-All triangles of a placed mesh that a ray meets, by distance: RayHits.
+All triangles of a placed mesh that a ray meets, by distance: RayHits. Of many rays RayHitLists: all hits in one result,
+and where those of each ray begin.
 
 Raises what cast_rays() raises.
 
@@ -201,8 +207,9 @@ void add_rays(py::module_& module) {
              py::arg("directions"), py::arg("max_distance") = infinity, py::kw_only(),
              py::arg("threads") = 0, py::arg("progress") = py::none(),
              py::arg("work") = py::none());
-  module.def("cast_ray_all", &cast_ray_all_of, kCastRayAllText, py::arg("mesh"), py::arg("origin"),
-             py::arg("direction"), py::arg("max_distance") = infinity, py::kw_only(),
+  module.def("cast_ray_all", &cast_ray_all_of, kCastRayAllText, py::arg("mesh"), py::arg("origins"),
+             py::arg("directions"), py::arg("max_distance") = infinity, py::kw_only(),
+             py::arg("threads") = 0, py::arg("progress") = py::none(),
              py::arg("work") = py::none());
 }
 
