@@ -31,6 +31,7 @@ Examples:
   graze simulate scene.json --contacts
   graze compare bolt.obj nut.stl --grazing 100 --report out.html
   graze explain bolt.obj nut.stl
+  graze view bolt.obj nut.stl --poses poses.txt -o page.html
 
 Meshes are read from OBJ, STL, PLY and OFF files, by their names' endings. Lengths are in metres.
 
@@ -97,6 +98,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_merge_command(program, action);
   add_compare_command(program, action, arguments);
   add_explain_command(program, action);
+  add_view_command(program, action);
   Output output(stdout);
   try {
     return parse_and_run(program, join_pose_arguments(arguments), action, output);

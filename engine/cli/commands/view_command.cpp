@@ -1,0 +1,62 @@
+#include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/view/view_run.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace graze::cli {
+namespace {
+
+constexpr const char* kViewFooter = R"(
+The page is one file that any browser opens, without a network: turn by mouse, fingers or arrow keys, play, jump to
+where touching begins or ends, cut, measure, save a picture. Two meshes are shown in the pose, or a picture for each
+pose of --poses: intersecting triangles red, curves of intersection, contacts with normals and depths, or else the
+nearest points and the gap. Of cases each is a picture, and 49 where things move. What is shown is asked of graze
+anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and the page says so.
+
+Examples:
+  graze view bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" -o page.html
+  graze view bolt.obj nut.stl --poses poses.txt --open
+  graze view odd.json
+  graze view data/regressions -o cases.html
+
+Exit codes:
+  0  the page was written
+  2  bad input, or a file that cannot be written, with one line on stderr; of several cases the others are shown)";
+
+}  // namespace
+
+void add_view_command(CLI::App& program, Action& action) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command =
+      program.add_subcommand("view", "A page that shows a pose, a motion or cases, to be turned");
+  command
+      ->add_option("FILE", options->files,
+                   "one or two meshes: .obj, .stl, .ply or .off; or cases, or folders of them")
+      ->required();
+  command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
+  command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
+  command
+      ->add_option("--poses", options->poses, "poses of B, one per line, or .npy, each a picture")
+      ->type_name("FILE");
+  command
+      ->add_option("--meshes", options->mesh_folder,
+                   "the folder of meshes by file (default: that of each case)")
+      ->type_name("DIR");
+  command
+      ->add_option("-o,--output", options->page, "where the page goes (default: graze-view.html)")
+      ->type_name("FILE")
+      ->check(file_name());
+  command->add_option("--title", options->title, "the heading (default: the names of the files)")
+      ->type_name("TEXT");
+  command->add_flag("--open", options->is_opened, "open the page in a browser");
+  command->add_flag("--progress", options->has_progress,
+                    "report progress on stderr even if it is no terminal");
+  command->footer(kViewFooter);
+  command->callback([options, &action] {
+    action = [options](Output& output) { return run_view(*options, output); };
+  });
+}
+
+}  // namespace graze::cli

@@ -1,0 +1,90 @@
+#include <graze/engine/cli/view/view_run.h>
+
+#include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/view/shown_cases.h>
+#include <graze/engine/cli/view/shown_meshes.h>
+#include <graze/engine/files/output_file.h>
+#include <graze/engine/files/source.h>
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+extern char** environ;
+
+namespace graze::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_case(const std::string& file) {
+  std::error_code ignored;
+  const fs::path ending = fs::path(file).extension();
+  return ending == ".json" || ending == ".jsonl" || fs::is_directory(file, ignored);
+}
+
+/// Whether all are cases; none may be.
+bool are_cases(const ViewOptions& options) {
+  const auto count = std::count_if(options.files.begin(), options.files.end(), is_case);
+  if (count == 0) return false;
+  if (count != std::ssize(options.files))
+    throw UsageError("meshes and cases go to pages of their own");
+  return true;
+}
+
+void check_options(const ViewOptions& options, bool has_cases) {
+  if (options.poses && options.poses->empty())
+    throw UsageError("--poses: the name of the file is empty");
+  if (options.poses && !options.pose_b.empty())
+    throw UsageError("--pose-b and --poses exclude each other: both place B");
+  const bool has_poses = options.poses || !options.pose_a.empty() || !options.pose_b.empty();
+  if (has_cases && has_poses)
+    throw UsageError("--pose-a, --pose-b and --poses are about meshes: cases have their own poses");
+  if (!has_cases && !options.mesh_folder.empty())
+    throw UsageError("--meshes is about cases: here are meshes");
+  if (!has_cases && options.files.size() > 2) throw UsageError("more than two meshes");
+  if (!has_cases && options.files.size() == 1 && (options.poses || !options.pose_b.empty()))
+    throw UsageError("--pose-b and --poses need a second mesh");
+}
+
+void check_files(const ViewOptions& options) {
+  std::vector<FilePlace> inputs;
+  for (const std::string& file : options.files)
+    inputs.push_back({"an input", file});
+  if (options.poses) inputs.push_back({"the file of --poses", *options.poses});
+  const std::array<FilePlace, 1> outputs = {{{"-o", options.page}}};
+  check_outputs(outputs, inputs);
+}
+
+/// By the program that opens files on this desktop. Throws UsageError, after the page was written.
+void open_page(const std::string& page) {
+  std::string program = "xdg-open", file = fs::absolute(page).string();
+  std::array<char*, 3> arguments = {program.data(), file.data(), nullptr};
+  pid_t child = 0;
+  int status = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0 ||
+      waitpid(child, &status, 0) != child || status != 0)
+    throw UsageError("--open: xdg-open has not opened " + mesh_io::printable(file));
+}
+
+}  // namespace
+
+ExitCode run_view(const ViewOptions& options, Output& output) {
+  const bool has_cases = are_cases(options);
+  check_options(options, has_cases);
+  check_files(options);
+  const ShownPage shown = has_cases ? show_cases(options) : show_meshes(options);
+  const std::string page = shown.view.page();
+  files::write_file(options.page, page);
+  output.write(fmt::format("{}: {} {}, {} touching, {:.1f} MB\n", mesh_io::printable(options.page),
+                           shown.frames, shown.frames == 1 ? "picture" : "pictures", shown.touching,
+                           static_cast<double>(page.size()) / 1e6));
+  if (options.is_opened) open_page(options.page);
+  return shown.is_all_read ? ExitCode::Answered : ExitCode::BadInput;
+}
+
+}  // namespace graze::cli

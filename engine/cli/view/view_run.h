@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/output/output.h>
+
+namespace graze::cli {
+
+/// The arguments of `graze view` as they are given.
+struct ViewOptions {
+  std::vector<std::string> files = {};  ///< one or two meshes, or cases and folders of them
+  std::string pose_a = {};
+  std::string pose_b = {};
+  std::optional<std::string> poses = {};  ///< given and empty is an error
+  std::string mesh_folder = {};           ///< where meshes by file lie; empty: beside each case
+  std::string page = "graze-view.html";   ///< where it is written
+  std::string title = {};                 ///< empty: the names of what is shown
+  bool is_opened = false;                 ///< in the browser, afterwards
+  bool has_progress = false;
+};
+
+/// Writes the page and says where. Cases that cannot be read are named on stderr, one line each;
+/// the others are shown, and the exit code is then BadInput. Throws UsageError for options that do
+/// not go together, and what reading and writing throw.
+ExitCode run_view(const ViewOptions& options, Output& output);
+
+}  // namespace graze::cli

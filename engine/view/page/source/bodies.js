@@ -1,0 +1,227 @@
+// @ts-check
+// Bodies as three.js draws them: surfaces, edges, marked triangles. Meshes are stored once, however many bodies have
+// them and however many frames these stand in.
+
+import * as THREE from 'three';
+import {meshEdges, typicalEdge} from './edges.js';
+import {placeIn} from './frames.js';
+
+/** @typedef {import('./unpack.js').PageData} PageData */
+/** @typedef {import('./unpack.js').Arrays} Arrays */
+
+/** Light, so that red triangles and dark curves stand out; told apart by lightness where not by hue. */
+export const kPalette = ['#93b4d4', '#e6c583', '#a3cdb5', '#cfabc9', '#c4c7cc', '#b9a68d'];
+const kMarked = '#d3203c';
+
+/** What is shared by the bodies of one mesh. */
+export class MeshShape {
+  /** @param {PageData} page @param {Arrays} arrays @param {number} index */
+  constructor(page, arrays, index) {
+    const data = page.meshes[index];
+    this.isBoundless = data.boundless === true;
+    this.origin = data.origin;
+    this.scale = data.scale;
+    this.positions = arrays.floats(data.positions);
+    this.triangles = arrays.words(data.indices);
+    this.surface = new THREE.BufferGeometry();
+    this.surface.setAttribute('position', new THREE.BufferAttribute(this.positions, 3));
+    this.surface.setIndex(new THREE.BufferAttribute(this.triangles, 1));
+    this.surface.computeBoundingSphere();
+    this.surface.computeBoundingBox();
+    this.typicalEdge = typicalEdge(this.positions, this.triangles);
+    const {sharp, flat, isClosed} = meshEdges(this.positions, this.triangles);
+    this.isClosed = isClosed;
+    this.sharp = this.edges(sharp);
+    this.flat = this.edges(flat);
+  }
+
+  /** @param {Uint32Array<ArrayBuffer>} pairs */
+  edges(pairs) {
+    const edges = new THREE.BufferGeometry();
+    edges.setAttribute('position', this.surface.getAttribute('position'));
+    edges.setIndex(new THREE.BufferAttribute(pairs, 1));
+    edges.boundingSphere = this.surface.boundingSphere;
+    return edges;
+  }
+
+  /** The corners of some triangles, one after the other. @param {ArrayLike<number>} which */
+  corners(which) {
+    const corners = new Float32Array(9 * which.length);
+    for (let i = 0; i < which.length; ++i)
+      for (let k = 0; k < 3; ++k)
+        for (let x = 0; x < 3; ++x)
+          corners[9 * i + 3 * k + x] = this.positions[3 * this.triangles[3 * which[i] + k] + x];
+    return corners;
+  }
+}
+
+/** One body: a group whose frame is that of its mesh's numbers. */
+export class ShownBody {
+  /**
+   * @param {MeshShape} shape @param {string} color
+   * @param {Uint32Array} frames in which it stands @param {Float32Array} poses of these
+   * @param {THREE.Plane[]} cuts by which surfaces are cut
+   */
+  constructor(shape, color, frames, poses, cuts) {
+    this.shape = shape;
+    this.frames = frames;
+    this.poses = poses;
+    this.cuts = cuts;
+    this.isHidden = false;
+    this.isHere = false;
+    this.group = new THREE.Group();
+    this.group.matrixAutoUpdate = false;
+    const offset = {polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5};
+    const look = {color, flatShading: true, roughness: 0.75, metalness: 0.05, clippingPlanes: cuts, ...offset};
+    this.material = new THREE.MeshStandardMaterial({...look, side: THREE.DoubleSide});
+    if (shape.isBoundless)
+      Object.assign(this.material, {transparent: true, opacity: 0.3, depthWrite: false});
+    this.surface = new THREE.Mesh(shape.surface, this.material);
+    this.sharp = new THREE.LineSegments(shape.sharp, this.lines(0.75));
+    this.flat = new THREE.LineSegments(shape.flat, this.lines(0.25));
+    this.marked = new THREE.Group();
+    for (const part of [this.surface, this.sharp, this.flat]) part.frustumCulled = false;
+    this.group.add(this.surface, this.sharp, this.flat, this.marked);
+    this.color = new THREE.Color(color);
+    /** @type {Cap|null} made when something is cut first */
+    this.cap = null;
+  }
+
+  /** @param {number} opacity */
+  lines(opacity) {
+    return new THREE.LineBasicMaterial({color: '#10202e', transparent: true, opacity, clippingPlanes: this.cuts});
+  }
+
+  /** Puts it where it stands in a frame. @param {number} frame @param {number} scale of the frame's numbers */
+  stand(frame, scale) {
+    const at = placeIn(this.frames, frame);
+    this.isHere = at >= 0;
+    this.group.visible = this.isHere && !this.isHidden;
+    if (!this.isHere) return;
+    const pose = this.poses.subarray(7 * at, 7 * at + 7);
+    const turn = new THREE.Quaternion(pose[0], pose[1], pose[2], pose[3]).normalize();
+    const ratio = this.shape.scale / scale;
+    // The translation of the pose is already that of the mesh's origin.
+    this.group.matrix.compose(new THREE.Vector3(pose[4], pose[5], pose[6]), turn,
+                              new THREE.Vector3(ratio, ratio, ratio));
+    this.group.matrixWorldNeedsUpdate = true;
+    this.group.updateMatrixWorld(true);
+  }
+
+  /** @param {ArrayLike<number>} triangles */
+  mark(triangles) {
+    for (const mesh of [...this.marked.children]) {
+      this.marked.remove(mesh);
+      if (mesh instanceof THREE.Mesh) mesh.geometry.dispose();
+    }
+    if (triangles.length === 0) return;
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(this.shape.corners(triangles), 3));
+    const front = new THREE.Mesh(geometry, markedMaterial(this.cuts));
+    const through = new THREE.Mesh(geometry, throughMaterial(this.cuts));
+    through.renderOrder = 2;
+    for (const mesh of [front, through]) mesh.frustumCulled = false;
+    this.marked.add(front, through);
+  }
+
+  /**
+   * The plane within a closed body that a cut lays open.
+   * @param {number} order of this body among all @param {THREE.Scene} scene @param {THREE.Box3} box around everything
+   */
+  fill(order, scene, box) {
+    const [plane] = this.cuts;
+    const isFilled = plane !== undefined && this.group.visible && this.shape.isClosed && !this.shape.isBoundless;
+    if (isFilled && !this.cap) {
+      this.cap = new Cap(this.shape.surface, this.color, this.cuts, order);
+      this.group.add(this.cap.counts);
+      scene.add(this.cap.plane);
+    }
+    this.cap?.show(isFilled);
+    if (isFilled) this.cap?.lay(plane, box);
+  }
+
+  /** @param {{pixels: number, hasEdges: boolean, hasMarks: boolean}} look `pixels` of a unit there */
+  dress({pixels, hasEdges, hasMarks}) {
+    const scale = this.group.matrix.getMaxScaleOnAxis();
+    const size = pixels * scale * this.shape.typicalEdge;
+    const isBounded = hasEdges && !this.shape.isBoundless;
+    this.sharp.visible = isBounded;
+    // Edges of triangles that are too small to be told apart would make the surface black.
+    this.flat.material.opacity = 0.28 * Math.min(1, Math.max(0, (size - 7) / 14));
+    this.flat.visible = isBounded && this.flat.material.opacity > 0;
+    this.sharp.material.opacity = 0.25 + 0.5 * Math.min(1, Math.max(0, (size - 1) / 6));
+    this.marked.visible = hasMarks;
+  }
+}
+
+/**
+ * Where a cut goes through a closed body: its back faces behind the plane are counted up, its front faces down, and
+ * where the count is not 0 the plane is inside.
+ */
+class Cap {
+  /**
+   * @param {THREE.BufferGeometry} surface @param {THREE.Color} color @param {THREE.Plane[]} cuts
+   * @param {number} order
+   */
+  constructor(surface, color, cuts, order) {
+    this.counts = new THREE.Group();
+    for (const [side, count] of /** @type {const} */ ([[THREE.BackSide, THREE.IncrementWrapStencilOp],
+                                                       [THREE.FrontSide, THREE.DecrementWrapStencilOp]])) {
+      const material = new THREE.MeshBasicMaterial({side, clippingPlanes: cuts});
+      Object.assign(material, {
+        depthTest: false, depthWrite: false, colorWrite: false, stencilWrite: true, stencilFunc: THREE.AlwaysStencilFunc,
+        stencilFail: count, stencilZFail: count, stencilZPass: count,
+      });
+      const mesh = new THREE.Mesh(surface, material);
+      mesh.frustumCulled = false;
+      mesh.renderOrder = -2 - order;
+      this.counts.add(mesh);
+    }
+    const material = new THREE.MeshBasicMaterial({color: color.clone().multiplyScalar(0.62), side: THREE.DoubleSide});
+    Object.assign(material, {
+      stencilWrite: true, stencilFunc: THREE.NotEqualStencilFunc, stencilFail: THREE.ZeroStencilOp,
+      stencilZFail: THREE.ZeroStencilOp, stencilZPass: THREE.ZeroStencilOp,
+    });
+    this.plane = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material);
+    this.plane.frustumCulled = false;
+    this.plane.renderOrder = -1.5 - order;
+  }
+
+  /** @param {boolean} isShown */
+  show(isShown) {
+    this.counts.visible = this.plane.visible = isShown;
+  }
+
+  /** @param {THREE.Plane} plane @param {THREE.Box3} box around everything */
+  lay(plane, box) {
+    const ball = box.getBoundingSphere(new THREE.Sphere());
+    plane.projectPoint(ball.center, this.plane.position);
+    this.plane.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), plane.normal);
+    this.plane.scale.setScalar(Math.max(ball.radius * 1.5, 1e-6));
+  }
+}
+
+/** @param {THREE.Plane[]} cuts */
+function markedMaterial(cuts) {
+  return new THREE.MeshStandardMaterial({
+    color: kMarked,
+    emissive: kMarked,
+    emissiveIntensity: 0.35,
+    flatShading: true,
+    side: THREE.DoubleSide,
+    clippingPlanes: cuts,
+  });
+}
+
+/** What is behind something else shines through. @param {THREE.Plane[]} cuts */
+function throughMaterial(cuts) {
+  return new THREE.MeshBasicMaterial({
+    color: kMarked,
+    transparent: true,
+    opacity: 0.22,
+    depthFunc: THREE.GreaterDepth,
+    depthWrite: false,
+    side: THREE.DoubleSide,
+    clippingPlanes: cuts,
+  });
+}

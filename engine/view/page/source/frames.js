@@ -1,0 +1,54 @@
+// @ts-check
+// Frames one after the other: which body stands where, and where something begins or ends.
+
+/** @typedef {import('./unpack.js').FrameData} FrameData */
+
+/**
+ * Where in `frames`, ascending, a frame is; -1 if it is not there.
+ * @param {Uint32Array} frames @param {number} frame
+ */
+export function placeIn(frames, frame) {
+  let low = 0, high = frames.length;
+  while (low < high) {
+    const middle = low + high >> 1;
+    if (frames[middle] < frame) low = middle + 1;
+    else high = middle;
+  }
+  return frames[low] === frame ? low : -1;
+}
+
+/**
+ * The next frame, or the last before, whose state is another than that of the frame before it; null if there is none.
+ * @param {FrameData[]} frames @param {number} from @param {1|-1} step
+ */
+export function nextChange(frames, from, step) {
+  for (let f = from + step; f > 0 && f < frames.length; f += step)
+    if (frames[f].state !== frames[f - 1].state) return f;
+  return step < 0 && from > 0 ? 0 : null;
+}
+
+/**
+ * Stretches of frames of one state, for a strip of colours.
+ * @param {FrameData[]} frames
+ */
+export function stretches(frames) {
+  /** @type {{state: FrameData['state'], first: number, count: number}[]} */
+  const found = [];
+  frames.forEach(({state}, f) => {
+    const last = found[found.length - 1];
+    if (last && last.state === state) ++last.count;
+    else found.push({state, first: f, count: 1});
+  });
+  return found;
+}
+
+/**
+ * How many frames a player goes on, and what is left over of a frame. From the last frame a loop goes to the first.
+ * @param {number} frame @param {number} due frames and parts of one @param {number} count @param {boolean} isLoop
+ */
+export function advance(frame, due, count, isLoop) {
+  const whole = Math.floor(due);
+  const next = frame + whole;
+  if (next < count) return {frame: next, left: due - whole, isEnd: false};
+  return isLoop ? {frame: next % count, left: due - whole, isEnd: false} : {frame: count - 1, left: 0, isEnd: true};
+}

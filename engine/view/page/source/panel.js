@@ -1,0 +1,147 @@
+// @ts-check
+// The list of bodies, the layers and the cut.
+
+import {element} from './overlay.js';
+import {kPalette} from './bodies.js';
+
+/** @typedef {import('./stage.js').Layer} Layer */
+
+/** @type {[Layer, string, string][]} */
+const kLayers = [
+  ['triangles', 'intersecting triangles', '<path d="M4 12 11 2l7 10z" fill="#d3203c" stroke="none"/>'],
+  ['curves', 'curves of intersection', '<path d="M2 10C8-2 13 16 20 4" stroke-width="2.500"/>'],
+  ['contacts', 'contacts, normals, depths', '<path d="M4 11 15 4M15 4l-5 .5M15 4l-2 4.500" stroke="#7a45bd"/>'],
+  ['gaps', 'nearest points, gap', '<path d="M3 7h16" stroke="#00876a"/><path d="M3 3v8M19 3v8" stroke="#00876a"/>'],
+  ['edges', 'edges', '<path d="M3 11 8 2l11 3-5 7z" stroke-width="1.300"/>'],
+  ['labels', 'words', '<path d="M4 3h13M10.500 3v9"/>'],
+];
+
+export class Panel {
+  /** @param {import('./stage.js').Stage} stage @param {() => void} onChange */
+  constructor(stage, onChange) {
+    this.stage = stage;
+    this.onChange = onChange;
+    this.rows = stage.page.bodies.map((body, b) => this.row(body, b));
+    this.boxes = new Map(kLayers.map(([layer, name, icon]) => [layer, this.layer(layer, name, icon)]));
+    for (const button of this.axisButtons())
+      button.addEventListener('click', () => this.setCut(button.dataset.axis ?? ''));
+    element('flip').addEventListener('click', () => this.flip());
+    this.slider = /** @type {HTMLInputElement} */ (element('cut-at'));
+    this.slider.addEventListener('input', () => {
+      if (stage.cut) stage.setCut({...stage.cut, at: Number(this.slider.value)});
+      onChange();
+    });
+  }
+
+  /** @param {import('./unpack.js').BodyData} body @param {number} b */
+  row(body, b) {
+    const item = document.createElement('li');
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = true;
+    box.id = `body-${b}`;
+    const swatch = document.createElement('span');
+    swatch.className = 'swatch';
+    swatch.style.background = body.color ?? kPalette[b % kPalette.length];
+    const label = document.createElement('label');
+    label.htmlFor = box.id;
+    label.textContent = body.name;
+    label.title = body.name;
+    const size = document.createElement('small');
+    size.textContent = `${(this.stage.bodies[b].shape.triangles.length / 3).toLocaleString('en')} triangles`;
+    label.append(size);
+    const only = document.createElement('button');
+    only.textContent = 'only';
+    only.title = `Only ${body.name}; again: all`;
+    box.addEventListener('change', () => this.hide(b, !box.checked));
+    only.addEventListener('click', () => this.isolate(b));
+    item.append(box, swatch, label, only);
+    element('bodies').append(item);
+    return {item, box};
+  }
+
+  /** @param {Layer} layer @param {string} name @param {string} icon of this file, never of the data */
+  layer(layer, name, icon) {
+    const label = document.createElement('label');
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.checked = true;
+    const drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    drawing.setAttribute('viewBox', '0 0 22 14');
+    drawing.innerHTML = icon;
+    box.addEventListener('change', () => this.setLayer(layer, box.checked));
+    label.append(box, drawing, name);
+    element('layers').append(label);
+    return box;
+  }
+
+  /** @param {Layer} layer @param {boolean} isOn */
+  setLayer(layer, isOn) {
+    const box = this.boxes.get(layer);
+    if (!box) return;
+    box.checked = isOn;
+    if (isOn) this.stage.layers.add(layer);
+    else this.stage.layers.delete(layer);
+    this.stage.ask();
+    this.onChange();
+  }
+
+  /** @param {number} b @param {boolean} isHidden */
+  hide(b, isHidden) {
+    if (!this.rows[b]) return;
+    this.rows[b].box.checked = !isHidden;
+    this.stage.hide(b, isHidden);
+    this.onChange();
+  }
+
+  /** @param {number} b */
+  isolate(b) {
+    const isAlone = this.stage.bodies.every((body, i) => body.isHidden === (i !== b) || !body.isHere);
+    this.rows.forEach((_, i) => this.hide(i, !isAlone && i !== b));
+  }
+
+  /** Bodies that do not stand in the frame are paler. */
+  refresh() {
+    const isFew = this.stage.bodies.length <= 40;
+    this.rows.forEach(({item}, b) => {
+      item.classList.toggle('away', !this.stage.bodies[b].isHere);
+      item.hidden = !isFew && !this.stage.bodies[b].isHere;
+    });
+  }
+
+  axisButtons() {
+    return /** @type {HTMLButtonElement[]} */ ([...element('cut').querySelectorAll('[data-axis]')]);
+  }
+
+  /** @param {string} axis x, y, z, or nothing */
+  setCut(axis) {
+    this.showCut(axis === '' ? null : {
+      axis: /** @type {'x'|'y'|'z'} */ (axis),
+      at: this.stage.cut?.at ?? 0.5,
+      isFlipped: this.stage.cut?.isFlipped ?? false,
+    });
+  }
+
+  /** A cut, the other half, none. @param {'x'|'y'|'z'} axis */
+  nextCut(axis) {
+    const {cut} = this.stage;
+    if (cut?.axis !== axis) this.showCut({axis, at: 0.5, isFlipped: false});
+    else if (!cut.isFlipped) this.flip();
+    else this.setCut('');
+  }
+
+  flip() {
+    const {cut} = this.stage;
+    if (cut) this.showCut({...cut, isFlipped: !cut.isFlipped});
+  }
+
+  /** @param {import('./stage.js').Cut|null} cut */
+  showCut(cut) {
+    this.stage.setCut(cut);
+    for (const button of this.axisButtons())
+      button.setAttribute('aria-pressed', String(button.dataset.axis === (cut?.axis ?? '')));
+    this.slider.disabled = /** @type {HTMLButtonElement} */ (element('flip')).disabled = cut === null;
+    if (cut) this.slider.value = String(cut.at);
+    this.onChange();
+  }
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace graze::view {
+
+/// The page without its data, as page/built/page.html has it: {{title}} and {{data}} stand where
+/// these go. Its source is written by the build (embed.cmake).
+std::string page_text();
+
+}  // namespace graze::view

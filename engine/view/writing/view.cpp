@@ -1,0 +1,234 @@
+#include <graze/engine/view/view.h>
+
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/engine/files/output_file.h>
+#include <graze/engine/mesh/placement.h>
+#include <graze/engine/view/packing/packed_text.h>
+#include <graze/engine/view/shapes/triangulate.h>
+#include <graze/engine/view/writing/packed_view.h>
+#include <graze/engine/view/writing/page_text.h>
+#include <graze/engine/view/writing/view_data.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace graze {
+
+struct View::Data {
+  view::ShownView shown;
+
+  /// That was begun last; one begins if none was.
+  view::ShownFrame& frame() {
+    if (shown.frames.empty()) shown.frames.push_back({.said = {}});
+    return shown.frames.back();
+  }
+
+  /// "frame 3" or "frame 3, pose 3".
+  std::string where() const {
+    if (shown.frames.empty()) return "frame 0";
+    const std::string& label = shown.frames.back().said.label;
+    return "frame " + std::to_string(shown.frames.size() - 1) + (label.empty() ? "" : ", ") + label;
+  }
+
+  ViewBody add_body(std::size_t shape, const char* kind, const ViewBodySettings& settings) {
+    const auto index = static_cast<std::uint32_t>(shown.bodies.size());
+    std::string name = settings.name;
+    if (name.empty()) name.append(kind).append(" ").append(std::to_string(index));
+    shown.bodies.push_back({std::move(name), shape, settings.color});
+    return {index};
+  }
+
+  void check_body(ViewBody body) const {
+    if (body.index >= shown.bodies.size())
+      throw InputError("body " + std::to_string(body.index) + ": the view has " +
+                           std::to_string(shown.bodies.size()),
+                       {.element = "body", .index = body.index});
+  }
+
+  void check(const Eigen::Vector3d& point, const char* what) const {
+    if (!point.allFinite()) throw InputError(where() + ": " + what + " is not finite");
+  }
+
+  void check(double length, const char* what) const {
+    if (!std::isfinite(length) || length < 0)
+      throw InputError(where() + ": " + what + " is negative or not finite");
+  }
+};
+
+namespace {
+
+void check_settings(const ViewSettings& settings) {
+  if (settings.segments < 8 || settings.segments > 1024)
+    throw InputError("ViewSettings::segments is " + std::to_string(settings.segments) +
+                     ", not 8 to 1024");
+}
+
+Aabb bounds_of(const std::vector<Eigen::Vector3d>& vertices) {
+  Aabb box{vertices.front(), vertices.front()};
+  for (const Eigen::Vector3d& vertex : vertices)
+    box = {box.min.cwiseMin(vertex), box.max.cwiseMax(vertex)};
+  return box;
+}
+
+/// The index of the first that is as `is_it` says; how many there are if none is.
+template <typename IsIt>
+std::size_t place_of(const std::vector<view::ShownShape>& shapes, const IsIt& is_it) {
+  return static_cast<std::size_t>(std::find_if(shapes.begin(), shapes.end(), is_it) -
+                                  shapes.begin());
+}
+
+std::size_t add_surface(view::Triangulation surface, std::optional<Mesh> mesh,
+                        std::vector<view::ShownShape>& shapes) {
+  const Aabb bounds = bounds_of(surface.vertices);
+  shapes.push_back({std::move(surface), bounds, std::move(mesh)});
+  return shapes.size() - 1;
+}
+
+/// The index of the mesh, which is added unless it is there.
+std::size_t index_of(const Mesh& mesh, std::vector<view::ShownShape>& shapes) {
+  const std::size_t at =
+      place_of(shapes, [&](const view::ShownShape& known) { return known.mesh == mesh; });
+  return at < shapes.size() ? at : add_surface(view::triangulate(mesh), mesh, shapes);
+}
+
+/// Likewise of any shape.
+std::size_t index_of(const Shape& shape, const view::TriangulationSettings& settings,
+                     std::vector<view::ShownShape>& shapes) {
+  if (const auto* mesh = shape.as<Mesh>()) return index_of(*mesh, shapes);
+  view::Triangulation surface = view::triangulate(shape, settings);
+  const std::size_t at = place_of(shapes, [&](const view::ShownShape& known) {
+    return !known.mesh && known.surface == surface;
+  });
+  return at < shapes.size() ? at : add_surface(std::move(surface), std::nullopt, shapes);
+}
+
+void add_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                 std::vector<Eigen::Vector3d>& ends) {
+  ends.push_back(from);
+  ends.push_back(to);
+}
+
+/// Puts a text in a place of the page.
+void fill(std::string_view place, const std::string& text, std::string& page) {
+  page.replace(page.find(place), place.size(), text);
+}
+
+}  // namespace
+
+View::View(ViewSettings settings) : data_(std::make_unique<Data>()) {
+  check_settings(settings);
+  data_->shown.settings = std::move(settings);
+}
+View::~View() = default;
+View::View(View&& other) noexcept = default;
+View& View::operator=(View&& other) noexcept = default;
+
+ViewBody View::add(const Shape& shape, const ViewBodySettings& settings) {
+  return bvh::in_standard_arithmetic([&] {
+    if (!std::isfinite(settings.half_space_extent) || settings.half_space_extent <= 0)
+      throw InputError("ViewBodySettings::half_space_extent is not positive or not finite");
+    const std::size_t at = index_of(shape,
+                                    {.segments = data_->shown.settings.segments,
+                                     .half_space_extent = settings.half_space_extent},
+                                    data_->shown.shapes);
+    return data_->add_body(at, name_of(shape.kind()), settings);
+  });
+}
+
+ViewBody View::add(const Mesh& mesh, const ViewBodySettings& settings) {
+  return bvh::in_standard_arithmetic([&] {
+    return data_->add_body(index_of(mesh, data_->shown.shapes), name_of(ShapeKind::Mesh), settings);
+  });
+}
+
+void View::begin_frame(const ViewFrame& frame) {
+  for (const ViewFact& fact : frame.facts)
+    if (!std::isfinite(fact.value))
+      throw InputError("frame " + std::to_string(data_->shown.frames.size()) + ": '" + fact.name +
+                       "' is not finite");
+  data_->shown.frames.push_back({.said = frame});
+}
+
+void View::place(ViewBody body, const Pose& pose) {
+  bvh::in_standard_arithmetic([&] {
+    data_->check_body(body);
+    const view::ShownBodyData& own = data_->shown.bodies[body.index];
+    check_placement(pose, data_->shown.shapes[own.shape].bounds,
+                    (data_->where() + ": the pose of '" + own.name + "'").c_str());
+    data_->frame().poses.insert_or_assign(body.index, pose);
+  });
+}
+
+void View::mark_triangles(ViewBody body, std::span<const std::uint32_t> triangles) {
+  data_->check_body(body);
+  const view::ShownBodyData& own = data_->shown.bodies[body.index];
+  view::ShownFrame& frame = data_->frame();
+  if (!frame.poses.contains(body.index))
+    throw InputError(data_->where() + ": '" + own.name + "' is marked, but does not stand there");
+  const std::size_t count = data_->shown.shapes[own.shape].surface.triangles.size();
+  for (const std::uint32_t triangle : triangles)
+    if (triangle >= count)
+      throw InputError(data_->where() + ": '" + own.name + "' has no triangle " +
+                           std::to_string(triangle) + ", but " + std::to_string(count),
+                       {.element = "triangle", .index = triangle});
+  std::vector<std::uint32_t>& marked = frame.triangles[body.index];
+  marked.insert(marked.end(), triangles.begin(), triangles.end());
+  std::sort(marked.begin(), marked.end());
+  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+}
+
+void View::add_curve(std::span<const Eigen::Vector3d> points) {
+  for (const Eigen::Vector3d& point : points)
+    data_->check(point, "a point of a curve");
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    add_segment(points[i], points[i + 1], data_->frame().curves);
+}
+
+void View::add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  data_->check(from, "an end of a line");
+  data_->check(to, "an end of a line");
+  add_segment(from, to, data_->frame().lines);
+}
+
+void View::add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth) {
+  bvh::in_standard_arithmetic([&] {
+    data_->check(point, "the point of a contact");
+    data_->check(normal, "the normal of a contact");
+    data_->check(depth, "the depth of a contact");
+    if (normal.isZero(0)) throw InputError(data_->where() + ": the normal of a contact is 0");
+    data_->frame().contacts.push_back({point, normal.stableNormalized(), depth});
+  });
+}
+
+void View::add_gap(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b,
+                   double distance) {
+  data_->check(point_a, "a nearest point");
+  data_->check(point_b, "a nearest point");
+  data_->check(distance, "a distance");
+  data_->frame().gaps.push_back({point_a, point_b, distance});
+}
+
+void View::add_label(const Eigen::Vector3d& at, const std::string& text) {
+  data_->check(at, "the place of a label");
+  data_->frame().labels.push_back({at, text});
+}
+
+std::string View::page() const {
+  return bvh::in_standard_arithmetic([&] {
+    if (data_->shown.frames.empty()) throw InputError("a view without a frame shows nothing");
+    std::string page = view::page_text();
+    // The title comes first in the page: what stands in it is not taken for a place.
+    fill("{{data}}", view::base64(view::gzipped(view::packed_view(data_->shown))), page);
+    fill("{{title}}", view::html_text(data_->shown.settings.title), page);
+    return page;
+  });
+}
+
+void View::write(const std::filesystem::path& file) const {
+  files::write_file(file, page());
+}
+
+}  // namespace graze

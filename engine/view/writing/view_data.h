@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <graze/bvh/aabb.h>
+#include <graze/engine/view/shapes/triangulate.h>
+#include <graze/engine/view/view.h>
+
+#include <Eigen/Core>
+
+namespace graze::view {
+
+/// A surface that bodies share.
+struct ShownShape {
+  Triangulation surface;
+  Aabb bounds;                    ///< of the vertices
+  std::optional<Mesh> mesh = {};  ///< the handle that it was made of
+};
+
+struct ShownBodyData {
+  std::string name;
+  std::size_t shape;  ///< index
+  std::optional<std::array<std::uint8_t, 3>> color;
+};
+
+struct ShownContact {
+  Eigen::Vector3d point;
+  Eigen::Vector3d normal;  ///< a unit vector
+  double depth;
+};
+
+struct ShownGap {
+  Eigen::Vector3d point_a;
+  Eigen::Vector3d point_b;
+  double distance;
+};
+
+struct ShownLabel {
+  Eigen::Vector3d at;
+  std::string text;
+};
+
+/// One picture. Lines are pairs of points.
+struct ShownFrame {
+  ViewFrame said;
+  std::map<std::uint32_t, Pose> poses = {};                            ///< by body
+  std::map<std::uint32_t, std::vector<std::uint32_t>> triangles = {};  ///< marked, by body
+  std::vector<Eigen::Vector3d> curves = {};
+  std::vector<Eigen::Vector3d> lines = {};
+  std::vector<ShownContact> contacts = {};
+  std::vector<ShownGap> gaps = {};
+  std::vector<ShownLabel> labels = {};
+};
+
+/// All of a view.
+struct ShownView {
+  ViewSettings settings;
+  std::vector<ShownShape> shapes = {};
+  std::vector<ShownBodyData> bodies = {};
+  std::vector<ShownFrame> frames = {};
+};
+
+}  // namespace graze::view
