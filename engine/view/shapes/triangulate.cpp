@@ -89,6 +89,10 @@ class Triangulator {
             true};
   }
 
+  Triangulation operator()(const Plane& plane) const {
+    return (*this)(HalfSpace{plane.normal, plane.offset});
+  }
+
   Triangulation operator()(const Mesh& mesh) const { return triangulate(mesh); }
 
   Triangulation operator()(const HeightField& field) const { return (*this)(field.mesh()); }
