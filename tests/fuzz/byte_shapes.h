@@ -20,6 +20,8 @@ class ByteShapes {
   ByteShapes(const std::uint8_t* data, std::size_t size) : bytes_(data, size) {}
 
   std::uint8_t byte();
+  bool is_empty() const { return bytes_.empty(); }
+  double coordinate();
   Triangle triangle();
   Aabb box();
 
@@ -29,7 +31,6 @@ class ByteShapes {
  private:
   double any_double();
   double neighbour(double value);
-  double coordinate();
   Eigen::Vector3d fresh_point();
   Eigen::Vector3d combined_point();
   Eigen::Vector3d point();

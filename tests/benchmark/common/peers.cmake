@@ -4,6 +4,7 @@
 find_package(fcl QUIET)
 find_package(ccd QUIET)
 find_package(CGAL QUIET)
+find_package(octomap QUIET)
 find_package(embree 3 QUIET)
 
 # Debian's own package of both precisions; the -float64 libraries are those compiled for double.

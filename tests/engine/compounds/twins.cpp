@@ -1,10 +1,9 @@
 #include "tests/engine/compounds/twins.h"
 
+#include <graze/engine/print.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
 
 #include "tests/engine/motion/moving_bodies.h"
 
@@ -24,6 +23,18 @@ std::vector<T> in_order(std::vector<T> list) {
   std::stable_sort(list.begin(), list.end(),
                    [](const T& s, const T& t) { return is_before(s, t); });
   return list;
+}
+
+/// Names the first two that differ.
+void expect_same(const std::vector<NamedContact>& whole, const std::vector<NamedContact>& parts) {
+  EXPECT_EQ(whole.size(), parts.size());
+  const auto [s, t] = std::mismatch(whole.begin(), whole.end(), parts.begin(), parts.end());
+  const auto tell = [](const char* world, const NamedContact& of) {
+    ADD_FAILURE() << world << ": body " << of.a.first << ", part " << of.a.second << ", and body "
+                  << of.b.first << ", part " << of.b.second << ": " << of.manifold;
+  };
+  if (s != whole.end()) tell("whole", *s);
+  if (t != parts.end()) tell("parts", *t);
 }
 
 }  // namespace
@@ -65,6 +76,7 @@ std::uint32_t Twins::add(const Shape& shape, const Pose& pose, const BodySetting
 void Twins::move(std::uint32_t number, const Pose& pose) {
   Body& body = bodies_[number];
   body.pose = pose;
+  body.is_way_other = is_compound(number);
   whole_.move(body.id, pose);
   for (const auto& [part, id] : body.parts) {
     const Pose own = is_compound(number) ? placed_part(pose, body.compound.part(part).pose) : pose;
@@ -75,6 +87,7 @@ void Twins::move(std::uint32_t number, const Pose& pose) {
 void Twins::move(std::uint32_t number, const RigidMotion& motion) {
   Body& body = bodies_[number];
   body.pose = motion.at(1);
+  body.is_way_other = false;
   whole_.move(body.id, motion);
   RigidCourse course{.centre = motion.centre(),
                      .shift = motion.shift(),
@@ -145,13 +158,18 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> Twins::pairs_of_parts() con
   return pairs;
 }
 
+bool Twins::is_field(std::uint32_t body) const {
+  const Shape* shape = whole_.shape(bodies_[body].id).shape();
+  return shape != nullptr && shape->kind() == ShapeKind::HeightField;
+}
+
 std::size_t Twins::update() {
   const WorldUpdate of_whole = whole_.update(), of_parts = parts_.update();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const BodyPair& pair : whole_.pairs())
     pairs.push_back({pair.a.index, pair.b.index});
   EXPECT_EQ(pairs, pairs_of_parts());
-  EXPECT_TRUE(contacts_of_whole(whole_.contacts()) == contacts_of_parts(parts_.contacts()));
+  expect_same(contacts_of_whole(whole_.contacts()), contacts_of_parts(parts_.contacts()));
   // Of a compound all is asked anew in which something changed: of parts only what moved.
   const std::vector<NamedContact> found = contacts_of_whole(of_whole.contacts);
   for (const NamedContact& contact : contacts_of_parts(of_parts.contacts)) {
@@ -169,104 +187,35 @@ std::size_t Twins::update_ways() {
   return expect_same_ways(of_whole, parts_.update());
 }
 
-std::size_t Twins::expect_same_ways(const WorldUpdate& of_whole,
-                                    const WorldUpdate& of_parts) const {
+// What has gone from pose to pose turns about its own origin: parts of a compound about that of
+// all.
+std::size_t Twins::expect_same_ways(const WorldUpdate& of_whole, const WorldUpdate& of_parts) {
   std::vector<NamedFirstContact> whole, parts;
+  const auto add = [&](std::vector<NamedFirstContact>& list, Named a, Named b,
+                       const BodyFirstContact& c) {
+    if (bodies_[a.first].is_way_other || bodies_[b.first].is_way_other) return;
+    list.push_back({a, b, c.contact, c.touches_at_start, c.normal, c.point});
+  };
   for (const BodyFirstContact& c : of_whole.first_contacts)
-    whole.push_back({{c.pair.a.index, c.part_a},
-                     {c.pair.b.index, c.part_b},
-                     c.contact,
-                     c.touches_at_start,
-                     c.normal,
-                     c.point});
+    add(whole, {c.pair.a.index, c.part_a}, {c.pair.b.index, c.part_b}, c);
   for (const BodyFirstContact& c : of_parts.first_contacts)
-    parts.push_back(
-        {name(c.pair.a), name(c.pair.b), c.contact, c.touches_at_start, c.normal, c.point});
-  EXPECT_TRUE(in_order(whole) == in_order(parts)) << whole.size() << " and " << parts.size();
+    add(parts, name(c.pair.a), name(c.pair.b), c);
+  EXPECT_EQ(whole.size(), parts.size());
+  whole = in_order(std::move(whole)), parts = in_order(std::move(parts));
+  for (std::size_t i = 0; i < std::min(whole.size(), parts.size()); ++i) {
+    const NamedFirstContact &s = whole[i], &t = parts[i];
+    // What slides along a mesh comes next to one of several triangles that it meets at one time.
+    const bool is_after_sliding = i > 0 && whole[i - 1].a == s.a && whole[i - 1].b == s.b;
+    const bool is_any_triangle = is_after_sliding && (is_field(s.a.first) || is_field(s.b.first));
+    const bool is_same =
+        is_any_triangle ? s.a == t.a && s.b == t.b && s.contact.low == t.contact.low : s == t;
+    EXPECT_TRUE(is_same) << "body " << s.a.first << ", part " << s.a.second << ", and body "
+                         << s.b.first << ", part " << s.b.second << ": " << s.contact << " and "
+                         << t.contact;
+  }
+  for (Body& body : bodies_)
+    body.is_way_other = false;
   return whole.size();
-}
-
-std::size_t Twins::ask(const Shape& shape, const Pose& pose, double clearance) {
-  std::vector<std::uint32_t> touching, wanted;
-  for (const BodyId id : whole_.find_touching({shape, pose}))
-    touching.push_back(id.index);
-  for (const BodyId id : parts_.find_touching({shape, pose}))
-    wanted.push_back(name(id).first);
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  EXPECT_EQ(touching, wanted);
-
-  std::map<std::uint32_t, std::pair<ShapeDistance, std::uint32_t>> nearest;
-  for (const BodyDistance& found : parts_.find_within({shape, pose}, clearance)) {
-    const auto [body, part] = name(found.id);
-    const auto [at, is_new] = nearest.try_emplace(body, found.distance, part);
-    const auto& [distance, number] = at->second;
-    if (is_new || found.distance.distance > distance.distance) continue;
-    if (found.distance.distance < distance.distance || part < number)
-      at->second = {found.distance, part};
-  }
-  const std::vector<BodyDistance> within = whole_.find_within({shape, pose}, clearance);
-  EXPECT_EQ(within.size(), nearest.size());
-  for (const BodyDistance& found : within) {
-    EXPECT_TRUE(nearest.contains(found.id.index) &&
-                (nearest.at(found.id.index) == std::pair{found.distance, found.part}))
-        << found.id.index << " " << found.part;
-  }
-  const auto closest = whole_.find_closest({shape, pose});
-  const auto closest_part = parts_.find_closest({shape, pose});
-  EXPECT_EQ(closest.has_value(), closest_part.has_value());
-  if (closest && closest_part) {
-    EXPECT_EQ(closest->distance.distance, closest_part->distance.distance);
-  }
-  return touching.size() + within.size();
-}
-
-std::size_t Twins::cast_ray(const Ray& ray) {
-  std::map<std::uint32_t, std::pair<RayHit, std::uint32_t>> first;
-  for (const BodyRayHit& found : parts_.cast_ray_all(ray)) {
-    const auto [body, part] = name(found.id);
-    const auto [at, is_new] = first.try_emplace(body, found.hit, part);
-    if (!is_new && found.hit.distance == at->second.first.distance && part < at->second.second)
-      at->second = {found.hit, part};
-  }
-  const std::vector<BodyRayHit> hits = whole_.cast_ray_all(ray);
-  EXPECT_EQ(hits.size(), first.size());
-  for (const BodyRayHit& found : hits) {
-    EXPECT_TRUE(first.contains(found.id.index) &&
-                (first.at(found.id.index) == std::pair{found.hit, found.part}));
-  }
-  const std::optional<BodyRayHit> hit = whole_.cast_ray(ray);
-  EXPECT_EQ(hit.has_value(), !hits.empty());
-  if (hit && !hits.empty()) {
-    EXPECT_EQ(*hit, hits[0]);
-  }
-  return hits.size();
-}
-
-std::size_t Twins::cast(const Shape& shape, const RigidMotion& motion, double most_off) {
-  std::map<std::uint32_t, std::pair<RigidContact, std::uint32_t>> first;
-  for (const BodyCast& found : parts_.cast_all(shape, motion)) {
-    const auto [body, part] = name(found.id);
-    const auto [at, is_new] = first.try_emplace(body, found.contact, part);
-    if (!is_new && found.contact.low == at->second.first.low && part < at->second.second)
-      at->second = {found.contact, part};
-  }
-  const std::vector<BodyCast> casts = whole_.cast_all(shape, motion);
-  EXPECT_EQ(casts.size(), first.size());
-  for (const BodyCast& found : casts) {
-    const auto wanted = first.find(found.id.index);
-    const bool is_known = wanted != first.end();
-    EXPECT_TRUE(is_known);
-    if (!is_known) continue;
-    const RigidContact& contact = wanted->second.first;
-    if (most_off == 0) {
-      EXPECT_TRUE(wanted->second == std::pair(found.contact, found.part));
-    } else {
-      EXPECT_NEAR(found.contact.low, contact.low, most_off);
-      EXPECT_EQ(found.contact.status, contact.status);
-    }
-  }
-  return casts.size();
 }
 
 Compound random_compound(RandomSource& source, std::uint32_t parts, double radius) {

@@ -7,6 +7,7 @@
 #include <graze/engine/world/world.h>
 
 #include <cstdint>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -18,6 +19,9 @@ namespace graze::tests {
 
 /// A part of a body, by the body's number and its own; a body that is no compound is its part 0.
 using Named = std::pair<std::uint32_t, std::uint32_t>;
+
+/// When something comes to a part of a body, and which.
+using PartContact = std::pair<RigidContact, std::uint32_t>;
 
 struct NamedContact {
   Named a, b;
@@ -42,6 +46,7 @@ class Twins {
 
   std::uint32_t add(const Compound& compound, const Pose& pose, const BodySettings& settings = {});
   std::uint32_t add(const Shape& shape, const Pose& pose, const BodySettings& settings = {});
+  /// First contacts of a compound that moved so are not compared: its parts go another way.
   void move(std::uint32_t body, const Pose& pose);
   /// Whoever is swept goes there in both worlds.
   void move(std::uint32_t body, const RigidMotion& motion);
@@ -59,8 +64,9 @@ class Twins {
   /// What queries say, expected to be the same in both. Returns how many answers there were.
   std::size_t ask(const Shape& shape, const Pose& pose, double clearance);
   std::size_t cast_ray(const Ray& ray);
-  /// Times are the same, or, where bodies are far from the origin, so near to each other.
-  std::size_t cast(const Shape& shape, const RigidMotion& motion, double most_off = 0);
+  std::size_t cast(const Shape& shape, const RigidMotion& motion);
+  /// Likewise of bodies far from the origin, where times may differ within tolerances.
+  std::size_t cast_far(const Shape& shape, const RigidMotion& motion);
 
   World& whole() { return whole_; }
 
@@ -71,11 +77,17 @@ class Twins {
     Pose pose;
     BodySettings settings;
     std::vector<std::pair<std::uint32_t, BodyId>> parts;  ///< in the other world
+    bool is_way_other = false;  ///< whether parts went another way to where they are
   };
 
   BodyId add_part(std::uint32_t body, std::uint32_t part);
   Named name(BodyId of_part) const { return names_[of_part.index]; }
-  std::size_t expect_same_ways(const WorldUpdate& of_whole, const WorldUpdate& of_parts) const;
+  bool is_field(std::uint32_t body) const;
+  BodyId part_id(Named named) const;
+  bool is_same(const BodyDistance& found, const ShapeDistance& wanted, const Shape& asked) const;
+  std::map<std::uint32_t, PartContact> casts_at_parts(const Shape& shape,
+                                                      const RigidMotion& motion) const;
+  std::size_t expect_same_ways(const WorldUpdate& of_whole, const WorldUpdate& of_parts);
   std::vector<NamedContact> contacts_of_whole(std::span<const BodyContact> contacts) const;
   std::vector<NamedContact> contacts_of_parts(std::span<const BodyContact> contacts) const;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_of_parts() const;
