@@ -92,12 +92,12 @@ Hits cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::s
 class HitColumns {
  public:
   explicit HitColumns(std::size_t count)
-      : is_hit_({static_cast<py::ssize_t>(count)}),
-        distance_({static_cast<py::ssize_t>(count)}),
+      : is_hit_(static_cast<py::ssize_t>(count)),
+        distance_(static_cast<py::ssize_t>(count)),
         point_({static_cast<py::ssize_t>(count), py::ssize_t{3}}),
         normal_({static_cast<py::ssize_t>(count), py::ssize_t{3}}),
-        triangle_({static_cast<py::ssize_t>(count)}),
-        material_({static_cast<py::ssize_t>(count)}),
+        triangle_(static_cast<py::ssize_t>(count)),
+        material_(static_cast<py::ssize_t>(count)),
         is_hits_(is_hit_.mutable_data()),
         distances_(distance_.mutable_data()),
         points_(point_.mutable_data()),
