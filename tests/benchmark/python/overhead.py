@@ -44,6 +44,17 @@ def of_python(bolt: graze.Mesh, nut: graze.Mesh, poses: Any, size: int) -> List[
     return results
 
 
+def of_points(bolt: graze.Mesh, points: Any) -> List[Dict[str, float]]:
+    """Rays from points to the origin, and what of the mesh is nearest to them."""
+    answers: List[Any] = []
+    cast, cast_cpu = seconds(lambda: answers.append(graze.cast_rays(bolt, points, -points)))
+    near, near_cpu = seconds(lambda: answers.append(graze.nearest_points(bolt, points)))
+    return [
+        {"batch": cast, "batch_cpu": cast_cpu, "hits": float(answers[0].is_hit.sum())},
+        {"batch": near, "batch_cpu": near_cpu, "hits": float((answers[1].triangle < 1000).sum())},
+    ]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=Path)
@@ -58,25 +69,30 @@ def main() -> None:
     python, native = [], []
     with tempfile.TemporaryDirectory() as folder:
         np.save(Path(folder) / "poses.npy", poses)
-        command = [options.program, *files, Path(folder) / "poses.npy", str(options.poses)]
+        points = np.random.default_rng(1).uniform(-0.02, 0.02, (options.poses, 3))
+        points.tofile(Path(folder) / "points")
+        command = [options.program, *files, Path(folder) / "poses.npy", Path(folder) / "points", str(options.poses)]
         for _ in range(options.rounds):
-            python.append(of_python(bolt, nut, poses, options.poses))
+            python.append(of_python(bolt, nut, poses, options.poses) + of_points(bolt, points))
             native.append(json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout))
     columns = ("single, us", "C++", "more", "batch, CPU s", "C++", "ratio", "batch, s", "C++", "ratio")
     print(f"{'':8}" + "".join(f"{column:>13}" for column in columns))
-    for i, kind in enumerate(KINDS):
+    for i, kind in enumerate([*KINDS, "rays", "points"]):
         if python[0][i]["hits"] != native[0][i]["hits"]:
             raise SystemExit(f"{kind}: {python[0][i]['hits']} hits, and in C++ {native[0][i]['hits']}")
 
         def median(runs: List[List[Dict[str, float]]], name: str, i: int = i) -> float:
             return statistics.median(run[i][name] for run in runs)
 
-        single, single_native = (1e6 * median(runs, "single_cpu") for runs in (python, native))
-        numbers = [single, single_native, single - single_native]
+        numbers = []
+        if kind in KINDS:
+            single, single_native = (1e6 * median(runs, "single_cpu") for runs in (python, native))
+            numbers = [single, single_native, single - single_native]
         for name in ("batch_cpu", "batch"):
             mine, theirs = median(python, name), median(native, name)
             numbers += [mine, theirs, mine / theirs]
-        print(f"{kind:8}" + "".join(f"{number:13.3f}" for number in numbers))
+        blank = " " * (0 if kind in KINDS else 39)
+        print(f"{kind:8}{blank}" + "".join(f"{number:13.3f}" for number in numbers))
 
 
 if __name__ == "__main__":

@@ -91,9 +91,19 @@ py::object nearest_of(py::handle mesh, py::handle points, py::handle threads, py
       question.many(batch, work_from(work),
                     [](const auto& placed, const auto& rows, const BatchSettings& settings,
                        Work* own) { return nearest_points(placed, rows, settings, own); });
-  return kMany(numbers_of<double>(answers, [](const auto& near) { return near.distance; }),
-               points_of(answers, [](const auto& near) { return near.point; }),
-               numbers_of<std::uint32_t>(answers, [](const auto& near) { return near.triangle; }));
+  // One pass: a million answers are more than a cache holds.
+  const auto count = static_cast<py::ssize_t>(answers.size());
+  auto distances = new_array<double>({count}), where = new_array<double>({count, 3});
+  auto triangles = new_array<std::uint32_t>({count});
+  double *distance = distances.mutable_data(), *row = where.mutable_data();
+  std::uint32_t* triangle = triangles.mutable_data();
+  for (const NearestPoint& near : answers) {
+    *distance++ = near.distance;
+    write(near.point, row);
+    row += 3;
+    *triangle++ = near.triangle;
+  }
+  return kMany(std::move(distances), std::move(where), std::move(triangles));
 }
 
 py::object signed_of(py::handle mesh, py::handle points, py::handle threads, py::handle progress,

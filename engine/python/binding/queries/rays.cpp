@@ -71,22 +71,66 @@ using Hits = std::vector<std::optional<RayHit>>;
 /// would have to be copied as a whole.
 constexpr std::size_t kMostRaysInAPart = 4096;
 
-/// Of a mesh what its pose costs is computed once for each part.
-void cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::size_t end,
-               Hits& hits, Work* work) {
-  if (placed.is_mesh()) {
-    std::vector<Ray> part;
-    part.reserve(end - begin);
+/// Those from `begin` on, in order. Of a mesh what its pose costs is computed once for each part.
+Hits cast_part(const Placed& placed, const Rays& rays, std::size_t begin, std::size_t end,
+               Work* work) {
+  Hits found;
+  if (!placed.is_mesh()) {
     for (std::size_t i = begin; i < end; ++i)
-      part.push_back(rays[i]);
-    Hits found;
-    cast_rays(placed.mesh_at(0), part, found, work);
-    std::copy(found.begin(), found.end(), hits.begin() + static_cast<std::ptrdiff_t>(begin));
-  } else {
-    for (std::size_t i = begin; i < end; ++i)
-      hits[i] = cast_ray(placed.shape_at(0), rays[i], work);
+      found.push_back(cast_ray(placed.shape_at(0), rays[i], work));
+    return found;
   }
+  std::vector<Ray> part;
+  part.reserve(end - begin);
+  for (std::size_t i = begin; i < end; ++i)
+    part.push_back(rays[i]);
+  cast_rays(placed.mesh_at(0), part, found, work);
+  return found;
 }
+
+/// The arrays of RayHits, which threads without Python's lock fill.
+class HitColumns {
+ public:
+  explicit HitColumns(std::size_t count)
+      : is_hit_(static_cast<py::ssize_t>(count)),
+        distance_(static_cast<py::ssize_t>(count)),
+        point_({static_cast<py::ssize_t>(count), py::ssize_t{3}}),
+        normal_({static_cast<py::ssize_t>(count), py::ssize_t{3}}),
+        triangle_(static_cast<py::ssize_t>(count)),
+        material_(static_cast<py::ssize_t>(count)),
+        is_hits_(is_hit_.mutable_data()),
+        distances_(distance_.mutable_data()),
+        points_(point_.mutable_data()),
+        normals_(normal_.mutable_data()),
+        triangles_(triangle_.mutable_data()),
+        materials_(material_.mutable_data()) {}
+
+  void set(std::size_t i, const std::optional<RayHit>& hit) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Vector3d nowhere(kNone, kNone, kNone);
+    is_hits_[i] = hit.has_value();
+    distances_[i] = hit ? hit->distance : std::numeric_limits<double>::infinity();
+    write(hit ? hit->point : nowhere, points_ + 3 * i);
+    write(hit ? hit->normal : nowhere, normals_ + 3 * i);
+    triangles_[i] = hit && hit->triangle != kNoTriangle ? std::int64_t{hit->triangle} : -1;
+    materials_[i] = hit ? hit->material : std::uint16_t{0};
+  }
+
+  py::object result() const {
+    static const ResultType kType("RayHits");
+    return kType(is_hit_, distance_, point_, normal_, triangle_, material_);
+  }
+
+ private:
+  py::array_t<bool> is_hit_;
+  py::array_t<double> distance_, point_, normal_;
+  py::array_t<std::int64_t> triangle_;
+  py::array_t<std::uint16_t> material_;
+  bool* is_hits_;
+  double *distances_, *points_, *normals_;
+  std::int64_t* triangles_;
+  std::uint16_t* materials_;
+};
 
 py::object hit_of(const std::optional<RayHit>& hit) {
   static const ResultType kType("RayHit");
@@ -96,29 +140,6 @@ py::object hit_of(const std::optional<RayHit>& hit) {
   return kType(hit->distance, array_of(hit->point), array_of(hit->normal), triangle, hit->material);
 }
 
-py::object hits_of(const Hits& hits) {
-  static const ResultType kType("RayHits");
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Vector3d nowhere(kNone, kNone, kNone);
-  return kType(
-      numbers_of<bool>(hits, [](const auto& hit) { return hit.has_value(); }),
-      numbers_of<double>(hits,
-                         [](const auto& hit) {
-                           return hit ? hit->distance : std::numeric_limits<double>::infinity();
-                         }),
-      points_of(hits,
-                [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->point : nowhere; }),
-      points_of(hits,
-                [&](const auto& hit) -> Eigen::Vector3d { return hit ? hit->normal : nowhere; }),
-      numbers_of<std::int64_t>(hits,
-                               [](const auto& hit) {
-                                 return hit && hit->triangle != kNoTriangle
-                                            ? static_cast<std::int64_t>(hit->triangle)
-                                            : -1;
-                               }),
-      numbers_of<std::uint16_t>(hits, [](const auto& hit) { return hit ? hit->material : 0; }));
-}
-
 py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directions,
                         py::handle max_distance, py::handle threads, py::handle progress,
                         py::handle work_argument) {
@@ -126,25 +147,29 @@ py::object cast_rays_of(py::handle mesh, py::handle origins, py::handle directio
   if (placed.poses().is_many()) throw InputError("mesh: many poses are not taken beside rays");
   const Rays rays(origins, directions, max_distance);
   Work* work = work_from(work_argument);
-  Hits hits(rays.size());
+  const Batch batch(threads, progress);
   if (!rays.is_many()) {
+    Hits hits;
     {
       const py::gil_scoped_release released;
-      cast_part(placed, rays, 0, 1, hits, work);
+      hits = cast_part(placed, rays, 0, 1, work);
     }
     return hit_of(hits[0]);
   }
+  HitColumns columns(rays.size());
   run_batch(
-      Batch(threads, progress), work,
+      batch, work,
       [&](const BatchSettings& settings, Work& sum) {
         for_each_part_of_batch(rays.size(), kMostRaysInAPart, settings, &sum,
                                [&](std::size_t begin, std::size_t end, BatchRun& run, Work& own) {
-                                 cast_part(placed, rays, begin, end, hits, &own);
+                                 const Hits hits = cast_part(placed, rays, begin, end, &own);
+                                 for (std::size_t i = 0; i < hits.size(); ++i)
+                                   columns.set(begin + i, hits[i]);
                                  run.add(end - begin);
                                });
       },
       [&] { rays.blame(); });
-  return hits_of(hits);
+  return columns.result();
 }
 
 py::object cast_ray_all_of(py::handle mesh, py::handle origins, py::handle directions,
@@ -158,14 +183,17 @@ py::object cast_ray_all_of(py::handle mesh, py::handle origins, py::handle direc
       rays.is_many(), rays.size(), Batch(threads, progress), work_from(work),
       [&](std::size_t i, Work* own) { return cast_ray_all(placed.mesh_at(0), rays[i], own); },
       [&] { rays.blame(); });
-  Hits hits;
   std::vector<std::int64_t> offsets{0};
+  for (const auto& all : answers)
+    offsets.push_back(offsets.back() + static_cast<std::int64_t>(all.size()));
+  HitColumns columns(static_cast<std::size_t>(offsets.back()));
+  std::size_t at = 0;
   for (const auto& all : answers) {
-    hits.insert(hits.end(), all.begin(), all.end());
-    offsets.push_back(static_cast<std::int64_t>(hits.size()));
+    for (const RayHit& hit : all)
+      columns.set(at++, hit);
   }
-  if (!rays.is_many()) return hits_of(hits);
-  return kMany(hits_of(hits), array_over<std::int64_t>(std::move(offsets)));
+  if (!rays.is_many()) return columns.result();
+  return kMany(columns.result(), array_over<std::int64_t>(std::move(offsets)));
 }
 
 constexpr const char* kCastRaysText =
