@@ -48,6 +48,9 @@ void add_merge_command(CLI::App& program, Action& action);
 /// Adds `graze replay`. Parsing it sets `action`.
 void add_replay_command(CLI::App& program, Action& action);
 
+/// Adds `graze scoreboard`. Parsing it sets `action`.
+void add_scoreboard_command(CLI::App& program, Action& action);
+
 /// An option that may be given several times, each time with one value.
 void add_repeated_option(CLI::App& command, const std::string& name,
                          std::vector<std::string>& values, const std::string& description,
