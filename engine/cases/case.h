@@ -168,6 +168,7 @@ struct Case {
   std::optional<CaseShape> b;        ///< none where A is asked about itself
   std::optional<CaseAnswer> answer;  ///< none: it has not been answered
   CaseWitness answered_by;           ///< who gave that answer
+  std::string origin = {};           ///< where it is from, for people: an address; may be empty
 };
 
 /// The name of a question, a shape or a status in a file.

@@ -95,6 +95,7 @@ ExitCode run(const std::vector<std::string>& arguments) {
   add_voxels_command(program, action);
   add_simulate_command(program, action);
   add_replay_command(program, action);
+  add_scoreboard_command(program, action);
   add_merge_command(program, action);
   add_compare_command(program, action, arguments);
   add_explain_command(program, action);

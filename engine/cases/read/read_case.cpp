@@ -153,8 +153,8 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
           .fail("is version " + std::to_string(version) + "; this program reads " +
                 std::to_string(cases::kCaseVersion));
     }
-    root.require_keys(
-        {"graze_case", "note", "question", "settings", "a", "b", "answer", "answered_by"});
+    root.require_keys({"graze_case", "note", "origin", "question", "settings", "a", "b", "answer",
+                       "answered_by"});
     const Ask ask = read_question(root.member("question"));
     const bool has_b = !cases::is_about_one(ask);
     if (!has_b && root.has("b")) root.member("b").fail("the question is about A alone");
@@ -166,6 +166,7 @@ Case parse_case(std::string_view bytes, const std::string& name, const ReadCaseS
                .b = std::move(shapes.b),
                .answer = std::nullopt,
                .answered_by = {}};
+    if (root.has("origin")) query.origin = root.member("origin").text();
     if (!is_answerable(query)) {
       root.member("question")
           .fail(std::string("no query answers \"") + name_of(query.ask) + "\" for a " +

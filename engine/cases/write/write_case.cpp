@@ -160,6 +160,7 @@ std::string to_json(const Case& query) {
   return bvh::in_standard_arithmetic([&]() -> std::string {
     std::string out = "{\n  \"graze_case\": " + std::to_string(cases::kCaseVersion);
     if (!query.note.empty()) out += std::string(",\n  \"note\": ") + json_string(query.note);
+    if (!query.origin.empty()) out += std::string(",\n  \"origin\": ") + json_string(query.origin);
     out += std::string(",\n  \"question\": ") + json_string(name_of(query.ask));
     out += settings_text(query.settings, query.ask);
     out += std::string(",\n  \"a\": ") + std::visit(ShapeText{}, query.a);

@@ -48,6 +48,9 @@ void add_merge_command(CLI::App& program, Action& action);
 /// Adds `graze replay`. Parsing it sets `action`.
 void add_replay_command(CLI::App& program, Action& action);
 
+/// Adds `graze scoreboard`. Parsing it sets `action`.
+void add_scoreboard_command(CLI::App& program, Action& action);
+
 /// Adds `graze view`, unless the command was built without pages. Parsing it sets `action`.
 void add_view_command(CLI::App& program, Action& action);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kCompareFooter = R"(
 Each pose of B is put to graze and to every other engine that this command was built with. Where they
-differ, a referee in exact arithmetic that shares no formula with graze says who is right; a distance is
+differ, a referee in exact arithmetic that shares no formula with graze says who is right; distances, times and contacts are
 always settled. Wrong answers have a class (see graze replay --help), are shrunk, mostly to two
 triangles, and written as cases to --cases. What an engine
 returns that is no answer (triangles that are not there, no number, a throw) is an engine error. Other engines
@@ -70,9 +70,17 @@ with --resume finishes what it has begun and says how far it came; a second ^C e
 threads are those of a busy machine: use --threads 1 for --save and --against.
 
 Of a run nothing is held but what it is about to judge: memory does not grow with the poses, and those of
-a .npy file stay there. A record (engine/compare/README.md) has some 7 bytes a pose on which two engines agree. A run
+a file stay there. A record (engine/compare/README.md) has some 7 bytes a pose on which two engines agree. A run
 that was killed goes on like one that was interrupted. --part K/N asks the K-th of N parts alone, each with a
 record of its own; graze merge puts them together.
+
+In place of a mesh A and B may be shapes, .json files that hold what a body of a case has ({"sphere":{"radius":1}});
+then B stands in --poses, and other engines are asked any, first_contact and free.
+
+Below the table stands what to do about each class of errors: a tolerance, poses, single precision on the way,
+triangles without area, another question, or a bug to report, for which --report, --markdown and --json have the text of
+an issue. With --json it is a line before the last one,
+  {"advice":[{"engine":"fcl","class":"real","count":3,"looked_at":3,"steps":[{"remedy":"report","words":...}],"issue":...}]}
 
 --answers reads what an engine said elsewhere (samples/engines/README.md): one line a pose behind one that names the
 meshes by their SHA-256, the question and the engine. It is judged as any other. If its name is taken it gets its

@@ -1,10 +1,19 @@
+#include <graze/bvh/error.h>
+#include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/reports/case_explanation.h>
 #include <graze/engine/cli/reports/explanation.h>
+#include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/files/source.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 
 namespace graze::cli {
@@ -26,8 +35,17 @@ With --json the answer is one line:
 gaps between triangles in leaves), "triangles" (tests in rounded arithmetic), "exact"; "boxes_apart", unless
 the boxes of the leaves overlap; "solids_intersect", if both meshes are closed.
 
+Of a case, a .json file alone (see graze replay), it says why the answer in it is wrong: two textbook tests of
+the two triangles that show it best, the separating axes and piercing by determinants, are gone through in double and in float,
+with corners placed in the common frame and in A's, beside the same in rational numbers. The first step that gives the
+recorded answer is named: an axis, a determinant, or placing itself. --answer is judged in its place: yes, no, or a
+distance. With --json: {"question":...,"verdict":"wrong","pair":[a,b],"ways":[{"placed":"in A's frame","numbers":"double",
+"touch":true,"axes":true,"determinants":false,"misleading":[{"name":...,"computed":...,"exact":...,"ulps":...}]}],"why":...}
+
 Examples:
   graze explain bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
+  graze explain data/regressions/fcl-rock-14.json
+  graze explain data/regressions/triangles-16.json --answer yes
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -38,10 +56,54 @@ struct ExplainOptions {
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
+  std::string answer;  ///< in place of that of the case
   bool is_json = false;
 };
 
+/// What stands behind --answer.
+CaseAnswer read_answer_word(const Case& query, const std::string& word) {
+  CaseAnswer answer;
+  const bool is_number = query.ask == Ask::Distance;
+  if (!is_number && (word == "yes" || word == "no")) {
+    answer.says = word == "yes";
+    return answer;
+  }
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool is_read = error == std::errc() && rest == word.data() + word.size();
+  if (!is_number || !is_read || !std::isfinite(value)) {
+    throw UsageError("--answer: " + mesh_io::quoted(word) + " is no answer to " +
+                     name_of(query.ask) + ": yes or no, or a distance in metres");
+  }
+  answer.distance = value;
+  return answer;
+}
+
+ExitCode run_explain_case(const ExplainOptions& options, Output& output) {
+  if (std::filesystem::path(options.mesh_a).extension() != ".json") {
+    throw UsageError("a mesh B is needed, or a case alone, a .json file");
+  }
+  if (!options.pose_a.empty() || !options.pose_b.empty()) {
+    throw UsageError("--pose-a and --pose-b are of two meshes: a case has its own");
+  }
+  Case query = read_case(options.mesh_a);
+  if (!options.answer.empty()) {
+    query.answer = read_answer_word(query, options.answer);
+    query.answered_by = {"--answer", ""};
+  }
+  const std::string name = mesh_io::printable(options.mesh_a);
+  if (!query.answer) throw CaseError(name + ": has no answer; see --answer");
+  if (const auto fault = compare::fault_of_answer(query, *query.answer)) {
+    throw UsageError("--answer: " + *fault);
+  }
+  const CaseExplanation explanation = explain_case(query);
+  output.write(options.is_json ? to_json(explanation) : to_text(explanation));
+  return ExitCode::Answered;
+}
+
 ExitCode run_explain(const ExplainOptions& options, Output& output) {
+  if (options.mesh_b.empty()) return run_explain_case(options, output);
+  if (!options.answer.empty()) throw UsageError("--answer is of a case");
   const auto pose_of = [](const std::string& text, const char* option) {
     return text.empty() ? Pose(Pose::Identity()) : parse_pose(text, option);
   };
@@ -60,11 +122,18 @@ ExitCode run_explain(const ExplainOptions& options, Output& output) {
 
 void add_explain_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App* command = program.add_subcommand("explain", "Why two meshes intersect, or do not");
-  command->add_option("A", options->mesh_a, "first mesh: .obj, .stl, .ply or .off")->required();
-  command->add_option("B", options->mesh_b, "second mesh")->required();
+  CLI::App* command = program.add_subcommand(
+      "explain", "Why two meshes intersect, or do not; why an answer is wrong");
+  command
+      ->add_option("A", options->mesh_a, "first mesh: .obj, .stl, .ply or .off; or a case, .json")
+      ->required();
+  command->add_option("B", options->mesh_b, "second mesh");
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
+  command
+      ->add_option("--answer", options->answer,
+                   "of a case: this answer in place of the recorded one")
+      ->type_name("yes|no|METRES");
   command->add_flag("--json", options->is_json, "one JSON object on one line");
   command->footer(kExplainFooter);
   command->callback([options, &action] {

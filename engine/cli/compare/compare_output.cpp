@@ -1,9 +1,11 @@
 #include <graze/engine/cases/text/json_text.h>
+#include <graze/engine/cli/compare/advice_list.h>
 #include <graze/engine/cli/compare/compare_output.h>
 #include <graze/engine/cli/compare/gate_files.h>
 #include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/files/case_folder.h>
+#include <graze/engine/cli/files/mesh_copies.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/progress.h>
@@ -80,10 +82,10 @@ void check_before(const CompareOptions& options, std::span<const compare::Engine
 
 WrongList wrong_list_of(const CompareOptions& options,
                         std::span<const compare::EngineEntry> field) {
-  std::set<std::string> can_be_asked;
+  std::set<std::string> have_cases;
   for (const compare::EngineEntry& entry : field)
-    if (entry.engine != nullptr && !entry.recorded) can_be_asked.insert(entry.name);
-  return {options.keep, fail_on_of(options, field), std::move(can_be_asked)};
+    if (entry.engine != nullptr) have_cases.insert(entry.name);
+  return {options.keep, fail_on_of(options, field), std::move(have_cases)};
 }
 
 void check_resumed(const CompareOptions& options, const compare::JournalHead& head,
@@ -204,8 +206,9 @@ struct KeptCases {
 std::string row_of(const WrittenCase& each) {
   const std::string remark =
       each.shrunk.is_stopped ? "the time was over: see --shrink-seconds" : each.least;
-  return (each.is_written ? "shrunk: graze replay " : "shrunk, not written: ") +
-         shell_word(each.file) + (remark.empty() ? "" : " (" + remark + ")") + "\n";
+  const std::string what = each.is_recorded ? "recorded" : "shrunk";
+  return what + (each.is_written ? ": graze replay " : ", not written: ") + shell_word(each.file) +
+         (remark.empty() ? "" : " (" + remark + ")") + "\n";
 }
 
 std::string text_of(const CompareFindings& findings, const KeptCases& kept,
@@ -224,6 +227,12 @@ std::string text_of(const CompareFindings& findings, const KeptCases& kept,
   return text + findings.count + "\n" + summary_text(findings.summaries);
 }
 
+bool is_recorded(std::span<const compare::EngineEntry> field, const std::string& engine) {
+  return std::any_of(field.begin(), field.end(), [&](const compare::EngineEntry& each) {
+    return each.name == engine && each.recorded != nullptr;
+  });
+}
+
 /// Writes each case as soon as there is something to keep, and again as it gets smaller. A case
 /// that cannot be made smaller stays in the file that it came from, if it came from one.
 KeptCases keep_cases(const CompareOptions& options, std::span<const compare::EngineEntry> field,
@@ -231,6 +240,7 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
   KeptCases kept;
   kept.folder = options.cases.empty() ? kDefaultCases : options.cases;
   CaseFolder folder(kept.folder);
+  const MeshCopies copies(kept.folder, options.mesh_a, options.mesh_b);
   std::string name;  // of the case at hand; its digest is of all of it
   std::size_t at_hand = wrong.size();
   bool is_written = false;
@@ -250,7 +260,7 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
                              each.judgement.truth, name_of(each.judgement.error_class));
     // What is no answer is in no file: whoever replays the case sees it again.
     if (each.judgement.error_class == compare::ErrorClass::EngineError) query.answer.reset();
-    is_written = folder.write(name, query);
+    is_written = folder.write(name, is_recorded(field, each.engine) ? copies.refer(query) : query);
   };
   const auto keep = [&](compare::ShrunkCase each) {
     const compare::WrongAnswer& from = wrong[each.wrong];
@@ -260,7 +270,9 @@ KeptCases keep_cases(const CompareOptions& options, std::span<const compare::Eng
     const std::string least = compare::least_size(each);
     const bool is_there = is_at_its_origin || is_written;
     kept.not_written += !is_there;
-    kept.cases.push_back({std::move(each), from.place, from.where, file, says, least, is_there});
+    const bool was_recorded = is_recorded(field, each.engine);
+    kept.cases.push_back(
+        {std::move(each), from.place, from.where, file, says, least, is_there, was_recorded});
   };
   Progress progress("cases shrunk:", std::min(wrong.size(), options.keep),
                     {.is_forced = options.has_progress, .has_rows = false});
@@ -304,6 +316,7 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                   Output& output) {
   const std::vector<compare::WrongAnswer> wrong = findings.wrong.kept();
   const KeptCases kept = keep_cases(options, field, findings, wrong);
+  const std::vector<compare::Advice> advice = advice_of(options, findings, kept.cases, field);
   if (!options.report.empty()) {
     write_report(options.report, {.mesh_a = options.mesh_a,
                                   .mesh_b = options.mesh_b,
@@ -314,18 +327,21 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .summaries = findings.summaries,
                                   .wrong = wrong,
                                   .wrong_count = findings.wrong.count(),
-                                  .cases = kept.cases});
+                                  .cases = kept.cases,
+                                  .advice = advice_html(advice)});
   }
   const Regression regression = regression_of(options, findings);
   const Gate gate{.is_closed = findings.wrong.closes_gate() || regression.is_one,
                   .regression = regression.is_one ? regression.words : ""};
   if (!options.junit.empty()) files::write_file(options.junit, junit_text(findings, gate));
-  if (!options.markdown.empty()) files::write_file(options.markdown, markdown_text(findings, gate));
+  if (!options.markdown.empty())
+    files::write_file(options.markdown, markdown_text(findings, gate, advice));
   if (options.is_json) {
-    output.write(findings.json + summary_json(findings.summaries, kept.cases, findings.place) +
-                 regression.json + fail_on_text(options, findings));
+    output.write(findings.json + advice_json(advice) +
+                 summary_json(findings.summaries, kept.cases, findings.place) + regression.json +
+                 fail_on_text(options, findings));
   } else {
-    output.write(text_of(findings, kept, engines) +
+    output.write(text_of(findings, kept, engines) + advice_text(advice) +
                  (findings.changes ? regression.words + "\n" : "") +
                  fail_on_text(options, findings));
   }

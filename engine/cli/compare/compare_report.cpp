@@ -29,7 +29,10 @@ void add_judged(EngineSummary& summary, const AnswerRecord& answer) {
   summary.not_confirmed += judgement.verdict == Verdict::NotConfirmed;
   if (!answer.is_wrong()) return;
   ++summary.wrong;
-  ++summary.classes[static_cast<std::size_t>(judgement.error_class)];
+  const auto at = static_cast<std::size_t>(judgement.error_class);
+  ++summary.classes[at];
+  summary.class_errors[at] = std::max(summary.class_errors[at], judgement.error);
+  summary.class_ulps[at] = std::max(summary.class_ulps[at], judgement.ulps);
   summary.largest_error = std::max(summary.largest_error, judgement.error);
   summary.largest_ulps = std::max(summary.largest_ulps, judgement.ulps);
 }

@@ -23,8 +23,10 @@ struct EngineSummary {
   std::size_t not_confirmed = 0;  ///< wrong, but not when it was asked again alone
   std::size_t wrong = 0;
   std::array<std::size_t, compare::kErrorClasses.size()>
-      classes{};             ///< of the wrong ones, by ErrorClass
-  double largest_error = 0;  ///< metres
+      classes{};  ///< of the wrong ones, by ErrorClass
+  std::array<double, compare::kErrorClasses.size()> class_errors{};  ///< the largest, metres
+  std::array<double, compare::kErrorClasses.size()> class_ulps{};    ///< likewise
+  double largest_error = 0;                                          ///< metres
   double largest_ulps = 0;
   double median_time = 0;  ///< microseconds
   double total_time = 0;
@@ -66,6 +68,7 @@ struct WrittenCase {
   std::string says = {};   ///< the engine's answer to the shrunk case, in a few characters
   std::string least = {};  ///< that it cannot be smaller, where it is more than two triangles
   bool is_written = true;
+  bool is_recorded = false;  ///< the whole of a query that was answered elsewhere
 };
 
 /// A table of the first of `count` wrong answers, one by one; `place` is "pose", "case".

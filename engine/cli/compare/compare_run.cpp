@@ -4,14 +4,17 @@
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/job_key.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/record/place_block.h>
 #include <graze/engine/files/source.h>
+#include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
+#include <graze/engine/world/shape_bounds.h>
 
 #include <fmt/format.h>
 #include <filesystem>
@@ -61,6 +64,37 @@ void check_combinations(const CompareOptions& options) {
   }
 }
 
+bool is_shape_file(const std::string& path) {
+  return fs::path(path).extension() == ".json";
+}
+
+/// The shape in a file: what a body of a case has, and nothing else.
+Shape load_shape(const std::string& path) {
+  const std::string name = mesh_io::printable(path);
+  const cases::JsonValue tree = cases::parse_json(mesh_io::read_file(path, name), name);
+  return compare::read_shape(cases::JsonCursor(tree, name));
+}
+
+/// A mesh is a shape, too.
+CaseBody load_body(const std::string& path, const Pose& pose) {
+  return {is_shape_file(path) ? load_shape(path) : Shape(load_mesh(path)), pose};
+}
+
+/// Poses of a shape: no generator knows what its touch is.
+std::shared_ptr<const compare::PoseSource> shape_poses_of(const CompareOptions& options,
+                                                          const Shape& b) {
+  if (options.random > 0 || options.grazing > 0) {
+    throw UsageError("--random and --grazing place meshes; of shapes see --poses");
+  }
+  const Aabb bounds = b.as<HalfSpace>() != nullptr ? Aabb{{0, 0, 0}, {0, 0, 0}}
+                                                   : bounding_aabb({b, Pose::Identity()});
+  if (options.poses) return compare::pose_file(*options.poses, bounds);
+  if (options.pose_b.empty()) return compare::pose_list({Pose::Identity()});
+  const Pose pose = parse_pose(options.pose_b, "--pose-b");
+  check_pose(pose, "--pose-b");
+  return compare::pose_list({pose});
+}
+
 std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& options, const Mesh& a,
                                                     const Pose& pose_a, const Mesh& b) {
   const std::uint64_t seed = options.seed.value_or(1);
@@ -70,7 +104,7 @@ std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& option
   if (options.grazing > 0) {
     return compare::grazing_pose_source(a, pose_a, b, options.grazing, seed);
   }
-  if (options.poses) return compare::pose_file(*options.poses, b);
+  if (options.poses) return compare::pose_file(*options.poses, b.bounds());
   if (options.pose_b.empty()) return compare::pose_list({Pose::Identity()});
   const Pose pose = parse_pose(options.pose_b, "--pose-b");
   check_placement(pose, b.bounds(), "--pose-b");
@@ -97,17 +131,33 @@ compare::JobPart read_part(const CompareOptions& options, std::size_t places) {
   return part;
 }
 
-ComparisonJob read_job(const CompareOptions& options) {
-  check_combinations(options);
-  const Pose pose_a =
-      options.pose_a.empty() ? Pose(Pose::Identity()) : parse_pose(options.pose_a, "--pose-a");
+ComparisonJob read_shape_job(const CompareOptions& options, const Pose& pose_a) {
+  check_pose(pose_a, "--pose-a");
+  const CaseBody a = load_body(options.mesh_a, pose_a);
+  const CaseBody b = load_body(options.mesh_b, Pose::Identity());
+  const Ask ask = ask_named(options.query);
+  if (ask == Ask::Pairs || ask == Ask::Within) {
+    throw UsageError("--query " + options.query + " is about meshes, not about shapes");
+  }
+  return {.a = a, .b = b, .poses_b = shape_poses_of(options, b.shape), .question = {ask, {}}};
+}
+
+ComparisonJob read_mesh_job(const CompareOptions& options, const Pose& pose_a) {
   const Mesh mesh_a = load_mesh(options.mesh_a);
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
-  ComparisonJob job{.a = CaseMesh(mesh_a, pose_a),
-                    .b = CaseMesh(mesh_b, Pose::Identity()),
-                    .poses_b = poses_of(options, mesh_a, pose_a, mesh_b),
-                    .question = {ask_named(options.query), {}}};
+  return {.a = CaseMesh(mesh_a, pose_a),
+          .b = CaseMesh(mesh_b, Pose::Identity()),
+          .poses_b = poses_of(options, mesh_a, pose_a, mesh_b),
+          .question = {ask_named(options.query), {}}};
+}
+
+ComparisonJob read_posed_job(const CompareOptions& options) {
+  check_combinations(options);
+  const Pose pose_a =
+      options.pose_a.empty() ? Pose(Pose::Identity()) : parse_pose(options.pose_a, "--pose-a");
+  const bool are_shapes = is_shape_file(options.mesh_a) || is_shape_file(options.mesh_b);
+  ComparisonJob job = are_shapes ? read_shape_job(options, pose_a) : read_mesh_job(options, pose_a);
   if (options.clearance >= 0) job.question.settings.clearance = options.clearance;
   if (is_about_motion(options) && job.poses_b->size() < 2) {
     const std::string file = mesh_io::printable(*options.poses);
@@ -209,7 +259,7 @@ ExitCode run_compare(const CompareOptions& options, std::span<const EngineEntry>
     return run_compare_folder(options, engines, output);
   }
   Field field(engines, options.engines);
-  const ComparisonJob job = read_job(options);
+  const ComparisonJob job = read_posed_job(options);
   field.add_answers(options.answers, {options.mesh_a, options.mesh_b, job});
   check_before(options, field.engines());
   return PoseComparison(options, job, field.engines(), output).run(engines);

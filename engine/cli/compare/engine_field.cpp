@@ -41,6 +41,7 @@ class Borrowed : public compare::Engine {
  public:
   explicit Borrowed(const compare::Engine& engine) : engine_(engine) {}
   CaseWitness name() const override { return engine_.name(); }
+  std::optional<double> tolerance() const override { return engine_.tolerance(); }
   std::unique_ptr<compare::LoadedPair> load(const Mesh& a, const Mesh& b) const override {
     return engine_.load(a, b);
   }
@@ -56,14 +57,17 @@ class Borrowed : public compare::Engine {
 /// Who gave recorded answers: nothing can be asked of it.
 class RecordedEngine : public compare::Engine {
  public:
-  explicit RecordedEngine(CaseWitness witness) : witness_(std::move(witness)) {}
+  explicit RecordedEngine(const compare::AnswerFile& file)
+      : witness_(file.witness), tolerance_(file.tolerance) {}
   CaseWitness name() const override { return witness_; }
+  std::optional<double> tolerance() const override { return tolerance_; }
   std::unique_ptr<compare::LoadedPair> load(const Mesh&, const Mesh&) const override {
     throw InputError("recorded answers are heard, not asked for");
   }
 
  private:
   CaseWitness witness_;
+  std::optional<double> tolerance_;
 };
 
 /// A name that no engine may give itself.
@@ -120,7 +124,7 @@ void Field::add_answers(std::span<const std::string> files, const compare::Answe
     if (name.empty() || name.find(',') != name.npos) {
       throw UsageError(place + "is of " + mesh_io::quoted(name) + ", which is no name");
     }
-    engines_.push_back({name, std::make_unique<RecordedEngine>(file.witness), true, file.answers});
+    engines_.push_back({name, std::make_unique<RecordedEngine>(file), true, file.answers});
   }
 }
 

@@ -1,3 +1,4 @@
+#include <graze/engine/cli/compare/advice_list.h>
 #include <graze/engine/cli/compare/gate_files.h>
 #include <graze/engine/cli/compare/markup.h>
 
@@ -90,7 +91,8 @@ std::string junit_text(const CompareFindings& findings, const Gate& gate) {
       suite, count, failures, tests);
 }
 
-std::string markdown_text(const CompareFindings& findings, const Gate& gate) {
+std::string markdown_text(const CompareFindings& findings, const Gate& gate,
+                          std::span<const compare::Advice> advice) {
   std::string text = fmt::format("### graze compare: {}\n\n**{}**\n\n", cell(subject(findings)),
                                  gate.is_closed ? "failed" : "passed");
   if (!gate.regression.empty()) text += cell(gate.regression) + "\n";
@@ -102,7 +104,7 @@ std::string markdown_text(const CompareFindings& findings, const Gate& gate) {
                         s.answers, s.agreed, s.right, s.not_judged, s.wrong,
                         findings.wrong.closing(s.engine).count, s.largest_error, s.median_time);
   }
-  if (findings.wrong.count() == 0) return text;
+  if (findings.wrong.count() == 0) return text + advice_markdown(advice);
   text += "\n| " + findings.place + " | engine | says | truth | class | error (m) |\n" +
           "|---|---|---|---|---|---|\n";
   const std::vector<WrongAnswer> list = findings.wrong.kept();
@@ -116,7 +118,7 @@ std::string markdown_text(const CompareFindings& findings, const Gate& gate) {
   }
   if (findings.wrong.count() > shown)
     text += fmt::format("\nand {} more\n", findings.wrong.count() - shown);
-  return text;
+  return text + advice_markdown(advice);
 }
 
 }  // namespace graze::cli

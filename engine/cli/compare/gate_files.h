@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include <graze/engine/cli/compare/compare_output.h>
 #include <graze/engine/cli/replay/fail_on.h>
+#include <graze/engine/compare/run/advice/advice.h>
 
 namespace graze::cli {
 
@@ -19,8 +21,9 @@ struct Gate {
 /// engine, which fails where its wrong answers close the gate, and one for --against.
 std::string junit_text(const CompareFindings& findings, const Gate& gate);
 
-/// A summary in GitHub's Markdown: passed or not, the table of engines, and the first wrong
-/// answers.
-std::string markdown_text(const CompareFindings& findings, const Gate& gate);
+/// A summary in GitHub's Markdown: passed or not, the table of engines, the first wrong answers,
+/// and what to do about them.
+std::string markdown_text(const CompareFindings& findings, const Gate& gate,
+                          std::span<const compare::Advice> advice);
 
 }  // namespace graze::cli

@@ -28,6 +28,7 @@ svg text { font: 11px sans-serif; fill: #444; }
 .bar { fill: none; stroke: #444; }
 .view { fill: #fafafa; stroke: #ccc; }
 .a { color: #1f6fb4; } .b { color: #d95f02; } .bad { color: #b00; font-weight: bold; }
+pre { background: #f2f2f2; padding: 0.5em 1em; white-space: pre-wrap; overflow-wrap: anywhere; }
 code { background: #f2f2f2; padding: 0.1em 0.4em; overflow-wrap: anywhere; }
 </style>
 </head>
@@ -138,6 +139,7 @@ std::string html_report(const HtmlReportInput& input) {
       input.places);
   out += facts_table(input.facts);
   out += summary_table(input.summaries);
+  out += input.advice;
   out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";
   if (input.cases.empty()) out += "<p>None.</p>\n";

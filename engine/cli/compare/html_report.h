@@ -26,6 +26,7 @@ struct HtmlReportInput {
   std::span<const compare::WrongAnswer> wrong;  ///< of which the first are shown
   std::size_t wrong_count = 0;                  ///< of which these are some
   std::span<const WrittenCase> cases;
+  std::string advice = {};  ///< a section as advice_html() makes it
 };
 
 /// One page that needs nothing else: no network, no script, no file. Counts, times, and for each

@@ -1,6 +1,8 @@
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/markup.h>
 
+#include <algorithm>
+
 namespace graze::cli {
 
 std::string escaped(const std::string& text) {
@@ -30,6 +32,16 @@ std::string escaped(const std::string& text) {
       default:
         out += c;
     }
+  }
+  return out;
+}
+
+std::string escaped_lines(const std::string& text) {
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    out += escaped(text.substr(at, end - at)) + '\n';
+    at = end + 1;
   }
   return out;
 }

@@ -16,8 +16,8 @@ bool is_before(const Numbered& a, const Numbered& b) {
 
 }  // namespace
 
-WrongList::WrongList(std::size_t keep, FailOn fail_on, std::set<std::string> can_be_asked)
-    : keep_(keep), fail_on_(std::move(fail_on)), can_be_asked_(std::move(can_be_asked)) {}
+WrongList::WrongList(std::size_t keep, FailOn fail_on, std::set<std::string> have_cases)
+    : keep_(keep), fail_on_(std::move(fail_on)), have_cases_(std::move(have_cases)) {}
 
 void WrongList::add(WrongAnswer wrong) {
   const std::string& engine = wrong.answer->engine;
@@ -30,13 +30,15 @@ void WrongList::add(WrongAnswer wrong) {
     ++closing.classes[static_cast<std::size_t>(judgement.error_class)];
     if (closing.first.size() < kFirstOfEngine) closing.first.push_back(wrong);
   }
+  std::vector<WrongAnswer>& examples = examples_[{engine, judgement.error_class}];
+  if (examples.size() < kFirstOfClass) examples.push_back(wrong);
   const std::size_t number = count_++;
   keep_if_worst(number, wrong);
   if (number < kFirst) first_.emplace(number, std::move(wrong));
 }
 
 void WrongList::keep_if_worst(std::size_t number, const WrongAnswer& wrong) {
-  if (keep_ == 0 || !can_be_asked_.contains(wrong.answer->engine)) return;
+  if (keep_ == 0 || !have_cases_.contains(wrong.answer->engine)) return;
   worst_.emplace_back(number, wrong);
   std::push_heap(worst_.begin(), worst_.end(), is_before);
   if (worst_.size() <= keep_) return;
@@ -52,6 +54,13 @@ std::vector<WrongAnswer> WrongList::kept() const {
   for (auto& [number, wrong] : all)
     list.push_back(std::move(wrong));
   return list;
+}
+
+std::span<const WrongAnswer> WrongList::examples(const std::string& engine,
+                                                 compare::ErrorClass error_class) const {
+  const auto at = examples_.find({engine, error_class});
+  if (at == examples_.end()) return {};
+  return at->second;
 }
 
 const WrongList::Closing& WrongList::closing(const std::string& engine) const {

@@ -283,6 +283,7 @@ class CoalShapes : public LoadedShapes {
 class CoalEngine : public Engine {
  public:
   CaseWitness name() const override { return {"coal", COAL_VERSION}; }
+  std::optional<double> tolerance() const override { return 1e-6; }  // README.md
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<CoalPair>(mesh_a, mesh_b);
   }

@@ -120,6 +120,10 @@ class Engine {
   /// Which questions about two meshes it knows, if it says so.
   virtual std::optional<std::vector<Ask>> questions() const { return std::nullopt; }
 
+  /// So far off it may be by its own word, metres, if it says so. No verdict depends on it, only
+  /// what is advised.
+  virtual std::optional<double> tolerance() const { return std::nullopt; }
+
   /// Builds what the engine needs for queries: its trees, for example. Throws Error if it refuses.
   virtual std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const = 0;
 

@@ -3,6 +3,7 @@
 #include <graze/engine/compare/judge/judge.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <graze/engine/compare/run/record/time_code.h>
+#include <graze/engine/compare/run/shape_pair.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/compare/run/trial_threads.h>
 
@@ -21,6 +22,14 @@ Question question_of(const ComparisonJob& job, std::size_t pose) {
   return question;
 }
 
+/// Null for an engine that knows no shapes.
+std::unique_ptr<LoadedPair> load_pair(const Engine& engine, const ComparisonJob& job) {
+  const auto* mesh_a = std::get_if<CaseMesh>(&job.a);
+  const auto* mesh_b = std::get_if<CaseMesh>(&job.b);
+  if (mesh_a != nullptr && mesh_b != nullptr) return engine.load(mesh_a->mesh, mesh_b->mesh);
+  return load_shape_pair(engine, std::get<CaseBody>(job.a).shape, std::get<CaseBody>(job.b).shape);
+}
+
 /// An engine that holds the two meshes, once for all questions and once for those that confirm; or
 /// what an engine once said.
 class LoadedEngine {
@@ -28,12 +37,13 @@ class LoadedEngine {
   LoadedEngine(const EngineEntry& entry, const ComparisonJob& job)
       : entry_(&entry),
         job_(&job),
-        pair_(entry.recorded ? nullptr : entry.engine->load(job.a.mesh, job.b.mesh)) {}
+        pair_(entry.recorded ? nullptr : load_pair(*entry.engine, job)) {}
 
   const std::string& name() const { return entry_->name; }
   const Engine& engine() const { return *entry_->engine; }
 
   bool is_recorded() const { return entry_->recorded != nullptr; }
+  bool knows_shapes() const { return is_recorded() || pair_ != nullptr; }
 
   Utterance hear(std::size_t pose) const {
     if (!is_recorded()) return hear(*pair_, pose);
@@ -44,7 +54,7 @@ class LoadedEngine {
     if (is_recorded()) return hear(pose);
     std::call_once(alone_->is_loaded, [&] {
       const std::unique_ptr<Engine> alone = engine().alone();
-      if (alone) alone_->pair = alone->load(job_->a.mesh, job_->b.mesh);
+      if (alone) alone_->pair = load_pair(*alone, *job_);
     });
     return hear(alone_->pair ? *alone_->pair : *pair_, pose);
   }
@@ -58,7 +68,8 @@ class LoadedEngine {
   Utterance hear(const LoadedPair& pair, std::size_t pose) const {
     return compare::hear(
         [&] {
-          return pair.timed_answer(question_of(*job_, pose), job_->a.pose, job_->poses_b->at(pose));
+          return pair.timed_answer(question_of(*job_, pose), pose_a(*job_),
+                                   job_->poses_b->at(pose));
         },
         name());
   }
@@ -76,6 +87,7 @@ std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const Eng
     if (entry.engine == nullptr) continue;
     try {
       loaded.emplace_back(entry, job);
+      if (!loaded.back().knows_shapes()) loaded.pop_back();
     } catch (const EngineMissingError&) {
       throw;
     } catch (const Error&) {
@@ -85,9 +97,13 @@ std::vector<LoadedEngine> load_all(const ComparisonJob& job, std::span<const Eng
   return loaded;
 }
 
+/// Numbers and contacts differ as a rule.
 bool contradicts(const CaseAnswer& a, const CaseAnswer& b) {
   if (a.distance || b.distance || a.status || b.status) return true;
-  if (a.contacts && b.contacts) return a.contacts->empty() != b.contacts->empty();
+  const auto has_contacts = [](const CaseAnswer& each) {
+    return (each.contacts && !each.contacts->empty()) || (each.manifold && !each.manifold->empty());
+  };
+  if (has_contacts(a) || has_contacts(b)) return true;
   return a.says != b.says || a.pairs != b.pairs;
 }
 
@@ -166,10 +182,22 @@ std::optional<RigidCourse> ComparisonJob::course_b(std::size_t pose) const {
                      .angle = motion.angle()};
 }
 
+const Pose& pose_a(const ComparisonJob& job) {
+  const auto* mesh = std::get_if<CaseMesh>(&job.a);
+  return mesh != nullptr ? mesh->pose : std::get<CaseBody>(job.a).pose;
+}
+
 Case case_of(const ComparisonJob& job, std::size_t pose) {
-  CaseMesh b = job.b;
-  b.pose = job.poses_b->at(pose);
-  b.course = job.course_b(pose);
+  CaseShape b = job.b;
+  const auto place = [&](auto& each) {
+    each.pose = job.poses_b->at(pose);
+    each.course = job.course_b(pose);
+  };
+  if (auto* mesh = std::get_if<CaseMesh>(&b)) {
+    place(*mesh);
+  } else {
+    place(std::get<CaseBody>(b));
+  }
   return {.note = "",
           .ask = job.question.ask,
           .settings = job.question.settings,

@@ -14,10 +14,10 @@
 
 namespace graze::compare {
 
-/// Two meshes in many poses of B, and one question.
+/// Two meshes, or two bodies, in many poses of B, and one question.
 struct ComparisonJob {
-  CaseMesh a;
-  CaseMesh b;  ///< its pose is not used
+  CaseShape a;
+  CaseShape b;  ///< of the same kind; its pose is not used
   std::shared_ptr<const PoseSource> poses_b;
   Question question;  ///< of Ask::FirstContact and Free B goes from each of the poses to the next
 
@@ -27,11 +27,14 @@ struct ComparisonJob {
   std::optional<RigidCourse> course_b(std::size_t pose) const;
 };
 
+/// Where A stands.
+const Pose& pose_a(const ComparisonJob& job);
+
 /// The case that asks the question in one pose.
 Case case_of(const ComparisonJob& job, std::size_t pose);
 
 /// Puts the question to all engines that are here, in the poses of the range, and lets the referee
-/// settle every difference; distances and times, for which differences are the rule, always.
+/// settle every difference; distances, times and contacts, which differ as a rule, always.
 /// Engines whose answers were recorded are heard as they once answered. `on_records` is called with
 /// the records in the order of poses, some at a time, by one thread at a time; once it returns
 /// false no other pose is begun. Memory does not grow with the poses.

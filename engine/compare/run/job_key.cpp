@@ -28,6 +28,19 @@ std::string digest_of(const Mesh& mesh, const std::string& before) {
   return sha256_of(text);
 }
 
+/// The same of a body: of its text in a case.
+std::string digest_of(const CaseShape& shape, const std::string& before) {
+  if (const auto* mesh = std::get_if<CaseMesh>(&shape)) return digest_of(mesh->mesh, before);
+  const Case text{.note = "",
+                  .ask = Ask::Any,
+                  .settings = {},
+                  .a = CaseBody(std::get<CaseBody>(shape).shape, Pose::Identity()),
+                  .b = std::nullopt,
+                  .answer = std::nullopt,
+                  .answered_by = {}};
+  return sha256_of(before + to_json(text));
+}
+
 bool has_clearance(const ComparisonJob& job) {
   return job.question.ask == Ask::Within || job.question.settings.clearance != 0;
 }
@@ -46,15 +59,15 @@ JournalHead head_of(const ComparisonJob& job) {
     question += cases::json_plain_number(settings.clearance);
     question += " m";
   }
-  text = digest_of(job.b.mesh, digest_of(job.a.mesh, text));
-  text += cases::json_pose(job.a.pose) + job.poses_b->key();
+  text = digest_of(job.b, digest_of(job.a, text));
+  text += cases::json_pose(pose_a(job)) + job.poses_b->key();
   return {.kind = "graze_comparison",
           .unit = "poses",
           .key = sha256_of(text),
           .parts = {{"question", question},
-                    {"mesh A", digest_of(job.a.mesh, "")},
-                    {"mesh B", digest_of(job.b.mesh, "")},
-                    {"pose of A", sha256_of(cases::json_pose(job.a.pose))},
+                    {"mesh A", digest_of(job.a, "")},
+                    {"mesh B", digest_of(job.b, "")},
+                    {"pose of A", sha256_of(cases::json_pose(pose_a(job)))},
                     {"poses of B", job.poses_b->key()}},
           .places = job.places()};
 }

@@ -183,6 +183,19 @@ class OneShrinking {
 
 }  // namespace
 
+namespace {
+
+/// What was recorded stays as it is: nobody can be asked about less.
+ShrunkCase recorded_case(const WrongAnswer& wrong, std::size_t index, const EngineEntry& entry) {
+  ShrunkCase whole{entry.name, index, wrong.query(), wrong.answer->judgement, false};
+  const Utterance said = hear([&] { return entry.recorded->at(wrong.place); }, kRecorded);
+  whole.query.answer = said.answer;
+  whole.query.answered_by = entry.engine->name();
+  return whole;
+}
+
+}  // namespace
+
 bool is_worse(const WrongAnswer& a, const WrongAnswer& b) {
   return rank_of(a) < rank_of(b);
 }
@@ -200,15 +213,15 @@ std::string least_size(const ShrunkCase& shrunk) {
 
 void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntry> engines,
                   const ShrinkWorstSettings& settings) {
-  const auto engine_of = [&](std::size_t i) -> const Engine* {
+  const auto entry_of = [&](std::size_t i) -> const EngineEntry* {
     const auto entry = std::find_if(
         engines.begin(), engines.end(),
         [&](const EngineEntry& candidate) { return candidate.name == wrong[i].answer->engine; });
-    return entry == engines.end() || entry->recorded ? nullptr : entry->engine.get();
+    return entry == engines.end() || entry->engine == nullptr ? nullptr : &*entry;
   };
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < wrong.size(); ++i)
-    if (engine_of(i) != nullptr) order.push_back(i);
+    if (entry_of(i) != nullptr) order.push_back(i);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(rank_of(wrong[a]), a) < std::pair(rank_of(wrong[b]), b);
   });
@@ -221,7 +234,14 @@ void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntr
     const Seconds left = settings.time - Seconds(now - start);
     const std::size_t sharers = std::min(order.size() - n, kMostSharers);
     const Seconds share = std::min(left / sharers, Seconds(kMostSeconds));
-    OneShrinking one(wrong[order[n]], order[n], *engine_of(order[n]),
+    const EngineEntry& entry = *entry_of(order[n]);
+    if (entry.recorded) {
+      ShrunkCase whole = recorded_case(wrong[order[n]], order[n], entry);
+      if (settings.on_case) settings.on_case(whole);
+      if (settings.on_done) settings.on_done(std::move(whole));
+      continue;
+    }
+    OneShrinking one(wrong[order[n]], order[n], *entry.engine,
                      now + std::chrono::duration_cast<Clock::duration>(share), settings);
     ShrunkCase shrunk = one.run([&] {
       if (settings.on_progress) settings.on_progress(n);

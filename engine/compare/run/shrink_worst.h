@@ -56,10 +56,11 @@ struct ShrinkWorstSettings {
 std::string least_size(const ShrunkCase& shrunk);
 
 /// Shrinks the worst: those of graze first, then by their class, then in the order of places. Of
-/// engines that are not in the list ("world", recorded answers) nothing can be asked. What cannot
-/// be shown again is left as it is. Each case may take a quarter of the time that is left, and the
-/// last ones an equal share of it. The two triangles alone are always tried, and a question that is
-/// asked is waited for, so that a case may take one question longer.
+/// engines that are not in the list ("world") nothing can be asked, and no case is made; a recorded
+/// answer is kept as a case of the whole query. What cannot be shown again is left as it is. Each
+/// case may take a quarter of the time that is left, and the last ones an equal share of it. The
+/// two triangles alone are always tried, and a question that is asked is waited for, so that a case
+/// may take one question longer.
 void shrink_worst(std::span<const WrongAnswer> wrong, std::span<const EngineEntry> engines,
                   const ShrinkWorstSettings& settings = {});
 

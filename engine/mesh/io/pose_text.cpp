@@ -3,6 +3,7 @@
 #include <graze/engine/files/number_list.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/pose_array.h>
+#include <graze/engine/mesh/io/pose_lines.h>
 #include <graze/engine/pose_text.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace graze {
 namespace {
@@ -55,6 +57,38 @@ Pose parse_pose(std::string_view text, const std::string& place) {
   });
 }
 
+namespace mesh_io {
+
+PoseLines::PoseLines(std::istream& file, std::string name, std::size_t next_line)
+    : file_(file), name_(std::move(name)), next_line_(next_line), buffer_(kMaxLineLength) {}
+
+bool PoseLines::next(PoseLine& pose) {
+  while (file_.peek() != std::istream::traits_type::eof()) {
+    const std::size_t line = next_line_++;
+    const std::string place = name_ + ":" + std::to_string(line);
+    file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    if (file_.bad()) break;
+    if (file_.fail()) {
+      throw PoseError(place + ": longer than " + std::to_string(kMaxLineLength - 1) + " bytes",
+                      {.file = name_, .line = line});
+    }
+    // gcount() includes the end of the line, unless the file ends first.
+    const auto length = static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1);
+    const std::string_view text(buffer_.data(), length);
+    if (text.find_first_not_of(kBlanks) == text.npos) continue;
+    try {
+      pose = {parse_pose(text, place), line};
+      return true;
+    } catch (const PoseError& error) {
+      throw PoseError(error.what(), {.file = name_, .line = line});
+    }
+  }
+  if (file_.bad()) fail_in_file(name_, "cannot be read to its end");
+  return false;
+}
+
+}  // namespace mesh_io
+
 std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
   return bvh::in_standard_arithmetic([&]() -> std::vector<PoseLine> {
     const std::string name = mesh_io::printable(path.string());
@@ -65,26 +99,9 @@ std::vector<PoseLine> load_pose_lines(const std::filesystem::path& path) {
     if (file.peek() == kFirstOfArray) return poses_of_array(file, name);
 
     std::vector<PoseLine> poses;
-    std::vector<char> buffer(kMaxLineLength);
-    for (std::size_t line = 1; file.peek() != std::ifstream::traits_type::eof(); ++line) {
-      const std::string place = name + ":" + std::to_string(line);
-      file.getline(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-      if (file.bad()) break;
-      if (file.fail()) {
-        throw PoseError(place + ": longer than " + std::to_string(kMaxLineLength - 1) + " bytes",
-                        {.file = name, .line = line});
-      }
-      // gcount() includes the end of the line, unless the file ends first.
-      const auto length = static_cast<std::size_t>(file.gcount()) - (file.eof() ? 0 : 1);
-      const std::string_view text(buffer.data(), length);
-      if (text.find_first_not_of(kBlanks) == text.npos) continue;
-      try {
-        poses.push_back({parse_pose(text, place), line});
-      } catch (const PoseError& error) {
-        throw PoseError(error.what(), {.file = name, .line = line});
-      }
-    }
-    if (file.bad()) fail_in_file(name, "cannot be read to its end");
+    mesh_io::PoseLines lines(file, name);
+    for (PoseLine line; lines.next(line);)
+      poses.push_back(line);
     if (poses.empty()) fail_in_file(name, "no poses");
     return poses;
   });

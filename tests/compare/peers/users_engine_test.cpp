@@ -3,7 +3,9 @@
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/run/comparison.h>
 #include <gtest/gtest.h>
+#include <cstdio>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +87,40 @@ TEST(UsersEngine, OfFclSaysWhatFclSays) {
   }
 }
 #endif
+
+/// What a program prints.
+std::string printed_by(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  if (pipe == nullptr) return text;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+    text += static_cast<char>(c);
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return text;
+}
+
+/// "passed, failed, refused" of the row of a class.
+std::vector<int> row_of(const std::string& table, const std::string& kind) {
+  std::istringstream words(table.substr(table.find(" " + kind + " ") + kind.size() + 1));
+  std::vector<int> row(3, -1);
+  for (int& each : row)
+    words >> each;
+  return row;
+}
+
+TEST(HardCaseReaders, NeedNoGrazeAndCountEveryCase) {
+  const std::string cases = " '" GRAZE_DATA_DIR "/hard_cases' 2>/dev/null";
+  const std::string boxes = printed_by("python3 '" + kEngines + "/hard_cases.py'" + cases);
+  EXPECT_EQ(row_of(boxes, "coplanar"), (std::vector{5, 0, 0})) << boxes;
+  EXPECT_EQ(row_of(boxes, "shapes")[0], 0) << "it knows triangles alone";
+  EXPECT_GT(row_of(boxes, "triangles")[1], 0) << "what boxes cannot tell apart";
+#ifdef GRAZE_FCL_HARD_CASES
+  const std::string fcl = printed_by(std::string("'") + GRAZE_FCL_HARD_CASES + "'" + cases);
+  EXPECT_GT(row_of(fcl, "all")[0], row_of(boxes, "all")[0]) << fcl;
+  const auto sum = [](const std::vector<int>& row) { return row[0] + row[1] + row[2]; };
+  EXPECT_EQ(sum(row_of(fcl, "all")), sum(row_of(boxes, "all")));
+#endif
+}
 
 /// What is said of a command that starts no engine.
 std::string refusal(const std::string& command) {

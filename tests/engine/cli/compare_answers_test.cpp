@@ -2,6 +2,7 @@
 // every error that is planted in it is counted once.
 
 #include <graze/bvh/error.h>
+#include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare/engine_field.h>
@@ -11,99 +12,10 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "tests/engine/cli/compare_fixture.h"
+#include "tests/engine/cli/answers_fixture.h"
 
 namespace graze::cli {
 namespace {
-
-using nlohmann::json;
-
-class CliCompareAnswers : public CliCompare {
- protected:
-  static constexpr int kPoses = 40;
-
-  CliCompareAnswers() {
-    options_.random = 0;
-    options_.keep = 0;
-    options_.is_json = true;
-    std::string text;
-    for (int i = 0; i < kPoses; ++i) {
-      Pose pose = Pose::Identity();
-      pose.translation() << 0.0625 * i, 0.03125, 0.0625;
-      poses_.push_back(pose);
-      text += "1 0 0 " + std::to_string(0.0625 * i) + " 0 1 0 0.03125 0 0 1 0.0625\n";
-    }
-    options_.poses = directory_.write("poses.txt", text);
-  }
-
-  json head(const std::string& question, const std::string& engine = "other") const {
-    const auto sum = [&](const char* name) {
-      return json{{"file", name}, {"sha256", cases::sha256_of(read(name))}};
-    };
-    return {{"graze_answers", 1},   {"engine", engine},       {"version", "1"},
-            {"question", question}, {"mesh_a", sum("a.off")}, {"mesh_b", sum("b.off")},
-            {"poses", kPoses}};
-  }
-
-  /// What graze says in each pose.
-  std::vector<json> honest(Ask ask) const {
-    const Mesh a = load_mesh(options_.mesh_a);
-    const Mesh b = load_mesh(options_.mesh_b);
-    const auto pair = compare::make_graze_engine()->load(a, b);
-    std::vector<json> lines;
-    for (const Pose& pose : poses_) {
-      const CaseAnswer answer = *pair->answer({.ask = ask}, Pose::Identity(), pose);
-      lines.push_back({{"answer", json::parse(to_plain_json(answer))}, {"us", 12.5}});
-    }
-    return lines;
-  }
-
-  std::string written(const json& head, const std::vector<json>& lines,
-                      const std::string& name = "answers.jsonl") const {
-    std::string text = head.dump() + "\n";
-    for (const json& line : lines)
-      text += line.dump() + "\n";
-    return directory_.write(name, text);
-  }
-
-  static std::vector<EngineEntry> graze_alone() {
-    std::vector<EngineEntry> engines;
-    engines.push_back({"graze", compare::make_graze_engine()});
-    return engines;
-  }
-
-  /// What the summary says of an engine.
-  json summary_of(const std::string& engine) const {
-    const std::size_t at = out_.rfind("{\"summary\"");
-    const json last = json::parse(out_.substr(at, out_.find('\n', at) - at));
-    for (const json& each : last["summary"])
-      if (each["engine"] == engine) return each;
-    return {};
-  }
-
-  json judged(const std::string& query, const std::string& file,
-              const std::string& engine = "other") {
-    options_.query = query;
-    options_.answers = {file};
-    EXPECT_EQ(compare(graze_alone()), ExitCode::Answered) << out_;
-    return summary_of(engine);
-  }
-
-  std::string refusal(const std::string& query, const std::string& file) {
-    options_.query = query;
-    options_.answers = {file};
-    out_.clear();
-    try {
-      compare(graze_alone());
-    } catch (const Error& error) {
-      EXPECT_EQ(out_, "");
-      return error.what();
-    }
-    return "none";
-  }
-
-  std::vector<Pose> poses_;
-};
 
 TEST_F(CliCompareAnswers, HonestOnesAreRight) {
   for (const auto& [query, ask] : {std::pair("any", Ask::Any), std::pair("pairs", Ask::Pairs),
@@ -132,41 +44,29 @@ TEST_F(CliCompareAnswers, EveryPlantedErrorIsCounted) {
   EXPECT_EQ(summary["not_confirmed"], 0) << "nothing can be asked again";
 }
 
-/// The same errors of an engine that is asked: it looks up what to do by the pose.
-TEST_F(CliCompareAnswers, AnEngineThatIsAskedIsCountedLikewise) {
-  json said = json::array();
-  for (const json& line : honest(Ask::Any))
-    said.push_back(line["answer"]);
-  said[3] = "crash";
-  said[9] = "nonsense";
-  said[13]["says"] = !said[13]["says"].get<bool>();
-  said[15] = {{"distance", 1}};
-  directory_.write("said.json", said.dump());
-  const std::string program = directory_.write("engine.py", R"(
-import json, os, sys
-said = json.load(open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "said.json")))
-print(json.dumps({"graze_peer": 1, "engine": "other", "version": "1"}), flush=True)
-for line in sys.stdin:
-    request = json.loads(line)
-    if "load" in request:
-        print(json.dumps({"id": request["id"], "loaded": True}), flush=True)
-        continue
-    answer = said[round(request["pose_b"][3] / 0.0625)]
-    if answer == "crash":
-        os.abort()
-    if answer == "nonsense":
-        print("{", flush=True)
-        continue
-    print(json.dumps({"id": request["id"], "answer": answer, "us": 1}), flush=True)
-)");
-  std::vector<EngineEntry> engines = graze_alone();
-  engines.push_back(compare::start_engine("python3 '" + program + "' 2>/dev/null"));
-  EXPECT_EQ(compare(engines), ExitCode::Answered) << out_;
-  const json summary = summary_of("other");
-  EXPECT_EQ(summary["answers"], kPoses);
-  EXPECT_EQ(summary["wrong"], 4);
-  EXPECT_EQ(summary["engine_error"], 3);
-  EXPECT_EQ(summary["not_confirmed"], 0);
+/// A case for each, as of engines that are asked, with the meshes in files beside them.
+TEST_F(CliCompareAnswers, WrongOnesAreKeptAsCases) {
+  std::vector<json> lines = honest(Ask::Distance);
+  lines[30]["answer"]["distance"] = lines[30]["answer"]["distance"].get<double>() + 0.5;
+  options_.keep = 4;
+  options_.query = "distance";
+  options_.answers = {written(head("distance"), lines)};
+  EXPECT_EQ(compare(graze_alone()), ExitCode::Answered) << out_;
+  ASSERT_EQ(found().size(), 1u) << out_;
+  const Case kept = read_case(found().front());
+  EXPECT_EQ(kept.answered_by.engine, "other");
+  EXPECT_EQ(kept.answered_by.version, "1");
+  EXPECT_EQ(*kept.answer->distance, lines[30]["answer"]["distance"].get<double>());
+  const auto& mesh = std::get<CaseMesh>(kept.a);
+  ASSERT_TRUE(mesh.file.has_value());
+  EXPECT_EQ(mesh.mesh.triangles().size(), load_mesh(options_.mesh_a).triangles().size());
+  EXPECT_EQ(std::get<CaseMesh>(*kept.b).pose.matrix(), poses_[30].matrix());
+  const ExitCode code = run([&](Output& output) {
+    return run_replay({.files = {options_.cases}, .is_json = true}, graze_alone(), output);
+  });
+  EXPECT_EQ(code, ExitCode::Answered);
+  EXPECT_NE(out_.find("\"recorded\":true"), out_.npos);
+  EXPECT_NE(out_.find("\"verdict\":\"wrong\",\"truth\""), out_.npos) << out_;
 }
 
 TEST_F(CliCompareAnswers, OneMissedPairIsFound) {
@@ -216,16 +116,7 @@ TEST_F(CliCompareAnswers, AReversedNormalIsFound) {
     if (planted == 1) break;
   }
   ASSERT_EQ(planted, 1);
-  // That all have contacts is agreed; what they are is looked at where answers are disputed, which
-  // another engine's silence about one of them makes of it.
-  std::vector<json> empty = lines;
-  for (json& line : empty)
-    line["answer"]["contacts"] = json::array();
-  options_.query = "contacts";
-  options_.answers = {written(head("contacts"), lines),
-                      written(head("contacts", "none"), empty, "none.jsonl")};
-  EXPECT_EQ(compare(graze_alone()), ExitCode::Answered);
-  EXPECT_EQ(summary_of("other")["wrong"], 1) << out_;
+  EXPECT_EQ(judged("contacts", written(head("contacts"), lines))["wrong"], 1) << out_;
 }
 
 TEST_F(CliCompareAnswers, TablesAreReadToo) {

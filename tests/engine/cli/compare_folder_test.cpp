@@ -184,6 +184,7 @@ TEST_F(CliCompareFolder, JsonIsALineForEachCaseAndASummary) {
   while (std::getline(lines, line)) {
     const cases::JsonValue tree = cases::parse_json(line, name);
     const cases::JsonCursor root(tree, name);
+    if (root.has("advice")) continue;
     if (!root.has("case")) {
       EXPECT_EQ(root.member("summary").size(), 3u) << "recorded, graze, fcl";
       EXPECT_GT(root.member("cases").size(), 0u);

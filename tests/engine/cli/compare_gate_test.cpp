@@ -72,6 +72,26 @@ TEST_F(CliCompareGate, WritesATableForCodeHosts) {
   EXPECT_NE(page.find("\n| fcl | 24 |"), std::string::npos) << page;
 }
 
+TEST_F(CliCompareGate, SaysWhatToDoInEveryForm) {
+  options_.markdown = directory_.path("out.md");
+  options_.report = directory_.path("out.html");
+  EXPECT_EQ(gated({}), ExitCode::Answered);
+  EXPECT_NE(out_.find("what to do:\n  fcl, "), out_.npos) << out_;
+  EXPECT_NE(out_.find("no rounding of the input explains it"), out_.npos) << out_;
+  for (const char* file : {"out.md", "out.html"}) {
+    const std::string page = read(file);
+    EXPECT_NE(page.find("<summary>The text of an issue</summary>"), page.npos) << page;
+    EXPECT_NE(page.find("graze replay "), page.npos);
+    EXPECT_NE(page.find("\n- Got: "), page.npos) << "line by line";
+  }
+  options_.is_json = true;
+  EXPECT_EQ(gated({}), ExitCode::Answered);
+  const std::size_t at = out_.find("{\"advice\":[{\"engine\":\"fcl\",\"class\":\"real\"");
+  ASSERT_NE(at, out_.npos) << out_;
+  EXPECT_NE(out_.find("\"remedy\":\"report\"", at), out_.npos);
+  EXPECT_NE(out_.find("\"issue\":\"# Wrong answer: ", at), out_.npos);
+}
+
 TEST_F(CliCompareGate, FilesMayNotBeInputs) {
   options_.junit = options_.mesh_a;
   EXPECT_THROW(gated({}), UsageError);

@@ -127,6 +127,26 @@ TEST_F(CompareKilled, ManyPosesTakeNoMoreMemory) {
   EXPECT_LT(many, few + 8'000) << "kB";
 }
 
+TEST_F(CompareKilled, ManyPosesOfATextTakeNoMoreMemory) {
+  const auto write = [&](const char* name, std::size_t count) {
+    std::ofstream file(folder_ / name);
+    for (std::size_t i = 0; i < count; ++i)
+      file << "1 0 0 " << 0.5 + static_cast<double>(i % 1000) / 1000
+           << " 0 1 0 0.125 0 0 1 0.0625\n";
+  };
+  write("few.txt", 5000);
+  write("many.txt", 100'000);
+  const auto with = [&](const char* poses) {
+    return std::vector<std::string>{"compare",   "a.off", "b.off",  "--poses", poses,
+                                    "--engines", "graze", "--keep", "0"};
+  };
+  const long few = peak_of(with("few.txt"));
+  const long many = peak_of(with("many.txt"));
+  ASSERT_GT(few, 1000);
+  ASSERT_GT(many, 0);
+  EXPECT_LT(many, few + 8'000) << "kB";
+}
+
 TEST_F(CompareKilled, HostileFilesAreOneLineAndExitCodeTwo) {
   std::ofstream(folder_ / "junk") << std::string(100, '\xff') << "\n{\"graze_comparison\":2}\n";
   std::ofstream(folder_ / "empty");

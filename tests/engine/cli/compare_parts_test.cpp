@@ -3,15 +3,20 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cli/compare/merge_run.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/compare/run/poses/block_cache.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/record/place_block.h>
 #include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/trial_threads.h>
 #include <graze/engine/mesh/pair.h>
+#include <graze/engine/pose_text.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -279,6 +284,60 @@ TEST(PoseSource, DrawsAnyPoseByItself) {
   const auto grazing = compare::grazing_pose_source(a, Pose::Identity(), b, 1030, 5);
   for (const std::size_t i : {1025, 1024, 3})
     EXPECT_EQ(intersects({a}, {b, grazing->at(i)}), i % 2 == 0) << i;
+}
+
+/// Whoever waits for a block makes one of the next: all of them once, and none beyond the end.
+TEST(PoseSourceThreads, BlocksAreMadeAheadByThoseWhoWait) {
+  std::atomic<std::size_t> makers = 0;
+  std::atomic<std::size_t> most = 0;
+  std::mutex mutex;
+  std::map<std::size_t, int> made;
+  const compare::BlockCache<std::size_t> blocks(
+      [&](std::size_t block) {
+        most = std::max<std::size_t>(most, ++makers);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        --makers;
+        const std::lock_guard lock(mutex);
+        ++made[block];
+        return std::vector<std::size_t>{block};
+      },
+      6);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 3; ++i) {
+    threads.emplace_back([&] {
+      for (std::size_t block = 0; block < 6; ++block)
+        EXPECT_EQ(blocks.at(block)->front(), block);
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(made.size(), 6u);
+  for (const auto& [block, count] : made)
+    EXPECT_EQ(count, 1) << block;
+  EXPECT_GT(most, 1u) << "at the same time";
+}
+
+TEST(PoseSource, OfATextStaysInIt) {
+  tests::TemporaryDirectory directory;
+  std::string text;
+  for (int i = 0; i < 2100; ++i) {
+    if (i % 7 == 0) text += " \n";
+    text += "1 0 0 " + std::to_string(i) + " 0 1 0 0 0 0 1 0" + (i == 2099 ? "" : "\n");
+  }
+  const auto poses =
+      compare::pose_file(directory.write("poses.txt", text), Aabb{{0, 0, 0}, {1, 1, 1}});
+  ASSERT_EQ(poses->size(), 2100u);
+  for (const std::size_t i : {2099, 1024, 1023, 0, 2048})
+    EXPECT_EQ(poses->at(i)(0, 3), static_cast<double>(i));
+  EXPECT_EQ(poses->key(), compare::pose_list(load_poses(directory.path("poses.txt")))->key());
+  directory.write("poses.txt", text + "\n1 2\n");
+  try {
+    compare::pose_file(directory.path("poses.txt"), Aabb{{0, 0, 0}, {1, 1, 1}});
+    FAIL() << "a line of two numbers";
+  } catch (const PoseError& error) {
+    EXPECT_NE(std::string(error.what()).find("poses.txt:2401: 2 numbers"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(TimeCode, IsOffByLessThanAThousandth) {

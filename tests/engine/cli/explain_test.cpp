@@ -1,9 +1,13 @@
 // `graze explain`: what it says is so.
 
+#include <fmt/format.h>
+#include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/json_cursor.h>
+#include <graze/engine/cli/reports/case_explanation.h>
 #include <graze/engine/cli/reports/explanation.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/crossing.h>
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -120,6 +124,110 @@ TEST_F(CliExplain, JsonSaysTheSame) {
   const cases::JsonCursor volumes = root.member("volumes");
   for (const PairVolume volume : kPairVolumes)
     EXPECT_GT(volumes.member(graze::name_of(volume)).member("volume_tests").number(), 0);
+}
+
+Case two_triangles(const Triangle& a, const Triangle& b, bool says) {
+  Case query{.note = "",
+             .ask = Ask::Any,
+             .settings = {},
+             .a = a,
+             .b = b,
+             .answer = CaseAnswer(),
+             .answered_by = {"mine", "2"}};
+  query.answer->says = says;
+  return query;
+}
+
+std::string regression(const char* name) {
+  return std::string(GRAZE_DATA_DIR) + "/regressions/" + name;
+}
+
+TEST(CliExplainCase, RecordedAnswersAreGoneThrough) {
+  for (const char* name : {"fcl-rock-14.json", "fcl-gear-15.json", "fcl-link-28.json"}) {
+    const CaseExplanation e = explain_case(read_case(regression(name)));
+    EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong) << name;
+    ASSERT_GE(e.ways.size(), 4u) << name;
+    EXPECT_EQ(e.ways[0].placed_touch, e.says == "no") << "law 1's own placing is the truth";
+    EXPECT_FALSE(e.why.empty());
+  }
+}
+
+/// A corner that is 2^-50 m off the plane of a triangle a metre away from the origin: the sign of
+/// its determinant is lost in float.
+TEST(CliExplainCase, ALostSignIsNamed) {
+  const Triangle a{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  const Triangle b{{0.25, 0.25, 1 + 0x1p-40}, {0.25, 0.5, 2}, {0.5, 0.25, 2}};
+  const CaseExplanation e = explain_case(two_triangles(a, b, true));
+  EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
+  EXPECT_FALSE(e.ways[0].placed_touch);
+  EXPECT_FALSE(e.ways[0].axes.says);
+  EXPECT_TRUE(e.ways[2].placed_touch) << "as floats they do touch";
+  EXPECT_NE(e.why.find("Placing does it"), e.why.npos) << e.why;
+  EXPECT_NE(e.why.find("float"), e.why.npos);
+  EXPECT_NE(to_json(e).find("\"verdict\":\"wrong\""), std::string::npos);
+}
+
+TEST(CliExplainCase, ARightAnswerIsRightAndAnAbsurdOneIsNobodysRounding) {
+  const Triangle a{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Triangle b{{0, 0, 3}, {1, 0, 3}, {0, 1, 3}};
+  EXPECT_EQ(explain_case(two_triangles(a, b, false)).why, "The answer is right.");
+  const CaseExplanation e = explain_case(two_triangles(a, b, true));
+  EXPECT_NE(e.why.find("None of these textbook tests"), e.why.npos) << e.why;
+  EXPECT_FALSE(e.pair.has_value() && e.ways.empty());
+}
+
+/// Steps of each test beside rational numbers: what both decide exactly is what the referee says,
+/// whatever rounding does to what is computed.
+TEST(CliExplainCase, BothTestsAreRightWhereNothingIsRounded) {
+  std::uint64_t bits = 7;
+  const auto whole = [&] {
+    bits = bits * 6364136223846793005 + 1442695040888963407;
+    return static_cast<double>(static_cast<std::int64_t>(bits >> 61) - 3);
+  };
+  const auto corner = [&] {
+    const double x = whole(), y = whole(), z = whole();
+    return Eigen::Vector3d(x, y, z);
+  };
+  std::size_t hits = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Triangle a{corner(), corner(), corner()};
+    const Triangle b{corner(), corner(), corner()};
+    if ((a.b - a.a).cross(a.c - a.a).isZero() || (b.b - b.a).cross(b.c - b.a).isZero()) continue;
+    const bool truth = intersects(a, b, Touch::Include);
+    hits += truth;
+    for (const auto test : {compare::ClassicTest::Axes, compare::ClassicTest::Determinants}) {
+      for (const auto numbers : {compare::ClassicNumbers::Double, compare::ClassicNumbers::Float}) {
+        const compare::ClassicRun run = compare::run_classic(test, numbers, a, b);
+        ASSERT_EQ(run.says, truth) << i;
+        for (const compare::ClassicStep& step : run.steps)
+          ASSERT_EQ(step.computed, step.exact) << step.name;
+      }
+    }
+  }
+  EXPECT_GT(hits, 100u);
+}
+
+/// The regressions of the narrow phase, with the opposite of the truth: each is either blamed on a
+/// step whose sign is wrong, or on nothing.
+TEST(CliExplainCase, BlamedStepsHaveWrongSigns) {
+  std::size_t blamed = 0;
+  for (int i = 1; i <= 27; ++i) {
+    const std::string name = fmt::format("triangles-{:02}.json", i);
+    Case query = read_case(regression(name.c_str()));
+    query.answer->says = !*query.answer->says;
+    query.answered_by = {"mine", ""};
+    const CaseExplanation e = explain_case(query);
+    ASSERT_EQ(e.judgement.verdict, compare::Verdict::Wrong) << name;
+    for (const compare::ClassicWay& way : e.ways) {
+      for (const compare::ClassicRun* run : {&way.axes, &way.determinants}) {
+        const compare::ClassicStep* step = run->misleading(way.placed_touch);
+        if (step == nullptr) continue;
+        EXPECT_NE(step->computed_sign, step->exact_sign) << name << step->name;
+        ++blamed;
+      }
+    }
+  }
+  EXPECT_GT(blamed, 5u);
 }
 
 }  // namespace

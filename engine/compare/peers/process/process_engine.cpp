@@ -200,6 +200,7 @@ class ProcessEngine : public Engine {
       : pool_(std::move(pool)), history_(history) {}
 
   CaseWitness name() const override { return pool_->hello().witness; }
+  std::optional<double> tolerance() const override { return pool_->hello().tolerance; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<PeerPair>(pool_, history_, mesh_a, mesh_b);
   }

@@ -172,11 +172,15 @@ PeerHello read_hello(const JsonCursor& at) {
         .fail("is version " + std::to_string(version) + " of the protocol; this program speaks " +
               std::to_string(kPeerProtocol));
   }
-  at.require_keys({"graze_peer", "engine", "version", "alone", "questions"});
+  at.require_keys({"graze_peer", "engine", "version", "alone", "questions", "tolerance"});
   PeerHello hello;
   hello.witness.engine = mesh_io::printable(at.member("engine").text());
   if (at.has("version")) hello.witness.version = mesh_io::printable(at.member("version").text());
   hello.can_fork = at.has("alone") && at.member("alone").boolean();
+  if (at.has("tolerance")) {
+    hello.tolerance = at.member("tolerance").number();
+    if (!(*hello.tolerance >= 0)) at.member("tolerance").fail("is below 0");
+  }
   if (!at.has("questions")) return hello;
   const JsonCursor list = at.member("questions");
   hello.questions.emplace();

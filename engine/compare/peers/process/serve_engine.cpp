@@ -59,14 +59,17 @@ class Server {
 
   void greet() const {
     const CaseWitness witness = engine_.name();
-    std::string questions;
+    std::string more;
     if (const std::optional<std::vector<Ask>> known = engine_.questions()) {
-      questions = ",\"questions\":" +
-                  cases::json_list(*known, ",", [](Ask ask) { return json_string(name_of(ask)); });
+      more = ",\"questions\":" +
+             cases::json_list(*known, ",", [](Ask ask) { return json_string(name_of(ask)); });
+    }
+    if (const std::optional<double> tolerance = engine_.tolerance()) {
+      more += ",\"tolerance\":" + cases::json_plain_number(*tolerance);
     }
     write_all(replies_, "{\"graze_peer\":" + std::to_string(kPeerProtocol) +
                             ",\"engine\":" + json_string(witness.engine) + ",\"version\":" +
-                            json_string(witness.version) + ",\"alone\":true" + questions + "}\n");
+                            json_string(witness.version) + ",\"alone\":true" + more + "}\n");
   }
 
   void answer(const std::string& line) {

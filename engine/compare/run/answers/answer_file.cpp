@@ -2,6 +2,8 @@
 #include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/cases/write_case.h>
+#include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/run/answers/answer_file.h>
 #include <graze/engine/compare/run/answers/answer_line.h>
 #include <graze/engine/compare/run/poses/block_cache.h>
@@ -53,6 +55,7 @@ class AnswerLines : public RecordedAnswers {
   }
   const std::string& digest() const override { return sums_; }
   const CaseWitness& witness() const { return witness_; }
+  std::optional<double> tolerance() const { return tolerance_; }
 
  private:
   std::ifstream opened() const {
@@ -83,13 +86,17 @@ class AnswerLines : public RecordedAnswers {
 
   void read_start(const JsonCursor& at, const AnswersWanted& wanted) {
     at.require_keys({"graze_answers", "engine", "version", "question", "settings", "mesh_a",
-                     "mesh_b", "poses"});
+                     "mesh_b", "shape_a", "shape_b", "poses", "tolerance"});
     const JsonCursor version = at.member("graze_answers");
     if (version.index(kAnswersVersion + 1) != kAnswersVersion) {
       version.fail("is another version; this program reads " + std::to_string(kAnswersVersion));
     }
     witness_.engine = mesh_io::printable(at.member("engine").text());
     if (at.has("version")) witness_.version = mesh_io::printable(at.member("version").text());
+    if (at.has("tolerance")) {
+      tolerance_ = at.member("tolerance").number();
+      if (!(*tolerance_ >= 0)) at.member("tolerance").fail("is below 0");
+    }
     const Question& question = wanted.job.question;
     if (at.member("question").text() != name_of(question.ask)) {
       at.member("question")
@@ -100,14 +107,43 @@ class AnswerLines : public RecordedAnswers {
     if (settings.clearance != question.settings.clearance) {
       at.fail("its clearance is not that of this run");
     }
-    check_mesh(at.member("mesh_a"), wanted.mesh_a);
-    check_mesh(at.member("mesh_b"), wanted.mesh_b);
+    check_shape(at, "a", wanted.mesh_a, wanted.job.a);
+    check_shape(at, "b", wanted.mesh_b, wanted.job.b);
     constexpr std::int64_t kMostPoses = std::int64_t{1} << 53;
     const std::size_t places = wanted.job.places();
     if (at.has("poses") &&
         at.member("poses").whole(0, kMostPoses) != static_cast<std::int64_t>(places)) {
       at.member("poses").fail("is not " + std::to_string(places) + ", as many as there are");
     }
+  }
+
+  /// Of a file, or of a shape that stands in the line itself.
+  static void check_shape(const JsonCursor& at, const std::string& which,
+                          const std::filesystem::path& file, const CaseShape& asked) {
+    const std::string mesh = "mesh_" + which;
+    const std::string shape = "shape_" + which;
+    if (at.has(mesh) && at.has(shape)) at.fail("has both a " + mesh + " and a " + shape);
+    if (!at.has(shape)) return check_mesh(at.member(mesh), file);
+    const JsonCursor there = at.member(shape);
+    if (there.has("sha256")) return check_mesh(there, file);
+    const auto* body = std::get_if<CaseBody>(&asked);
+    if (body == nullptr || !is_same_shape(read_shape(there), body->shape)) {
+      there.fail("is not " + mesh_io::printable(file.string()));
+    }
+  }
+
+  /// By the text of both, bit for bit.
+  static bool is_same_shape(const Shape& a, const Shape& b) {
+    const auto text = [](const Shape& shape) {
+      return to_json(Case{.note = "",
+                          .ask = Ask::Any,
+                          .settings = {},
+                          .a = CaseBody(shape, Pose::Identity()),
+                          .b = std::nullopt,
+                          .answer = std::nullopt,
+                          .answered_by = {}});
+    };
+    return text(a) == text(b);
   }
 
   static void check_mesh(const JsonCursor& at, const std::filesystem::path& file) {
@@ -161,6 +197,7 @@ class AnswerLines : public RecordedAnswers {
   Case query_;  ///< how an answer is read; its pose does not matter
   std::size_t first_line_ = 2;
   CaseWitness witness_;
+  std::optional<double> tolerance_;
   std::vector<std::string> columns_;
   std::string sums_;  ///< of all lines
   std::vector<std::streampos> starts_;
@@ -171,7 +208,7 @@ class AnswerLines : public RecordedAnswers {
 
 AnswerFile read_answer_file(const std::filesystem::path& path, const AnswersWanted& wanted) {
   auto lines = std::make_shared<const AnswerLines>(path, wanted);
-  return {lines->witness(), lines};
+  return {lines->witness(), lines, lines->tolerance()};
 }
 
 }  // namespace graze::compare

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <graze/engine/compare/peers/engine.h>
@@ -11,8 +12,8 @@ namespace graze::compare {
 
 /// What the answers of a file must be about.
 struct AnswersWanted {
-  std::filesystem::path mesh_a;  ///< the files themselves, of whose bytes there are sums
-  std::filesystem::path mesh_b;
+  std::filesystem::path mesh_a;  ///< the files themselves, of meshes or shapes: there are sums of
+  std::filesystem::path mesh_b;  ///< their bytes
   const ComparisonJob& job;
 };
 
@@ -22,6 +23,7 @@ struct AnswersWanted {
 struct AnswerFile {
   CaseWitness witness;  ///< who gave them, as the first line says
   std::shared_ptr<const RecordedAnswers> answers;
+  std::optional<double> tolerance = {};  ///< Engine::tolerance()
 };
 
 /// Looks at every line. Throws CaseError `file:line: why` for a first line of other meshes, another

@@ -4,6 +4,7 @@
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/pose_array.h>
+#include <graze/engine/mesh/io/pose_lines.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
 
@@ -16,6 +17,7 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -134,14 +136,14 @@ class ArrayFile {
 
 class ArrayPoses : public PoseSource {
  public:
-  ArrayPoses(std::shared_ptr<const ArrayFile> file, const Mesh& mesh_b)
+  ArrayPoses(std::shared_ptr<const ArrayFile> file, const Aabb& bounds_b)
       : file_(std::move(file)), blocks_([this](std::size_t block) { return file_->block(block); }) {
     PoseSum sum;
     for (std::size_t first = 0; first < file_->size(); first += kBlock) {
       std::size_t number = first;
       for (const Pose& pose : file_->block(first / kBlock)) {
         const std::string place = file_->name() + ":" + std::to_string(++number);
-        check_placement(pose, mesh_b.bounds(), place.c_str());
+        check_placement(pose, bounds_b, place.c_str());
         sum.add(pose);
       }
     }
@@ -160,21 +162,95 @@ class ArrayPoses : public PoseSource {
   BlockCache<Pose> blocks_;
 };
 
+/// A file of text, in which it is kept where each block begins.
+class TextPoses : public PoseSource {
+ public:
+  TextPoses(std::filesystem::path path, const Aabb& bounds_b)
+      : path_(std::move(path)),
+        name_(mesh_io::printable(path_.string())),
+        blocks_([this](std::size_t block) { return poses_of(block); }) {
+    std::ifstream file = opened();
+    mesh_io::PoseLines lines(file, name_);
+    PoseSum sum;
+    PoseLine line;
+    for (;; ++size_) {
+      const Start here{file.tellg(), lines.next_line()};
+      if (!lines.next(line)) break;
+      if (size_ % kBlock == 0) starts_.push_back(here);
+      const std::string place = name_ + ":" + std::to_string(line.line);
+      check_placement(line.pose, bounds_b, place.c_str());
+      sum.add(line.pose);
+    }
+    if (size_ == 0) throw PoseError(name_ + ": no poses", {.file = name_});
+    key_ = sum.sum();
+  }
+
+  std::size_t size() const override { return size_; }
+  Pose at(std::size_t place) const override {
+    return (*blocks_.at(place / kBlock))[place % kBlock];
+  }
+  const std::string& key() const override { return key_; }
+
+ private:
+  struct Start {
+    std::streampos place;
+    std::size_t line;
+  };
+
+  std::ifstream opened() const {
+    std::ifstream file(path_, std::ios::binary);
+    if (!file) throw PoseError(name_ + ": " + std::strerror(errno), {.file = name_});
+    return file;
+  }
+
+  std::vector<Pose> poses_of(std::size_t block) const {
+    std::ifstream file = opened();
+    file.seekg(starts_[block].place);
+    mesh_io::PoseLines lines(file, name_, starts_[block].line);
+    const std::size_t count = std::min(kBlock, size_ - block * kBlock);
+    std::vector<Pose> poses;
+    for (PoseLine line; poses.size() < count && lines.next(line);)
+      poses.push_back(line.pose);
+    if (poses.size() < count) {
+      throw PoseError(name_ + ": is shorter than it was", {.file = name_});
+    }
+    return poses;
+  }
+
+  std::filesystem::path path_;
+  std::string name_;
+  std::size_t size_ = 0;
+  std::vector<Start> starts_;
+  std::string key_;
+  BlockCache<Pose> blocks_;
+};
+
+/// What can be read from any place, and is no array, which an error of its own would tell.
+bool is_text_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  std::ifstream file(path, std::ios::binary);
+  constexpr int kFirstOfArray = 0x93;
+  return file && file.peek() != kFirstOfArray;
+}
+
 }  // namespace
 
 std::shared_ptr<const PoseSource> pose_list(std::vector<Pose> poses) {
   return std::make_shared<PoseList>(std::move(poses));
 }
 
-std::shared_ptr<const PoseSource> pose_file(const std::filesystem::path& path, const Mesh& mesh_b) {
+std::shared_ptr<const PoseSource> pose_file(const std::filesystem::path& path,
+                                            const Aabb& bounds_b) {
   if (std::shared_ptr<const ArrayFile> array = ArrayFile::open(path)) {
-    return std::make_shared<ArrayPoses>(std::move(array), mesh_b);
+    return std::make_shared<ArrayPoses>(std::move(array), bounds_b);
   }
+  if (is_text_file(path)) return std::make_shared<TextPoses>(path, bounds_b);
   std::vector<Pose> poses;
   const std::string name = mesh_io::printable(path.string());
   for (const PoseLine& line : load_pose_lines(path)) {
     const std::string place = name + ":" + std::to_string(line.line);
-    check_placement(line.pose, mesh_b.bounds(), place.c_str());
+    check_placement(line.pose, bounds_b, place.c_str());
     poses.push_back(line.pose);
   }
   return pose_list(std::move(poses));

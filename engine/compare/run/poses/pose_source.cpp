@@ -163,11 +163,13 @@ class GeneratedPoses : public PoseSource {
                  std::uint64_t seed)
       : size_(count),
         key_(std::string(kind) + " " + std::to_string(count) + ", seed " + std::to_string(seed)),
-        blocks_([=](std::size_t block) {
-          const std::size_t rest = count - block * kPosesOfSeed;
-          return generate({meshes.a, meshes.pose_a}, meshes.b, std::min(rest, kPosesOfSeed),
-                          seed_of(seed, block));
-        }) {}
+        blocks_(
+            [=](std::size_t block) {
+              const std::size_t rest = count - block * kPosesOfSeed;
+              return generate({meshes.a, meshes.pose_a}, meshes.b, std::min(rest, kPosesOfSeed),
+                              seed_of(seed, block));
+            },
+            (count + kPosesOfSeed - 1) / kPosesOfSeed) {}
 
   std::size_t size() const override { return size_; }
   Pose at(std::size_t place) const override {

@@ -54,9 +54,10 @@ std::shared_ptr<const PoseSource> grazing_pose_source(const Mesh& mesh_a, const 
 /// These.
 std::shared_ptr<const PoseSource> pose_list(std::vector<Pose> poses);
 
-/// Those of a file, as load_pose_lines() has them, all of which are looked at once: `mesh_b` must
-/// be able to stand there. Of a regular file that numpy has saved they stay in the file, which must
-/// not change meanwhile; what else there is is held. Throws PoseError, naming file and line.
-std::shared_ptr<const PoseSource> pose_file(const std::filesystem::path& path, const Mesh& mesh_b);
+/// Those of a file, as load_pose_lines() has them, all of which are looked at once: what has such
+/// bounds must be able to stand there. Those of a regular file stay in it, which must not change
+/// meanwhile; of what else there is, a pipe, all are held. Throws PoseError, naming file and line.
+std::shared_ptr<const PoseSource> pose_file(const std::filesystem::path& path,
+                                            const Aabb& bounds_b);
 
 }  // namespace graze::compare

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cases/case.h>
+#include <graze/engine/compare/judge/classics/blame.h>
+#include <graze/engine/compare/judge/judgement.h>
+
+namespace graze::cli {
+
+/// Why somebody's answer to a case is wrong, as far as textbook tests of two triangles show it.
+struct CaseExplanation {
+  std::string question;
+  std::string engine;  ///< with its version
+  std::string says;
+  compare::Judgement judgement;
+  std::optional<TrianglePair> pair = {};  ///< that shows it best; none: no two triangles do
+  std::vector<compare::ClassicWay> ways = {};
+  std::string why;  ///< in words
+};
+
+/// The case must have an answer.
+CaseExplanation explain_case(const Case& query);
+
+std::string to_text(const CaseExplanation& explanation);
+std::string to_json(const CaseExplanation& explanation);
+
+}  // namespace graze::cli

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <graze/bvh/pose.h>
+#include <graze/engine/compare/judge/classics/classic_test.h>
+
+namespace graze::compare {
+
+/// Where corners are placed before they are tested.
+enum class ClassicFrame {
+  Common,  ///< both by their poses
+  OfA,     ///< B's into A's frame, by one pose made of two; A's stay as they are
+};
+
+/// Two triangles and their poses.
+struct PosedTriangles {
+  Triangle a;
+  Pose pose_a;
+  Triangle b;
+  Pose pose_b;
+};
+
+/// The corners as they are placed in these numbers.
+struct PlacedTriangles {
+  Triangle a;
+  Triangle b;
+};
+PlacedTriangles placed_in(const PosedTriangles& posed, ClassicFrame frame, ClassicNumbers numbers);
+
+/// What happens on one way from the corners to an answer.
+struct ClassicWay {
+  ClassicFrame frame;
+  ClassicNumbers numbers;
+  bool placed_touch = false;  ///< exactly, of the corners as they are placed
+  double moved = 0;           ///< metres that placing has moved a corner at most
+  ClassicRun axes;
+  ClassicRun determinants;
+};
+
+/// All four ways, those in double first.
+std::vector<ClassicWay> classic_ways(const PosedTriangles& posed);
+
+/// Why textbook steps give the answer `says` about two triangles of which it is wrong, in words;
+/// none if none of them does. `poses` says whether there are any.
+std::optional<std::string> blame(const std::vector<ClassicWay>& ways, bool says);
+
+const char* name_of(ClassicFrame frame);
+const char* name_of(ClassicNumbers numbers);
+
+}  // namespace graze::compare

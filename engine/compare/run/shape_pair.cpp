@@ -1,0 +1,66 @@
+#include <graze/engine/cases/answer_case.h>
+#include <graze/engine/cases/text/case_words.h>
+#include <graze/engine/compare/run/shape_pair.h>
+
+#include <array>
+#include <utility>
+
+namespace graze::compare {
+namespace {
+
+/// graze itself knows every question.
+class GrazeShapePair : public LoadedPair {
+ public:
+  GrazeShapePair(const Shape& shape_a, const Shape& shape_b) : a_(shape_a), b_(shape_b) {}
+
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    CaseBody a(a_, pose_a);
+    CaseBody b(b_, pose_b);
+    a.course = question.course_a;
+    b.course = question.course_b;
+    return answer_case({.note = "",
+                        .ask = question.ask,
+                        .settings = question.settings,
+                        .a = std::move(a),
+                        .b = std::move(b),
+                        .answer = std::nullopt,
+                        .answered_by = {}});
+  }
+
+ private:
+  Shape a_;
+  Shape b_;
+};
+
+class OtherShapePair : public LoadedPair {
+ public:
+  explicit OtherShapePair(std::unique_ptr<LoadedShapes> shapes) : shapes_(std::move(shapes)) {}
+
+  std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
+                                   const Pose& pose_b) const override {
+    if (cases::is_about_motion(question.ask)) {
+      return shapes_->answer_motion(question, {0, pose_a}, {1, pose_b});
+    }
+    if (question.ask != Ask::Any || !question.is_plain()) return std::nullopt;
+    const std::optional<bool> says = shapes_->intersects(0, pose_a, 1, pose_b);
+    std::optional<CaseAnswer> answer;
+    if (says) answer.emplace().says = says;
+    return answer;
+  }
+
+ private:
+  std::unique_ptr<LoadedShapes> shapes_;
+};
+
+}  // namespace
+
+std::unique_ptr<LoadedPair> load_shape_pair(const Engine& engine, const Shape& shape_a,
+                                            const Shape& shape_b) {
+  if (engine.name().engine == "graze") return std::make_unique<GrazeShapePair>(shape_a, shape_b);
+  const std::array<Shape, 2> shapes = {shape_a, shape_b};
+  std::unique_ptr<LoadedShapes> loaded = engine.load_shapes(shapes);
+  return loaded ? std::make_unique<OtherShapePair>(std::move(loaded)) : nullptr;
+}
+
+}  // namespace graze::compare
