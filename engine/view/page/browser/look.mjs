@@ -192,8 +192,11 @@ const tests = {
     const {page, said, close} = await open(view('cases', 'regressions'));
     for (let i = 0; i < 12; ++i) await page.keyboard.press(']');
     await page.keyboard.press('End');
+    await page.getByRole('button', {name: 'by-hand-corners-meet-distance.json'}).click();
     await settle(page);
-    assert.ok(await count(page, (r, g, b) => Math.abs(r - b) > 40) > 200, 'something is drawn');
+    assert.ok((await page.textContent('#title')).includes('by-hand-corners-meet-distance.json'));
+    assert.ok(await count(page, kMarked) > 10000, 'the sides of two cubes whose corners meet');
+    assert.ok(await count(page, kSand) + await count(page, kBlue) > 10000, 'and the other sides');
     assert.deepEqual(said, []);
     await close();
   },
