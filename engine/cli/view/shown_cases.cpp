@@ -151,6 +151,9 @@ class CasePictures {
     ViewBodySettings settings = {.name = std::string(side) + ": " + name_of(shape)};
     if (const auto* body = std::get_if<CaseBody>(&shape))
       settings.name = std::string(side) + ": " + name_of(body->shape.kind());
+    // The same two for each case.
+    settings.color = *side == 'A' ? std::array<std::uint8_t, 3>{147, 180, 212}
+                                  : std::array<std::uint8_t, 3>{230, 197, 131};
     if (beside != nullptr) settings.half_space_extent = 2 * size_beside(*beside);
     thing.body =
         thing.mesh ? page_.view.add(*thing.mesh, settings) : page_.view.add(*thing.shape, settings);

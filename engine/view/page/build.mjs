@@ -1,5 +1,5 @@
 // Builds ../built/page.html: the page with its script, bundled and minified, and places for title and data.
-// With a file's name it writes there instead.
+// With a file's name it writes there instead. `check` runs it in a copy, beside what npm installs.
 
 import {build} from 'esbuild';
 import {readFile, writeFile} from 'node:fs/promises';

@@ -181,16 +181,20 @@ void View::mark_triangles(ViewBody body, std::span<const std::uint32_t> triangle
 }
 
 void View::add_curve(std::span<const Eigen::Vector3d> points) {
-  for (const Eigen::Vector3d& point : points)
-    data_->check(point, "a point of a curve");
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    add_segment(points[i], points[i + 1], data_->frame().curves);
+  bvh::in_standard_arithmetic([&] {
+    for (const Eigen::Vector3d& point : points)
+      data_->check(point, "a point of a curve");
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      add_segment(points[i], points[i + 1], data_->frame().curves);
+  });
 }
 
 void View::add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  data_->check(from, "an end of a line");
-  data_->check(to, "an end of a line");
-  add_segment(from, to, data_->frame().lines);
+  bvh::in_standard_arithmetic([&] {
+    data_->check(from, "an end of a line");
+    data_->check(to, "an end of a line");
+    add_segment(from, to, data_->frame().lines);
+  });
 }
 
 void View::add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth) {
@@ -205,15 +209,19 @@ void View::add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& norm
 
 void View::add_gap(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b,
                    double distance) {
-  data_->check(point_a, "a nearest point");
-  data_->check(point_b, "a nearest point");
-  data_->check(distance, "a distance");
-  data_->frame().gaps.push_back({point_a, point_b, distance});
+  bvh::in_standard_arithmetic([&] {
+    data_->check(point_a, "a nearest point");
+    data_->check(point_b, "a nearest point");
+    data_->check(distance, "a distance");
+    data_->frame().gaps.push_back({point_a, point_b, distance});
+  });
 }
 
 void View::add_label(const Eigen::Vector3d& at, const std::string& text) {
-  data_->check(at, "the place of a label");
-  data_->frame().labels.push_back({at, text});
+  bvh::in_standard_arithmetic([&] {
+    data_->check(at, "the place of a label");
+    data_->frame().labels.push_back({at, text});
+  });
 }
 
 std::string View::page() const {

@@ -59,7 +59,7 @@ function normalOf(p, t, i, out) {
  * `flat` all others, each once. Edges of one triangle without area are flat. `isClosed` if two triangles meet at each.
  * @param {Float32Array} positions @param {Uint32Array} triangles @param {number} angle
  */
-export function meshEdges(positions, triangles, angle = 0.45) {
+export function meshEdges(positions, triangles, angle = 0.6) {
   const welded = weld(positions);
   const count = triangles.length / 3;
   const normals = new Float64Array(3 * count);

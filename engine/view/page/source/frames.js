@@ -43,6 +43,24 @@ export function stretches(frames) {
 }
 
 /**
+ * Frames that share a place, one after the other; touching if any of them is.
+ * @param {FrameData[]} frames
+ */
+export function chaptersOf(frames) {
+  /** @type {{state: FrameData['state'], first: number, count: number}[]} */
+  const found = [];
+  frames.forEach(({state, place}, f) => {
+    const last = found[found.length - 1];
+    if (!last || frames[f - 1].place !== place) found.push({state, first: f, count: 1});
+    else {
+      ++last.count;
+      if (state === 'touching') last.state = state;
+    }
+  });
+  return found;
+}
+
+/**
  * How many frames a player goes on, and what is left over of a frame. From the last frame a loop goes to the first.
  * @param {number} frame @param {number} due frames and parts of one @param {number} count @param {boolean} isLoop
  */

@@ -6,6 +6,7 @@ import {Stage} from './stage.js';
 import {Overlay, element} from './overlay.js';
 import {Panel} from './panel.js';
 import {Player} from './player.js';
+import {Chapters} from './chapters.js';
 import {listenToKeys} from './keys.js';
 import {fromHash, toHash} from './link.js';
 import {length, number} from './units.js';
@@ -34,6 +35,7 @@ class Page {
     this.stage.onTurned = () => this.keepLink();
     this.panel = new Panel(this.stage, () => this.changed());
     this.player = new Player(page.frames, (frame) => this.show(frame), (word) => this.overlay.say(word));
+    this.chapters = new Chapters(page.frames, (frame) => this.player.go(frame));
     /** @type {'light'|'dark'|undefined} as the user has chosen */
     this.theme = undefined;
     this.linkTimer = 0;
@@ -87,6 +89,7 @@ class Page {
     }
     element('note').textContent = data.note ?? '';
     this.panel.refresh();
+    this.chapters.show(frame);
     this.changed();
   }
 

@@ -47,8 +47,9 @@ export class Overlay {
       }
     if (stage.layers.has('contacts'))
       for (let i = 0; i < Math.min(kMostWords, marks.contactNumbers.length / 7); ++i)
-        this.add(new THREE.Vector3().fromArray(marks.contactNumbers, 7 * i),
-                 length(marks.contactNumbers[7 * i + 6] * scale, page.unit, 3), 'contact');
+        if (marks.contactNumbers[7 * i + 6] > 0)
+          this.add(new THREE.Vector3().fromArray(marks.contactNumbers, 7 * i),
+                   length(marks.contactNumbers[7 * i + 6] * scale, page.unit, 3), 'contact');
     if (stage.layers.has('labels'))
       for (const label of page.marks.labels)
         if (label.frame === frame) this.add(new THREE.Vector3().fromArray(label.at), label.text, '');

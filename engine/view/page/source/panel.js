@@ -13,8 +13,18 @@ const kLayers = [
   ['contacts', 'contacts, normals, depths', '<path d="M4 11 15 4M15 4l-5 .5M15 4l-2 4.500" stroke="#7a45bd"/>'],
   ['gaps', 'nearest points, gap', '<path d="M3 7h16" stroke="#00876a"/><path d="M3 3v8M19 3v8" stroke="#00876a"/>'],
   ['edges', 'edges', '<path d="M3 11 8 2l11 3-5 7z" stroke-width="1.300"/>'],
-  ['labels', 'words', '<path d="M4 3h13M10.500 3v9"/>'],
+  ['labels', 'lines and words', '<path d="M4 3h13M10.500 3v9"/>'],
 ];
+
+/**
+ * Whether any frame has some of it.
+ * @param {Layer} layer @param {import('./stage.js').Stage} stage
+ */
+function isEver(layer, {page: {marks}, arrays}) {
+  if (layer === 'triangles') return marks.triangles.length > 0;
+  if (layer === 'labels') return marks.labels.length > 0 || arrays.words(marks.lines.list).length > 0;
+  return layer === 'edges' || arrays.words(marks[layer].list).length > 0;
+}
 
 export class Panel {
   /** @param {import('./stage.js').Stage} stage @param {() => void} onChange */
@@ -48,7 +58,8 @@ export class Panel {
     label.textContent = body.name;
     label.title = body.name;
     const size = document.createElement('small');
-    size.textContent = `${(this.stage.bodies[b].shape.triangles.length / 3).toLocaleString('en')} triangles`;
+    const triangles = this.stage.bodies[b].shape.triangles.length / 3;
+    size.textContent = `${triangles.toLocaleString('en')} triangle${triangles === 1 ? '' : 's'}`;
     label.append(size);
     const only = document.createElement('button');
     only.textContent = 'only';
@@ -71,6 +82,7 @@ export class Panel {
     drawing.innerHTML = icon;
     box.addEventListener('change', () => this.setLayer(layer, box.checked));
     label.append(box, drawing, name);
+    label.hidden = !isEver(layer, this.stage);
     element('layers').append(label);
     return box;
   }

@@ -1,7 +1,7 @@
 // @ts-check
 // The slider over frames: play, speed, loop, and jumps to where something begins or ends.
 
-import {advance, nextChange, stretches} from './frames.js';
+import {advance, chaptersOf, nextChange, stretches} from './frames.js';
 import {element} from './overlay.js';
 
 const kSpeeds = [1, 2, 5, 10, 20, 30, 60];
@@ -28,7 +28,9 @@ export class Player {
     element('time').hidden = frames.length < 2;
     this.slider.max = String(frames.length - 1);
     this.slider.addEventListener('input', () => this.go(Number(this.slider.value)));
-    const fitting = kSpeeds.find((speed) => frames.length / speed <= kWhole) ?? 60;
+    // Pictures that have nothing to do with each other are no motion.
+    const longest = Math.max(...chaptersOf(frames).map(({count}) => count));
+    const fitting = kSpeeds.find((speed) => longest / speed <= kWhole) ?? 60;
     for (const speed of kSpeeds) {
       const option = new Option(`${speed} / s`, String(speed), false, speed === fitting);
       this.speed.append(option);

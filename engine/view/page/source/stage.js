@@ -250,6 +250,7 @@ export class Stage {
       body.fill(b, this.scene, box);
     }
     this.marks.curves.group.visible = this.layers.has('curves');
+    this.marks.lines.group.visible = this.layers.has('labels');
     this.marks.contacts.visible = this.layers.has('contacts');
     this.marks.gapGroup.visible = this.layers.has('gaps');
     if (this.layers.has('contacts')) this.marks.point((at) => this.pixelAt(at));

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {advance, nextChange, placeIn, stretches} from '../source/frames.js';
+import {advance, chaptersOf, nextChange, placeIn, stretches} from '../source/frames.js';
 
 const frames = (text) => [...text].map((c) => ({state: {t: 'touching', c: 'clear', u: 'unknown'}[c]}));
 
@@ -25,4 +25,10 @@ test('a player goes on by whole frames, and loops or ends', () => {
   assert.deepEqual(advance(2, 1.25, 10, true), {frame: 3, left: 0.25, isEnd: false});
   assert.deepEqual(advance(8, 3, 10, true), {frame: 1, left: 0, isEnd: false});
   assert.deepEqual(advance(8, 3, 10, false), {frame: 9, left: 0, isEnd: true});
+});
+
+test('frames of one place are a chapter, which touches if one of them does', () => {
+  const all = frames('cctct').map((frame, i) => ({...frame, place: [0, 0, 0, 1, 2][i]}));
+  assert.deepEqual(chaptersOf(all), [{state: 'touching', first: 0, count: 3}, {state: 'clear', first: 3, count: 1},
+                                     {state: 'touching', first: 4, count: 1}]);
 });

@@ -1,0 +1,271 @@
+// What people see: pages that the graze command writes, opened from a disk in a headless Chromium whose WebGL is
+// software: look.mjs GRAZE DATA. Looked at are pixels, requests and the console; fails with a sentence.
+
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join, resolve} from 'node:path';
+import {inflateSync} from 'node:zlib';
+import {chromium} from 'playwright-core';
+
+const [graze, data] = process.argv.slice(2).map((path) => resolve(path));
+const folder = mkdtempSync(join(tmpdir(), 'graze-view-'));
+const found = ['chromium', 'chromium-browser', 'google-chrome'].map((name) => {
+  try {
+    return execFileSync('sh', ['-c', `command -v ${name}`], {encoding: 'utf8'}).trim();
+  } catch {
+    return '';
+  }
+}).find(Boolean);
+if (!found) throw new Error('no Chromium; .ci/setup view installs it');
+
+const kMarked = (r, g, b) => r > 150 && g < 90 && b < 110;
+const kBlue = (r, g, b) => b > r + 25 && b > 90 && g > r;
+const kSand = (r, g, b) => r > b + 30 && g > b + 15 && r > 100;
+const kGap = (r, g, b) => g > r + 60 && b > r + 40 && r < 60;
+
+/** Rows of RGBA of a PNG as Chromium writes them: 8 bits, RGB or RGBA, not interlaced. */
+function pixelsOf(png) {
+  const width = png.readUInt32BE(16), height = png.readUInt32BE(20), channels = png[25] === 6 ? 4 : 3;
+  const parts = [];
+  for (let at = 8; at < png.length;) {
+    const length = png.readUInt32BE(at);
+    if (png.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(png.subarray(at + 8, at + 8 + length));
+    at += length + 12;
+  }
+  const raw = inflateSync(Buffer.concat(parts)), stride = width * channels;
+  const out = new Uint8Array(height * stride);
+  for (let y = 0; y < height; ++y) {
+    const filter = raw[y * (stride + 1)];
+    for (let x = 0; x < stride; ++x) {
+      const a = x < channels ? 0 : out[y * stride + x - channels], b = y === 0 ? 0 : out[(y - 1) * stride + x];
+      const c = x < channels || y === 0 ? 0 : out[(y - 1) * stride + x - channels];
+      const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c);
+      const paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
+      out[y * stride + x] = raw[y * (stride + 1) + 1 + x] + [0, a, b, a + b >> 1, paeth][filter];
+    }
+  }
+  return {out, channels};
+}
+
+/** The picture alone, without the words over it. */
+async function picture(page) {
+  return pixelsOf(await page.locator('#canvas').screenshot({style: '#stage > :not(#canvas) {visibility: hidden !important}'}));
+}
+
+async function count(page, isIt) {
+  const {out, channels} = await picture(page);
+  let found = 0;
+  for (let i = 0; i < out.length; i += channels) if (isIt(out[i], out[i + 1], out[i + 2])) ++found;
+  return found;
+}
+
+function view(name, ...words) {
+  const file = join(folder, `${name}.html`);
+  execFileSync(graze, ['view', ...words, '-o', file], {cwd: data, stdio: ['ignore', 'ignore', 'inherit']});
+  return file;
+}
+
+const browser = await chromium.launch({
+  executablePath: found,
+  args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+});
+
+/** Opens a page; whatever it says on the console, asks of a network, or throws is in `said`. */
+async function open(file, {width = 1400, height = 860, hash = '', args = {}} = {}) {
+  const context = await browser.newContext({viewport: {width, height}, acceptDownloads: true, ...args});
+  const page = await context.newPage(), said = [];
+  page.on('console', (message) => { if (!/GPU stall|GL Driver/.test(message.text())) said.push(message.text()); });
+  page.on('pageerror', (error) => said.push(String(error.stack)));
+  page.on('request', (request) => { if (!/^(file|blob):/.test(request.url())) said.push(`asks for ${request.url()}`); });
+  await page.goto(`file://${file}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready || document.querySelector('.refusal'), null,
+                             {timeout: 60000});
+  return {page, said, close: () => context.close()};
+}
+
+/** Two pictures later: what was asked for is drawn. */
+const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
+
+const tests = {
+  async 'intersecting triangles are red, and can be switched off'() {
+    const file = view('deep', 'meshes/bolt.obj', 'meshes/nut.stl', '--pose-b', '1 0 0 0  0 1 0 0  0 0 1 0.002');
+    const {page, said, close} = await open(file);
+    assert.equal(await page.textContent('#state'), 'touching');
+    const red = await count(page, kMarked);
+    assert.ok(red > 500, `${red} red pixels`);
+    assert.ok(await count(page, kBlue) > 20000, 'the bolt');
+    assert.ok(await count(page, kSand) > 20000, 'the nut');
+    await page.getByLabel('intersecting triangles').uncheck();
+    await settle(page);
+    assert.ok(await count(page, kMarked) < red / 10, 'without them');
+    await page.keyboard.press('2');
+    await settle(page);
+    assert.ok(await count(page, kSand) < 500, 'the nut is hidden by its key');
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a slider of poses: keys go from change to change, and playing goes on by itself'() {
+    const file = view('poses', 'meshes/bolt.obj', 'meshes/nut.stl', '--poses', 'poses/bolt-nut.cross.txt');
+    const {page, said, close} = await open(file);
+    const states = [];
+    for (let i = 0; i < 3; ++i) {
+      states.push(await page.textContent('#state'));
+      const before = await page.textContent('#count');
+      await page.keyboard.press(']');
+      if (await page.textContent('#count') === before) break;
+    }
+    assert.ok(states.includes('touching') && states.includes('clear'), states.join());
+    await page.keyboard.press('Home');
+    assert.ok((await page.textContent('#count')).startsWith('1 / '));
+    await page.selectOption('#speed', '30');
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => !document.querySelector('#count').textContent.startsWith('1 / '), null, {timeout: 10000});
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a gap is green and has its number'() {
+    const file = view('apart', 'meshes/bolt.obj', 'meshes/nut.stl', '--pose-b', '1 0 0 0  0 1 0 0  0 0 1 0.04');
+    const {page, said, close} = await open(file);
+    assert.equal(await page.textContent('#state'), 'clear');
+    assert.match(await page.textContent('#labels .gap'), /^\d+(\.\d+)? mm$/);
+    assert.ok(await count(page, kGap) > 20);
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a cut opens the nut, and what is under the pointer is named'() {
+    const {page, said, close} = await open(join(folder, 'deep.html'));
+    await page.keyboard.press('Shift+Digit2');
+    await page.keyboard.press('y');
+    await settle(page);
+    assert.equal(await page.getAttribute('[data-axis=y]', 'aria-pressed'), 'true');
+    const {width, height} = await page.locator('#canvas').boundingBox();
+    let text = '';
+    for (const [x, y] of [[0.4, 0.55], [0.6, 0.55], [0.37, 0.6], [0.63, 0.6]]) {
+      await page.mouse.move(width * x, height * y);
+      await page.waitForTimeout(300);
+      text = await page.locator('#tip').isVisible() ? await page.textContent('#tip') : text;
+    }
+    assert.match(text, /^nut\.stl\ntriangle \d+\n\(.*\) m$/);
+    const point = text.match(/\(([^)]*)\)/)[1].split(',').map(Number);
+    assert.ok(point.every((x) => Math.abs(x) < 0.05), `${point}`);
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a link carries the view'() {
+    const {page, close} = await open(join(folder, 'poses.html'));
+    await page.keyboard.press('.');
+    for (const key of ['ArrowLeft', 'ArrowUp', '+', '1', 'x', 't']) await page.keyboard.press(key);
+    await page.waitForTimeout(500);
+    const link = new URL(page.url()).hash;
+    for (const word of ['frame=1', 'camera=', 'hide=0', 'cut=x,0.5', 'theme=dark']) assert.ok(link.includes(word), link);
+    const other = await open(join(folder, 'poses.html'), {hash: link});
+    await settle(other.page);
+    await settle(page);
+    // A link has five digits of the camera.
+    const {out: first} = await picture(page), {out: second} = await picture(other.page);
+    assert.equal(first.length, second.length);
+    const others = first.filter((x, i) => Math.abs(x - second[i]) > 40).length;
+    assert.ok(others < first.length / 500, `${others} of ${first.length} differ`);
+    assert.ok(await count(other.page, (r, g, b) => r + g + b < 150) > first.length / 8, 'and dark');
+    assert.deepEqual(other.said, []);
+    await other.close();
+    await close();
+  },
+
+  async 'a picture is saved'() {
+    const {page, close} = await open(join(folder, 'deep.html'));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('p')]);
+    assert.match(download.suggestedFilename(), /\.png$/);
+    const png = readFileSync(await download.path());
+    assert.equal(png.toString('latin1', 1, 4), 'PNG');
+    assert.ok(png.length > 20000);
+    await close();
+  },
+
+  async 'cases: each a picture, on one page'() {
+    const {page, said, close} = await open(view('cases', 'regressions'));
+    for (let i = 0; i < 12; ++i) await page.keyboard.press(']');
+    await page.keyboard.press('End');
+    await page.getByRole('button', {name: 'by-hand-corners-meet-distance.json'}).click();
+    await settle(page);
+    assert.ok((await page.textContent('#title')).includes('by-hand-corners-meet-distance.json'));
+    assert.ok(await count(page, kMarked) > 10000, 'the sides of two cubes whose corners meet');
+    assert.ok(await count(page, kSand) + await count(page, kBlue) > 10000, 'and the other sides');
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'names are text'() {
+    const name = join(folder, '<img src=x onerror=alert(1)>.off');
+    writeFileSync(name, 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n');
+    const {page, said, close} = await open(view('names', name, name));
+    assert.equal(await page.locator('img').count(), 0);
+    assert.ok((await page.textContent('#bodies')).includes('<img src=x onerror=alert(1)>'));
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a page that was cut off or changed says so'() {
+    const whole = readFileSync(join(folder, 'deep.html'), 'utf8');
+    const from = whole.indexOf('octet-stream">') + 14, to = whole.indexOf('<', from);
+    const damaged = {
+      cut: whole.slice(0, (from + to) >> 1) + whole.slice(to),
+      changed: `${whole.slice(0, from + 5000)}AAAA${whole.slice(from + 5004)}`,
+      empty: whole.slice(0, from) + whole.slice(to),
+    };
+    for (const [what, text] of Object.entries(damaged)) {
+      const file = join(folder, `${what}.html`);
+      writeFileSync(file, text);
+      const {page, close} = await open(file);
+      assert.match(await page.textContent('.refusal'), /^Nothing can be shown: the data of this page /, what);
+      assert.equal(await page.locator('#view').isVisible(), false);
+      await close();
+    }
+  },
+
+  async 'on a narrow screen nothing is cut off'() {
+    for (const name of ['deep', 'poses', 'cases']) {
+      const {page, said, close} = await open(join(folder, `${name}.html`), {width: 400, height: 800});
+      const outside = await page.evaluate(() => [...document.querySelectorAll('#view button, #view input, h1, #state, #bar')]
+        .filter((e) => e.getClientRects().length > 0)
+        .filter((e) => { const r = e.getBoundingClientRect(); return r.left < 0 || r.right > innerWidth + 0.5 || r.bottom > innerHeight + 0.5; })
+        .map((e) => e.id || e.tagName));
+      assert.deepEqual(outside, [], name);
+      await page.click('#open');
+      assert.ok(await page.locator('#panel').isVisible());
+      assert.deepEqual(said, []);
+      await close();
+    }
+  },
+
+  async 'without WebGL there is a word'() {
+    const {page, close} = await open(join(folder, 'deep.html'), {hash: ''});
+    await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
+    await page.reload();
+    await page.waitForSelector('.refusal');
+    assert.match(await page.textContent('.refusal'), /WebGL/);
+    await close();
+  },
+};
+
+let failed = 0;
+for (const [name, run] of Object.entries(tests)) {
+  const began = Date.now();
+  try {
+    await run();
+    console.log(`ok      ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n${error.stack}`);
+  }
+}
+await browser.close();
+rmSync(folder, {recursive: true, force: true});
+console.log(`${Object.keys(tests).length - failed} passed, ${failed} failed`);
+process.exitCode = failed > 0 ? 1 : 0;

@@ -1,0 +1,35 @@
+// @ts-check
+// A list of what stands apart: of a folder of cases each is a line, however many frames it has.
+
+import {element} from './overlay.js';
+import {chaptersOf} from './frames.js';
+
+export class Chapters {
+  /** @param {import('./unpack.js').FrameData[]} frames @param {(frame: number) => void} go */
+  constructor(frames, go) {
+    this.chapters = chaptersOf(frames);
+    element('chapters-section').hidden = this.chapters.length < 2;
+    this.buttons = this.chapters.length < 2 ? [] : this.chapters.map(({first, state}) => {
+      const item = document.createElement('li'), button = document.createElement('button');
+      const text = document.createElement('span');
+      text.textContent = frames[first].label || `picture ${first + 1}`;
+      button.title = text.textContent;
+      button.dataset.state = state;
+      button.append(text);
+      button.addEventListener('click', () => go(first));
+      item.append(button);
+      element('chapters').append(item);
+      return button;
+    });
+  }
+
+  /** @param {number} frame */
+  show(frame) {
+    this.buttons.forEach((button, i) => {
+      const {first, count} = this.chapters[i];
+      const isHere = frame >= first && frame < first + count;
+      button.setAttribute('aria-current', String(isHere));
+      if (isHere) button.scrollIntoView({block: 'nearest'});
+    });
+  }
+}

@@ -1,0 +1,127 @@
+// `graze view`: what its pages show, says and refuses.
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/engine/cli/command_test.h"
+#include "tests/engine/view/unpacked_page.h"
+#include "tests/shapes/formula_meshes.h"
+
+namespace graze::tests {
+namespace {
+
+class CliView : public CommandTest {
+ protected:
+  CliView() {
+    write_mesh("torus.off", make_torus(1, 0.3, 20, 12));
+    write("poses.txt",
+          "1 0 0 0  0 1 0 0  0 0 1 5\n\n1 0 0 0.5  0 1 0 0  0 0 1 0\n1 0 0 9  0 1 0 0  0 0 1 0\n");
+  }
+
+  UnpackedPage page(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return UnpackedPage(std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+
+  void refuse(const std::vector<std::string>& arguments, const std::string& why) const {
+    const CommandResult result = graze(arguments);
+    EXPECT_EQ(result.exit_code, 2) << why;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(why), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "graze-view.html")) << why;
+  }
+};
+
+TEST_F(CliView, EachPoseIsAPictureThatSaysWhetherTheyTouch) {
+  const CommandResult result =
+      graze({"view", "torus.off", "torus.off", "--poses", "poses.txt", "-o", "p.html"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out.substr(0, result.out.rfind(',')), "p.html: 3 pictures, 1 touching");
+  const UnpackedPage shown = page("p.html");
+  const auto& frames = shown.json()["frames"];
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[0]["label"], "line 1");
+  EXPECT_EQ(frames[1]["label"], "line 3");
+  EXPECT_EQ(frames[0]["state"], "clear");
+  EXPECT_EQ(frames[1]["state"], "touching");
+  EXPECT_EQ(frames[2]["state"], "clear");
+  EXPECT_EQ(frames[0]["facts"][0]["name"], "gap");
+  EXPECT_NEAR(frames[0]["facts"][0]["value"].get<double>(), 4.4, 0.01);
+  EXPECT_EQ(shown.json()["meshes"].size(), 1u) << "one file is one mesh";
+  EXPECT_EQ(shown.marks("gaps", 7, 0).size(), 7u);
+  EXPECT_TRUE(shown.marks("gaps", 7, 1).empty());
+  EXPECT_FALSE(shown.marks("curves", 6, 1).empty());
+  EXPECT_FALSE(shown.marks("contacts", 7, 1).empty());
+  EXPECT_EQ(shown.json()["marks"]["triangles"].size(), 2u);
+}
+
+TEST_F(CliView, ThePageHasTheNumbersOfGrazePair) {
+  const std::vector<std::string> meshes = {"torus.off", "torus.off", "--pose-b",
+                                           "1 0 0 0.5  0 1 0 0  0 0 1 0"};
+  std::vector<std::string> pair = {"pair"}, view = {"view"};
+  pair.insert(pair.end(), meshes.begin(), meshes.end());
+  view.insert(view.end(), meshes.begin(), meshes.end());
+  pair.push_back("--json");
+  const auto expected = nlohmann::json::parse(graze(pair).out);
+  ASSERT_EQ(graze(view).exit_code, 0);
+  const auto facts = page("graze-view.html").json()["frames"][0]["facts"];
+  EXPECT_EQ(facts[0]["name"], "pairs of triangles");
+  EXPECT_EQ(facts[0]["value"].get<double>(), expected["pairs"].get<double>());
+}
+
+TEST_F(CliView, OneMeshStandsByItself) {
+  ASSERT_EQ(graze({"view", "torus.off", "--title", "one <b>"}).exit_code, 0);
+  const UnpackedPage shown = page("graze-view.html");
+  EXPECT_EQ(shown.json()["title"], "one <b>");
+  EXPECT_EQ(shown.json()["bodies"][0]["name"], "torus.off");
+  EXPECT_EQ(shown.json()["frames"][0]["state"], "");
+}
+
+TEST_F(CliView, EveryBundledCaseIsShown) {
+  const std::string cases = std::string(GRAZE_DATA_DIR) + "/regressions";
+  const CommandResult result = graze({"view", cases, "-o", "cases.html"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const UnpackedPage shown = page("cases.html");
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cases))
+    files += entry.path().extension() == ".json" ? 1 : 0;
+  EXPECT_EQ(shown.json()["places"].size(), files) << "each has a place of its own";
+  for (const auto& frame : shown.json()["frames"])
+    EXPECT_NE(frame["label"], "");
+}
+
+TEST_F(CliView, CasesThatCannotBeReadAreNamedAndTheOthersShown) {
+  std::filesystem::create_directory(folder_ / "cases");
+  std::filesystem::copy_file(std::string(GRAZE_DATA_DIR) + "/regressions/by-hand-boxes.json",
+                             folder_ / "cases/good.json");
+  write("cases/bad.json", "{");
+  const CommandResult result = graze({"view", "cases", "-o", "p.html"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("cases/bad.json"), std::string::npos);
+  const auto notes = page("p.html").json()["notes"];
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].get<std::string>().find("Left out: cases/bad.json"), std::string::npos);
+}
+
+TEST_F(CliView, WhatDoesNotGoTogetherIsRefused) {
+  write("case.json", "{");
+  refuse({"view"}, "FILE");
+  refuse({"view", "torus.off", "case.json"}, "meshes and cases go to pages of their own");
+  refuse({"view", "torus.off", "torus.off", "torus.off"}, "more than two meshes");
+  refuse({"view", "torus.off", "--poses", "poses.txt"}, "need a second mesh");
+  refuse({"view", "torus.off", "torus.off", "--poses", "poses.txt", "--pose-b",
+          "1 0 0 0  0 1 0 0  0 0 1 0"},
+         "exclude each other");
+  refuse({"view", "case.json", "--pose-b", "1 0 0 0  0 1 0 0  0 0 1 0"}, "cases have their own");
+  refuse({"view", "torus.off", "--meshes", "."}, "--meshes is about cases");
+  refuse({"view", "case.json"}, "case.json:1");
+  refuse({"view", "none.off"}, "none.off");
+  refuse({"view", "torus.off", "-o", "none/p.html"}, "none/p.html: cannot be written");
+  refuse({"view", "torus.off", "-o", "torus.off"}, "torus.off");
+  refuse({"view", "torus.off", "torus.off", "--pose-b", "2 0 0 0  0 1 0 0  0 0 1 0"}, "--pose-b");
+}
+
+}  // namespace
+}  // namespace graze::tests
