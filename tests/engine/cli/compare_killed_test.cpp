@@ -116,8 +116,9 @@ TEST_F(CompareKilled, ManyPosesTakeNoMoreMemory) {
   write_poses("few.npy", 5000);
   write_poses("many.npy", 100'000);
   const auto with = [&](const char* poses) {
-    return std::vector<std::string>{"compare", "a.off",  "b.off", "--poses", poses, "--engines",
-                                    "graze",   "--keep", "0",     "--save",  "run"};
+    return std::vector<std::string>{"compare",   "a.off",     "b.off",  "--poses", poses,
+                                    "--engines", "graze",     "--keep", "0",       "--save",
+                                    "run",       "--threads", "2"};
   };
   const long few = peak_of(with("few.npy"));
   const long many = peak_of(with("many.npy"));
@@ -137,8 +138,8 @@ TEST_F(CompareKilled, ManyPosesOfATextTakeNoMoreMemory) {
   write("few.txt", 5000);
   write("many.txt", 100'000);
   const auto with = [&](const char* poses) {
-    return std::vector<std::string>{"compare",   "a.off", "b.off",  "--poses", poses,
-                                    "--engines", "graze", "--keep", "0"};
+    return std::vector<std::string>{"compare", "a.off",  "b.off", "--poses",   poses, "--engines",
+                                    "graze",   "--keep", "0",     "--threads", "2"};
   };
   const long few = peak_of(with("few.txt"));
   const long many = peak_of(with("many.txt"));
