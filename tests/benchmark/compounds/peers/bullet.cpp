@@ -1,5 +1,5 @@
 // Bullet, compiled for double: a btCompoundShape with its dynamic tree, without margins but for
-// balls and capsules, which are nothing else; asked by contactPairTest(), which ends at the first
+// balls and capsules, which are nothing else; asked by contactPairTest(), which goes
 // contact.
 
 #include <btBulletCollisionCommon.h>
