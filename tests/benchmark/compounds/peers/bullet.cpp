@@ -1,6 +1,6 @@
 // Bullet, compiled for double: a btCompoundShape with its dynamic tree, without margins but for
-// balls and capsules, which are nothing else; asked by contactPairTest(), which ends at the first
-// contact.
+// balls and capsules, which are nothing else; asked by contactPairTest(), which goes through all
+// pairs of parts near each other.
 
 #include <btBulletCollisionCommon.h>
 
