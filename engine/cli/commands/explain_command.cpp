@@ -37,7 +37,7 @@ the boxes of the leaves overlap; "solids_intersect", if both meshes are closed.
 
 Of a case, a .json file alone (see graze replay), it says why the answer in it is wrong: two textbook tests of
 the two triangles that show it best, the separating axes and piercing by determinants, are gone through in double and in float,
-with corners placed in the common frame and in A's, beside the same in rational numbers. The first step that gives the
+with corners placed in the common frame, in A's, and from A's first corner, beside the same in rational numbers. The first step that gives the
 recorded answer is named: an axis, a determinant, or placing itself. --answer is judged in its place: yes, no, or a
 distance. With --json: {"question":...,"verdict":"wrong","pair":[a,b],"ways":[{"placed":"in A's frame","numbers":"double",
 "touch":true,"axes":true,"determinants":false,"misleading":[{"name":...,"computed":...,"exact":...,"ulps":...}]}],"why":...}

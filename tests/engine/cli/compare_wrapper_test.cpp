@@ -139,10 +139,22 @@ TEST_F(CliCompareWrapper, OfShapesAreJudgedLikewise) {
   }
   says[38]["answer"]["says"] = true;
   EXPECT_EQ(judged("any", written(start("any", true), says))["real"], 1);
+  const double far = distances[38]["answer"]["distance"].get<double>();
+  options_.keep = 4;
+  for (const double claimed : {0.25, far + 1e-3}) {
+    distances[38]["answer"]["distance"] = claimed;
+    const json summary = judged("distance", written(start("distance", true), distances));
+    EXPECT_EQ(summary["wrong"], 1) << claimed << out_;
+    EXPECT_NEAR(summary["largest_error"].get<double>(), std::abs(claimed - far), 1e-8);
+    EXPECT_EQ(summary["not_judged"], 0);
+  }
+  ASSERT_EQ(found().size(), 1u);
+  EXPECT_EQ(*read_case(found().front()).answer->distance, far + 1e-3);
   json other = start("any", true);
   other["shape_a"]["sphere"]["radius"] = 2;
   EXPECT_NE(refusal("any", written(other, says)).find("/shape_a: is not "), std::string::npos);
-  EXPECT_NE(refusal("any", written(head("any"), says)).find("there is no"), std::string::npos);
+  EXPECT_NE(refusal("any", written(head("any"), says)).find("/mesh_a/sha256: is not that of "),
+            std::string::npos);
   EXPECT_THROW(judged("pairs", written(start("pairs", true), says)), UsageError);
 }
 

@@ -146,7 +146,7 @@ TEST(CliExplainCase, RecordedAnswersAreGoneThrough) {
   for (const char* name : {"fcl-rock-14.json", "fcl-gear-15.json", "fcl-link-28.json"}) {
     const CaseExplanation e = explain_case(read_case(regression(name)));
     EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong) << name;
-    ASSERT_GE(e.ways.size(), 4u) << name;
+    ASSERT_EQ(e.ways.size(), 6u) << name;
     EXPECT_EQ(e.ways[0].placed_touch, e.says == "no") << "law 1's own placing is the truth";
     EXPECT_FALSE(e.why.empty());
   }
@@ -161,10 +161,28 @@ TEST(CliExplainCase, ALostSignIsNamed) {
   EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
   EXPECT_FALSE(e.ways[0].placed_touch);
   EXPECT_FALSE(e.ways[0].axes.says);
-  EXPECT_TRUE(e.ways[2].placed_touch) << "as floats they do touch";
+  EXPECT_TRUE(e.ways[3].placed_touch) << "as floats they do touch";
   EXPECT_NE(e.why.find("Placing does it"), e.why.npos) << e.why;
   EXPECT_NE(e.why.find("float"), e.why.npos);
   EXPECT_NE(to_json(e).find("\"verdict\":\"wrong\""), std::string::npos);
+}
+
+/// So near to a touch float is no explanation by itself.
+TEST(CliExplainCase, FloatIsNotBlamedForWhatDoubleRounds) {
+  const CaseExplanation e = explain_case(read_case(regression("fcl-link-28.json")));
+  EXPECT_EQ(e.why.find("None of these textbook tests gives that answer in double"), 0u) << e.why;
+  EXPECT_NE(e.why.find("if the engine computes in float: Placing does it"), e.why.npos) << e.why;
+}
+
+/// The axis that rounding hides.
+TEST(CliExplainCase, AnOverlookedGapIsNamed) {
+  Case query = read_case(regression("triangles-16.json"));
+  query.answer->says = true;
+  query.answered_by = {"mine", ""};
+  const CaseExplanation e = explain_case(query);
+  EXPECT_NE(e.why.find("The separating axis test"), e.why.npos) << e.why;
+  EXPECT_NE(e.why.find("the gap along B's normal comes out as "), e.why.npos) << e.why;
+  EXPECT_NE(e.why.find("overlooks the gap"), e.why.npos) << e.why;
 }
 
 TEST(CliExplainCase, ARightAnswerIsRightAndAnAbsurdOneIsNobodysRounding) {
@@ -189,7 +207,7 @@ TEST(CliExplainCase, BothTestsAreRightWhereNothingIsRounded) {
     return Eigen::Vector3d(x, y, z);
   };
   std::size_t hits = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const Triangle a{corner(), corner(), corner()};
     const Triangle b{corner(), corner(), corner()};
     if ((a.b - a.a).cross(a.c - a.a).isZero() || (b.b - b.a).cross(b.c - b.a).isZero()) continue;
@@ -204,7 +222,7 @@ TEST(CliExplainCase, BothTestsAreRightWhereNothingIsRounded) {
       }
     }
   }
-  EXPECT_GT(hits, 100u);
+  EXPECT_GT(hits, 30u);
 }
 
 /// The regressions of the narrow phase, with the opposite of the truth: each is either blamed on a

@@ -4,6 +4,7 @@
 #include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,34 @@ std::optional<double> exact_distance(const PlacedBody& a, const PlacedBody& b) {
   return std::max(0.0, rounded_root(*square) - radii);
 }
 
+/// What is known of the distance of two convex shapes that are apart.
+struct Proved {
+  double least;  ///< a plane has them so far on different sides
+  double most;   ///< two points of them are so near; infinite: none are known
+};
+
+/// The library proposes a direction and two points; what the shapes are decides what these prove.
+Proved prove(const PlacedBody& a, const PlacedBody& b, double tolerance) {
+  const ShapeDistance proposed = distance({a.shape, a.pose}, {b.shape, b.pose});
+  const bool are_there = outside_by(a.shape, a.pose, proposed.point_a) <= tolerance &&
+                         outside_by(b.shape, b.pose, proposed.point_b) <= tolerance;
+  return {.least = gap_along(a, b, proposed.normal),
+          .most = are_there ? (proposed.point_a - proposed.point_b).norm()
+                            : std::numeric_limits<double>::infinity()};
+}
+
+/// Of a number alone, without points and a normal that would show it.
+PartsReview review_number(const PlacedBody& a, const PlacedBody& b, double claimed,
+                          double tolerance) {
+  const Proved proved = prove(a, b, tolerance);
+  if (claimed < proved.least - tolerance)
+    return {.fault = WitnessFault{"nearer than a plane lets them be", proved.least - claimed}};
+  if (claimed > proved.most + tolerance)
+    return {.fault = WitnessFault{"two points are nearer", claimed - proved.most}};
+  if (proved.least >= claimed - tolerance && proved.most <= claimed + tolerance) return {};
+  return {.unjudged = "that nothing is nearer"};
+}
+
 }  // namespace
 
 PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer) {
@@ -126,6 +155,7 @@ PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const Case
   if (exact_distance(a, b) || proved >= claimed - tolerance) return {};
   if (are_convex && answer.is_converged.value_or(false))
     return fault("a distance that no plane proves", claimed - std::max(proved, 0.0));
+  if (are_convex) return review_number(a, b, claimed, tolerance);
   return {.unjudged = "that nothing is nearer"};
 }
 

@@ -54,12 +54,27 @@ Triangle moved_by(const Rows<Scalar>& pose, const Triangle& t) {
 }
 
 template <typename Scalar>
+Triangle seen_from(const Eigen::Vector3d& corner, const Triangle& t) {
+  const auto seen = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    Eigen::Vector3d out;
+    for (int i = 0; i < 3; ++i)
+      out[i] =
+          static_cast<double>(Scalar(static_cast<Scalar>(p[i]) - static_cast<Scalar>(corner[i])));
+    return out;
+  };
+  return {seen(t.a), seen(t.b), seen(t.c)};
+}
+
+template <typename Scalar>
 PlacedTriangles placed_with(const PosedTriangles& posed, ClassicFrame frame) {
   const Rows<Scalar> a = rows_of<Scalar>(posed.pose_a);
   const Rows<Scalar> b = rows_of<Scalar>(posed.pose_b);
   if (frame == ClassicFrame::Common) return {moved_by(a, posed.a), moved_by(b, posed.b)};
   const Rows<Scalar> still = rows_of<Scalar>(Pose::Identity());
-  return {moved_by(still, posed.a), moved_by(relative(a, b), posed.b)};
+  const PlacedTriangles placed{moved_by(still, posed.a), moved_by(relative(a, b), posed.b)};
+  if (frame == ClassicFrame::OfA) return placed;
+  const Eigen::Vector3d corner = placed.a.a;
+  return {seen_from<Scalar>(corner, placed.a), seen_from<Scalar>(corner, placed.b)};
 }
 
 double largest_move(const RationalTriangle& from, const RationalTriangle& to) {
@@ -71,12 +86,29 @@ double largest_move(const RationalTriangle& from, const RationalTriangle& to) {
   return rounded_root(largest);
 }
 
-/// Of the corners of B, which is placed on every way.
+/// By how much rounding has moved a corner of B, which is placed on every way. What A's pose
+/// deviates from a rotation counts with it where B is brought into A's frame.
 double moved(const PosedTriangles& posed, const PlacedTriangles& placed, ClassicFrame frame) {
   const RationalTriangle b = placed_without_rounding(posed.pose_b, posed.b);
   if (frame == ClassicFrame::Common) return largest_move(b, exactly(placed.b));
-  // Back from A's frame, by its pose: what is left is what was rounded, but for A's rotation.
-  return largest_move(b, placed_without_rounding(posed.pose_a, placed.b));
+  RationalTriangle back = exactly(placed.b);
+  if (frame == ClassicFrame::Corner) {
+    const RationalPoint corner = exactly(posed.a.a);
+    for (RationalPoint& p : back)
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] += corner[i];
+  }
+  // Into the common frame by A's pose, in rational numbers.
+  RationalTriangle there;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) {
+      mpq_class sum(posed.pose_a(i, 3));
+      for (int j = 0; j < 3; ++j)
+        sum += mpq_class(posed.pose_a(i, j)) * back[k][static_cast<std::size_t>(j)];
+      there[k][static_cast<std::size_t>(i)] = sum;
+    }
+  }
+  return largest_move(b, there);
 }
 
 std::string number(double value) {
@@ -122,7 +154,15 @@ std::optional<std::string> blame_way(const ClassicWay& way, bool says) {
 }  // namespace
 
 const char* name_of(ClassicFrame frame) {
-  return frame == ClassicFrame::Common ? "in the common frame" : "in A's frame";
+  switch (frame) {
+    case ClassicFrame::Common:
+      return "in the common frame";
+    case ClassicFrame::OfA:
+      return "in A's frame";
+    case ClassicFrame::Corner:
+      return "from A's corner 1";
+  }
+  return "";
 }
 
 const char* name_of(ClassicNumbers numbers) {
@@ -137,7 +177,8 @@ PlacedTriangles placed_in(const PosedTriangles& posed, ClassicFrame frame, Class
 std::vector<ClassicWay> classic_ways(const PosedTriangles& posed) {
   std::vector<ClassicWay> ways;
   for (const ClassicNumbers numbers : {ClassicNumbers::Double, ClassicNumbers::Float}) {
-    for (const ClassicFrame frame : {ClassicFrame::Common, ClassicFrame::OfA}) {
+    for (const ClassicFrame frame :
+         {ClassicFrame::Common, ClassicFrame::OfA, ClassicFrame::Corner}) {
       const PlacedTriangles placed = placed_in(posed, frame, numbers);
       const bool is_finite = placed.a.a.allFinite() && placed.a.b.allFinite() &&
                              placed.a.c.allFinite() && placed.b.a.allFinite() &&

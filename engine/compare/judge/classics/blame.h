@@ -13,6 +13,7 @@ namespace graze::compare {
 enum class ClassicFrame {
   Common,  ///< both by their poses
   OfA,     ///< B's into A's frame, by one pose made of two; A's stay as they are
+  Corner,  ///< likewise, and then all from A's first corner
 };
 
 /// Two triangles and their poses.
@@ -40,11 +41,11 @@ struct ClassicWay {
   ClassicRun determinants;
 };
 
-/// All four ways, those in double first.
+/// All of them, those in double first.
 std::vector<ClassicWay> classic_ways(const PosedTriangles& posed);
 
 /// Why textbook steps give the answer `says` about two triangles of which it is wrong, in words;
-/// none if none of them does. `poses` says whether there are any.
+/// none if none of them does.
 std::optional<std::string> blame(const std::vector<ClassicWay>& ways, bool says);
 
 const char* name_of(ClassicFrame frame);
