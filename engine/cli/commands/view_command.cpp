@@ -15,10 +15,13 @@ pose of --poses: intersecting triangles red, curves of intersection, contacts wi
 nearest points and the gap. Of cases each is a picture, and 49 where things move. What is shown is asked of graze
 anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and the page says so.
 
+With --json the answer is one line:
+  {"file":"page.html","pictures":36,"touching":12,"bytes":1000036}
+
 Examples:
   graze view bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" -o page.html
   graze view bolt.obj nut.stl --poses poses.txt --open
-  graze view odd.json
+  graze view odd.json --json
   graze view data/regressions -o cases.html
 
 Exit codes:
@@ -51,6 +54,7 @@ void add_view_command(CLI::App& program, Action& action) {
   command->add_option("--title", options->title, "the heading (default: the names of the files)")
       ->type_name("TEXT");
   command->add_flag("--open", options->is_opened, "open the page in a browser");
+  command->add_flag("--json", options->is_json, "say as JSON what was written");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
   command->footer(kViewFooter);

@@ -1,5 +1,6 @@
 #include <graze/engine/cli/view/view_run.h>
 
+#include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/view/shown_cases.h>
 #include <graze/engine/cli/view/shown_meshes.h>
@@ -80,9 +81,15 @@ ExitCode run_view(const ViewOptions& options, Output& output) {
   const ShownPage shown = has_cases ? show_cases(options) : show_meshes(options);
   const std::string page = shown.view.page();
   files::write_file(options.page, page);
-  output.write(fmt::format("{}: {} {}, {} touching, {:.1f} MB\n", mesh_io::printable(options.page),
-                           shown.frames, shown.frames == 1 ? "picture" : "pictures", shown.touching,
-                           static_cast<double>(page.size()) / 1e6));
+  if (options.is_json)
+    output.write(fmt::format("{{\"file\":{},\"pictures\":{},\"touching\":{},\"bytes\":{}}}\n",
+                             cases::json_string(options.page), shown.frames, shown.touching,
+                             page.size()));
+  else
+    output.write(fmt::format("{}: {} {}, {} touching, {:.1f} MB\n",
+                             mesh_io::printable(options.page), shown.frames,
+                             shown.frames == 1 ? "picture" : "pictures", shown.touching,
+                             static_cast<double>(page.size()) / 1e6));
   if (options.is_opened) open_page(options.page);
   return shown.is_all_read ? ExitCode::Answered : ExitCode::BadInput;
 }

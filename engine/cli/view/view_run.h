@@ -19,6 +19,7 @@ struct ViewOptions {
   std::string page = "graze-view.html";   ///< where it is written
   std::string title = {};                 ///< empty: the names of what is shown
   bool is_opened = false;                 ///< in the browser, afterwards
+  bool is_json = false;
   bool has_progress = false;
 };
 

@@ -65,7 +65,13 @@ TEST_F(CliView, ThePageHasTheNumbersOfGrazePair) {
   view.insert(view.end(), meshes.begin(), meshes.end());
   pair.push_back("--json");
   const auto expected = nlohmann::json::parse(graze(pair).out);
-  ASSERT_EQ(graze(view).exit_code, 0);
+  view.push_back("--json");
+  const CommandResult result = graze(view);
+  ASSERT_EQ(result.exit_code, 0);
+  const auto said = nlohmann::json::parse(result.out);
+  EXPECT_EQ(said["pictures"], 1);
+  EXPECT_EQ(said["touching"], 1);
+  EXPECT_EQ(said["bytes"], std::filesystem::file_size(folder_ / "graze-view.html"));
   const auto facts = page("graze-view.html").json()["frames"][0]["facts"];
   EXPECT_EQ(facts[0]["name"], "pairs of triangles");
   EXPECT_EQ(facts[0]["value"].get<double>(), expected["pairs"].get<double>());

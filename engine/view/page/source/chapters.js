@@ -9,6 +9,7 @@ export class Chapters {
   constructor(frames, go) {
     this.chapters = chaptersOf(frames);
     element('chapters-section').hidden = this.chapters.length < 2;
+    this.here = -1;
     this.buttons = this.chapters.length < 2 ? [] : this.chapters.map(({first, state}) => {
       const item = document.createElement('li'), button = document.createElement('button');
       const text = document.createElement('span');
@@ -25,11 +26,11 @@ export class Chapters {
 
   /** @param {number} frame */
   show(frame) {
-    this.buttons.forEach((button, i) => {
-      const {first, count} = this.chapters[i];
-      const isHere = frame >= first && frame < first + count;
-      button.setAttribute('aria-current', String(isHere));
-      if (isHere) button.scrollIntoView({block: 'nearest'});
-    });
+    const here = this.chapters.findIndex(({first, count}) => frame >= first && frame < first + count);
+    if (here === this.here || !this.buttons[here]) return;
+    this.buttons[this.here]?.removeAttribute('aria-current');
+    this.buttons[here].setAttribute('aria-current', 'true');
+    this.buttons[here].scrollIntoView({block: 'nearest'});
+    this.here = here;
   }
 }

@@ -229,6 +229,8 @@ class Page {
 
   listenToPointer() {
     const canvas = element('canvas');
+    canvas.addEventListener('webglcontextlost', () =>
+      this.overlay.say('the browser has taken the picture away, for want of memory perhaps: load the page again'));
     let x = 0, y = 0, pressedX = 0, pressedY = 0;
     canvas.addEventListener('pointerdown', (event) => { pressedX = event.offsetX, pressedY = event.offsetY; });
     canvas.addEventListener('pointermove', (event) => {
