@@ -71,6 +71,8 @@ struct ViewFrame {
   std::string says = {};                ///< in large letters; empty: a word for the state
   std::vector<ViewFact> facts = {};     ///< below it
   std::string note = {};                ///< a sentence below these; may be empty
+  /// Something begins or ends here though the state stays: keys stop here, too.
+  bool is_change = false;
   /// It has nothing to do with the frames before it: it is drawn about a middle and in a size of
   /// its own, and the camera goes there.
   bool is_apart = false;

@@ -9,11 +9,13 @@ namespace graze::cli {
 namespace {
 
 constexpr const char* kViewFooter = R"(
-The page is one file that any browser opens, without a network: turn by mouse, fingers or arrow keys, play, jump to
-where touching begins or ends, cut, measure, save a picture. Two meshes are shown in the pose, or a picture for each
-pose of --poses: intersecting triangles red, curves of intersection, contacts with normals and depths, or else the
-nearest points and the gap. Of cases each is a picture, and 49 where things move. What is shown is asked of graze
-anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and the page says so.
+The page is one file that any browser opens, without a network: turn by mouse, fingers or arrow
+keys, play, jump to where touching begins or ends, cut, measure, save a picture. Two meshes are
+shown in the pose, or a picture for each pose of --poses: intersecting triangles red, curves of
+intersection, contacts with normals and depths, or else the nearest points and the gap. Of cases
+each is a picture, and 49 where things move; of a scene each step. What is shown is asked of graze
+anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and
+the page says so.
 
 With --json the answer is one line:
   {"file":"page.html","pictures":36,"touching":12,"bytes":1000036}
@@ -23,20 +25,22 @@ Examples:
   graze view bolt.obj nut.stl --poses poses.txt --open
   graze view odd.json --json
   graze view data/regressions -o cases.html
+  graze view data/scenes/machine.json --meshes data/meshes -o scene.html
 
 Exit codes:
   0  the page was written
-  2  bad input, or a file that cannot be written, with one line on stderr; of several cases the others are shown)";
+  2  bad input, or a file that cannot be written, with one line on stderr; of several cases the
+     others are shown)";
 
 }  // namespace
 
 void add_view_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command =
-      program.add_subcommand("view", "A page that shows a pose, a motion or cases, to be turned");
+  CLI::App* command = program.add_subcommand(
+      "view", "A page that shows a pose, a motion, cases or a scene, to be turned");
   command
       ->add_option("FILE", options->files,
-                   "one or two meshes: .obj, .stl, .ply or .off; or cases, or folders of them")
+                   "one or two meshes; or cases, or folders of them; or a scene")
       ->required();
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");

@@ -4,6 +4,7 @@
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/view/shown_cases.h>
 #include <graze/engine/cli/view/shown_meshes.h>
+#include <graze/engine/cli/view/shown_scene.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
 
@@ -72,13 +73,20 @@ void open_page(const std::string& page) {
     throw UsageError("--open: xdg-open has not opened " + mesh_io::printable(file));
 }
 
+/// One file may be a scene; of several each must be a case.
+ShownPage show(const ViewOptions& options, bool has_cases) {
+  if (!has_cases) return show_meshes(options);
+  const bool is_one = options.files.size() == 1 && is_scene(options.files.front());
+  return is_one ? show_scene(options) : show_cases(options);
+}
+
 }  // namespace
 
 ExitCode run_view(const ViewOptions& options, Output& output) {
   const bool has_cases = are_cases(options);
   check_options(options, has_cases);
   check_files(options);
-  const ShownPage shown = has_cases ? show_cases(options) : show_meshes(options);
+  const ShownPage shown = show(options, has_cases);
   const std::string page = shown.view.page();
   files::write_file(options.page, page);
   if (options.is_json)

@@ -11,7 +11,8 @@ namespace graze::cli {
 
 /// The arguments of `graze view` as they are given.
 struct ViewOptions {
-  std::vector<std::string> files = {};  ///< one or two meshes, or cases and folders of them
+  std::vector<std::string> files =
+      {};  ///< one or two meshes, cases and folders of them, or a scene
   std::string pose_a = {};
   std::string pose_b = {};
   std::optional<std::string> poses = {};  ///< given and empty is an error

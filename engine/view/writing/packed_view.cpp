@@ -176,6 +176,7 @@ class Packer {
                       {"says", said.says},
                       {"facts", std::move(facts)},
                       {"note", said.note},
+                      {"change", said.is_change},
                       {"place", places_.of_frame[f]}});
     }
     return list;

@@ -85,6 +85,22 @@ TEST_F(CliView, OneMeshStandsByItself) {
   EXPECT_EQ(shown.json()["frames"][0]["state"], "");
 }
 
+TEST_F(CliView, APageIsOpenedByTheProgramOfTheDesktop) {
+  write("xdg-open", "#!/bin/sh\necho \"$1\" >opened\n");
+  std::filesystem::permissions(folder_ / "xdg-open", std::filesystem::perms::owner_all);
+  ASSERT_EQ(run_shell(folder_, "PATH=$PWD:$PATH $GRAZE view torus.off --open").exit_code, 0);
+  std::ifstream file(folder_ / "opened");
+  std::string opened;
+  std::getline(file, opened);
+  EXPECT_EQ(opened, (folder_ / "graze-view.html").string());
+
+  const CommandResult none =
+      run_shell(folder_, "PATH=/none $GRAZE view torus.off -o p.html --open");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("--open: xdg-open has not opened"), std::string::npos) << none.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "p.html")) << "written all the same";
+}
+
 TEST_F(CliView, EveryBundledCaseIsShown) {
   const std::string cases = std::string(GRAZE_DATA_DIR) + "/regressions";
   const CommandResult result = graze({"view", cases, "-o", "cases.html"});
@@ -96,6 +112,25 @@ TEST_F(CliView, EveryBundledCaseIsShown) {
   EXPECT_EQ(shown.json()["places"].size(), files) << "each has a place of its own";
   for (const auto& frame : shown.json()["frames"])
     EXPECT_NE(frame["label"], "");
+}
+
+TEST_F(CliView, ASceneIsAPictureEachStepWithTheNumbersOfGrazeSimulate) {
+  for (const std::string name : {"parts", "shapes", "fast"}) {
+    const std::string scene = std::string(GRAZE_DATA_DIR) + "/scenes/" + name + ".json";
+    const CommandResult result = graze({"view", scene, "-o", "scene.html"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::vector<std::string> steps = lines_of(graze({"simulate", scene, "--json"}).out);
+    const UnpackedPage shown = page("scene.html");
+    ASSERT_EQ(shown.json()["frames"].size(), steps.size()) << name;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const auto expected = nlohmann::json::parse(steps[i]);
+      const auto frame = shown.json()["frames"][i];
+      EXPECT_EQ(frame["facts"][0]["value"].get<double>(), expected["touching"].get<double>());
+      EXPECT_EQ(frame["change"].get<bool>(),
+                i > 0 && expected["begun"].size() + expected["ended"].size() > 0)
+          << name << " " << i;
+    }
+  }
 }
 
 TEST_F(CliView, CasesThatCannotBeReadAreNamedAndTheOthersShown) {

@@ -18,12 +18,13 @@ export function placeIn(frames, frame) {
 }
 
 /**
- * The next frame, or the last before, whose state is another than that of the frame before it; null if there is none.
+ * The next frame, or the last before, in which something changes or whose state is another than that of the frame
+ * before it; null if there is none.
  * @param {FrameData[]} frames @param {number} from @param {1|-1} step
  */
 export function nextChange(frames, from, step) {
   for (let f = from + step; f > 0 && f < frames.length; f += step)
-    if (frames[f].state !== frames[f - 1].state) return f;
+    if (frames[f].change || frames[f].state !== frames[f - 1].state) return f;
   return step < 0 && from > 0 ? 0 : null;
 }
 

@@ -68,7 +68,7 @@ export class Panel {
     only.addEventListener('click', () => this.isolate(b));
     item.append(box, swatch, label, only);
     element('bodies').append(item);
-    return {item, box};
+    return {item, box, isHere: true};
   }
 
   /** @param {Layer} layer @param {string} name @param {string} icon of this file, never of the data */
@@ -115,9 +115,12 @@ export class Panel {
   /** Bodies that do not stand in the frame are paler. */
   refresh() {
     const isFew = this.stage.bodies.length <= 40;
-    this.rows.forEach(({item}, b) => {
-      item.classList.toggle('away', !this.stage.bodies[b].isHere);
-      item.hidden = !isFew && !this.stage.bodies[b].isHere;
+    this.rows.forEach((row, b) => {
+      const {isHere} = this.stage.bodies[b];
+      if (row.isHere === isHere) return;
+      row.isHere = isHere;
+      row.item.classList.toggle('away', !isHere);
+      row.item.hidden = !isFew && !isHere;
     });
   }
 

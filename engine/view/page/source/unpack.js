@@ -39,6 +39,7 @@ const kHeadBytes = 16;
  * @property {string} [says]
  * @property {FactData[]} facts
  * @property {string} [note]
+ * @property {boolean} [change] something begins or ends, though the state stays
  * @property {number} place
  *
  * @typedef {{center: number[], scale: number}} PlaceData numbers of a frame times `scale`, plus `center`, are the world's

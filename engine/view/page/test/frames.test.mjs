@@ -15,6 +15,8 @@ test('changes are where the state is another than before', () => {
   assert.deepEqual([0, 1, 2, 3, 4, 5].map((f) => nextChange(all, f, 1)), [2, 2, 4, 4, 5, null]);
   assert.deepEqual([0, 1, 2, 3, 5].map((f) => nextChange(all, f, -1)), [null, 0, 0, 2, 4]);
   assert.equal(nextChange(frames('tttt'), 0, 1), null);
+  const marked = frames('tttt').map((frame, f) => ({...frame, change: f === 2}));
+  assert.deepEqual([nextChange(marked, 0, 1), nextChange(marked, 3, -1), nextChange(marked, 2, 1)], [2, 2, null]);
 });
 
 test('stretches cover all frames once', () => {
