@@ -72,10 +72,10 @@ TEST_F(HostileCase, RepeatedAndUnknownKeys) {
             "case.json:4: the key \"min\" stands twice in one object");
   EXPECT_EQ(error_of(with("\"b\": {\"box\": {\"min\": [0,0,0],\n\"mox\": [0,0,0]}}")),
             "case.json:3: /b/box: unknown key \"mox\"; there are min, max");
-  EXPECT_EQ(
-      error_of(with("\"extra\": 1")),
-      "case.json:1: unknown key \"extra\"; there are graze_case, note, question, settings, a, "
-      "b, answer, answered_by");
+  EXPECT_EQ(error_of(with("\"extra\": 1")),
+            "case.json:1: unknown key \"extra\"; there are graze_case, note, origin, question, "
+            "settings, a, "
+            "b, answer, answered_by");
   std::string members;
   for (int i = 0; i < 1000; ++i)
     members += "\"k" + std::to_string(i) + "\": 1,";
