@@ -147,8 +147,10 @@ const tests = {
     let text = '';
     for (const [x, y] of [[0.4, 0.55], [0.6, 0.55], [0.37, 0.6], [0.63, 0.6]]) {
       await page.mouse.move(width * x, height * y);
-      await page.waitForTimeout(300);
-      text = await page.locator('#tip').isVisible() ? await page.textContent('#tip') : text;
+      // Beside the body there is none.
+      await page.locator('#tip').waitFor({state: 'visible', timeout: 3000}).catch(() => {});
+      if (await page.locator('#tip').isVisible()) text = await page.textContent('#tip');
+      if (text) break;
     }
     assert.match(text, /^nut\.stl\ntriangle \d+\n\(.*\) m$/);
     const point = text.match(/\(([^)]*)\)/)[1].split(',').map(Number);
@@ -161,7 +163,7 @@ const tests = {
     const {page, close} = await open(join(folder, 'poses.html'));
     await page.keyboard.press('.');
     for (const key of ['ArrowLeft', 'ArrowUp', '+', '1', 'x', 't']) await page.keyboard.press(key);
-    await page.waitForTimeout(500);
+    await page.waitForFunction(() => location.hash.includes('theme=dark'), null, {timeout: 20000});
     const link = new URL(page.url()).hash;
     for (const word of ['frame=1', 'camera=', 'hide=0', 'cut=x,0.5', 'theme=dark']) assert.ok(link.includes(word), link);
     const other = await open(join(folder, 'poses.html'), {hash: link});
