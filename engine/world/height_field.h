@@ -96,7 +96,7 @@ class HeightField {
   std::size_t bytes() const;
 
   /// The mesh of these triangles: all vertices in the order of their numbers, and the triangles
-  /// likewise, without those of holes.
+  /// likewise, without those of holes, with the materials of their cells.
   Mesh mesh() const;
 
   /// True if both are handles to the same field.

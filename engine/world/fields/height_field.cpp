@@ -191,15 +191,18 @@ Mesh HeightField::mesh() const {
         vertices.push_back(data_->vertex(c, r));
     }
     std::vector<TriangleIndices> triangles;
+    std::vector<std::uint16_t> materials;  // none if all are 0
     for (std::uint32_t r = 0; r + 1 < data_->rows; ++r) {
       for (std::uint32_t c = 0; c + 1 < data_->columns; ++c) {
         if (data_->is_hole(c, r)) continue;
         const std::uint32_t low = data_->vertex_number(c, r), high = low + data_->columns + 1;
         triangles.push_back({low, low + 1, high});
         triangles.push_back({low, high, high - 1});
+        if (data_->has_materials) materials.insert(materials.end(), 2, data_->material(c, r));
       }
     }
-    return Mesh(vertices, triangles);
+    if (materials.empty()) return Mesh(vertices, triangles);
+    return Mesh(vertices, triangles, materials);
   });
 }
 

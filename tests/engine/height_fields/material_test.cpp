@@ -52,6 +52,18 @@ struct Made {
   Mesh mesh;
 };
 
+TEST(Materials, TheMeshOfAFieldHasThoseOfItsCells) {
+  RandomSource source(40);
+  for (int n = 0; n < 20; ++n) {
+    const Made made(tests::random_parts(static_cast<Ground>(n % tests::kGrounds), source), source);
+    const Mesh mesh = made.field.mesh();
+    EXPECT_TRUE(std::equal(mesh.materials().begin(), mesh.materials().end(),
+                           made.mesh.materials().begin(), made.mesh.materials().end()));
+  }
+  const std::vector<float> heights(4, 0);
+  EXPECT_TRUE(HeightField(2, 2, heights).mesh().materials().empty());
+}
+
 TEST(Materials, ContactsHaveThoseOfTheNearestTriangle) {
   RandomSource source(41);
   int contacts = 0;
