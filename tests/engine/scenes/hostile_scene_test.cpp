@@ -100,7 +100,8 @@ TEST_F(HostileScene, NamesThatStandTwiceOrForNothing) {
 
 TEST_F(HostileScene, ShapesThatAreNone) {
   const std::string shapes =
-      "shapes, not one of sphere, box, capsule, cylinder, cone, ellipsoid, convex_hull, half_space, "
+      "shapes, not one of sphere, box, capsule, cylinder, cone, ellipsoid, convex_hull, "
+      "half_space, "
       "plane and mesh";
   EXPECT_EQ(error_of(with_shape("\"box\": {\"half_extents\": [1, 1, 1]}, \"sphere\": {}")),
             "s.json:2: /shapes/0: has 2 " + shapes);
