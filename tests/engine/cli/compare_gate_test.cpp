@@ -72,7 +72,7 @@ TEST_F(CliCompareGate, WritesATableForCodeHosts) {
   EXPECT_NE(page.find("\n| fcl | 24 |"), std::string::npos) << page;
 }
 
-TEST_F(CliCompareGate, SaysWhatToDoInEveryForm) {
+TEST_F(CliCompareGate, GivesAdviceInEveryForm) {
   options_.markdown = directory_.path("out.md");
   options_.report = directory_.path("out.html");
   EXPECT_EQ(gated({}), ExitCode::Answered);
