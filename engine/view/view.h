@@ -21,8 +21,10 @@
 #include <string>
 #include <vector>
 
+#include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/shape.h>
+#include <graze/engine/world/world_drawing.h>
 
 #include <Eigen/Core>
 
@@ -34,6 +36,9 @@ struct ViewSettings {
   std::string unit = "m";       ///< behind lengths; those in metres get the prefix that suits them
   std::vector<std::string> notes = {};  ///< for the reader: what was left out, say
   std::uint32_t segments = 48;          ///< of a circle, 8 to 1024
+  /// Bodies of up to so many vertices keep them as doubles, too: the page shows the exact corners
+  /// of a triangle that is picked, also in hexadecimal. 24 bytes a vertex, which hardly pack.
+  std::uint32_t most_exact_vertices = 20'000;
 };
 
 /// What a body of a page looks like.
@@ -62,6 +67,13 @@ struct ViewFact {
   std::string name;        ///< what it is
   double value = 0;        ///< finite
   bool is_length = false;  ///< it is in ViewSettings::unit
+};
+
+/// A piece of a plane, a square: one that separates two bodies, say.
+struct ViewPlane {
+  Eigen::Vector3d point;   ///< its middle, in the common frame, metres
+  Eigen::Vector3d normal;  ///< of any length but 0
+  double half_extent = 1;  ///< half of its side, metres, positive
 };
 
 /// A moment, or whatever else is one picture.
@@ -99,6 +111,9 @@ class View {
   /// Likewise of a mesh of any size, also one that reaches beyond kLargestLength.
   ViewBody add(const Mesh& mesh, const ViewBodySettings& settings = {});
 
+  /// A note for the reader, behind those of the settings.
+  void add_note(const std::string& note);
+
   /// The next frame, in which no body stands yet. Throws InputError for a fact that is not finite.
   void begin_frame(const ViewFrame& frame = {});
 
@@ -113,6 +128,8 @@ class View {
   /// Points in the common frame, joined by thick lines. All of these throw InputError for a
   /// coordinate that is not finite.
   void add_curve(std::span<const Eigen::Vector3d> points);
+  /// A point alone.
+  void add_point(const Eigen::Vector3d& at);
   /// A thin line.
   void add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
   /// A point with a normal, of any length but 0, and a depth in metres, which is not negative.
@@ -121,6 +138,22 @@ class View {
   void add_gap(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b, double distance);
   /// Text at a place.
   void add_label(const Eigen::Vector3d& at, const std::string& text);
+  /// Drawn so that one sees through it. Throws InputError for a normal of 0 and for no extent.
+  void add_plane(const ViewPlane& plane);
+
+  /// Two bodies that touch in this frame: the page lists such pairs, and leads to where they begin
+  /// to touch. The order of the two and how often it is said do not matter. Throws InputError for a
+  /// body that is not placed in this frame, and for a body and itself.
+  void add_pair(ViewBody a, ViewBody b);
+
+  /// Boxes in the frame of a body, drawn wherever it stands: a level of a tree, 0 its root. The
+  /// page shows one level at a time, none at first. Said twice for one level, these are added.
+  /// Throws InputError for a level above 99 and PoseError or InputError for a box that is none.
+  void add_boxes(ViewBody body, std::uint32_t level, std::span<const Obb> boxes);
+
+  /// What draw() of a world draws, as lines, points and labels of this frame. Throws what that
+  /// does.
+  void draw(const World& world, const WorldDrawingSettings& settings = {});
 
   /// The page, whole. Throws InputError if there is no frame, and for more than a browser reads,
   /// 256 MiB when packed. The same calls give the same bytes.

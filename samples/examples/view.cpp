@@ -1,6 +1,7 @@
 // A page that shows bodies frame by frame: one file that any browser opens.
 
 #include <graze/engine/view/view.h>
+#include <graze/engine/world/world.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -37,6 +38,18 @@ int main(int argc, char** argv) {
   view.add_curve(edge);
   view.add_line({0.5, 0.5, 2}, {0.5, 0.5, 0});
   view.add_label({0.5, 0.5, 2}, "down");
+  view.add_point({0.5, 0.5, 0});
+  view.add_pair(box, ball);
+  view.add_plane({.point = {0.5, 0.5, 0}, .normal = {0, 0, 1}, .half_extent = 1});
+  const std::vector<graze::Obb> around = {{examples::at(0.5, 0.5, 0.5), {0.5, 0.5, 0.5}}};
+  view.add_boxes(box, 0, around);
+  view.add_note("the last step has all kinds of marks");
+
+  graze::World world;
+  world.add({cube, graze::Pose::Identity()});
+  world.update();
+  view.begin_frame({.label = "what a world draws of itself"});
+  view.draw(world, {.has_boxes = true});
 
   const std::filesystem::path file = std::filesystem::path(argv[1]) / "cube.html";
   view.write(file);

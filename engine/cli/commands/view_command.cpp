@@ -3,7 +3,9 @@
 #include <graze/engine/cli/view/view_run.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
+#include <string>
 
 namespace graze::cli {
 namespace {
@@ -12,8 +14,9 @@ constexpr const char* kViewFooter = R"(
 The page is one file that any browser opens, without a network: turn by mouse, fingers or arrow
 keys, play, jump to where touching begins or ends, cut, measure, save a picture. Two meshes are
 shown in the pose, or a picture for each pose of --poses: intersecting triangles red, curves of
-intersection, contacts with normals and depths, or else the nearest points and the gap. Of cases
-each is a picture, and 49 where things move; of a scene each step. What is shown is asked of graze
+intersection, contacts with normals and depths; or else the nearest points, the gap, and a plane
+that separates them, if the one across the gap does. With --tree the boxes of the trees that
+queries walk are there, too, a level at a time. Of cases each is a picture, and 49 where things move; of a scene each step. What is shown is asked of graze
 anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and
 the page says so.
 
@@ -23,6 +26,7 @@ With --json the answer is one line:
 Examples:
   graze view bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" -o page.html
   graze view bolt.obj nut.stl --poses poses.txt --open
+  graze view bolt.obj nut.stl --tree obb -o tree.html
   graze view odd.json --json
   graze view data/regressions -o cases.html
   graze view data/scenes/machine.json --meshes data/meshes -o scene.html
@@ -31,6 +35,9 @@ Exit codes:
   0  the page was written
   2  bad input, or a file that cannot be written, with one line on stderr; of several cases the
      others are shown)";
+
+const std::map<std::string, TreeBoxes> kTreeBoxes = {{"aabb", TreeBoxes::Aabb},
+                                                     {"obb", TreeBoxes::Obb}};
 
 }  // namespace
 
@@ -47,6 +54,10 @@ void add_view_command(CLI::App& program, Action& action) {
   command
       ->add_option("--poses", options->poses, "poses of B, one per line, or .npy, each a picture")
       ->type_name("FILE");
+  command
+      ->add_option("--tree", options->tree, "of meshes: the boxes of their trees, level by level")
+      ->transform(CLI::CheckedTransformer(kTreeBoxes))
+      ->type_name("aabb|obb");
   command
       ->add_option("--meshes", options->mesh_folder,
                    "the folder of meshes by file (default: that of each case)")

@@ -35,6 +35,16 @@ void check_poses(const ViewOptions& options, const std::vector<PoseLine>& poses,
   }
 }
 
+/// A body, with the boxes of its tree if these are asked for.
+ViewBody add(const Mesh& mesh, const std::string& name, const ViewOptions& options, View& view) {
+  const ViewBody body = view.add(mesh, {.name = name});
+  if (!options.tree) return body;
+  if (const auto level = add_tree(mesh, *options.tree, body, view))
+    view.add_note(name + ": boxes of its tree from level " + std::to_string(*level) +
+                  " on are left out, for there are too many to be seen.");
+  return body;
+}
+
 }  // namespace
 
 ShownPage show_meshes(const ViewOptions& options) {
@@ -44,7 +54,7 @@ ShownPage show_meshes(const ViewOptions& options) {
     const Mesh mesh = load_mesh(options.files[0]);
     check_placement(pose_a, mesh.bounds(), "--pose-a");
     ShownPage page({.title = options.title.empty() ? name_a : options.title});
-    page.view.place(page.view.add(mesh, {.name = name_a}), pose_a);
+    page.view.place(add(mesh, name_a, options, page.view), pose_a);
     page.frames = 1;
     return page;
   }
@@ -60,8 +70,8 @@ ShownPage show_meshes(const ViewOptions& options) {
         "Each picture is a pose of the file. What is between two of them "
         "was not asked: graze motion does.");
   ShownPage page(settings);
-  const ShownBodies bodies = {page.view.add(mesh_a, {.name = name_a}),
-                              page.view.add(mesh_b, {.name = name_b})};
+  const ShownBodies bodies = {add(mesh_a, name_a, options, page.view),
+                              add(mesh_b, name_b, options, page.view)};
   Progress progress("poses:", poses.size(), {.is_forced = options.has_progress, .has_rows = false});
   for (std::size_t i = 0; i < poses.size(); ++i) {
     PictureWords words;

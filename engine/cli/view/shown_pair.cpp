@@ -5,9 +5,12 @@
 #include <graze/engine/mesh/mesh_intersection.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace graze::cli {
@@ -56,6 +59,39 @@ void mark(const TrianglePairs& pairs, const ShownBodies& bodies, View& view) {
   view.mark_triangles(bodies.b, of_b);
 }
 
+/// A square across the middle of the shortest way between two bodies, as large as the smaller one.
+void add_plane_between(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b,
+                       const Aabb& box_a, const Aabb& box_b, View& view) {
+  const auto radius = [](const Aabb& box) { return (box.max / 2 - box.min / 2).stableNorm(); };
+  const double extent = std::min(radius(box_a), radius(box_b));
+  const Eigen::Vector3d normal = point_b - point_a, middle = point_a / 2 + point_b / 2;
+  if (!normal.isZero(0) && normal.allFinite() && std::isfinite(extent) && extent > 0)
+    view.add_plane({middle, normal, extent});
+}
+
+/// The least of all vertices along a direction from a point.
+double least_along(const PlacedMeshView& mesh, const Eigen::Vector3d& from,
+                   const Eigen::Vector3d& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& vertex : mesh.mesh.vertices())
+    least = std::min(least, (mesh.pose * vertex - from).dot(direction));
+  return least;
+}
+
+/// The plane across the gap, if it keeps all of the two meshes apart: others wind around each
+/// other.
+void add_plane_between(const PlacedMeshView& a, const PlacedMeshView& b, const MeshDistance& gap,
+                       View& view) {
+  const Eigen::Vector3d normal = (gap.point_b - gap.point_a).stableNormalized();
+  const Eigen::Vector3d middle = gap.point_a / 2 + gap.point_b / 2;
+  if (least_along(a, middle, -normal) > 0 && least_along(b, middle, normal) > 0)
+    add_plane_between(gap.point_a, gap.point_b, a.mesh.bounds(), b.mesh.bounds(), view);
+}
+
+bool is_convex(const Shape& shape) {
+  return shape.kind() != ShapeKind::Mesh && shape.kind() != ShapeKind::HeightField;
+}
+
 template <typename Contacts>
 double deepest(const Contacts& contacts) {
   double most = 0;
@@ -88,6 +124,7 @@ void show_pair(const PlacedMeshView& a, const PlacedMeshView& b, const ShownBodi
     begin(frame, page);
     place(bodies, a.pose, b.pose, page.view);
     page.view.add_gap(gap.point_a, gap.point_b, gap.distance);
+    add_plane_between(a, b, gap, page.view);
     return;
   }
   const MeshContacts contacts = find_contacts(a, b);
@@ -125,7 +162,10 @@ void show_pair(const PlacedShapeView& a, const PlacedShapeView& b, const ShownBo
   begin(frame, page);
   place(bodies, a.pose, b.pose, page.view);
   add_contacts(manifold, page.view);
-  if (gap) page.view.add_gap(gap->point_a, gap->point_b, gap->distance);
+  if (!gap) return;
+  page.view.add_gap(gap->point_a, gap->point_b, gap->distance);
+  if (is_convex(a.shape) && is_convex(b.shape))
+    add_plane_between(gap->point_a, gap->point_b, bounding_aabb(a), bounding_aabb(b), page.view);
 }
 
 }  // namespace graze::cli

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <system_error>
 #include <vector>
 
@@ -53,6 +54,38 @@ ViewFrame frame_of(const Simulation& simulation, std::size_t touching, const Wor
   return frame;
 }
 
+/// Adds what touches in a step: contacts, and pairs of bodies. Of compounds those parts are told
+/// that contacts name, of a pair without contacts the first ones.
+class TouchingPieces {
+ public:
+  explicit TouchingPieces(const std::vector<ScenePiece>& pieces) {
+    for (const ScenePiece& piece : pieces) {
+      if (bodies_.empty() || piece.of != of_) bodies_.emplace_back();
+      of_ = piece.of;
+      bodies_.back().push_back(piece.body);
+    }
+  }
+
+  void add_to(View& view, const World& world, const std::vector<BodyPair>& touching) const {
+    std::set<BodyPair> others(touching.begin(), touching.end());
+    for (const auto& [pair, manifold] : world.contacts()) {
+      for (const ShapeContact& point : manifold)
+        view.add_contact(point.point, point.normal, std::max(0.0, point.depth));
+      // Some are near, and do not touch.
+      if (std::binary_search(touching.begin(), touching.end(), pair))
+        view.add_pair(bodies_[pair.a.index][manifold.part_a()],
+                      bodies_[pair.b.index][manifold.part_b()]);
+      others.erase(pair);
+    }
+    for (const BodyPair& pair : others)
+      view.add_pair(bodies_[pair.a.index][0], bodies_[pair.b.index][0]);
+  }
+
+ private:
+  std::vector<std::vector<ViewBody>> bodies_;  ///< the pieces of each body of the scene
+  std::size_t of_ = 0;
+};
+
 }  // namespace
 
 bool is_scene(const std::string& file) {
@@ -76,20 +109,19 @@ ShownPage show_scene(const ViewOptions& options) {
       "Each picture is a step. What is between two of them is not seen here.");
   ShownPage page(settings);
   const std::vector<ScenePiece> pieces = pieces_of(scene, page.view);
+  const TouchingPieces touching_pieces(pieces);
   Progress progress("steps:", scene.steps, {.is_forced = options.has_progress, .has_rows = false});
   for (std::size_t i = 0; i <= scene.steps; ++i) {
     const WorldUpdate update = simulation.advance();
-    const std::size_t touching = simulation.world().pairs().size();
-    page.view.begin_frame(frame_of(simulation, touching, update));
+    const std::vector<BodyPair> touching = simulation.world().pairs();
+    page.view.begin_frame(frame_of(simulation, touching.size(), update));
     ++page.frames;
-    if (touching > 0) ++page.touching;
+    if (!touching.empty()) ++page.touching;
     for (const ScenePiece& piece : pieces) {
       const Pose pose = pose_at(scene.bodies[piece.of], simulation.time());
       page.view.place(piece.body, piece.is_part ? placed_part(pose, piece.pose) : pose);
     }
-    for (const BodyContact& contact : simulation.world().contacts())
-      for (const ShapeContact& point : contact.manifold)
-        page.view.add_contact(point.point, point.normal, std::max(0.0, point.depth));
+    touching_pieces.add_to(page.view, simulation.world(), touching);
     progress.update(i);
   }
   return page;

@@ -46,6 +46,7 @@ void check_options(const ViewOptions& options, bool has_cases) {
   const bool has_poses = options.poses || !options.pose_a.empty() || !options.pose_b.empty();
   if (has_cases && has_poses)
     throw UsageError("--pose-a, --pose-b and --poses are about meshes: cases have their own poses");
+  if (has_cases && options.tree) throw UsageError("--tree is about meshes: here are cases");
   if (!has_cases && !options.mesh_folder.empty())
     throw UsageError("--meshes is about cases: here are meshes");
   if (!has_cases && options.files.size() > 2) throw UsageError("more than two meshes");

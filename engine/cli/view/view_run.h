@@ -6,6 +6,7 @@
 
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/output/output.h>
+#include <graze/engine/cli/view/shown_tree.h>
 
 namespace graze::cli {
 
@@ -16,6 +17,7 @@ struct ViewOptions {
   std::string pose_a = {};
   std::string pose_b = {};
   std::optional<std::string> poses = {};  ///< given and empty is an error
+  std::optional<TreeBoxes> tree = {};     ///< of meshes: the boxes of their trees, too
   std::string mesh_folder = {};           ///< where meshes by file lie; empty: beside each case
   std::string page = "graze-view.html";   ///< where it is written
   std::string title = {};                 ///< empty: the names of what is shown

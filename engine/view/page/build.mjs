@@ -18,7 +18,10 @@ async function bundled(entry, more) {
 const licence = (await readFile(here('node_modules/three/LICENSE'), 'utf8')).trim().replaceAll('\u00a9', '(c)');
 const version = JSON.parse(await readFile(here('node_modules/three/package.json'), 'utf8')).version;
 // Minified JavaScript has no comments, but the shaders in it, which are text to it, have.
-const script = (await bundled('source/main.js', {format: 'iife'})).replace(/[ \t]+\/\/[^\n]*$/gm, '');
+const whole = await bundled('source/main.js', {format: 'iife'});
+const script = whole.replace(/[ \t]+\/\/[^\n`]*(?=[\n`])/g, '');
+const quotes = (text) => text.split('`').length;
+if (quotes(script) !== quotes(whole)) throw new Error('more than comments would be left out');
 const style = await bundled('source/style.css', {});
 if (/<\/(script|style)/i.test(script + style)) throw new Error('the script would end the page');
 const parts = {style, script: `/* three.js ${version}\n\n${licence}\n*/\n${script}`};

@@ -44,8 +44,8 @@ void add_bodies(const ShownView& view, const ShownFrame& frame, Around& around) 
 
 /// Where there are no bodies.
 void add_marks(const ShownFrame& frame, Around& around) {
-  for (const auto& points : {frame.curves, frame.lines})
-    for (const Vector3d& point : points)
+  for (const auto* points : {&frame.curves, &frame.lines, &frame.points})
+    for (const Vector3d& point : *points)
       around.add(point);
   for (const ShownContact& contact : frame.contacts)
     around.add(contact.point);

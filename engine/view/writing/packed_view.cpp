@@ -3,12 +3,13 @@
 #include <graze/engine/version.h>
 #include <graze/engine/view/packing/word_arrays.h>
 #include <graze/engine/view/writing/frame_places.h>
+#include <graze/engine/view/writing/packed_marks.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
-#include <cstring>
 
 namespace graze::view {
 namespace {
@@ -40,24 +41,19 @@ void append(const Eigen::Vector3f& point, std::vector<float>& out) {
   out.insert(out.end(), point.begin(), point.end());
 }
 
-/// Words of frames of different lengths, one after the other.
-class ListsOfFrames {
- public:
-  explicit ListsOfFrames(std::uint32_t width) : width_(width) {}
-
-  std::vector<float>& numbers() { return numbers_; }
-  void end_frame() { starts_.push_back(static_cast<std::uint32_t>(numbers_.size() / width_)); }
-
-  Json add_to(WordArrays& arrays) const {
-    const std::size_t starts = arrays.add(starts_, 1);
-    return {{"starts", starts}, {"list", arrays.add(numbers_, width_)}};
+/// Of each coordinate the low word of its double, then the high one.
+std::vector<std::uint32_t> exact_words(const std::vector<Vector3d>& vertices) {
+  std::vector<std::uint32_t> words;
+  words.reserve(6 * vertices.size());
+  for (const Vector3d& vertex : vertices) {
+    for (const double coordinate : vertex) {
+      const auto bits = std::bit_cast<std::uint64_t>(coordinate);
+      words.push_back(static_cast<std::uint32_t>(bits));
+      words.push_back(static_cast<std::uint32_t>(bits >> 32));
+    }
   }
-
- private:
-  std::uint32_t width_;
-  std::vector<std::uint32_t> starts_ = {0};
-  std::vector<float> numbers_;
-};
+  return words;
+}
 
 /// Packs one view.
 class Packer {
@@ -74,7 +70,7 @@ class Packer {
                  {"bodies", bodies()},
                  {"places", places()},
                  {"frames", frames()},
-                 {"marks", marks()}};
+                 {"marks", packed_marks(view_, places_, frames_of_shapes_, arrays_)}};
     Json& arrays = page["arrays"] = Json::array();
     for (const WordArray& array : arrays_.places())
       arrays.push_back(
@@ -119,6 +115,8 @@ class Packer {
                    {"origin", json_of(frame.center)},
                    {"scale", frame.scale}};
       if (shape.surface.is_boundless) mesh["boundless"] = true;
+      if (shape.surface.vertices.size() <= view_.settings.most_exact_vertices)
+        mesh["exact"] = arrays_.add(exact_words(shape.surface.vertices), 6);
       list.push_back(std::move(mesh));
     }
     return list;
@@ -178,67 +176,6 @@ class Packer {
                       {"note", said.note},
                       {"change", said.is_change},
                       {"place", places_.of_frame[f]}});
-    }
-    return list;
-  }
-
-  Json marks() {
-    ListsOfFrames curves(6), lines(6), contacts(7), gaps(7);
-    Json labels = Json::array();
-    for (std::size_t f = 0; f < view_.frames.size(); ++f) {
-      const ShownFrame& frame = view_.frames[f];
-      const NumberFrame& place = place_of(f);
-      for (const Vector3d& point : frame.curves)
-        append(place.numbers(point), curves.numbers());
-      for (const Vector3d& point : frame.lines)
-        append(place.numbers(point), lines.numbers());
-      for (const ShownContact& contact : frame.contacts) {
-        append(place.numbers(contact.point), contacts.numbers());
-        append(contact.normal.cast<float>(), contacts.numbers());
-        contacts.numbers().push_back(place.length(contact.depth));
-      }
-      for (const ShownGap& gap : frame.gaps) {
-        append(place.numbers(gap.point_a), gaps.numbers());
-        append(place.numbers(gap.point_b), gaps.numbers());
-        gaps.numbers().push_back(place.length(gap.distance));
-      }
-      for (const ShownLabel& label : frame.labels)
-        labels.push_back({{"frame", f},
-                          {"at", json_of(place.numbers(label.at).cast<double>())},
-                          {"text", label.text}});
-      for (ListsOfFrames* lists : {&curves, &lines, &contacts, &gaps})
-        lists->end_frame();
-    }
-    Json out = {{"triangles", marked_triangles()}};
-    out["curves"] = curves.add_to(arrays_);
-    out["lines"] = lines.add_to(arrays_);
-    out["contacts"] = contacts.add_to(arrays_);
-    out["gaps"] = gaps.add_to(arrays_);
-    out["labels"] = std::move(labels);
-    return out;
-  }
-
-  /// Of each body those frames alone in which some are.
-  Json marked_triangles() {
-    struct Marked {
-      std::vector<std::uint32_t> frames, starts = {0}, list;
-    };
-    std::map<std::uint32_t, Marked> marked;
-    for (std::size_t f = 0; f < view_.frames.size(); ++f) {
-      for (const auto& [body, triangles] : view_.frames[f].triangles) {
-        Marked& of_body = marked[body];
-        of_body.frames.push_back(static_cast<std::uint32_t>(f));
-        of_body.list.insert(of_body.list.end(), triangles.begin(), triangles.end());
-        of_body.starts.push_back(static_cast<std::uint32_t>(of_body.list.size()));
-      }
-    }
-    Json list = Json::array();
-    for (const auto& [body, of_body] : marked) {
-      Json entry = {{"body", body}};
-      entry["frames"] = arrays_.add(of_body.frames, 1);
-      entry["starts"] = arrays_.add(of_body.starts, 1);
-      entry["list"] = arrays_.add(of_body.list, 1);
-      list.push_back(std::move(entry));
     }
     return list;
   }

@@ -7,7 +7,7 @@
 #include <graze/engine/view/shapes/triangulate.h>
 #include <graze/engine/view/writing/packed_view.h>
 #include <graze/engine/view/writing/page_text.h>
-#include <graze/engine/view/writing/view_data.h>
+#include <graze/engine/view/writing/view_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,47 +16,6 @@
 #include <utility>
 
 namespace graze {
-
-struct View::Data {
-  view::ShownView shown;
-
-  /// That was begun last; one begins if none was.
-  view::ShownFrame& frame() {
-    if (shown.frames.empty()) shown.frames.push_back({.said = {}});
-    return shown.frames.back();
-  }
-
-  /// "frame 3" or "frame 3, pose 3".
-  std::string where() const {
-    if (shown.frames.empty()) return "frame 0";
-    const std::string& label = shown.frames.back().said.label;
-    return "frame " + std::to_string(shown.frames.size() - 1) + (label.empty() ? "" : ", ") + label;
-  }
-
-  ViewBody add_body(std::size_t shape, const char* kind, const ViewBodySettings& settings) {
-    const auto index = static_cast<std::uint32_t>(shown.bodies.size());
-    std::string name = settings.name;
-    if (name.empty()) name.append(kind).append(" ").append(std::to_string(index));
-    shown.bodies.push_back({std::move(name), shape, settings.color});
-    return {index};
-  }
-
-  void check_body(ViewBody body) const {
-    if (body.index >= shown.bodies.size())
-      throw InputError("body " + std::to_string(body.index) + ": the view has " +
-                           std::to_string(shown.bodies.size()),
-                       {.element = "body", .index = body.index});
-  }
-
-  void check(const Eigen::Vector3d& point, const char* what) const {
-    if (!point.allFinite()) throw InputError(where() + ": " + what + " is not finite");
-  }
-
-  void check(double length, const char* what) const {
-    if (!std::isfinite(length) || length < 0)
-      throw InputError(where() + ": " + what + " is negative or not finite");
-  }
-};
 
 namespace {
 
@@ -105,12 +64,6 @@ std::size_t index_of(const Shape& shape, const view::TriangulationSettings& sett
   return at < shapes.size() ? at : add_surface(std::move(surface), std::nullopt, shapes);
 }
 
-void add_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                 std::vector<Eigen::Vector3d>& ends) {
-  ends.push_back(from);
-  ends.push_back(to);
-}
-
 /// Puts a text in a place of the page.
 void fill(std::string_view place, const std::string& text, std::string& page) {
   page.replace(page.find(place), place.size(), text);
@@ -144,6 +97,10 @@ ViewBody View::add(const Mesh& mesh, const ViewBodySettings& settings) {
   });
 }
 
+void View::add_note(const std::string& note) {
+  data_->shown.settings.notes.push_back(note);
+}
+
 void View::begin_frame(const ViewFrame& frame) {
   for (const ViewFact& fact : frame.facts)
     if (!std::isfinite(fact.value))
@@ -159,68 +116,6 @@ void View::place(ViewBody body, const Pose& pose) {
     check_placement(pose, data_->shown.shapes[own.shape].bounds,
                     (data_->where() + ": the pose of '" + own.name + "'").c_str());
     data_->frame().poses.insert_or_assign(body.index, pose);
-  });
-}
-
-void View::mark_triangles(ViewBody body, std::span<const std::uint32_t> triangles) {
-  data_->check_body(body);
-  const view::ShownBodyData& own = data_->shown.bodies[body.index];
-  view::ShownFrame& frame = data_->frame();
-  if (!frame.poses.contains(body.index))
-    throw InputError(data_->where() + ": '" + own.name + "' is marked, but does not stand there");
-  const std::size_t count = data_->shown.shapes[own.shape].surface.triangles.size();
-  for (const std::uint32_t triangle : triangles)
-    if (triangle >= count)
-      throw InputError(data_->where() + ": '" + own.name + "' has no triangle " +
-                           std::to_string(triangle) + ", but " + std::to_string(count),
-                       {.element = "triangle", .index = triangle});
-  std::vector<std::uint32_t>& marked = frame.triangles[body.index];
-  marked.insert(marked.end(), triangles.begin(), triangles.end());
-  std::sort(marked.begin(), marked.end());
-  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
-}
-
-void View::add_curve(std::span<const Eigen::Vector3d> points) {
-  bvh::in_standard_arithmetic([&] {
-    for (const Eigen::Vector3d& point : points)
-      data_->check(point, "a point of a curve");
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      add_segment(points[i], points[i + 1], data_->frame().curves);
-  });
-}
-
-void View::add_line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  bvh::in_standard_arithmetic([&] {
-    data_->check(from, "an end of a line");
-    data_->check(to, "an end of a line");
-    add_segment(from, to, data_->frame().lines);
-  });
-}
-
-void View::add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth) {
-  bvh::in_standard_arithmetic([&] {
-    data_->check(point, "the point of a contact");
-    data_->check(normal, "the normal of a contact");
-    data_->check(depth, "the depth of a contact");
-    if (normal.isZero(0)) throw InputError(data_->where() + ": the normal of a contact is 0");
-    data_->frame().contacts.push_back({point, normal.stableNormalized(), depth});
-  });
-}
-
-void View::add_gap(const Eigen::Vector3d& point_a, const Eigen::Vector3d& point_b,
-                   double distance) {
-  bvh::in_standard_arithmetic([&] {
-    data_->check(point_a, "a nearest point");
-    data_->check(point_b, "a nearest point");
-    data_->check(distance, "a distance");
-    data_->frame().gaps.push_back({point_a, point_b, distance});
-  });
-}
-
-void View::add_label(const Eigen::Vector3d& at, const std::string& text) {
-  bvh::in_standard_arithmetic([&] {
-    data_->check(at, "the place of a label");
-    data_->frame().labels.push_back({at, text});
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct ShownBodyData {
   std::string name;
   std::size_t shape;  ///< index
   std::optional<std::array<std::uint8_t, 3>> color;
+  std::map<std::uint32_t, std::vector<Obb>> boxes = {};  ///< by level, in its own frame
 };
 
 struct ShownContact {
@@ -56,6 +58,9 @@ struct ShownFrame {
   std::vector<ShownContact> contacts = {};
   std::vector<ShownGap> gaps = {};
   std::vector<ShownLabel> labels = {};
+  std::vector<Eigen::Vector3d> points = {};
+  std::vector<ViewPlane> planes = {};                            ///< with unit normals
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs = {};  ///< of bodies, the lower first
 };
 
 /// All of a view.

@@ -77,6 +77,50 @@ TEST_F(CliView, ThePageHasTheNumbersOfGrazePair) {
   EXPECT_EQ(facts[0]["value"].get<double>(), expected["pairs"].get<double>());
 }
 
+TEST_F(CliView, APlaneIsDrawnWhereOneSeparates) {
+  // Apart along z, then linked like a chain: no plane separates these.
+  write("two.txt", "1 0 0 0  0 1 0 0  0 0 1 5\n1 0 0 1  0 0 -1 0  0 1 0 0\n");
+  ASSERT_EQ(
+      graze({"view", "torus.off", "torus.off", "--poses", "two.txt", "-o", "p.html"}).exit_code, 0);
+  const UnpackedPage shown = page("p.html");
+  EXPECT_EQ(shown.json()["frames"][1]["state"], "clear");
+  const std::vector<float> plane = shown.marks("planes", 7, 0);
+  ASSERT_EQ(plane.size(), 7u);
+  EXPECT_NEAR(shown.world(0, Eigen::Vector3d(plane[0], plane[1], plane[2])).z(), 2.5, 1e-5);
+  EXPECT_NEAR(std::abs(plane[5]), 1, 1e-5);
+  EXPECT_TRUE(shown.marks("planes", 7, 1).empty());
+}
+
+TEST_F(CliView, BoxesOfTreesHoldTheMeshLevelByLevel) {
+  for (const std::string kind : {"aabb", "obb"}) {
+    ASSERT_EQ(graze({"view", "torus.off", "--tree", kind, "-o", "p.html"}).exit_code, 0);
+    const UnpackedPage shown = page("p.html");
+    const std::vector<float> vertices = shown.floats(shown.json()["meshes"][0]["positions"]);
+    const auto boxes = shown.json()["marks"]["boxes"];
+    ASSERT_GT(boxes.size(), 4u);
+    for (std::size_t level = 0; level < 4; ++level) {
+      EXPECT_EQ(boxes[level]["level"], level);
+      const std::vector<float> numbers = shown.floats(boxes[level]["list"]);
+      ASSERT_EQ(numbers.size(), 12u << level) << "of 480 triangles none is a leaf yet";
+      for (std::size_t v = 0; v < vertices.size(); v += 3) {
+        bool is_held = false;
+        for (std::size_t b = 0; b < numbers.size(); b += 12) {
+          const auto at = [&](std::size_t i) {
+            return Eigen::Vector3d(numbers[b + i], numbers[b + i + 1], numbers[b + i + 2]);
+          };
+          const Eigen::Vector3d from =
+              Eigen::Vector3d(vertices[v], vertices[v + 1], vertices[v + 2]) - at(0);
+          bool is_in = true;
+          for (const std::size_t axis : {3u, 6u, 9u})
+            is_in &= std::abs(from.dot(at(axis))) <= at(axis).squaredNorm() * (1 + 1e-5) + 1e-12;
+          is_held |= is_in;
+        }
+        EXPECT_TRUE(is_held) << kind << " " << level << " vertex " << v / 3;
+      }
+    }
+  }
+}
+
 TEST_F(CliView, OneMeshStandsByItself) {
   ASSERT_EQ(graze({"view", "torus.off", "--title", "one <b>"}).exit_code, 0);
   const UnpackedPage shown = page("graze-view.html");
@@ -126,6 +170,11 @@ TEST_F(CliView, ASceneIsAPictureEachStepWithTheNumbersOfGrazeSimulate) {
       const auto expected = nlohmann::json::parse(steps[i]);
       const auto frame = shown.json()["frames"][i];
       EXPECT_EQ(frame["facts"][0]["value"].get<double>(), expected["touching"].get<double>());
+      const std::vector<std::uint32_t> starts =
+          shown.words(shown.json()["marks"]["pairs"]["starts"]);
+      // Of compounds each pair of parts is one.
+      EXPECT_GE(starts[i + 1] - starts[i], expected["touching"].get<std::size_t>());
+      EXPECT_EQ(starts[i + 1] > starts[i], expected["touching"].get<std::size_t>() > 0);
       EXPECT_EQ(frame["change"].get<bool>(),
                 i > 0 && expected["begun"].size() + expected["ended"].size() > 0)
           << name << " " << i;
@@ -158,6 +207,8 @@ TEST_F(CliView, WhatDoesNotGoTogetherIsRefused) {
   refuse({"view", "case.json", "--pose-b", "1 0 0 0  0 1 0 0  0 0 1 0"}, "cases have their own");
   refuse({"view", "torus.off", "--meshes", "."}, "--meshes is about cases");
   refuse({"view", "case.json"}, "case.json:1");
+  refuse({"view", "case.json", "--tree", "obb"}, "--tree is about meshes");
+  refuse({"view", "torus.off", "--tree", "sphere"}, "--tree");
   refuse({"view", "none.off"}, "none.off");
   refuse({"view", "torus.off", "-o", "none/p.html"}, "none/p.html: cannot be written");
   refuse({"view", "torus.off", "-o", "torus.off"}, "torus.off");

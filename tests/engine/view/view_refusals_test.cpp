@@ -68,6 +68,26 @@ TEST(ViewRefusals, WhatCannotBeShownIsRefusedWithItsPlace) {
             }),
             "frame 0, start: the place of a label is not finite");
   EXPECT_EQ(refusal([&] {
+              view.add_point({0, kNan, 0});
+            }),
+            "frame 0, start: a point is not finite");
+  EXPECT_EQ(refusal([&] {
+              view.add_plane({.point = {0, 0, 0}, .normal = {0, 0, 0}});
+            }),
+            "frame 0, start: the normal of a plane is 0");
+  EXPECT_EQ(refusal([&] {
+              view.add_plane({.point = {0, 0, 0}, .normal = {0, 0, 1}, .half_extent = 0});
+            }),
+            "frame 0, start: the extent of a plane is 0");
+  EXPECT_EQ(refusal([&] { view.add_pair(box, box); }),
+            "frame 0, start: 'box' is no pair with itself");
+  EXPECT_EQ(refusal([&] { view.add_pair(box, {3}); }), "body 3: the view has 1");
+  const std::vector<Obb> none = {{Pose::Identity(), {1, -1, 1}}};
+  EXPECT_EQ(refusal([&] { view.add_boxes(box, 100, {}); }),
+            "boxes of 'box': level 100, not 0 to 99");
+  EXPECT_NE(refusal([&] { view.add_boxes(box, 0, none); }).find("box 0 of 'box'"),
+            std::string::npos);
+  EXPECT_EQ(refusal([&] {
               view.begin_frame({.facts = {{"gap", kNan}}});
             }),
             "frame 1: 'gap' is not finite");
@@ -86,7 +106,8 @@ TEST(ViewRefusals, WhatCannotBeShownIsRefusedWithItsPlace) {
   const UnpackedPage page(view.page());
   EXPECT_EQ(page.json()["frames"].size(), 1u);
   EXPECT_EQ(page.json()["bodies"].size(), 1u);
-  for (const char* kind : {"curves", "lines", "contacts", "gaps"})
+  EXPECT_TRUE(page.json()["marks"]["boxes"].empty());
+  for (const char* kind : {"curves", "lines", "points", "contacts", "gaps", "planes", "pairs"})
     EXPECT_TRUE(page.words(page.json()["marks"][kind]["list"]).empty()) << kind;
 }
 

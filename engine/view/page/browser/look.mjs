@@ -137,6 +137,49 @@ const tests = {
     await close();
   },
 
+  async 'boxes of the tree come level by level, and corners in hexadecimal'() {
+    const file = view('tree', 'meshes/bolt.obj', 'meshes/nut.stl', '--tree', 'obb');
+    const {page, said, close} = await open(file);
+    const kBox = (r, g, b) => r > 130 && g > 40 && g < 110 && b < 50;
+    assert.ok(await count(page, kBox) < 20, 'none at first');
+    for (const boxes of [2, 4, 8]) {
+      await page.keyboard.press('b');
+      await settle(page);
+      assert.match(await page.textContent('#level-text'), new RegExp(`: ${boxes} boxes$`));
+      assert.ok(await count(page, kBox) > 200, `${boxes} boxes`);
+    }
+    const {width, height} = await page.locator('#canvas').boundingBox();
+    await page.mouse.click(width * 0.45, height * 0.5);
+    assert.match(await page.textContent('#picked'), /corners in its own frame:\n-?\d/);
+    await page.keyboard.press('h');
+    assert.match(await page.textContent('#picked'), /frame:(\n*-?0x[01](\.[\da-f]+)?p[-+]\d+){9}$/);
+    assert.ok(await page.evaluate(() => location.hash).then((hash) => hash === '' || hash.includes('level=2')));
+    assert.deepEqual(said, []);
+    await close();
+  },
+
+  async 'a plane keeps bodies apart, and pairs lead to where they begin'() {
+    const apart = await open(join(folder, 'apart.html'));
+    await apart.page.getByLabel('nearest points').uncheck();
+    await settle(apart.page);
+    const kPlane = (r, g, b) => g > r + 12 && g > b + 2 && g > 180;
+    assert.ok(await count(apart.page, kPlane) > 5000, 'the plane');
+    await apart.page.getByLabel('separating planes').uncheck();
+    await settle(apart.page);
+    assert.ok(await count(apart.page, kPlane) < 500);
+    assert.deepEqual(apart.said, []);
+    await apart.close();
+    const {page, said, close} = await open(view('parts', 'scenes/parts.json'));
+    assert.match(await page.textContent('#pairs-head'), /^Pairs: \d+ of 3 touch$/);
+    const later = page.locator('#pairs [data-state=clear]').first();
+    await later.click();
+    assert.ok(!(await page.textContent('#count')).startsWith('1 / '));
+    await page.locator('#pairs').getByText('only').first().click();
+    assert.equal(await page.locator('#bodies input:checked').count(), 2);
+    assert.deepEqual(said, []);
+    await close();
+  },
+
   async 'a cut opens the nut, and what is under the pointer is named'() {
     const {page, said, close} = await open(join(folder, 'deep.html'));
     await page.keyboard.press('Shift+Digit2');

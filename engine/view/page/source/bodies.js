@@ -23,6 +23,7 @@ export class MeshShape {
     this.scale = data.scale;
     this.positions = arrays.floats(data.positions);
     this.triangles = arrays.words(data.indices);
+    this.exact = data.exact === undefined ? null : new Float64Array(arrays.words(data.exact).buffer);
     this.surface = new THREE.BufferGeometry();
     this.surface.setAttribute('position', new THREE.BufferAttribute(this.positions, 3));
     this.surface.setIndex(new THREE.BufferAttribute(this.triangles, 1));
@@ -42,6 +43,13 @@ export class MeshShape {
     edges.setIndex(new THREE.BufferAttribute(pairs, 1));
     edges.boundingSphere = this.surface.boundingSphere;
     return edges;
+  }
+
+  /** The corners of a triangle as they were given; null if the page has them as floats alone. @param {number} triangle */
+  exactCorners(triangle) {
+    const {exact} = this;
+    if (exact === null) return null;
+    return [0, 1, 2].map((k) => 3 * this.triangles[3 * triangle + k]).map((at) => [...exact.subarray(at, at + 3)]);
   }
 
   /** The corners of some triangles, one after the other. @param {ArrayLike<number>} which */

@@ -128,3 +128,24 @@ export function typicalEdge(positions, triangles) {
   lengths.sort((x, y) => x - y);
   return lengths[lengths.length >> 1] ?? 0;
 }
+
+/** Corners of a box by signs of its half axes, and the pairs of them that an edge joins. */
+const kCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
+const kEdges = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [1, 2, 4].filter((bit) => !(i & bit)).map((bit) => [i, i | bit]));
+
+/**
+ * The edges of boxes, six numbers each.
+ * @param {Float32Array} boxes twelve numbers each: the middle and three half axes
+ */
+export function boxEdges(boxes) {
+  const ends = new Float32Array(boxes.length / 12 * kEdges.length * 6);
+  let at = 0;
+  for (let i = 0; i < boxes.length; i += 12) {
+    const corners = kCorners.map((signs) => [0, 1, 2].map(
+        (x) => boxes[i + x] + signs[0] * boxes[i + 3 + x] + signs[1] * boxes[i + 6 + x] + signs[2] * boxes[i + 9 + x]));
+    for (const edge of kEdges)
+      for (const corner of edge)
+        for (const x of corners[corner]) ends[at++] = x;
+  }
+  return ends;
+}

@@ -71,3 +71,29 @@ export function advance(frame, due, count, isLoop) {
   if (next < count) return {frame: next, left: due - whole, isEnd: false};
   return isLoop ? {frame: next % count, left: due - whole, isEnd: false} : {frame: count - 1, left: 0, isEnd: true};
 }
+
+/**
+ * The pairs of a run, in the order in which they first touch, each with the frames in which it does.
+ * @param {ArrayLike<number>} starts of each frame in the list, and its end @param {ArrayLike<number>} list two bodies each
+ */
+export function pairsOf(starts, list) {
+  /** @type {Map<string, {a: number, b: number, frames: number[]}>} */
+  const found = new Map();
+  for (let f = 0; f + 1 < starts.length; ++f) {
+    for (let i = starts[f]; i < starts[f + 1]; ++i) {
+      const a = list[2 * i], b = list[2 * i + 1], key = `${a} ${b}`;
+      const known = found.get(key);
+      if (known) known.frames.push(f);
+      else found.set(key, {a, b, frames: [f]});
+    }
+  }
+  return [...found.values()];
+}
+
+/**
+ * Where a pair next begins to touch after a frame; after the last time the first.
+ * @param {number[]} frames in which it touches, ascending @param {number} from
+ */
+export function nextBegin(frames, from) {
+  return frames.find((f, i) => f > from && (i === 0 || frames[i - 1] < f - 1)) ?? frames[0];
+}

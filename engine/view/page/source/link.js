@@ -8,6 +8,7 @@
  * @property {number[]} [hidden] bodies
  * @property {{axis: 'x'|'y'|'z', at: number, isFlipped: boolean}} [cut]
  * @property {string[]} [off] layers that are not shown
+ * @property {number} [level] of trees
  * @property {'light'|'dark'} [theme]
  */
 
@@ -19,6 +20,7 @@ export function toHash(view) {
   if (view.hidden?.length) parts.push(`hide=${view.hidden.join(',')}`);
   if (view.cut) parts.push(`cut=${view.cut.isFlipped ? '-' : ''}${view.cut.axis},${Number(view.cut.at.toPrecision(4))}`);
   if (view.off?.length) parts.push(`off=${view.off.join(',')}`);
+  if (view.level !== undefined) parts.push(`level=${view.level}`);
   if (view.theme) parts.push(`theme=${view.theme}`);
   return parts.join('&');
 }
@@ -51,6 +53,7 @@ export function fromHash(hash) {
         view.cut = {axis: /** @type {'x'|'y'|'z'} */ (found[2]), at, isFlipped: found[1] === '-'};
     }
     if (key === 'off') view.off = value.split(',').filter((word) => /^[a-z]+$/.test(word));
+    if (key === 'level' && /^\d{1,2}$/.test(value)) view.level = Number(value);
     if (key === 'theme' && (value === 'light' || value === 'dark')) view.theme = value;
   }
   return view;

@@ -9,7 +9,8 @@ import {Player} from './player.js';
 import {Chapters} from './chapters.js';
 import {listenToKeys} from './keys.js';
 import {fromHash, toHash} from './link.js';
-import {length, number} from './units.js';
+import {Pairs} from './pairs.js';
+import {hexFloat, length, number} from './units.js';
 import {pictureOf} from './picture.js';
 
 const kStates = {touching: 'touching', clear: 'clear', unknown: 'unknown', '': ''};
@@ -35,9 +36,17 @@ class Page {
     this.stage.onTurned = () => this.keepLink();
     this.panel = new Panel(this.stage, () => this.changed());
     this.player = new Player(page.frames, (frame) => this.show(frame), (word) => this.overlay.say(word));
+    this.pairs = new Pairs(page, arrays, {
+      go: (frame) => this.player.go(frame),
+      near: (bodies) => this.nearBodies(bodies),
+      only: (bodies) => this.panel.isolate(bodies),
+    });
     this.chapters = new Chapters(page.frames, (frame) => this.player.go(frame));
     /** @type {'light'|'dark'|undefined} as the user has chosen */
     this.theme = undefined;
+    /** @type {{body: number, triangle: number, text: string}|null} what was picked last */
+    this.picked = null;
+    this.isHex = false;
     this.linkTimer = 0;
     this.tipTimer = 0;
     this.write();
@@ -69,6 +78,7 @@ class Page {
     this.player.go(link.frame ?? 0);
     this.stage.look(link.camera);
     if (link.cut) this.panel.showCut(link.cut);
+    if (link.level !== undefined) this.panel.showLevel(link.level);
   }
 
   /** @param {number} frame */
@@ -90,6 +100,7 @@ class Page {
     element('note').textContent = data.note ?? '';
     this.panel.refresh();
     this.chapters.show(frame);
+    this.pairs.show(frame);
     this.changed();
   }
 
@@ -107,6 +118,7 @@ class Page {
       hidden: stage.bodies.flatMap((body, b) => (body.isHidden ? [b] : [])),
       cut: stage.cut ?? undefined,
       off: [...this.panel.boxes].flatMap(([layer, box]) => (box.checked ? [] : [layer])),
+      level: stage.boxes.level ?? undefined,
       theme: this.theme,
     };
   }
@@ -176,6 +188,18 @@ class Page {
     this.keepLink();
   }
 
+  /** @param {number[]} bodies */
+  nearBodies(bodies) {
+    this.stage.fitBodies(bodies);
+    this.keepLink();
+  }
+
+  turnHex() {
+    this.isHex = !this.isHex;
+    element('exact').setAttribute('aria-pressed', String(this.isHex));
+    this.writePicked();
+  }
+
   fit() {
     this.stage.fit();
     this.keepLink();
@@ -188,6 +212,7 @@ class Page {
     element('png').addEventListener('click', () => this.savePicture());
     element('link').addEventListener('click', () => this.copyLink());
     element('open').addEventListener('click', () => this.toggleMore());
+    element('exact').addEventListener('click', () => this.turnHex());
     window.addEventListener('hashchange', () => this.open(fromHash(location.hash)));
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.setTheme(this.theme));
     this.listenToPointer();
@@ -203,7 +228,7 @@ class Page {
       },
       body: (b, isAlone) => {
         if (b >= stage.bodies.length) return;
-        if (isAlone) panel.isolate(b);
+        if (isAlone) panel.isolate([b]);
         else panel.hide(b, !stage.bodies[b].isHidden);
       },
       plain: {
@@ -219,6 +244,8 @@ class Page {
         x: () => panel.nextCut('x'),
         y: () => panel.nextCut('y'),
         z: () => panel.nextCut('z'),
+        b: () => panel.nextLevel(),
+        h: () => this.turnHex(),
         t: () => this.turnTheme(),
         p: () => this.savePicture(),
         l: () => this.copyLink(),
@@ -270,10 +297,22 @@ class Page {
   /** @param {number} x @param {number} y */
   keepPick(x, y) {
     const text = this.describe(x, y);
-    element('picked-section').hidden = text === null;
-    if (text === null) return;
-    element('picked').textContent = text;
-    if (element('panel').offsetParent === null) this.overlay.say(text.replaceAll('\n', ' \u00b7 '));
+    this.picked = text === null ? null : {.../** @type {{body: number, triangle: number}} */ (this.stage.pick(x, y)), text};
+    this.writePicked();
+    if (text !== null && element('panel').offsetParent === null) this.overlay.say(text.replaceAll('\n', ' \u00b7 '));
+  }
+
+  /** What was picked, and the corners of the triangle as they were given. */
+  writePicked() {
+    element('picked-section').hidden = this.picked === null;
+    if (this.picked === null) return;
+    const {body, triangle, text} = this.picked;
+    const corners = this.stage.bodies[body].shape.exactCorners(triangle);
+    const words = corners === null
+        ? 'The exact corners of so large a mesh are not in this page.'
+        : `corners in its own frame:\n${corners.map((corner) => corner.map((x) => this.isHex ? hexFloat(x) : String(x)).join(this.isHex ? '\n' : ', ')).join(this.isHex ? '\n\n' : '\n')}`;
+    element('exact').hidden = corners === null;
+    element('picked').textContent = `${text}\n${words}`;
   }
 }
 

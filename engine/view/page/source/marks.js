@@ -88,6 +88,45 @@ function disc() {
   return new THREE.CanvasTexture(canvas);
 }
 
+/** Squares that one sees through, with their borders. */
+class Planes {
+  constructor() {
+    this.material = new THREE.MeshBasicMaterial({transparent: true, opacity: 0.18, side: THREE.DoubleSide, depthWrite: false});
+    this.borders = new Lines(1.5, 0.5);
+    this.squares = new THREE.Group();
+    this.group = new THREE.Group();
+    this.group.add(this.squares, this.borders.group);
+  }
+
+  /** @param {string} color */
+  paint(color) {
+    this.material.color.set(color);
+    this.borders.paint(color);
+  }
+
+  /** @param {Float32Array} numbers of each a point, a unit normal, half of the side */
+  set(numbers) {
+    for (const square of [...this.squares.children]) {
+      this.squares.remove(square);
+      if (square instanceof THREE.Mesh) square.geometry.dispose();
+    }
+    const ends = [], corner = new THREE.Vector3();
+    for (let i = 0; i < numbers.length; i += 7) {
+      const square = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), this.material);
+      square.position.fromArray(numbers, i);
+      square.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), new THREE.Vector3().fromArray(numbers, i + 3));
+      square.scale.setScalar(numbers[i + 6]);
+      square.updateMatrix();
+      square.frustumCulled = false;
+      square.renderOrder = 2;
+      this.squares.add(square);
+      const around = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => corner.set(x, y, 0).applyMatrix4(square.matrix).toArray());
+      for (let k = 0; k < 4; ++k) ends.push(...around[k], ...around[(k + 1) % 4]);
+    }
+    this.borders.set(ends);
+  }
+}
+
 export class FrameMarks {
   constructor() {
     this.curves = new Lines(3, 0.4);
@@ -97,6 +136,8 @@ export class FrameMarks {
     this.gaps = new Lines(3, 0.6);
     this.contactDots = new Dots(9);
     this.gapDots = new Dots(8);
+    this.dots = new Dots(8);
+    this.planes = new Planes();
     this.tips = new THREE.InstancedMesh(new THREE.ConeGeometry(0.32, 1, 12),
                                         new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), 1);
     this.tips.frustumCulled = false;
@@ -106,7 +147,9 @@ export class FrameMarks {
     this.gapGroup = new THREE.Group();
     this.gapGroup.add(this.gaps.group, this.gapDots.points);
     this.group = new THREE.Group();
-    this.group.add(this.curves.group, this.lines.group, this.contacts, this.gapGroup);
+    this.words = new THREE.Group();
+    this.words.add(this.lines.group, this.dots.points);
+    this.group.add(this.curves.group, this.words, this.contacts, this.gapGroup, this.planes.group);
     /** @type {Float32Array} */
     this.contactNumbers = new Float32Array();
     /** @type {Float32Array} */
@@ -116,7 +159,10 @@ export class FrameMarks {
   /** @param {boolean} isDark */
   paint(isDark) {
     this.curves.paint(isDark ? '#ffffff' : '#14141c');
-    this.lines.paint(isDark ? '#9fb3c8' : '#44566a');
+    const line = isDark ? '#9fb3c8' : '#44566a';
+    this.lines.paint(line);
+    this.dots.material.color.set(line);
+    this.planes.paint(isDark ? '#35d0a0' : '#00755a');
     const contact = isDark ? '#c8a2ff' : '#5b2a96', gap = isDark ? '#35d0a0' : '#00755a';
     this.depths.paint(contact);
     this.normals.paint(contact);
@@ -132,6 +178,8 @@ export class FrameMarks {
   set(arrays, marks, frame) {
     this.curves.set(marksOf(arrays, marks.curves, 6, frame));
     this.lines.set(marksOf(arrays, marks.lines, 6, frame));
+    this.dots.set([...marksOf(arrays, marks.points, 3, frame)]);
+    this.planes.set(marksOf(arrays, marks.planes, 7, frame));
     this.contactNumbers = marksOf(arrays, marks.contacts, 7, frame);
     this.gapNumbers = marksOf(arrays, marks.gaps, 7, frame);
     const depths = [], dots = [], gaps = [], gapDots = [];

@@ -13,7 +13,8 @@ const kLayers = [
   ['contacts', 'contacts, normals, depths', '<path d="M4 11 15 4M15 4l-5 .5M15 4l-2 4.500" stroke="#7a45bd"/>'],
   ['gaps', 'nearest points, gap', '<path d="M3 7h16" stroke="#00876a"/><path d="M3 3v8M19 3v8" stroke="#00876a"/>'],
   ['edges', 'edges', '<path d="M3 11 8 2l11 3-5 7z" stroke-width="1.300"/>'],
-  ['labels', 'lines and words', '<path d="M4 3h13M10.500 3v9"/>'],
+  ['planes', 'separating planes', '<path d="M4 10 9 3h10l-5 7z" fill="#00755a" fill-opacity=".25" stroke="#00755a"/>'],
+  ['labels', 'lines, points, words', '<path d="M4 3h13M10.500 3v9"/>'],
 ];
 
 /**
@@ -22,7 +23,7 @@ const kLayers = [
  */
 function isEver(layer, {page: {marks}, arrays}) {
   if (layer === 'triangles') return marks.triangles.length > 0;
-  if (layer === 'labels') return marks.labels.length > 0 || arrays.words(marks.lines.list).length > 0;
+  if (layer === 'labels') return marks.labels.length > 0 || [marks.lines, marks.points].some(({list}) => arrays.words(list).length > 0);
   return layer === 'edges' || arrays.words(marks[layer].list).length > 0;
 }
 
@@ -36,6 +37,10 @@ export class Panel {
     for (const button of this.axisButtons())
       button.addEventListener('click', () => this.setCut(button.dataset.axis ?? ''));
     element('flip').addEventListener('click', () => this.flip());
+    element('tree-section').hidden = stage.boxes.depth === 0;
+    const level = /** @type {HTMLInputElement} */ (element('level'));
+    level.max = String(stage.boxes.depth);
+    level.addEventListener('input', () => this.showLevel(Number(level.value) - 1 < 0 ? null : Number(level.value) - 1));
     this.slider = /** @type {HTMLInputElement} */ (element('cut-at'));
     this.slider.addEventListener('input', () => {
       if (stage.cut) stage.setCut({...stage.cut, at: Number(this.slider.value)});
@@ -65,7 +70,7 @@ export class Panel {
     only.textContent = 'only';
     only.title = `Only ${body.name}; again: all`;
     box.addEventListener('change', () => this.hide(b, !box.checked));
-    only.addEventListener('click', () => this.isolate(b));
+    only.addEventListener('click', () => this.isolate([b]));
     item.append(box, swatch, label, only);
     element('bodies').append(item);
     return {item, box, isHere: true};
@@ -106,10 +111,27 @@ export class Panel {
     this.onChange();
   }
 
-  /** @param {number} b */
-  isolate(b) {
-    const isAlone = this.stage.bodies.every((body, i) => body.isHidden === (i !== b) || !body.isHere);
-    this.rows.forEach((_, i) => this.hide(i, !isAlone && i !== b));
+  /** Shows some bodies alone; again: all. @param {number[]} which */
+  isolate(which) {
+    const isAlone = this.stage.bodies.every((body, i) => body.isHidden === !which.includes(i) || !body.isHere);
+    this.rows.forEach((_, i) => this.hide(i, !isAlone && !which.includes(i)));
+  }
+
+  /** The boxes of a level of the trees. @param {number|null} level */
+  showLevel(level) {
+    const {boxes} = this.stage;
+    this.stage.setLevel(level);
+    const slider = /** @type {HTMLInputElement} */ (element('level'));
+    slider.value = String(boxes.level === null ? 0 : boxes.level + 1);
+    element('level-text').textContent =
+        boxes.level === null ? 'none' : `level ${boxes.level}: ${boxes.count().toLocaleString('en')} box${boxes.count() === 1 ? '' : 'es'}`;
+    this.onChange();
+  }
+
+  /** One level further down, after the last one none. */
+  nextLevel() {
+    const {level} = this.stage.boxes;
+    this.showLevel(level === null ? 0 : level + 1);
   }
 
   /** Bodies that do not stand in the frame are paler. */

@@ -4,12 +4,13 @@
 import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {MeshShape, ShownBody, kPalette} from './bodies.js';
+import {TreeBoxes} from './boxes.js';
 import {placeIn} from './frames.js';
 import {FrameMarks} from './marks.js';
 import {firstTriangle, meetsBall} from './pick.js';
 
 /** @typedef {{axis: 'x'|'y'|'z', at: number, isFlipped: boolean}} Cut */
-/** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'labels'} Layer */
+/** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'planes'|'labels'} Layer */
 
 const kAxes = /** @type {const} */ (['x', 'y', 'z']);
 /** From where a frame is looked at first. */
@@ -26,7 +27,7 @@ export class Stage {
     this.arrays = arrays;
     this.frame = 0;
     /** @type {Set<Layer>} */
-    this.layers = new Set(['edges', 'triangles', 'curves', 'contacts', 'gaps', 'labels']);
+    this.layers = new Set(['edges', 'triangles', 'curves', 'contacts', 'gaps', 'planes', 'labels']);
     /** @type {Cut|null} */
     this.cut = null;
     /** @type {() => void} called after each picture */
@@ -59,12 +60,14 @@ export class Stage {
     });
     this.marks = new FrameMarks();
     this.scene.add(this.marks.group);
+    this.boxes = new TreeBoxes(page, arrays, this.bodies);
     this.isAsked = false;
   }
 
   /** @param {boolean} isDark */
   paint(isDark) {
     this.marks.paint(isDark);
+    this.boxes.paint(isDark);
     this.ask();
   }
 
@@ -143,6 +146,17 @@ export class Stage {
     this.controls.target.copy(ball.center);
     this.camera.position.copy(ball.center).addScaledVector(sight.normalize(), away);
     this.controls.update();
+    this.ask();
+  }
+
+  /** Looks at some bodies. @param {number[]} which */
+  fitBodies(which) {
+    this.frameBox(this.bounds((body) => which.includes(this.bodies.indexOf(body))));
+  }
+
+  /** @param {number|null} level of trees whose boxes are drawn */
+  setLevel(level) {
+    this.boxes.show(level);
     this.ask();
   }
 
@@ -250,7 +264,8 @@ export class Stage {
       body.fill(b, this.scene, box);
     }
     this.marks.curves.group.visible = this.layers.has('curves');
-    this.marks.lines.group.visible = this.layers.has('labels');
+    this.marks.words.visible = this.layers.has('labels');
+    this.marks.planes.group.visible = this.layers.has('planes');
     this.marks.contacts.visible = this.layers.has('contacts');
     this.marks.gapGroup.visible = this.layers.has('gaps');
     if (this.layers.has('contacts')) this.marks.point((at) => this.pixelAt(at));

@@ -19,6 +19,7 @@ const kHeadBytes = 16;
  * @property {number} indices its array: three a triangle
  * @property {number[]} origin
  * @property {number} scale
+ * @property {number} [exact] its array: of each coordinate as it was given, a double, the low word and the high one
  * @property {boolean} [boundless] stands for something without an end: not looked at when a view is framed
  *
  * @typedef {object} BodyData
@@ -47,6 +48,8 @@ const kHeadBytes = 16;
  * @typedef {{body: number, frames: number, starts: number, list: number}} TriangleMarkData of those frames alone in
  *   which there are some: those of the i-th are starts[i] to starts[i + 1]
  * @typedef {{frame: number, at: number[], text: string}} LabelData
+ * @typedef {{body: number, level: number, list: number}} BoxData of a body, in the numbers of its mesh: of each box the
+ *   middle and three half axes
  *
  * @typedef {object} PageData
  * @property {string} title
@@ -58,7 +61,7 @@ const kHeadBytes = 16;
  * @property {PlaceData[]} places
  * @property {FrameData[]} frames
  * @property {{triangles: TriangleMarkData[], curves: MarkData, lines: MarkData, contacts: MarkData, gaps: MarkData,
- *   labels: LabelData[]}} marks
+ *   points: MarkData, planes: MarkData, pairs: MarkData, boxes: BoxData[], labels: LabelData[]}} marks
  * @property {ArrayPlace[]} arrays
  */
 
@@ -148,6 +151,7 @@ function checkMeshes(page, arrays) {
     need(positions.every(Number.isFinite), `mesh ${m} has a vertex that is not finite`);
     const vertices = positions.length / 3;
     need(indices.every((index) => index < vertices), `mesh ${m} has an index out of range`);
+    need(mesh.exact === undefined || arrays.words(mesh.exact).length === 6 * vertices, `mesh ${m} has not all exact coordinates`);
   });
 }
 
@@ -191,6 +195,14 @@ function checkMarks(page, arrays) {
   checkMark(page.frames.length, arrays, marks.lines, 6, 'lines');
   checkMark(page.frames.length, arrays, marks.contacts, 7, 'contacts');
   checkMark(page.frames.length, arrays, marks.gaps, 7, 'gaps');
+  checkMark(page.frames.length, arrays, marks.points, 3, 'points');
+  checkMark(page.frames.length, arrays, marks.planes, 7, 'planes');
+  checkMark(page.frames.length, arrays, marks.pairs, 2, 'pairs');
+  need(arrays.words(marks.pairs.list).every((body) => body < page.bodies.length), 'a pair is of no body');
+  need(Array.isArray(marks.boxes) &&
+           marks.boxes.every(({body, level, list}) => isIndex(body, page.bodies.length) && isIndex(level, 100) &&
+                                                      arrays.words(list).length % 12 === 0),
+       'boxes are of no body');
   need(Array.isArray(marks.labels) &&
            marks.labels.every((label) => isIndex(label.frame, page.frames.length) && isNumbers(label.at, 3) &&
                               typeof label.text === 'string'),

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {meshEdges, typicalEdge, weld} from '../source/edges.js';
+import {boxEdges, meshEdges, typicalEdge, weld} from '../source/edges.js';
 
 const kCube = new Float32Array([0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].flatMap((x) => [x, y, z]))));
 const kCubeTriangles = new Uint32Array([
@@ -42,4 +42,18 @@ test('borders, and edges of three triangles, are sharp even in one plane', () =>
 test('the typical edge is one of the mesh', () => {
   const size = typicalEdge(kCube, kCubeTriangles);
   assert.ok(size >= 1 && size <= Math.SQRT2 + 1e-6);
+});
+
+test('a box has twelve edges, each as long as twice its half axis', () => {
+  const ends = boxEdges(new Float32Array([10, 20, 30, 1, 0, 0, 0, 2, 0, 0, 0, 3]));
+  assert.equal(ends.length, 12 * 6);
+  const lengths = [];
+  for (let i = 0; i < ends.length; i += 6) {
+    const along = [0, 1, 2].map((x) => Math.abs(ends[i + 3 + x] - ends[i + x]));
+    assert.equal(along.filter((x) => x > 0).length, 1, 'an edge is parallel to one axis');
+    lengths.push(Math.max(...along));
+    for (const end of [0, 3])
+      assert.deepEqual([0, 1, 2].map((x) => Math.abs(ends[i + end + x] - [10, 20, 30][x])), [1, 2, 3], 'it joins corners');
+  }
+  assert.deepEqual(lengths.sort(), [2, 2, 2, 2, 4, 4, 4, 4, 6, 6, 6, 6]);
 });

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {advance, chaptersOf, nextChange, placeIn, stretches} from '../source/frames.js';
+import {advance, chaptersOf, nextBegin, nextChange, pairsOf, placeIn, stretches} from '../source/frames.js';
 
 const frames = (text) => [...text].map((c) => ({state: {t: 'touching', c: 'clear', u: 'unknown'}[c]}));
 
@@ -33,4 +33,15 @@ test('frames of one place are a chapter, which touches if one of them does', () 
   const all = frames('cctct').map((frame, i) => ({...frame, place: [0, 0, 0, 1, 2][i]}));
   assert.deepEqual(chaptersOf(all), [{state: 'touching', first: 0, count: 3}, {state: 'clear', first: 3, count: 1},
                                      {state: 'touching', first: 4, count: 1}]);
+});
+
+test('pairs come in the order in which they first touch, with all their frames', () => {
+  const found = pairsOf([0, 0, 2, 3, 3, 4], [1, 2, 0, 3, 1, 2, 1, 2]);
+  assert.deepEqual(found, [{a: 1, b: 2, frames: [1, 2, 4]}, {a: 0, b: 3, frames: [1]}]);
+  assert.deepEqual(pairsOf([0], []), []);
+});
+
+test('a pair begins where it did not touch in the frame before, and after the last time anew', () => {
+  const frames = [1, 2, 5, 6, 9];
+  assert.deepEqual([0, 1, 2, 4, 5, 8, 9].map((from) => nextBegin(frames, from)), [1, 5, 5, 5, 9, 9, 1]);
 });

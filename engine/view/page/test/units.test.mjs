@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {length, number, roundLength} from '../source/units.js';
+import {hexFloat, length, number, roundLength} from '../source/units.js';
 
 test('numbers have as many digits as are asked for, and no zeros behind', () => {
   assert.equal(number(0), '0');
@@ -26,4 +26,12 @@ test('metres get the prefix that leaves one to three digits before the point', (
 test('the bar of a scale is round and no longer than its room', () => {
   for (const [most, expected] of [[1, 1], [1.99, 1], [2, 2], [4.9, 2], [5, 5], [9.99, 5], [0.0314, 0.02], [1e-7, 1e-7]])
     assert.ok(Math.abs(roundLength(most) / expected - 1) < 1e-12, `${most}`);
+});
+
+// As printf's %a writes them.
+test('doubles are written in hexadecimal, to the last bit', () => {
+  const known = [[1, '0x1p+0'], [-0.5, '-0x1p-1'], [0.1, '0x1.999999999999ap-4'], [0, '0x0p+0'], [-0, '-0x0p+0'],
+                 [5e-324, '0x0.0000000000001p-1022'], [Number.MAX_VALUE, '0x1.fffffffffffffp+1023'],
+                 [2.2250738585072014e-308, '0x1p-1022'], [1 + Number.EPSILON, '0x1.0000000000001p+0']];
+  for (const [value, text] of known) assert.equal(hexFloat(value), text);
 });

@@ -43,7 +43,8 @@ function pageBytes(change = () => {}) {
     frames: [{label: '', state: 'clear', facts: [], place: 0}],
     marks: {
       triangles: [{body: 0, frames: out.words([0]), starts: out.words([0, 1]), list: out.words([0])}],
-      curves: empty(6), lines: empty(6), contacts: empty(7), gaps: empty(7), labels: [],
+      curves: empty(6), lines: empty(6), points: empty(3), contacts: empty(7), gaps: empty(7), planes: empty(7),
+      pairs: empty(2), boxes: [], labels: [],
     },
   };
   const parts = {page, out, magic: 'GRAZEVW1', cut: 0};
@@ -83,6 +84,12 @@ const kDamages = {
   'a marked triangle that is not there': (p) => { p.page.marks.triangles[0].list = p.out.words([1]); },
   'marks of more frames': (p) => { p.page.marks.curves.starts = p.out.words([0, 0, 0]); },
   'marks in disorder': (p) => { p.page.marks.gaps.starts = p.out.words([0, 4]); },
+  'a pair of a body that is not there': (p) => {
+    p.page.marks.pairs = {starts: p.out.words([0, 1]), list: p.out.words([0, 1])};
+  },
+  'boxes of a body that is not there': (p) => { p.page.marks.boxes = [{body: 1, level: 0, list: p.out.floats([], 12)}]; },
+  'a box that is cut off': (p) => { p.page.marks.boxes = [{body: 0, level: 0, list: p.out.floats([1, 2, 3], 12)}]; },
+  'too few exact coordinates': (p) => { p.page.meshes[0].exact = p.out.words([1, 2], 6); },
   'no frame': (p) => { p.page.frames = []; },
   'a place that is none': (p) => { p.page.places[0].scale = 0; },
   'an array that is not there': (p) => { p.page.meshes[0].positions = 99; },
