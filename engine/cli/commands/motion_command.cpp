@@ -3,6 +3,7 @@
 #include <graze/engine/cli/motion/certificate_file.h>
 #include <graze/engine/cli/motion/contact_picture.h>
 #include <graze/engine/cli/motion/motion_arguments.h>
+#include <graze/engine/cli/motion/motion_page.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/progress.h>
 #include <graze/engine/cli/reports/motion_report.h>
@@ -13,7 +14,9 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace graze::cli {
@@ -39,13 +42,14 @@ With --json each answer is one line:
 --certificate writes the proof that a motion is free, and adds "certificate":FILE; graze verify checks
 it. What is not free has none, and no file is written. --picture draws where the first motion that is not
 free comes to A, at "high" of a hit and "low" else, and adds "picture":FILE; where all is free no file is
-written.
+written. --view writes a page, as graze view does, that plays all motions and leads to where they meet.
 
 Examples:
   graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.00875" --screw "0 0 0  0 0 1  2.83 0.0015"
   graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.03" --to "1 0 0 0  0 1 0 0  0 0 1 0.05" --certificate c.json
   graze motion bolt.obj nut.stl --path poses.txt --clearance 1e-5 --json
   graze motion bolt.obj nut.stl --from "1 0 0 0  0 1 0 0  0 0 1 0.03" --to "1 0 0 0  0 1 0 0  0 0 1 0" --picture met.svg
+  graze motion bolt.obj nut.stl --path poses.txt --view motion.html
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -59,6 +63,7 @@ struct MotionOptions {
   RigidContactSettings settings;
   std::string certificate;
   std::string picture;
+  std::string page;
   bool is_json = false;
   bool has_progress = false;
 };
@@ -66,8 +71,9 @@ struct MotionOptions {
 void check_files(const MotionOptions& options) {
   if (!options.certificate.empty() && !options.motion.path.empty())
     throw UsageError("--certificate and --path exclude each other: a proof is about one motion");
-  const std::array<FilePlace, 2> outputs = {
-      {{"--certificate", options.certificate}, {"--picture", options.picture}}};
+  const std::array<FilePlace, 3> outputs = {{{"--certificate", options.certificate},
+                                             {"--picture", options.picture},
+                                             {"--view", options.page}}};
   const std::array<FilePlace, 3> inputs = {{{"the first mesh", options.mesh_a},
                                             {"the second mesh", options.mesh_b},
                                             {"the file of --path", options.motion.path}}};
@@ -104,6 +110,21 @@ std::string write_proof(const MotionOptions& options, const Mesh& mesh_a,
   return options.certificate;
 }
 
+/// Of all motions, if one is asked for.
+std::unique_ptr<MotionPage> page_of(const MotionOptions& options, const Mesh& mesh_a,
+                                    const Pose& pose_a, const Mesh& mesh_b, std::size_t motions) {
+  if (options.page.empty()) return nullptr;
+  const auto name = [](const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+  };
+  const MotionPageSettings settings = {
+      .title = name(options.mesh_b) + " past " + name(options.mesh_a),
+      .name_a = name(options.mesh_a),
+      .name_b = name(options.mesh_b),
+      .motions = motions};
+  return make_motion_page(mesh_a, pose_a, mesh_b, settings);
+}
+
 ExitCode run_motion(const MotionOptions& options, Output& output) {
   check_files(options);
   const RigidMotion rest(options.pose_a.empty() ? Pose::Identity()
@@ -115,6 +136,7 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   check_reach(rest, mesh_a.bounds(), "--pose-a");
   for (std::size_t i = 0; i < motions.size(); ++i)
     check_reach(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
+  const auto page = page_of(options, mesh_a, rest.start(), mesh_b, motions.size());
   bool has_picture = options.picture.empty();
   Progress progress("motions:", motions.size(), {.is_forced = options.has_progress});
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -131,10 +153,12 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
       answer.picture = options.picture;
       has_picture = true;
     }
+    if (page) page->add(motions[i], answer.contact);
     if (i == 0 && !options.is_json) output.write(motion_header());
     output.write(options.is_json ? to_json(answer) : to_text(answer));
     progress.update(i + 1);
   }
+  if (page) files::write_file(options.page, page->text());
   return ExitCode::Answered;
 }
 
@@ -175,6 +199,10 @@ void add_motion_command(CLI::App& program, Action& action) {
   command
       ->add_option("--picture", options->picture,
                    "where to draw the first contact that is found (SVG)")
+      ->type_name("FILE")
+      ->check(file_name());
+  command
+      ->add_option("--view", options->page, "where to write a page that plays the motions (HTML)")
       ->type_name("FILE")
       ->check(file_name());
   command->add_flag("--json", options->is_json, "one JSON object a motion");

@@ -328,7 +328,8 @@ ExitCode conclude(const CompareOptions& options, std::span<const compare::Engine
                                   .wrong = wrong,
                                   .wrong_count = findings.wrong.count(),
                                   .cases = kept.cases,
-                                  .advice = advice_html(advice)});
+                                  .advice = advice_html(advice),
+                                  .viewer = report_viewer(kept.cases, findings.place)});
   }
   const Regression regression = regression_of(options, findings);
   const Gate gate{.is_closed = findings.wrong.closes_gate() || regression.is_one,

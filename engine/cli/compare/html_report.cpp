@@ -1,8 +1,10 @@
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/compare/markup.h>
+#include <graze/engine/cli/compare/report_page.h>
 #include <graze/engine/cli/compare/shell_word.h>
 #include <graze/engine/cli/compare/wrong_list.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
 #include <graze/engine/files/output_file.h>
 
 #include <fmt/format.h>
@@ -15,29 +17,16 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:">
 <title>graze compare</title>
 <style>
-body { font: 15px/1.5 sans-serif; margin: 2em auto; max-width: 68em; padding: 0 1em; color: #222; }
-table { border-collapse: collapse; margin: 1em 0; }
-th, td { padding: 0.2em 0.8em; text-align: right; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; }
-.case { display: flex; gap: 1.5em; flex-wrap: wrap; border-top: 1px solid #ddd; padding: 1em 0; }
-.facts th { text-align: left; font-weight: normal; color: #666; }
-.facts td { text-align: left; overflow-wrap: anywhere; }
-svg text { font: 11px sans-serif; fill: #444; }
-.bar { fill: none; stroke: #444; }
-.view { fill: #fafafa; stroke: #ccc; }
-.a { color: #1f6fb4; } .b { color: #d95f02; } .bad { color: #b00; font-weight: bold; }
-pre { background: #f2f2f2; padding: 0.5em 1em; white-space: pre-wrap; overflow-wrap: anywhere; }
-code { background: #f2f2f2; padding: 0.1em 0.4em; overflow-wrap: anywhere; }
-</style>
-</head>
-<body>
 )";
 
 std::string summary_table(std::span<const EngineSummary> summaries) {
   std::string out =
-      "<table><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</"
+      "<div class=\"scroll\"><table "
+      "class=\"sorted\"><tr><th>engine</th><th>answers</th><th>agreed</th><th>right</th><th>wrong</"
       "th><th>not judged</th>"
       "<th>touching</th><th>pose "
       "rounding</th><th>coplanar</th><th>degenerate</th><th>containment</th><th>real</th>"
@@ -54,14 +43,16 @@ std::string summary_table(std::span<const EngineSummary> summaries) {
         "<td>{}</td><td>{:.3g}</td><td>{:.3g}</td><td>{:.1f}</td><td>{:.2f}</td></tr>\n",
         s.not_confirmed, s.largest_error, s.largest_ulps, s.median_time, s.total_time / 1000);
   }
-  return out + "</table>\n";
+  return out + "</table></div>\n";
 }
 
 std::string wrong_table(const HtmlReportInput& input) {
   const std::size_t shown = std::min(input.wrong.size(), WrongList::kFirst);
   if (input.wrong.empty()) return "<p>None.</p>\n";
   std::string out = fmt::format(
-      "<table><tr><th>{}</th><th>engine</th><th>says</th><th>truth</th><th>why</th><th>error, "
+      "<div class=\"scroll\"><table "
+      "class=\"sorted\"><tr><th>{}</th><th>engine</th><th>says</th><th>truth</th><th>why</"
+      "th><th>error, "
       "m</th><th>in ulp</th></tr>\n",
       input.place);
   for (std::size_t i = 0; i < shown; ++i) {
@@ -73,9 +64,24 @@ std::string wrong_table(const HtmlReportInput& input) {
         escaped(input.wrong[i].where), escaped(answer.engine), escaped(answer.brief),
         escaped(judgement.truth), name_of(judgement.error_class), judgement.error, judgement.ulps);
   }
-  out += "</table>\n";
+  out += "</table></div>\n";
   if (input.wrong_count > shown) {
     out += fmt::format("<p>And {} more.</p>\n", input.wrong_count - shown);
+  }
+  return out;
+}
+
+/// A whole page as the value of an attribute in double quotes.
+std::string in_attribute(const std::string& page) {
+  std::string out;
+  out.reserve(page.size() + page.size() / 50);
+  for (const char c : page) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
   }
   return out;
 }
@@ -88,7 +94,8 @@ std::string size_of(const compare::Judgement& judgement) {
 
 /// The error in the pose that was asked about, which is that of the table, and that of what is left
 /// of it: a smaller case may be wrong by less.
-std::string case_section(const HtmlReportInput& input, const WrittenCase& each) {
+std::string case_section(const HtmlReportInput& input, std::size_t number) {
+  const WrittenCase& each = input.cases[number];
   const compare::ShrunkCase& shrunk = each.shrunk;
   const std::string picture = svg_picture(shrunk.query);
   const std::string engine = escaped(shrunk.engine);
@@ -107,6 +114,9 @@ std::string case_section(const HtmlReportInput& input, const WrittenCase& each) 
                      each.says.empty() ? "nothing" : escaped(each.says),
                      escaped(shrunk.judgement.truth), size_of(shrunk.judgement),
                      each.least.empty() ? "" : std::string(" It ") + escaped(each.least) + ".");
+  if (number < input.viewer.first.size() && input.viewer.first[number])
+    out += fmt::format("<p><button class=\"turn\" data-frame=\"{}\">Turn it</button></p>",
+                       *input.viewer.first[number]);
   if (shrunk.is_stopped) out += "<p>The time for shrinking was over before its end.</p>";
   if (!each.is_written) return out + "<p>It could not be written.</p></div></div>\n";
   return out + fmt::format("<p><code>graze replay {}</code></p></div></div>\n",
@@ -126,7 +136,7 @@ std::string facts_table(std::span<const ReportFact> facts) {
 }  // namespace
 
 std::string html_report(const HtmlReportInput& input) {
-  std::string out = kHead;
+  std::string out = kHead + report_css() + "</style>\n</head>\n<body>\n";
   out +=
       fmt::format("<h1>graze compare</h1>\n<p><span class=\"a\">{}</span>", escaped(input.mesh_a));
   if (!input.mesh_b.empty()) {
@@ -143,9 +153,14 @@ std::string html_report(const HtmlReportInput& input) {
   out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";
   if (input.cases.empty()) out += "<p>None.</p>\n";
-  for (const WrittenCase& each : input.cases)
-    out += case_section(input, each);
-  return out + "</body>\n</html>\n";
+  out += "<div class=\"cases\">\n";
+  if (!input.viewer.page.empty())
+    out += "<iframe id=\"viewer\" title=\"The cases, to be turned\" srcdoc=\"" +
+           in_attribute(input.viewer.page) + "\"></iframe>\n";
+  out += "<div class=\"list\">\n";
+  for (std::size_t i = 0; i < input.cases.size(); ++i)
+    out += case_section(input, i);
+  return out + "</div>\n</div>\n<script>\n" + report_js() + "</script>\n</body>\n</html>\n";
 }
 
 void write_report(const std::filesystem::path& path, const HtmlReportInput& input) {

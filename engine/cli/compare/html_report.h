@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <graze/engine/cli/compare/compare_report.h>
+#include <graze/engine/cli/compare/report_viewer.h>
 
 namespace graze::cli {
 
@@ -26,18 +27,16 @@ struct HtmlReportInput {
   std::span<const compare::WrongAnswer> wrong;  ///< of which the first are shown
   std::size_t wrong_count = 0;                  ///< of which these are some
   std::span<const WrittenCase> cases;
-  std::string advice = {};  ///< a section as advice_html() makes it
+  std::string advice = {};   ///< a section as advice_html() makes it
+  ReportViewer viewer = {};  ///< of the cases
 };
 
-/// One page that needs nothing else: no network, no script, no file. Counts, times, and for each
-/// shrunk case a picture from two sides and the command that replays it.
+/// One page that needs nothing else: no network, no file. Counts, times, and for each shrunk case a
+/// still from two sides and the command that replays it; beside them a viewer where these can be
+/// turned. Its script sorts and filters tables and leads to cases; all is there without it, too.
 std::string html_report(const HtmlReportInput& input);
 
 /// Writes it to a file. Throws FileError if that cannot be done.
 void write_report(const std::filesystem::path& path, const HtmlReportInput& input);
-
-/// The two shapes of a case as an SVG picture from two sides, each with a scale bar; empty if it
-/// cannot be drawn.
-std::string svg_picture(const Case& query);
 
 }  // namespace graze::cli

@@ -1,7 +1,7 @@
 #include <graze/engine/cases/case.h>
-#include <graze/engine/cli/compare/case_outlines.h>
-#include <graze/engine/cli/compare/html_report.h>
 #include <graze/engine/cli/motion/contact_picture.h>
+#include <graze/engine/cli/outlines/case_outlines.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/mesh/placement.h>
 

@@ -6,6 +6,7 @@
 #include <graze/engine/cases/to_case.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/mesh/distance.h>
@@ -83,7 +84,7 @@ TEST_F(CliCompareFolder, AWrongPeerIsFoundShrunkAndReported) {
   EXPECT_NE(page.find(file->filename().string() + "</code>"), page.npos) << page;
   EXPECT_NE(page.find("<td>a-aside.json</td><td>fcl</td>"), page.npos);
   EXPECT_NE(page.find("5 cases"), page.npos);
-  EXPECT_EQ(page.find("no picture"), page.npos);
+  EXPECT_EQ(page.find("no picture: its numbers"), page.npos);
   EXPECT_EQ(page.find("question <b>"), page.npos) << "each case has its own";
 }
 

@@ -6,6 +6,7 @@
 #include <graze/engine/cases/text/json_cursor.h>
 #include <graze/engine/cli/compare/compare_report.h>
 #include <graze/engine/cli/compare/html_report.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/replay_run.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
@@ -277,7 +278,7 @@ TEST_F(CliCompareScenes, AWrongPeerIsFoundShrunkAndReported) {
   }
   EXPECT_GT(mesh_cases, 0u);
   EXPECT_GT(body_cases, 0u);
-  EXPECT_EQ(page.find("no picture"), page.npos);
+  EXPECT_EQ(page.find("no picture: its numbers"), page.npos);
   EXPECT_NE(page.find(": rest, goes</td><td>fcl"), page.npos) << page;
   EXPECT_NE(page.find("11 steps"), page.npos);
 }
@@ -376,8 +377,9 @@ TEST(CliReport, ThePageNeedsNothingElse) {
                                         .summaries = {},
                                         .wrong = wrong,
                                         .cases = cases});
-  for (const char* reference : {"src=", "href", "<script", "url(", "@import", "<link", "<img",
-                                "<iframe", "<b>\"x", "<em>", "<u>"}) {
+  EXPECT_EQ(page.find("<script"), page.rfind("<script")) << "its own alone";
+  for (const char* reference :
+       {"src=", "href", "url(", "@import", "<link", "<img", "<iframe", "<b>\"x", "<em>", "<u>"}) {
     EXPECT_EQ(page.find(reference), page.npos) << reference;
   }
   EXPECT_NE(page.find("&lt;script&gt;"), page.npos);

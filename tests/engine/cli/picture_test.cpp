@@ -1,9 +1,10 @@
 // Pictures and pages of a comparison: lengths that can be read, and numbers from one source.
 
 #include <graze/engine/cases/to_case.h>
-#include <graze/engine/cli/compare/html_report.h>
-#include <graze/engine/cli/compare/scale_bar.h>
 #include <graze/engine/cli/compare/shell_word.h>
+#include <graze/engine/cli/outlines/scale_bar.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
+#include <graze/engine/compare/run/shrink_worst.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <limits>

@@ -145,6 +145,41 @@ TEST_F(CliView, APageIsOpenedByTheProgramOfTheDesktop) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "p.html")) << "written all the same";
 }
 
+TEST_F(CliView, AMotionIsPlayedUpToWhereTheyMeet) {
+  const std::vector<std::string> motion = {"motion",
+                                           "torus.off",
+                                           "torus.off",
+                                           "--from",
+                                           "1 0 0 0  0 1 0 0  0 0 1 5",
+                                           "--to",
+                                           "1 0 0 0  0 1 0 0  0 0 1 0"};
+  std::vector<std::string> viewed = motion;
+  viewed.insert(viewed.end(), {"--json", "--view", "m.html"});
+  const CommandResult result = graze(viewed);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto answer = nlohmann::json::parse(result.out);
+  ASSERT_EQ(answer["answer"], "hit");
+  const auto frames = page("m.html").json()["frames"];
+  ASSERT_EQ(frames.size(), 50u) << "49 even times, and the hit";
+  // The rings are 0.6 high: they meet after 4.4 of 5 metres.
+  std::size_t meeting = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string label = frames[i]["label"];
+    if (label.find("they meet") != label.npos) meeting = i;
+    EXPECT_EQ(frames[i]["state"] == "touching", meeting > 0) << label;
+  }
+  EXPECT_EQ(frames[meeting]["label"].get<std::string>().substr(0, 8), "t = 0.88");
+
+  std::vector<std::string> path = {"motion",    "torus.off", "torus.off", "--path",
+                                   "poses.txt", "--view",    "p.html"};
+  ASSERT_EQ(graze(path).exit_code, 0);
+  const auto of_path = page("p.html").json()["frames"];
+  EXPECT_EQ(of_path[0]["label"], "motion 0, t = 0");
+  EXPECT_EQ(of_path.back()["label"], "motion 1, t = 1");
+  path.back() = "torus.off";
+  EXPECT_EQ(graze(path).exit_code, 2) << "a mesh is not overwritten";
+}
+
 TEST_F(CliView, EveryBundledCaseIsShown) {
   const std::string cases = std::string(GRAZE_DATA_DIR) + "/regressions";
   const CommandResult result = graze({"view", cases, "-o", "cases.html"});

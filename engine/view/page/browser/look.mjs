@@ -73,14 +73,14 @@ const browser = await chromium.launch({
 });
 
 /** Opens a page; whatever it says on the console, asks of a network, or throws is in `said`. */
-async function open(file, {width = 1400, height = 860, hash = '', args = {}} = {}) {
+async function open(file, {width = 1400, height = 860, hash = '', args = {}, isReport = false} = {}) {
   const context = await browser.newContext({viewport: {width, height}, acceptDownloads: true, ...args});
   const page = await context.newPage(), said = [];
   page.on('console', (message) => { if (!/GPU stall|GL Driver/.test(message.text())) said.push(message.text()); });
   page.on('pageerror', (error) => said.push(String(error.stack)));
-  page.on('request', (request) => { if (!/^(file|blob):/.test(request.url())) said.push(`asks for ${request.url()}`); });
+  page.on('request', (request) => { if (!/^(file|blob|about):/.test(request.url())) said.push(`asks for ${request.url()}`); });
   await page.goto(`file://${file}${hash}`);
-  await page.waitForFunction(() => document.documentElement.dataset.ready || document.querySelector('.refusal'), null,
+  if (!isReport) await page.waitForFunction(() => document.documentElement.dataset.ready || document.querySelector('.refusal'), null,
                              {timeout: 60000});
   return {page, said, close: () => context.close()};
 }
@@ -287,6 +287,40 @@ const tests = {
       assert.deepEqual(said, []);
       await close();
     }
+  },
+
+  async 'a report shows its cases, sorts and filters its tables, and prints stills'() {
+    const file = join(folder, 'report.html');
+    execFileSync(graze, ['compare', 'regressions', '--engines', 'graze,fcl', '--keep', '6', '--cases', join(folder, 'cases'),
+                         '--report', file], {cwd: data, stdio: ['ignore', 'ignore', 'inherit']});
+    const {page, said, close} = await open(file, {isReport: true});
+    await page.waitForSelector('body.has-picture', {timeout: 60000});
+    assert.equal(await page.locator('.still:visible').count(), 0, 'stills give way to what can be turned');
+    const viewer = page.frameLocator('#viewer');
+    const before = await viewer.locator('#count').textContent();
+    await page.locator('.turn').last().click();
+    assert.notEqual(await viewer.locator('#count').textContent(), before);
+    assert.equal(await page.locator('.case.shown').count(), 1);
+    const firsts = () => page.locator('table.sorted').nth(1).locator('tr:visible td:first-child').allTextContents();
+    const given = await firsts();
+    await page.locator('table.sorted').nth(1).locator('th button').first().click();
+    const sorted = await firsts();
+    assert.deepEqual([...sorted].sort(), [...given].sort());
+    assert.deepEqual(sorted, [...given].sort((a, b) => a.localeCompare(b, 'en', {numeric: true})));
+    await page.locator('.filter').nth(1).fill(given[0]);
+    const kept = await firsts();
+    assert.ok(kept.length > 0 && kept.length < given.length && kept.every((text) => text.includes(given[0])), kept.join());
+    await page.emulateMedia({media: 'print'});
+    assert.ok(await page.locator('.still:visible').count() >= 4, 'printed are the stills');
+    assert.equal(await page.locator('#viewer').isVisible(), false);
+    assert.equal((await firsts()).length, given.length, 'and all lines');
+    assert.deepEqual(said, []);
+    await page.emulateMedia({media: 'screen'});
+    await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
+    await page.reload();
+    await viewer.locator('.refusal').waitFor();
+    assert.ok(await page.locator('.still:visible').count() >= 4, 'stills where there is no WebGL');
+    await close();
   },
 
   async 'without WebGL there is a word'() {

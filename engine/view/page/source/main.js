@@ -49,6 +49,8 @@ class Page {
     this.isHex = false;
     this.linkTimer = 0;
     this.tipTimer = 0;
+    // Within another page there is nothing that a link could lead to.
+    element('link').hidden = location.protocol === 'about:';
     this.write();
     this.listen();
     this.size();
@@ -136,6 +138,7 @@ class Page {
   }
 
   async copyLink() {
+    if (element('link').hidden) return;
     const text = `${location.href.split('#')[0]}#${toHash(this.link())}`;
     try {
       await navigator.clipboard.writeText(text);

@@ -134,9 +134,10 @@ export class Panel {
     this.showLevel(level === null ? 0 : level + 1);
   }
 
-  /** Bodies that do not stand in the frame are paler. */
+  /** Bodies that do not stand in the frame are paler, or where there are many not there. */
   refresh() {
-    const isFew = this.stage.bodies.length <= 40;
+    // Of pictures that have nothing to do with each other each has its own bodies.
+    const isFew = this.stage.bodies.length <= 40 && this.stage.page.places.length === 1;
     this.rows.forEach((row, b) => {
       const {isHere} = this.stage.bodies[b];
       if (row.isHere === isHere) return;

@@ -1,4 +1,4 @@
-#include <graze/engine/cli/compare/scale_bar.h>
+#include <graze/engine/cli/outlines/scale_bar.h>
 
 #include <fmt/format.h>
 #include <array>

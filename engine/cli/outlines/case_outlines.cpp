@@ -1,4 +1,4 @@
-#include <graze/engine/cli/compare/case_outlines.h>
+#include <graze/engine/cli/outlines/case_outlines.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/mesh/placement.h>
 

@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cli/compare/case_outlines.h>
-#include <graze/engine/cli/compare/html_report.h>
-#include <graze/engine/cli/compare/scale_bar.h>
+#include <graze/engine/cli/outlines/case_outlines.h>
+#include <graze/engine/cli/outlines/scale_bar.h>
+#include <graze/engine/cli/outlines/svg_picture.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/world/shape_pairs.h>
 
@@ -146,7 +146,8 @@ std::string svg_picture(const Case& query) {
   if (outlines.empty()) return "";
   const Eigen::Vector3d origin = outlines.front().points.front();
   std::string svg = fmt::format(
-      "<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">", 2 * kSide, kSide);
+      "<svg class=\"still\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">",
+      2 * kSide, kSide);
   double left = 0;
   for (const View& view : views_of(query, outlines)) {
     std::vector<Seen> all;

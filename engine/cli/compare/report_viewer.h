@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <graze/engine/cli/compare/compare_report.h>
+
+namespace graze::cli {
+
+/// A page of `graze view` that stands in a report.
+struct ReportViewer {
+  std::string page = {};  ///< all of it; empty: there is none
+  /// Of each case its first picture in that page; none: it could not be drawn.
+  std::vector<std::optional<std::size_t>> first = {};
+};
+
+/// A page of some cases. Without any, or where the command was built without pages, there is none.
+/// `place` is "pose", "case".
+ReportViewer report_viewer(std::span<const WrittenCase> cases, const std::string& place);
+
+}  // namespace graze::cli

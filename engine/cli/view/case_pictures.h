@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include <graze/engine/cli/replay/case_list.h>
+#include <graze/engine/cli/view/shown_pair.h>
+
+namespace graze::cli {
+
+/// Pictures along a motion, its two ends included.
+inline constexpr std::size_t kMotionPictures = 49;
+
+/// Whether something moves in a case.
+bool has_course(const Case& query);
+
+/// Adds a picture of a case to a page, or kMotionPictures of one that moves. Throws what its
+/// queries and the page throw.
+void show_case(const ListedCase& listed, ShownPage& page);
+
+}  // namespace graze::cli
