@@ -3,6 +3,7 @@
 // them and however many frames these stand in.
 
 import * as THREE from 'three';
+import {clustered, kGrids, levelFor} from './coarse.js';
 import {meshEdges, typicalEdge} from './edges.js';
 import {placeIn} from './frames.js';
 
@@ -12,6 +13,9 @@ import {placeIn} from './frames.js';
 /** Light, so that red triangles and dark curves stand out; told apart by lightness where not by hue. */
 export const kPalette = ['#93b4d4', '#e6c583', '#a3cdb5', '#cfabc9', '#c4c7cc', '#b9a68d'];
 const kMarked = '#d3203c';
+
+/** Pixels that a coarse body has at least if its edges are drawn. */
+const kLeastForEdges = 160;
 
 /** What is shared by the bodies of one mesh. */
 export class MeshShape {
@@ -29,11 +33,36 @@ export class MeshShape {
     this.surface.setIndex(new THREE.BufferAttribute(this.triangles, 1));
     this.surface.computeBoundingSphere();
     this.surface.computeBoundingBox();
+    const size = this.surface.boundingBox?.getSize(new THREE.Vector3()) ?? new THREE.Vector3();
+    this.longest = Math.max(size.x, size.y, size.z);
     this.typicalEdge = typicalEdge(this.positions, this.triangles);
     const {sharp, flat, isClosed} = meshEdges(this.positions, this.triangles);
     this.isClosed = isClosed;
     this.sharp = this.edges(sharp);
     this.flat = this.edges(flat);
+    /** @type {(THREE.BufferGeometry|undefined)[]} coarser ones, by level, made when first drawn */
+    this.coarser = [];
+  }
+
+  /** How many triangles are drawn at a level of detail. @param {number} level */
+  countAt(level) {
+    return (this.surfaceFor(level).getIndex()?.count ?? 0) / 3;
+  }
+
+  /** The surface for a level of detail; that of all triangles where a coarser one saves too little. @param {number} level */
+  surfaceFor(level) {
+    if (level >= kGrids.length) return this.surface;
+    const known = this.coarser[level];
+    if (known) return known;
+    const kept = clustered(this.positions, this.triangles, kGrids[level]);
+    let surface = this.surface;
+    if (kept) {
+      surface = new THREE.BufferGeometry();
+      surface.setAttribute('position', this.surface.getAttribute('position'));
+      surface.setIndex(new THREE.BufferAttribute(kept, 1));
+      surface.boundingSphere = this.surface.boundingSphere;
+    }
+    return this.coarser[level] = surface;
   }
 
   /** @param {Uint32Array<ArrayBuffer>} pairs */
@@ -91,6 +120,7 @@ export class ShownBody {
     for (const part of [this.surface, this.sharp, this.flat]) part.frustumCulled = false;
     this.group.add(this.surface, this.sharp, this.flat, this.marked);
     this.color = new THREE.Color(color);
+    this.isCoarse = false;
     /** @type {Cap|null} made when something is cut first */
     this.cap = null;
   }
@@ -148,11 +178,23 @@ export class ShownBody {
     if (isFilled) this.cap?.lay(plane, box);
   }
 
-  /** @param {{pixels: number, hasEdges: boolean, hasMarks: boolean}} look `pixels` of a unit there */
-  dress({pixels, hasEdges, hasMarks}) {
+  /** Pixels of the longest side of the mesh's box, where a unit has some. @param {number} pixels */
+  longest(pixels) {
+    return pixels * this.group.matrix.getMaxScaleOnAxis() * this.shape.longest;
+  }
+
+  /**
+   * @param {{pixels: number, nearest: number, cell: number, hasEdges: boolean, hasMarks: boolean}} look `pixels` of a
+   *   unit at what is looked at, and at the body's `nearest` point; `cell`: so many of them may become one, 0 none
+   */
+  dress({pixels, nearest, cell, hasEdges, hasMarks}) {
     const scale = this.group.matrix.getMaxScaleOnAxis();
     const size = pixels * scale * this.shape.typicalEdge;
-    const isBounded = hasEdges && !this.shape.isBoundless;
+    const whole = this.longest(nearest);
+    const surface = this.shape.surfaceFor(cell > 0 ? levelFor(whole, cell) : kGrids.length);
+    this.isCoarse = surface !== this.shape.surface;
+    if (this.surface.geometry !== surface) this.surface.geometry = surface;
+    const isBounded = hasEdges && !this.shape.isBoundless && !(this.isCoarse && (cell > 1 || whole < kLeastForEdges));
     this.sharp.visible = isBounded;
     // Edges of triangles that are too small to be told apart would make the surface black.
     this.flat.material.opacity = 0.28 * Math.min(1, Math.max(0, (size - 7) / 14));

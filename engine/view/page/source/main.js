@@ -32,7 +32,10 @@ class Page {
     element('view').hidden = false;
     this.stage = new Stage(/** @type {HTMLCanvasElement} */ (element('canvas')), page, arrays);
     this.overlay = new Overlay(this.stage);
-    this.stage.onDrawn = () => this.overlay.place();
+    this.stage.onDrawn = () => {
+      element('coarse').hidden = !this.stage.isCoarse;
+      this.overlay.place();
+    };
     this.stage.onTurned = () => this.keepLink();
     this.panel = new Panel(this.stage, () => this.changed());
     this.player = new Player(page.frames, (frame) => this.show(frame), (word) => this.overlay.say(word));

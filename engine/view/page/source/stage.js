@@ -8,11 +8,14 @@ import {TreeBoxes} from './boxes.js';
 import {placeIn} from './frames.js';
 import {FrameMarks} from './marks.js';
 import {firstTriangle, meetsBall} from './pick.js';
+import {Quality} from './quality.js';
 
 /** @typedef {{axis: 'x'|'y'|'z', at: number, isFlipped: boolean}} Cut */
 /** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'planes'|'labels'} Layer */
 
 const kAxes = /** @type {const} */ (['x', 'y', 'z']);
+/** Milliseconds without a motion after which it is finer. */
+const kStillAfter = 600;
 /** From where a frame is looked at first. */
 const kFirstSight = new THREE.Vector3(0.62, -1, 0.62).normalize();
 
@@ -42,7 +45,10 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.ask());
+    this.controls.addEventListener('change', () => {
+      this.move();
+      this.ask();
+    });
     this.controls.addEventListener('end', () => this.onTurned());
     this.scene = new THREE.Scene();
     this.scene.add(new THREE.HemisphereLight('#ffffff', '#8a97a6', 1.5));
@@ -62,6 +68,11 @@ export class Stage {
     this.scene.add(this.marks.group);
     this.boxes = new TreeBoxes(page, arrays, this.bodies);
     this.isAsked = false;
+    this.quality = new Quality();
+    this.isMoving = false;
+    this.isCoarse = false;
+    this.stillTimer = 0;
+    this.move();
   }
 
   /** @param {boolean} isDark */
@@ -74,6 +85,7 @@ export class Stage {
   /** @param {number} frame */
   show(frame) {
     const isElsewhere = this.page.frames[frame].place !== this.page.frames[this.frame].place;
+    if (frame !== this.frame) this.move();
     this.frame = frame;
     const {scale} = this.page.places[this.page.frames[frame].place];
     for (const body of this.bodies) body.stand(frame, scale);
@@ -221,7 +233,7 @@ export class Stage {
 
   /** @param {number} width @param {number} height of the canvas, pixels of the page */
   resize(width, height) {
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio || 1));
+    this.setResolution();
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
@@ -243,8 +255,52 @@ export class Stage {
     return 2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * away / Math.max(1, this.canvas.clientHeight);
   }
 
+  /** Something moves: a picture that is coarser, and soon one that is finer. */
+  move() {
+    this.isMoving = true;
+    clearTimeout(this.stillTimer);
+    this.stillTimer = window.setTimeout(() => {
+      this.isMoving = false;
+      if (this.isCoarse || this.quality.resolution < 1) this.ask();
+    }, kStillAfter);
+  }
+
+  /** The point of a body's bounding ball that is nearest to the eye. @param {ShownBody} body */
+  nearestOf(body) {
+    const ball = body.shape.surface.boundingSphere?.clone().applyMatrix4(body.group.matrix) ?? new THREE.Sphere();
+    const sight = this.camera.position.clone().sub(ball.center);
+    return ball.center.addScaledVector(sight.normalize(), Math.min(ball.radius, sight.length()));
+  }
+
+  /** @param {number} pixels of a unit at what is looked at */
+  dressBodies(pixels) {
+    const shown = this.bodies.filter((body) => body.group.visible).map((body) => {
+      const nearest = 1 / this.pixelAt(this.nearestOf(body));
+      return {body, nearest, pixels: body.longest(nearest), countAt: (/** @type {number} */ level) => body.shape.countAt(level)};
+    });
+    const cell = this.quality.cell(shown, this.isMoving);
+    const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles'), cell, pixels};
+    for (const {body, nearest} of shown) body.dress({...look, nearest});
+    this.isCoarse = shown.some(({body}) => body.isCoarse);
+  }
+
+  /** Fewer pixels while something moves on a slow machine. */
+  setResolution() {
+    const full = Math.min(2, window.devicePixelRatio || 1);
+    const ratio = this.isMoving ? full * this.quality.resolution : full;
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+  }
+
+  /** How long pictures take while something moves: from one to the next, for the card draws when it can. */
+  measure() {
+    if (!this.isMoving) return;
+    const began = performance.now();
+    requestAnimationFrame(() => requestAnimationFrame(() => this.quality.took((performance.now() - began) / 2)));
+  }
+
   draw() {
     this.isAsked = false;
+    this.setResolution();
     const box = this.bounds(() => true);
     const ball = box.getBoundingSphere(new THREE.Sphere());
     const away = this.camera.position.distanceTo(ball.center);
@@ -258,11 +314,8 @@ export class Stage {
         .add(new THREE.Vector3(-0.35, 0.5, 0).multiplyScalar(near).applyQuaternion(this.camera.quaternion));
     this.lamp.target.position.copy(this.controls.target);
     const pixels = 1 / this.pixelAt(this.controls.target);
-    const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles')};
-    for (const [b, body] of this.bodies.entries()) {
-      if (body.group.visible) body.dress({...look, pixels});
-      body.fill(b, this.scene, box);
-    }
+    this.dressBodies(pixels);
+    for (const [b, body] of this.bodies.entries()) body.fill(b, this.scene, box);
     this.marks.curves.group.visible = this.layers.has('curves');
     this.marks.words.visible = this.layers.has('labels');
     this.marks.planes.group.visible = this.layers.has('planes');
@@ -270,6 +323,7 @@ export class Stage {
     this.marks.gapGroup.visible = this.layers.has('gaps');
     if (this.layers.has('contacts')) this.marks.point((at) => this.pixelAt(at));
     this.renderer.render(this.scene, this.camera);
+    this.measure();
     this.onDrawn();
   }
 

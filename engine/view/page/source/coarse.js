@@ -1,0 +1,62 @@
+// @ts-check
+// Coarser triangles for bodies that are small on the screen: vertices that share a cell of a grid become one (Rossignac
+// and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993). For the eye alone: what is
+// marked, picked or cut comes from all triangles.
+
+/** Cells along the longest side of a mesh's box, by level. */
+export const kGrids = /** @type {const} */ ([8, 16, 32, 64, 128]);
+/** Meshes of fewer triangles are always drawn whole. */
+const kLeastTriangles = 2000;
+/** A coarser mesh that has more than this part of the triangles is not worth its memory. */
+const kWorth = 0.7;
+
+/**
+ * The triangles that are left when vertices of a cell become the first of them; null if hardly fewer are.
+ * @param {Float32Array} positions @param {Uint32Array} triangles @param {number} cells along the longest side
+ * @returns {Uint32Array<ArrayBuffer>|null}
+ */
+export function clustered(positions, triangles, cells) {
+  if (triangles.length < 3 * kLeastTriangles) return null;
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], positions[i]);
+    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  }
+  const size = Math.max(...high.map((x, k) => x - low[k])) / cells;
+  if (!(size > 0)) return null;
+  const count = positions.length / 3, row = cells + 1;
+  /** @type {Map<number, number>} */
+  const first = new Map();
+  const of = new Uint32Array(count);
+  for (let v = 0; v < count; ++v) {
+    let cell = 0;
+    for (let k = 0; k < 3; ++k) cell = cell * row + Math.min(cells, Math.floor((positions[3 * v + k] - low[k]) / size));
+    const known = first.get(cell);
+    if (known === undefined) first.set(cell, v);
+    of[v] = known ?? v;
+  }
+  const kept = new Uint32Array(triangles.length);
+  /** @type {Set<string>} */
+  const seen = new Set();
+  let at = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = of[triangles[i]], b = of[triangles[i + 1]], c = of[triangles[i + 2]];
+    if (a === b || b === c || c === a) continue;
+    // The same triangle from the same side once, whichever corner it begins with.
+    const key = a < b && a < c ? `${a},${b},${c}` : b < c ? `${b},${c},${a}` : `${c},${a},${b}`;
+    if (seen.has(key)) continue;
+    seen.add(key);
+    kept[at] = a, kept[at + 1] = b, kept[at + 2] = c;
+    at += 3;
+  }
+  return at < kWorth * triangles.length ? kept.slice(0, at) : null;
+}
+
+/**
+ * The coarsest level whose cells are no longer than `cell` pixels on the screen; kGrids.length: all triangles.
+ * @param {number} pixels that the longest side of a mesh's box has there @param {number} cell
+ */
+export function levelFor(pixels, cell) {
+  const level = kGrids.findIndex((cells) => pixels <= cell * cells);
+  return level < 0 ? kGrids.length : level;
+}
