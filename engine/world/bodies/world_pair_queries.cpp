@@ -5,6 +5,7 @@
 #include <graze/engine/world/bodies/world_state.h>
 #include <graze/engine/world/compound.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/voxel_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,71 +42,117 @@ const Shape& known_shape(const BodyShape& shape, BodyId id) {
                              ": its shape is a user's own");
 }
 
-/// The nearest two parts, or bodies without parts, that are not farther apart than `most`. Those
-/// whose boxes are farther apart than the nearest so far need not be asked: distance() never says
-/// less than boxes do.
+/// The nearest two parts, or bodies without parts, that are not farther apart than `most`, of
+/// equals the first. Those whose boxes are farther apart than the nearest so far need not be asked:
+/// distance() never says less than boxes do.
 class NearestParts {
  public:
   NearestParts(const PosedBody& a, BodyId id_a, const PosedBody& b, BodyId id_b)
-      : a_(a), b_(b), id_a_(id_a), id_b_(id_b) {}
+      : a_(a),
+        b_(b),
+        whole_a_(as_parts(a.shape)),
+        whole_b_(as_parts(b.shape)),
+        id_a_(id_a),
+        id_b_(id_b) {}
 
+  // One of the two is gone through, nearest parts first as far as it knows them, and the other is
+  // asked which of its own is nearest to each. A map of voxels knows them block by block.
   std::optional<BodyPairDistance> find(double most) {
     most_ = std::min(most, kLargest);
-    const PartsBody* whole = as_parts(a_.shape);
-    if (whole == nullptr) {
-      ask_part({&a_.shape, a_.pose, box_with_room(a_), nullptr, 0});
-      return best_;
+    const bool is_a_gone_through = whole_b_ == nullptr || voxel_map_of(a_.shape) != nullptr ||
+                                   voxel_map_of(b_.shape) == nullptr;
+    if (whole_a_ == nullptr) {
+      ask_part_of_a({&a_.shape, a_.pose, box_with_room(a_), nullptr, 0});
+    } else if (is_a_gone_through) {
+      go_through(*whole_a_, a_, b_, [&](const PlacedPart& part) { ask_part_of_a(part); });
+    } else {
+      go_through(*whole_b_, b_, a_, [&](const PlacedPart& part) { ask_part_of_b(part); });
     }
-    // As nearest_part() does: parts in a box around the other that grows.
-    const Aabb box_b = box_with_room({b_.shape, b_.pose}), box_a = whole->bounds(a_.pose);
-    const double apart = gap_between(box_a, box_b).gap;
-    if (apart > most_) return std::nullopt;
-    const double widest = 4 * (width_of(box_a) + width_of(box_b));
-    const auto ask = [&](const PlacedPart& part) {
-      ask_part(part);
-      return limit();
-    };
-    for (double width = 0x1p-6 * whole->extent();; width *= 4) {
-      const double reach = std::min(apart + width, most_);
-      const bool is_all = width >= widest || reach >= most_;
-      best_.reset();
-      whole->visit_nearest(a_.pose, {box_b, reach, most_}, std::cref(ask));
-      if (is_all || limit() <= reach) return best_;
-      if (best_) width = std::max(width, (limit() - apart) / 4);
-    }
+    return best_;
   }
 
  private:
   double limit() const { return best_ ? std::min(best_->distance.distance, most_) : most_; }
 
+  /// As nearest_part() does: parts in a box around the other that grows. What is near of the other
+  /// to a block of the one is asked before anything of the block is.
+  template <typename Ask>
+  void go_through(const PartsBody& whole, const PosedBody& own, const PosedBody& other,
+                  const Ask& ask_part) {
+    const Aabb around = box_with_room({other.shape, other.pose}), box = whole.bounds(own.pose);
+    const double apart = gap_between(box, around).gap;
+    if (apart > most_) return;
+    const std::function<double(const PlacedShapeView&, double)> gap_to_box =
+        [&](const PlacedShapeView& placed, double limit) {
+          return least_gap(placed, *as_parts(other.shape), other.pose, limit);
+        };
+    PartSeeker seeker{around, 0, most_};
+    if (as_parts(other.shape) != nullptr) seeker.gap_to_box = &gap_to_box;
+    const double widest = 4 * (width_of(box) + width_of(around));
+    const auto ask = [&](const PlacedPart& part) {
+      ask_part(part);
+      return limit();
+    };
+    for (double width = 0x1p-6 * whole.extent();; width *= 4) {
+      seeker.reach = std::min(apart + width, most_);
+      const bool is_all = width >= widest || seeker.reach >= most_;
+      best_.reset();
+      whole.visit_nearest(own.pose, seeker, std::cref(ask));
+      if (is_all || limit() <= seeker.reach) return;
+      if (best_) width = std::max(width, (limit() - apart) / 4);
+    }
+  }
+
+  /// Whether a part of A comes after that of two that touch, so that none of its pairs is the
+  /// first.
+  bool is_late(const PlacedPart& part) const {
+    return best_ && best_->distance.distance == 0 && part.number > best_->part_a;
+  }
+
   /// A part of A, or all of it, and the nearest of B.
-  void ask_part(const PlacedPart& part) {
-    const Shape* of_part = part.shape->shape();
-    const PartsBody* whole = as_parts(b_.shape);
-    if (whole == nullptr) {
+  void ask_part_of_a(const PlacedPart& part) {
+    if (is_late(part)) return;
+    const Shape& shape = known_shape(*part.shape, id_a_);
+    if (whole_b_ == nullptr) {
       const PlacedPart alone{&b_.shape, b_.pose, {}, nullptr, 0};
       if (!do_parts_meet(a_, part, b_, alone)) return;
-      const PlacedShapeView placed{known_shape(*part.shape, id_a_), part.pose};
-      take(distance(placed, {known_shape(b_.shape, id_b_), b_.pose}), part.number, 0);
+      take(distance({shape, part.pose}, {known_shape(b_.shape, id_b_), b_.pose}), part.number, 0);
       return;
     }
-    if (of_part == nullptr) known_shape(*part.shape, id_a_);
     const auto nearest =
-        nearest_part({*of_part, part.pose}, *whole, b_.pose, limit(),
+        nearest_part({shape, part.pose}, *whole_b_, b_.pose, limit(),
                      [&](const PlacedPart& other) { return do_parts_meet(a_, part, b_, other); });
     if (nearest) take(nearest->distance, part.number, nearest->part);
   }
 
+  /// A part of B and the nearest of A: asked the other way round a distance is the same to the last
+  /// bit (law 4).
+  void ask_part_of_b(const PlacedPart& part) {
+    const PlacedShapeView placed{*part.shape->shape(), part.pose};
+    const auto nearest =
+        nearest_part(placed, *whole_a_, a_.pose, limit(), [&](const PlacedPart& other) {
+          return !is_late(other) && do_parts_meet(a_, other, b_, part);
+        });
+    if (!nearest || !is_first(nearest->distance.distance, nearest->part, part.number)) return;
+    const PlacedPart of_a = whole_a_->placed(a_.pose, nearest->part);
+    take(distance({*of_a.shape->shape(), of_a.pose}, placed), of_a.number, part.number);
+  }
+
+  /// Not farther than all so far, and of equals the first.
+  bool is_first(double distance, std::uint32_t part_a, std::uint32_t part_b) const {
+    if (distance > most_) return false;
+    return !best_ || std::tuple(distance, part_a, part_b) <
+                         std::tuple(best_->distance.distance, best_->part_a, best_->part_b);
+  }
+
   void take(const ShapeDistance& found, std::uint32_t part_a, std::uint32_t part_b) {
-    if (found.distance > most_) return;
-    if (best_ &&
-        std::tuple(found.distance, part_a) >= std::tuple(best_->distance.distance, best_->part_a))
-      return;
-    best_ = {id_a_, id_b_, found, part_a, part_b};
+    if (is_first(found.distance, part_a, part_b)) best_ = {id_a_, id_b_, found, part_a, part_b};
   }
 
   const PosedBody& a_;
   const PosedBody& b_;
+  const PartsBody* whole_a_;
+  const PartsBody* whole_b_;
   BodyId id_a_;
   BodyId id_b_;
   double most_ = kLargest;

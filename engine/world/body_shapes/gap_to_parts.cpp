@@ -54,15 +54,16 @@ double GapToParts::to_box(const Aabb& world) const {
 }
 
 // A box with the room that those of parts have holds them wherever rounding puts them.
-double GapToParts::measured(const Aabb& own) const {
-  if (seeker_.shape == nullptr) return to_own(own);
+double GapToParts::measured(const Aabb& own, double limit) const {
+  if (seeker_.shape == nullptr && seeker_.gap_to_box == nullptr) return to_own(own);
   Pose middle = Pose::Identity();
   middle.translation() = own.min / 2 + own.max / 2;
   const Eigen::Vector3d half = own.max / 2 - own.min / 2;
   const double room = std::max(placing_.room, kSmallestLength);
-  const Box box{half + Eigen::Vector3d::Constant(room)};
-  return sure(distance(*seeker_.shape, {box, placed_part(placing_.pose, middle)}, &shape_work())
-                  .lower_bound);
+  const Shape box = Box{half + Eigen::Vector3d::Constant(room)};
+  const Pose pose = placed_part(placing_.pose, middle);
+  if (seeker_.gap_to_box != nullptr) return sure((*seeker_.gap_to_box)({box, pose}, limit));
+  return sure(distance(*seeker_.shape, {box, pose}, &shape_work()).lower_bound);
 }
 
 }  // namespace graze

@@ -6,6 +6,8 @@
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/placed_shape.h>
 
+#include <functional>
+
 namespace graze {
 
 /// A box of a body's own frame in the world, as law 3 reads poses: outward.
@@ -22,6 +24,9 @@ struct PartSeeker {
   double reach;                            ///< metres: parts farther from the box are of no use
   double limit;                            ///< likewise parts that are farther from it
   const PlacedShapeView* shape = nullptr;  ///< if it is one
+  /// If it has parts itself: none is nearer to a box than this says, if that is no more than the
+  /// limit, and else than the limit.
+  const std::function<double(const PlacedShapeView& box, double limit)>* gap_to_box = nullptr;
 };
 
 /// How far a seeker is from parts in boxes of a body's frame. The diagonal of its box, and a length
@@ -34,8 +39,9 @@ class GapToParts {
   /// converges: metres.
   double to_box(const Aabb& world) const;
   double to_own(const Aabb& own) const { return to_box(placing_(own)); }
-  /// The same, as near as it can be known: by the distance of a shape and the box.
-  double measured(const Aabb& own) const;
+  /// The same, as near as it can be known: by the distance of a shape, or of parts, and the box. Of
+  /// parts that are farther than a limit only this.
+  double measured(const Aabb& own, double limit) const;
 
  private:
   double sure(double apart) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace graze {
@@ -93,33 +94,80 @@ Nearness contacts_of(const PlacedPart& a, const PlacedPart& b, const ManifoldSet
   return nearness;
 }
 
+namespace {
+
+/// The nearest so far of the parts that may meet a shape, not farther than `most`.
+struct NearestPart {
+  const PlacedShapeView& shape;
+  double most;
+  const std::function<bool(const PlacedPart&)>& may_meet;
+  std::optional<PartDistance> best = {};
+
+  void reset() { best.reset(); }
+  double limit() const { return best ? best->distance.distance : most; }
+  void take(const PlacedPart& part) {
+    if (!may_meet(part)) return;
+    const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
+    const bool is_nearer = best ? std::pair(found.distance, part.number) <
+                                      std::pair(best->distance.distance, best->part)
+                                : found.distance <= most;
+    if (is_nearer) best = {found, part.number};
+  }
+};
+
+/// Likewise what no part is nearer than: all of what is not proved counts as near.
+struct LeastGap {
+  const PlacedShapeView& shape;
+  double most;
+  double least = std::numeric_limits<double>::infinity();
+
+  void reset() { least = std::numeric_limits<double>::infinity(); }
+  double limit() const { return std::min(least, most); }
+  void take(const PlacedPart& part) {
+    const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
+    least = std::min(least, found.lower_bound);
+  }
+};
+
 // Looks at the parts in a box around the shape that grows until the nearest part is nearer than all
 // outside can be.
-std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
-                                         const Pose& pose, double most,
-                                         const std::function<bool(const PlacedPart&)>& may_meet) {
+template <typename Nearest>
+void look_around(const PlacedShapeView& shape, const PartsBody& whole, const Pose& pose,
+                 double most, Nearest& nearest) {
   const Aabb own = bounding_aabb(shape), bounds = whole.bounds(pose);
   const double widest = 4 * (width_of(bounds) + width_of(own));
   const double apart = gap_between(own, bounds).gap;
-  if (apart > most) return std::nullopt;
-  std::optional<PartDistance> nearest;
+  if (apart > most) return;
   const auto ask = [&](const PlacedPart& part) {
-    if (!may_meet(part)) return nearest ? nearest->distance.distance : most;
-    const ShapeDistance found = distance(shape, {*part.shape->shape(), part.pose}, &shape_work());
-    const bool is_nearer = nearest ? std::pair(found.distance, part.number) <
-                                         std::pair(nearest->distance.distance, nearest->part)
-                                   : found.distance <= most;
-    if (is_nearer) nearest = {found, part.number};
-    return nearest ? nearest->distance.distance : most;
+    nearest.take(part);
+    return nearest.limit();
   };
   for (double width = 0x1p-6 * whole.extent();; width *= 4) {
     const bool is_all = width >= widest || apart + width >= most;
     const double reach = std::min(apart + width, most);
     nearest.reset();
     whole.visit_nearest(pose, {own, reach, most, &shape}, std::cref(ask));
-    if (is_all || (nearest && nearest->distance.distance <= reach)) return nearest;
-    if (nearest) width = std::max(width, (nearest->distance.distance - apart) / 4);
+    const double limit = nearest.limit();
+    if (is_all || (limit < most && limit <= reach)) return;
+    if (limit < most) width = std::max(width, (limit - apart) / 4);
   }
+}
+
+}  // namespace
+
+std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const PartsBody& whole,
+                                         const Pose& pose, double most,
+                                         const std::function<bool(const PlacedPart&)>& may_meet) {
+  NearestPart nearest{shape, most, may_meet};
+  look_around(shape, whole, pose, most, nearest);
+  return nearest.best;
+}
+
+double least_gap(const PlacedShapeView& shape, const PartsBody& whole, const Pose& pose,
+                 double most) {
+  LeastGap nearest{shape, most};
+  look_around(shape, whole, pose, most, nearest);
+  return nearest.least;
 }
 
 }  // namespace graze

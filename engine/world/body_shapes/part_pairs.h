@@ -74,4 +74,9 @@ std::optional<PartDistance> nearest_part(const PlacedShapeView& shape, const Par
                                          const Pose& pose, double most,
                                          const std::function<bool(const PlacedPart&)>& may_meet);
 
+/// No part is nearer to a shape than this, metres, if it is no more than `most`, and else than
+/// `most`. Likewise.
+double least_gap(const PlacedShapeView& shape, const PartsBody& whole, const Pose& pose,
+                 double most);
+
 }  // namespace graze

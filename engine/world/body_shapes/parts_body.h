@@ -42,6 +42,8 @@ class PartsBody : public BodyShape {
   /// says what that is from then on. Those of a map of voxels come roughly nearest first.
   void visit_nearest(const Pose& pose, const PartSeeker& seeker,
                      const std::function<double(const PlacedPart&)>& visit) const;
+  /// That part alone, in the world.
+  PlacedPart placed(const Pose& pose, std::uint32_t number) const;
   /// No part is farther from the middle of them all, metres, or not much where that is far away
   /// from the origin of the frame.
   double extent() const { return extent_; }
@@ -97,7 +99,6 @@ class PartsBody : public BodyShape {
   virtual void check_parts(const Pose& pose) const = 0;
 
  private:
-  PlacedPart placed(const Pose& pose, std::uint32_t number) const;
   BoxPlacing placing(const Pose& pose, double deviation) const;
   std::optional<Aabb> own_box(const Pose& pose, const Aabb& around, const Aabb& whole) const;
   void check_poses_of_parts(const Pose& pose, double deviation) const;

@@ -178,7 +178,8 @@ void VoxelBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToP
   }
   double now = limit;
   look_in_order(near, limit, [&](std::uint32_t block) {
-    if (gap.measured(boxes_[block]) <= now) now = look_in_cube(places_[block], {}, gap, now, look);
+    if (gap.measured(boxes_[block], now) <= now)
+      now = look_in_cube(places_[block], {}, gap, now, look);
     return now;
   });
 }
@@ -203,7 +204,7 @@ double VoxelBody::look_in_cube(std::uint32_t place, const BlockCube& cube, const
   }
   double now = limit;
   look_in_order(near, limit, [&](std::uint32_t which) {
-    if (half == 1 || gap.measured(boxes[which]) <= now)
+    if (half == 1 || gap.measured(boxes[which], now) <= now)
       now = look_in_cube(place, eighth(which), gap, now, look);
     return now;
   });

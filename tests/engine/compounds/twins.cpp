@@ -78,10 +78,31 @@ void Twins::move(std::uint32_t number, const Pose& pose) {
   body.pose = pose;
   body.is_way_other = is_compound(number);
   whole_.move(body.id, pose);
+  move_parts(number);
+}
+
+void Twins::move_parts(std::uint32_t number) {
+  const Body& body = bodies_[number];
   for (const auto& [part, id] : body.parts) {
-    const Pose own = is_compound(number) ? placed_part(pose, body.compound.part(part).pose) : pose;
+    const Pose own =
+        is_compound(number) ? placed_part(body.pose, body.compound.part(part).pose) : body.pose;
     parts_.move(id, own);
   }
+}
+
+void Twins::move_alone(std::uint32_t number, const Pose& pose) {
+  Body& body = bodies_[number];
+  body.pose = pose;
+  body.is_ahead = true;
+  whole_.move(body.id, pose);
+}
+
+void Twins::catch_up() {
+  for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
+    if (bodies_[number].is_ahead) move_parts(number);
+    bodies_[number].is_ahead = false;
+  }
+  parts_.update();
 }
 
 void Twins::move(std::uint32_t number, const RigidMotion& motion) {

@@ -50,6 +50,10 @@ class Twins {
   void move(std::uint32_t body, const Pose& pose);
   /// Whoever is swept goes there in both worlds.
   void move(std::uint32_t body, const RigidMotion& motion);
+  /// For a while the world of compounds goes on alone: the parts come after with catch_up().
+  void move_alone(std::uint32_t body, const Pose& pose);
+  void update_alone() { whole_.update(); }
+  void catch_up();
   /// Replaces a compound: parts in the other world go, come and change.
   void set_compound(std::uint32_t body, const Compound& compound);
   std::size_t size() const { return bodies_.size(); }
@@ -78,9 +82,11 @@ class Twins {
     BodySettings settings;
     std::vector<std::pair<std::uint32_t, BodyId>> parts;  ///< in the other world
     bool is_way_other = false;  ///< whether parts went another way to where they are
+    bool is_ahead = false;      ///< of its parts, where they are not moved along
   };
 
   BodyId add_part(std::uint32_t body, std::uint32_t part);
+  void move_parts(std::uint32_t body);
   Named name(BodyId of_part) const { return names_[of_part.index]; }
   bool is_field(std::uint32_t body) const;
   BodyId part_id(Named named) const;

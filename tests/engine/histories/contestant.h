@@ -13,27 +13,34 @@
 #include "tests/engine/histories/oracle.h"
 #include "tests/engine/histories/player.h"
 #include "tests/engine/histories/questions.h"
+#include "tests/engine/histories/whole.h"
 
 namespace graze::tests {
 
-/// A manifold of a named pair, A being the one with the smaller name.
+/// A manifold of a named pair, A being the one with the smaller name, and of two of their parts.
 struct NamedContacts {
   NamePair pair;
-  Manifold manifold;
+  PartContacts contacts;
 };
 
 /// A world under test, and the names of its bodies.
 struct Contestant {
   Contestant(std::string called, Setting setting, const WorldSettings& settings)
-      : title(std::move(called)), world(settings), palette(palette_of(setting)) {}
+      : title(std::move(called)),
+        world(settings),
+        palette(palette_of(setting)),
+        plans(plans_of(setting)) {}
 
   std::string title;
   World world;
   std::vector<Shape> palette;
+  std::vector<PartsPlan> plans;
   std::map<std::uint32_t, BodyId> ids;
+  std::map<std::uint32_t, Whole> wholes;  // of bodies that have parts
   std::map<BodyId, std::uint32_t> names;  // of all there ever were
   std::optional<WorldSnapshot> saved;
   std::map<std::uint32_t, BodyId> saved_ids;
+  std::map<std::uint32_t, Whole> saved_wholes;
   std::vector<Operation> waiting;  // where bodies come in another order
   bool is_shuffled = false;
   bool is_restored_often = false;
@@ -51,28 +58,15 @@ struct Contestant {
     return all;
   }
 
-  /// Two of one shape in one place are the same two either way: there is nothing to mirror.
   std::vector<NamedContacts> named(std::span<const BodyContact> contacts,
-                                   const Oracle& oracle) const {
-    std::vector<NamedContacts> all;
-    for (const BodyContact& contact : contacts) {
-      const std::uint32_t a = names.at(contact.pair.a), b = names.at(contact.pair.b);
-      all.push_back({ordered(a, b), contact.manifold});
-      if (a < b || oracle.are_alike(a, b)) continue;
-      Manifold& manifold = all.back().manifold;
-      for (std::size_t i = 0; i < manifold.size(); ++i) {
-        std::swap(manifold[i].point_a, manifold[i].point_b);
-        manifold[i].normal *= -1;
-        std::swap(manifold[i].feature.a, manifold[i].feature.b);
-      }
-    }
-    std::sort(all.begin(), all.end(), [](const auto& s, const auto& t) { return s.pair < t.pair; });
-    return all;
-  }
+                                   const Oracle& oracle) const;
 
   void tell(const Operation& operation);
   void move(std::span<const Operation> moves);
   void flush();
+
+ private:
+  std::shared_ptr<const BodyShape> shape_for(std::uint32_t name, std::uint32_t number);
 };
 
 }  // namespace graze::tests

@@ -12,6 +12,8 @@
 
 #include "tests/engine/broad_phase/box_histories.h"
 #include "tests/engine/histories/history.h"
+#include "tests/engine/histories/oracle.h"
+#include "tests/engine/histories/whole.h"
 #include "tests/narrowphase/simd_targets.h"
 
 namespace graze::tests {
@@ -37,29 +39,49 @@ class Hash {
 /// The same bodies and moves for all.
 struct Scene {
   struct Body {
-    Shape shape;
+    std::shared_ptr<const BodyShape> shape;
     Pose pose;
     BodySettings settings;
   };
-  std::vector<Body> bodies;                                        // user data: the name
-  std::vector<std::vector<std::pair<std::uint64_t, Pose>>> steps;  // who goes where
+  struct Step {
+    std::vector<std::pair<std::uint64_t, Pose>> moves;  // who goes where
+    std::vector<std::pair<std::uint64_t, std::shared_ptr<const BodyShape>>> changes;
+  };
+  std::vector<Body> bodies;  // user data: the name
+  std::vector<Step> steps;
 };
 
-/// The bodies that a history brings, all from the start, and its moves.
+/// The bodies that a history brings, all from the start, its moves, and what it does to parts.
 Scene scene_of(Setting setting, std::size_t count) {
   Scene scene;
   const std::vector<Shape> palette = palette_of(setting);
+  const std::vector<PartsPlan> plans = plans_of(setting);
+  Oracle oracle(setting);  // knows what is passed over
+  std::map<std::uint64_t, Whole> wholes;
+  const auto shape_of = [&](std::uint64_t name, std::uint32_t number) {
+    if (number < palette.size()) return share(palette[number]);
+    const auto [at, is_new] =
+        wholes.emplace(name, whole_of(plans[number - palette.size()], palette));
+    return shared(at->second);
+  };
   scene.steps.emplace_back();
   std::map<std::uint32_t, std::uint64_t> name;
   for (const Operation& operation : random_history(setting, 77, count).operations) {
     if (operation.verb == Verb::Add) {
+      oracle.change(operation);
       name[operation.body] = scene.bodies.size();
-      scene.bodies.push_back({palette[operation.number], operation.pose, operation.settings});
+      scene.bodies.push_back(
+          {shape_of(scene.bodies.size(), operation.number), operation.pose, operation.settings});
       scene.bodies.back().settings.user_data = name[operation.body];
     } else if (operation.verb == Verb::Move || operation.verb == Verb::MoveToo) {
-      scene.steps.back().push_back({name.at(operation.body), operation.pose});
+      scene.steps.back().moves.push_back({name.at(operation.body), operation.pose});
     } else if (operation.verb == Verb::Update) {
       scene.steps.emplace_back();
+    } else if (is_about_a_part(operation.verb) && !oracle.concerns_nobody(operation)) {
+      oracle.change(operation);
+      Whole& whole = wholes.at(name.at(operation.body));
+      change(whole, operation, palette);
+      scene.steps.back().changes.push_back({name.at(operation.body), shared(whole)});
     }
   }
   return scene;
@@ -80,12 +102,12 @@ Scene crowd_scene() {
   };
   for (std::uint64_t i = 0; i < 3 * kSide * kSide; ++i) {
     const Shape shape = i % 3 == 0 ? Shape(Box{{0.4, 0.4, 0.5}}) : Shape(Sphere{{0, 0, 0}, 0.45});
-    scene.bodies.push_back({shape, pose(i), {.user_data = i}});
+    scene.bodies.push_back({share(shape), pose(i), {.user_data = i}});
   }
   for (const std::uint64_t one_in : {1, 3, 50, 1}) {
     scene.steps.emplace_back();
     for (std::uint64_t i = 0; i < scene.bodies.size(); i += one_in)
-      scene.steps.back().push_back({i, pose(i)});
+      scene.steps.back().moves.push_back({i, pose(i)});
   }
   return scene;
 }
@@ -105,16 +127,34 @@ std::vector<std::uint64_t> sorted_names(const World& world, std::span<const Body
   return names;
 }
 
-/// Under the name of the pair, the smaller body first: mirrored where the world says it otherwise.
-/// Two of one shape in one place are the same two either way.
-std::map<std::uint64_t, std::uint64_t> hashed_contacts(const World& world, const Scene& scene,
-                                                       std::span<const BodyContact> contacts) {
-  std::map<std::uint64_t, std::uint64_t> hashes;
+/// What of a body is in a contact: which kind of shape, and where.
+std::pair<ShapeKind, Pose> part_in(const World& world, BodyId id, std::uint32_t part) {
+  const BodyShape& shape = world.shape(id);
+  const Pose& pose = world.pose(id);
+  if (const Compound* compound = compound_of(shape)) {
+    const PlacedShape& placed = compound->part(part);
+    return {placed.shape.kind(), placed_part(pose, placed.pose)};
+  }
+  if (const VoxelMap* map = voxel_map_of(shape))
+    return {ShapeKind::Box, placed_part(pose, map->pose(part))};
+  return {shape.shape()->kind(), pose};
+}
+
+/// A pair of bodies and one of their parts, the smaller body's first.
+using PartPair = std::pair<std::uint64_t, std::uint64_t>;
+
+/// Under the name of the pair, mirrored where the world says it otherwise. Two of one shape in one
+/// place are the same two either way.
+std::map<PartPair, std::uint64_t> hashed_contacts(const World& world,
+                                                  std::span<const BodyContact> contacts) {
+  const auto packed = [](std::uint64_t s, std::uint64_t t) { return s << 32 | t; };
+  std::map<PartPair, std::uint64_t> hashes;
   for (const auto& [pair, manifold] : contacts) {
     const std::uint64_t a = world.user_data(pair.a), b = world.user_data(pair.b);
-    const bool is_alike = scene.bodies[a].shape.kind() == scene.bodies[b].shape.kind() &&
-                          world.pose(pair.a).matrix() == world.pose(pair.b).matrix();
-    if (is_alike) continue;
+    const std::uint32_t part_a = manifold.part_a(), part_b = manifold.part_b();
+    const auto [kind_a, pose_a] = part_in(world, pair.a, part_a);
+    const auto [kind_b, pose_b] = part_in(world, pair.b, part_b);
+    if (kind_a == kind_b && pose_a.matrix() == pose_b.matrix()) continue;
     Hash hash;
     for (const ShapeContact& contact : manifold) {
       hash.mix(contact.point);
@@ -125,7 +165,9 @@ std::map<std::uint64_t, std::uint64_t> hashed_contacts(const World& world, const
       hash.mix(a < b ? contact.feature.a : contact.feature.b);
       hash.mix(a < b ? contact.feature.b : contact.feature.a);
     }
-    hashes[std::min(a, b) << 32 | std::max(a, b)] = hash.value();
+    const PartPair key = a < b ? PartPair{packed(a, b), packed(part_a, part_b)}
+                               : PartPair{packed(b, a), packed(part_b, part_a)};
+    hashes[key] = hash.value();
   }
   return hashes;
 }
@@ -144,13 +186,15 @@ Hashes run(const Scene& scene, const WorldSettings& settings, const Order& order
     const std::size_t turn = (order.first + i) % count;
     const std::size_t which = order.is_backwards ? count - 1 - turn : turn;
     const Scene::Body& body = scene.bodies[which];
-    ids[which] = world.add({body.shape, body.pose}, body.settings);
+    ids[which] = world.add(PlacedBodyShape{body.shape, body.pose}, body.settings);
   }
   Hash hash, of_contacts;
   for (const auto& step : scene.steps) {
     std::vector<BodyId> moved;
     std::vector<Pose> poses;
-    for (const auto& [name, pose] : step) {
+    for (const auto& [name, shape] : step.changes)
+      world.set_shape(ids[name], shape);
+    for (const auto& [name, pose] : step.moves) {
       moved.push_back(ids[name]);
       poses.push_back(pose);
     }
@@ -161,8 +205,11 @@ Hashes run(const Scene& scene, const WorldSettings& settings, const Order& order
       for (const std::uint64_t name : sorted_names(world, list))
         hash.mix(name);
     }
-    for (const auto& [name, contact] : hashed_contacts(world, scene, update.contacts))
-      of_contacts.mix(name), of_contacts.mix(contact);
+    for (const auto& [parts, contact] : hashed_contacts(world, update.contacts)) {
+      of_contacts.mix(parts.first);
+      if (parts.second != 0) of_contacts.mix(parts.second);
+      of_contacts.mix(contact);
+    }
   }
   for (const std::uint64_t name : sorted_names(world, world.pairs()))
     hash.mix(name);
@@ -197,6 +244,9 @@ const Golden kGolden[] = {
     {"teleports",
      [] { return scene_of(Setting::Teleports, 500); },
      {5188659544485798361u, 2712206577584648611u}},
+    {"parts",
+     [] { return scene_of(Setting::Parts, 500); },
+     {2386229834210481426u, 2439211521307954190u}},
     {"thousands", crowd_scene, {4889208235947139791u, 5804464388043734513u}},
 };
 

@@ -36,17 +36,30 @@ enum class Verb {
   AskWithin,
   AskClosest,
   AskRay,
-  AskBox
+  AskBox,
+  // Of bodies of parts; on others they are passed over. `part` counts among the parts that there
+  // are, in a circle.
+  AddPart,
+  ReplacePart,
+  MovePart,
+  RemovePart,
+  SetPart,
+  FillVoxels,
+  ClearVoxels,
+  AskClosestPair
 };
 
 /// What a verb does not need keeps its default.
 struct Operation {
   Verb verb = Verb::Update;
   std::uint32_t body = 0;    // a name: given by its Add, never used again
-  std::uint32_t number = 0;  // the other body, the shape in the palette, a divisor
+  std::uint32_t number = 0;  // the other body, the shape in the palette, a divisor, a label
+  std::uint32_t part = 0;
+  bool has_filter = false;  // a part of its own
   BodySettings settings = {};
   Pose pose = Pose::Identity();
   std::array<double, 7> values = {};  // clearance; ray: origin, direction, end; box: min, max
+  std::array<std::uint16_t, 6> voxels = {};  // the first and the last, both included
 };
 
 /// Where bodies are, and how large: each has a palette of shapes of its own.
@@ -58,11 +71,12 @@ enum class Setting {
   OnePoint,   // all in one place, some an ulp off
   Skewed,     // turned by matrices that are as far from rotations as the door lets in
   Teleports,  // between places that are 1e9 apart
-  Terrains    // sizes about 1, with height fields and planes of two sides
+  Terrains,   // sizes about 1, with height fields and planes of two sides
+  Parts       // sizes about 1, with compounds and maps of voxels whose parts change
 };
 inline constexpr std::array kSettings{Setting::Crowd,     Setting::Lattice,  Setting::Sizes,
                                       Setting::Far,       Setting::OnePoint, Setting::Skewed,
-                                      Setting::Teleports, Setting::Terrains};
+                                      Setting::Teleports, Setting::Terrains, Setting::Parts};
 const char* name_of(Setting setting);
 
 /// Shapes of every kind, made without the C library's sine: the same on every machine.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/engine/histories/parts_plan.h"
 #include "tests/engine/histories/player.h"
 
 namespace graze::tests {
@@ -36,11 +37,16 @@ TEST_P(Histories, EqualBruteForce) {
   const std::size_t count = is_dear(setting) ? 250 : 1500;
   const Sights sights = expect_no_failure(random_history(setting, 1, count), name_of(setting));
   EXPECT_GT(sights.updates, count / 15);
-  EXPECT_GT(sights.begun, count / 15);
-  EXPECT_GT(sights.ended, count / 30);
+  // What has parts is large and touches long, and every fourth operation is about a part.
+  const std::size_t seldom = setting == Setting::Parts ? 2 : 1;
+  EXPECT_GT(sights.begun, count / 15 / seldom);
+  EXPECT_GT(sights.ended, count / 30 / seldom);
   EXPECT_GT(sights.contacts, count / 8);
   EXPECT_GT(sights.answers, count / 20);
   EXPECT_GT(sights.pairs_at_rest, count);
+  if (setting == Setting::Parts) {
+    EXPECT_GT(sights.part_contacts, count / 2);
+  }
 }
 
 class HistoriesSlow : public testing::TestWithParam<Setting> {};
@@ -50,7 +56,10 @@ TEST_P(HistoriesSlow, OfAHundredThousandOperationsEqualBruteForce) {
   // A fresh world now and then: in one that is old few things happen for the first time.
   const std::size_t count = is_dear(setting) ? 1000 : 5000;
   Sights all;
-  for (std::uint64_t seed = 1; seed <= 20 && !HasFailure(); ++seed) {
+  const char* more = std::getenv("GRAZE_HISTORY_SEEDS");
+  const std::uint64_t seeds = more == nullptr ? 20 : std::strtoull(more, nullptr, 10);
+  ASSERT_GT(seeds, 0u) << "GRAZE_HISTORY_SEEDS is no positive number";
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     const Sights sights = expect_no_failure(random_history(setting, 1000 + seed, count),
                                             std::string(name_of(setting)) + "-slow");
     all.pairs_apart += sights.pairs_apart, all.restored += sights.restored;
@@ -108,8 +117,11 @@ TEST(HistoryText, RefusesWhatItDoesNotKnowAndNamesTheLine) {
 
 /// A world that does not listen is found out, and what is left of the history says why.
 TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
-  for (const Fault fault : {Fault::DeafToFilters, Fault::DeafToShapes, Fault::DeafToSleep}) {
-    const History history = random_history(Setting::Lattice, 2, 1500);
+  for (const Fault fault :
+       {Fault::DeafToFilters, Fault::DeafToShapes, Fault::DeafToSleep, Fault::DeafToParts}) {
+    const bool is_about_parts = fault == Fault::DeafToParts;
+    const Setting setting = is_about_parts ? Setting::Parts : Setting::Lattice;
+    const History history = random_history(setting, 2, is_about_parts ? 300 : 1500);
     ASSERT_FALSE(play(history));
     ASSERT_TRUE(play(history, nullptr, fault));
     const History least = shrunk(history, fault);
@@ -120,8 +132,10 @@ TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
     const Verb guilty = fault == Fault::DeafToFilters  ? Verb::SetFilter
                         : fault == Fault::DeafToShapes ? Verb::SetShape
                                                        : Verb::Sleep;
-    EXPECT_TRUE(std::any_of(least.operations.begin(), least.operations.end(),
-                            [&](const Operation& o) { return o.verb == guilty; }));
+    EXPECT_TRUE(
+        std::any_of(least.operations.begin(), least.operations.end(), [&](const Operation& o) {
+          return is_about_parts ? is_about_a_part(o.verb) : o.verb == guilty;
+        }));
     const std::string path = keep(least, "history-on-trial");
     std::ifstream in(path);
     EXPECT_TRUE(play(read_history(in), nullptr, fault));

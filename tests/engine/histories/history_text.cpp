@@ -12,7 +12,7 @@
 namespace graze::tests {
 namespace {
 
-enum Part : unsigned {
+enum Field : unsigned {
   kBody = 1,
   kNumber = 2,
   kMotion = 4,
@@ -21,7 +21,10 @@ enum Part : unsigned {
   kPose = 32,
   kClearance = 64,
   kRay = 128,
-  kBox = 256
+  kBox = 256,
+  kPart = 512,
+  kHasFilter = 1024,
+  kVoxels = 2048
 };
 
 struct Word {
@@ -51,16 +54,26 @@ constexpr Word kWords[] = {
     {"ask_closest", kNumber | kPose},
     {"ask_ray", kRay},
     {"ask_box", kBox},
+    {"add_part", kBody | kNumber | kHasFilter | kFilter | kPose},
+    {"replace_part", kBody | kNumber | kPart | kPose},
+    {"move_part", kBody | kPart | kPose},
+    {"remove_part", kBody | kPart},
+    {"set_part", kBody | kNumber | kPart | kHasFilter | kFilter},
+    {"fill_voxels", kBody | kVoxels},
+    {"clear_voxels", kBody | kVoxels},
+    {"ask_closest_pair", 0},
 };
 
-constexpr const char* kSettingNames[] = {"crowd",     "lattice", "sizes",     "far",
-                                         "one_point", "skewed",  "teleports", "terrains"};
+constexpr const char* kSettingNames[] = {"crowd",  "lattice",   "sizes",    "far",  "one_point",
+                                         "skewed", "teleports", "terrains", "parts"};
 
 /// Numbers to or from text: one list of parts for both ways.
 template <typename Visit>
 void visit_parts(Operation& operation, unsigned parts, const Visit& visit) {
   if ((parts & kBody) != 0) visit(operation.body);
   if ((parts & kNumber) != 0) visit(operation.number);
+  if ((parts & kPart) != 0) visit(operation.part);
+  if ((parts & kHasFilter) != 0) visit(operation.has_filter);
   if ((parts & kMotion) != 0) visit(operation.settings.kind);
   if ((parts & kFilter) != 0) {
     visit(operation.settings.filter.category);
@@ -80,6 +93,10 @@ void visit_parts(Operation& operation, unsigned parts, const Visit& visit) {
                                                          : 0;
   for (std::size_t i = 0; i < values; ++i)
     visit(operation.values[i]);
+  if ((parts & kVoxels) != 0) {
+    for (std::uint16_t& index : operation.voxels)
+      visit(index);
+  }
 }
 
 void append(std::string& line, double value) {

@@ -4,6 +4,7 @@
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "tests/engine/broad_phase/box_histories.h"
 
@@ -45,9 +46,32 @@ bool Oracle::is_awake(std::uint32_t name) const {
   return being.is_awake && (being.kind != BodyKind::Static || being.role == Role::Sensor);
 }
 
-bool Oracle::are_alike(std::uint32_t a, std::uint32_t b) const {
-  const Being &s = beings_.at(a), &t = beings_.at(b);
-  return s.shape == t.shape && s.pose.matrix() == t.pose.matrix();
+bool Oracle::are_alike(const NamePair& pair, std::uint32_t part_a, std::uint32_t part_b) const {
+  const auto piece = [](const Being& being, std::uint32_t part) {
+    return *std::find_if(being.pieces.begin(), being.pieces.end(),
+                         [&](const Piece& each) { return each.number == part; });
+  };
+  return tests::are_alike(piece(beings_.at(pair.first), part_a),
+                          piece(beings_.at(pair.second), part_b));
+}
+
+void Oracle::place(Being& being) const {
+  being.pieces = being.parts ? being.parts->pieces(being.pose)
+                             : std::vector<Piece>{{0, being.shape, being.pose, std::nullopt}};
+}
+
+/// Of parts what their body says without a world.
+Aabb Oracle::box_of(std::uint32_t name) const {
+  const Being& being = beings_.at(name);
+  if (!being.parts) return bounding_aabb(placed(being.pieces[0]));
+  const Aabb box = being.parts->together(palette_)->bounds(being.pose);
+  for (const Piece& piece : being.pieces) {
+    const Aabb own = bounding_aabb(placed(piece));
+    const bool is_within =
+        (box.min.array() <= own.min.array()).all() && (own.max.array() <= box.max.array()).all();
+    if (!is_within) throw std::runtime_error("the box of a body does not hold those of its parts");
+  }
+  return box;
 }
 
 bool Oracle::concerns_nobody(const Operation& operation) const {
@@ -67,6 +91,17 @@ bool Oracle::concerns_nobody(const Operation& operation) const {
     case Verb::Sleep:
     case Verb::Wake:
       return !has(operation.body);
+    case Verb::AddPart:
+    case Verb::ReplacePart:
+    case Verb::MovePart:
+    case Verb::RemovePart:
+    case Verb::SetPart:
+    case Verb::FillVoxels:
+    case Verb::ClearVoxels: {
+      const auto found = beings_.find(operation.body);
+      return found == beings_.end() || !found->second.parts ||
+             !found->second.parts->takes(operation, palette_);
+    }
     default:
       return false;
   }
@@ -100,8 +135,11 @@ void Oracle::change(const Operation& operation) {
   Being& being = beings_[name];
   switch (operation.verb) {
     case Verb::Add:
-      being = {
-          operation.number, operation.pose, settings.kind, settings.role, settings.filter, true, 0};
+      being = {.pose = operation.pose,
+               .kind = settings.kind,
+               .role = settings.role,
+               .filter = settings.filter};
+      take_shape(being, operation.number);
       break;
     case Verb::Move:
     case Verb::MoveToo:
@@ -109,7 +147,17 @@ void Oracle::change(const Operation& operation) {
       being.is_awake = true;
       break;
     case Verb::SetShape:
-      being.shape = operation.number;
+      take_shape(being, operation.number);
+      being.is_awake = true;
+      break;
+    case Verb::AddPart:
+    case Verb::ReplacePart:
+    case Verb::MovePart:
+    case Verb::RemovePart:
+    case Verb::SetPart:
+    case Verb::FillVoxels:
+    case Verb::ClearVoxels:
+      being.parts->change(operation);
       being.is_awake = true;
       break;
     case Verb::SetFilter:
@@ -129,23 +177,45 @@ void Oracle::change(const Operation& operation) {
       being.is_awake = false;
       return;
   }
+  place(being);
   being.version = ++version_;
   changed_.insert(name);
 }
 
-bool Oracle::meet(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) const {
-  if (!are_of_interest(s, t) || !filters_pass(s.filter, t.filter)) return false;
-  if (excluded_.contains({a, b})) return false;
-  return divisor_ == 0 || (a + b) % divisor_ != 0;
+void Oracle::take_shape(Being& being, std::uint32_t number) const {
+  being.shape = number;
+  being.parts.reset();
+  if (number >= palette_.size()) being.parts.emplace(plans_.at(number - palette_.size()));
 }
 
-bool Oracle::touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) {
-  const auto [at, is_new] = answers_.try_emplace({a, b}, Answer{});
-  Answer& answer = at->second;
-  if (is_new || answer.version_a != s.version || answer.version_b != t.version) {
-    answer = {s.version, t.version,
-              intersects({palette_[s.shape], s.pose}, {palette_[t.shape], t.pose})};
+bool Oracle::may_meet(const NamePair& pair) const {
+  const Being &s = beings_.at(pair.first), &t = beings_.at(pair.second);
+  if (!are_of_interest(s, t) || !filters_pass(s.filter, t.filter)) return false;
+  if (excluded_.contains(pair)) return false;
+  return divisor_ == 0 || (pair.first + pair.second) % divisor_ != 0;
+}
+
+/// Each has its own filter, or else its body's.
+bool Oracle::may_meet(const NamePair& pair, const Piece& s, const Piece& t) const {
+  return filters_pass(s.filter.value_or(beings_.at(pair.first).filter),
+                      t.filter.value_or(beings_.at(pair.second).filter));
+}
+
+bool Oracle::do_pieces_touch(const NamePair& pair) const {
+  for (const Piece& s : pieces_of(pair.first)) {
+    for (const Piece& t : pieces_of(pair.second)) {
+      if (may_meet(pair, s, t) && intersects(placed(s), placed(t))) return true;
+    }
   }
+  return false;
+}
+
+bool Oracle::touch(const NamePair& pair) {
+  const Being &s = beings_.at(pair.first), &t = beings_.at(pair.second);
+  const auto [at, is_new] = answers_.try_emplace(pair, Answer{});
+  Answer& answer = at->second;
+  if (is_new || answer.version_a != s.version || answer.version_b != t.version)
+    answer = {s.version, t.version, do_pieces_touch(pair)};
   return answer.touches;
 }
 
@@ -163,11 +233,6 @@ bool Oracle::is_looked_at(const NamePair& pair) const {
   return is_up(a) || is_up(b);
 }
 
-bool Oracle::do_boxes_overlap(const Being& s, const Being& t) const {
-  return test::share_point(bounding_aabb({palette_[s.shape], s.pose}),
-                           bounding_aabb({palette_[t.shape], t.pose}));
-}
-
 std::vector<NamePair> Oracle::touching(const std::vector<NamePair>& before) {
   std::erase_if(answers_, [&](const auto& entry) {
     return !has(entry.first.first) || !has(entry.first.second);
@@ -176,11 +241,11 @@ std::vector<NamePair> Oracle::touching(const std::vector<NamePair>& before) {
   for (auto s = beings_.begin(); s != beings_.end(); ++s) {
     for (auto t = std::next(s); t != beings_.end(); ++t) {
       const NamePair pair{s->first, t->first};
-      if (!meet(s->first, s->second, t->first, t->second)) continue;
+      if (!may_meet(pair)) continue;
       const bool touches = is_looked_at(pair)
-                               ? touch(s->first, s->second, t->first, t->second)
+                               ? touch(pair)
                                : std::binary_search(before.begin(), before.end(), pair) &&
-                                     do_boxes_overlap(s->second, t->second);
+                                     test::share_point(box_of(pair.first), box_of(pair.second));
       if (touches) pairs.push_back(pair);
     }
   }
@@ -191,11 +256,19 @@ bool Oracle::are_solid(const NamePair& pair) const {
   return beings_.at(pair.first).role == Role::Solid && beings_.at(pair.second).role == Role::Solid;
 }
 
-Manifold Oracle::contacts(const NamePair& pair) const {
-  const Shape& a = shape_of(pair.first);
-  const Shape& b = shape_of(pair.second);
-  if (is_endless(a) && is_endless(b)) return {};
-  return find_contacts({a, beings_.at(pair.first).pose}, {b, beings_.at(pair.second).pose});
+std::vector<PartContacts> Oracle::contacts(const NamePair& pair) const {
+  std::vector<PartContacts> all;
+  const bool have_parts = beings_.at(pair.first).parts || beings_.at(pair.second).parts;
+  for (const Piece& s : pieces_of(pair.first)) {
+    for (const Piece& t : pieces_of(pair.second)) {
+      if (!may_meet(pair, s, t)) continue;
+      PartContacts next{s.number, t.number, {}};
+      const bool are_endless = is_endless(palette_[s.shape]) && is_endless(palette_[t.shape]);
+      if (!are_endless) next.manifold = find_contacts(placed(s), placed(t));
+      if (!have_parts || !next.manifold.empty()) all.push_back(std::move(next));
+    }
+  }
+  return all;
 }
 
 bool Oracle::must_be_listed(const NamePair& pair) const {

@@ -10,33 +10,47 @@
 #include <vector>
 
 #include "tests/engine/histories/history.h"
+#include "tests/engine/histories/part_table.h"
 
 namespace graze::tests {
 
 using NamePair = std::pair<std::uint32_t, std::uint32_t>;  // the smaller name first
+
+/// Contacts of two parts, or of bodies that have none.
+struct PartContacts {
+  std::uint32_t part_a = 0, part_b = 0;
+  Manifold manifold;
+};
 
 /// Bodies by name. It knows no broad phase and no world; what the shapes said of a pair is kept
 /// until either body is placed anew or takes another shape.
 class Oracle {
  public:
   struct Being {
-    std::uint32_t shape = 0;
+    std::uint32_t shape = 0;  // or a plan beyond the palette
+    std::optional<PartTable> parts = {};
     Pose pose = Pose::Identity();
     BodyKind kind = BodyKind::Dynamic;
     Role role = Role::Solid;
     Filter filter = {};
     bool is_awake = true;
-    std::uint64_t version = 0;  // of shape and pose
+    std::uint64_t version = 0;  // of all of this
+    std::vector<Piece> pieces = {};
   };
 
-  explicit Oracle(Setting setting) : palette_(palette_of(setting)) {}
+  explicit Oracle(Setting setting) : palette_(palette_of(setting)), plans_(plans_of(setting)) {}
 
   bool has(std::uint32_t name) const { return beings_.contains(name); }
   const std::map<std::uint32_t, Being>& beings() const { return beings_; }
   const std::vector<Shape>& palette() const { return palette_; }
-  const Shape& shape_of(std::uint32_t name) const { return palette_[beings_.at(name).shape]; }
+  /// A body's parts, or itself, in the world.
+  const std::vector<Piece>& pieces_of(std::uint32_t name) const { return beings_.at(name).pieces; }
+  PlacedShapeView placed(const Piece& piece) const { return {palette_[piece.shape], piece.pose}; }
+  /// That of the world, which holds those of the pieces.
+  Aabb box_of(std::uint32_t name) const;
   bool is_awake(std::uint32_t name) const;
-  bool are_alike(std::uint32_t a, std::uint32_t b) const;  // of one shape, in one pose
+  /// Of one shape, in one pose.
+  bool are_alike(const NamePair& pair, std::uint32_t part_a, std::uint32_t part_b) const;
 
   /// False if the operation names a body that is not there: then nothing happens.
   bool concerns_nobody(const Operation& operation) const;
@@ -46,7 +60,11 @@ class Oracle {
   /// stand, unless their boxes or a filter part them.
   std::vector<NamePair> touching(const std::vector<NamePair>& before);
   bool are_solid(const NamePair& pair) const;
-  Manifold contacts(const NamePair& pair) const;
+  /// Those of parts that touch, in the order of their numbers; of bodies without any one entry.
+  std::vector<PartContacts> contacts(const NamePair& pair) const;
+  /// Whether kinds, filters and exclusions let two bodies meet, and those of parts two of these.
+  bool may_meet(const NamePair& pair) const;
+  bool may_meet(const NamePair& pair, const Piece& s, const Piece& t) const;
 
   /// What an update has to list in `moved`: bodies that moved, came, woke or changed what they are;
   /// and what it may list besides: those whose exclusions changed. Not where both sleep.
@@ -65,11 +83,13 @@ class Oracle {
 
   bool has_changed(std::uint32_t name) const;
   bool is_looked_at(const NamePair& pair) const;
-  bool do_boxes_overlap(const Being& s, const Being& t) const;
-  bool meet(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t) const;
-  bool touch(std::uint32_t a, const Being& s, std::uint32_t b, const Being& t);
+  bool touch(const NamePair& pair);
+  bool do_pieces_touch(const NamePair& pair) const;
+  void take_shape(Being& being, std::uint32_t number) const;
+  void place(Being& being) const;
 
   std::vector<Shape> palette_;
+  std::vector<PartsPlan> plans_;
   std::map<std::uint32_t, Being> beings_;
   std::set<NamePair> excluded_;
   std::uint32_t divisor_ = 0;

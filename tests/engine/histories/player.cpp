@@ -33,11 +33,15 @@ std::vector<NamePair> difference(const std::vector<NamePair>& s, const std::vect
   return rest;
 }
 
-bool are_equal(const Manifold& s, const Manifold& t) {
-  return std::equal(s.begin(), s.end(), t.begin(), t.end(), [](const auto& a, const auto& b) {
-    return a.point == b.point && a.point_a == b.point_a && a.point_b == b.point_b &&
-           a.normal == b.normal && a.depth == b.depth && a.feature == b.feature;
-  });
+bool are_equal(const NamedContacts& s, const NamedContacts& t) {
+  return s.pair == t.pair && s.contacts.part_a == t.contacts.part_a &&
+         s.contacts.part_b == t.contacts.part_b && s.contacts.manifold == t.contacts.manifold;
+}
+
+std::string told(const NamedContacts& contact) {
+  return std::to_string(contact.pair.first) + "/" + std::to_string(contact.pair.second) +
+         ", parts " + std::to_string(contact.contacts.part_a) + "/" +
+         std::to_string(contact.contacts.part_b);
 }
 
 class Player {
@@ -82,7 +86,8 @@ class Player {
   void update();
   static void check_islands(const World& world);
   void check_update(const WorldUpdate& update, const std::vector<NamePair>& now);
-  void check_contacts(const std::vector<NamedContacts>& found, const char* what);
+  void check_contacts(const std::vector<NamedContacts>& found, const std::vector<NamePair>& of,
+                      const char* what);
   void check_body(std::uint32_t name);
 
   Oracle oracle_;
@@ -122,6 +127,7 @@ std::size_t Player::perform(const std::vector<Operation>& operations, std::size_
     case Verb::AskClosest:
     case Verb::AskRay:
     case Verb::AskBox:
+    case Verb::AskClosestPair:
       sights_.answers += check_answer(operation, all_[0].world, oracle_, all_[0].names);
       break;
     default:
@@ -167,6 +173,7 @@ void Player::check_body(std::uint32_t name) {
       filter.group == being.filter.group && filter.category == being.filter.category &&
       filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name);
   expect(is_as_told, "body " + std::to_string(name) + " is not as it was told to be");
+  if (being.parts) being.parts->check(world.shape(id));
 }
 
 void Player::save(const Operation& operation) {
@@ -217,17 +224,16 @@ void Player::update() {
       moved = each.named(update.moved);
       contacts = found;
       check_update(update, now);
-      check_contacts(contacts, "contacts");
+      check_contacts(contacts, moved, "contacts");
     } else {
       expect_equal(each.named(update.moved), moved, is("moved"));
-      const bool is_same = std::equal(
-          found.begin(), found.end(), contacts.begin(), contacts.end(),
-          [](auto& s, auto& t) { return s.pair == t.pair && are_equal(s.manifold, t.manifold); });
+      const bool is_same =
+          std::equal(found.begin(), found.end(), contacts.begin(), contacts.end(), are_equal);
       expect(is_same || !each.finds_contacts, is("contacts differ from those of the first"));
     }
     if (each.is_restored_often) check_islands(each.world);
     if (is_time && !each.finds_contacts)
-      check_contacts(each.named(each.world.contacts(), oracle_), "contacts()");
+      check_contacts(each.named(each.world.contacts(), oracle_), now, "contacts()");
     if (each.is_restored_often && sights_.updates % 5 == 0)
       each.world.restore(each.world.snapshot());
   }
@@ -275,8 +281,13 @@ void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>
   std::vector<NamePair> solid, with_contacts;
   std::copy_if(moved.begin(), moved.end(), std::back_inserter(solid),
                [&](const NamePair& pair) { return oracle_.are_solid(pair); });
-  for (const NamedContacts& contact : all_[0].named(update.contacts, oracle_))
-    with_contacts.push_back(contact.pair);
+  for (const NamedContacts& contact : all_[0].named(update.contacts, oracle_)) {
+    const NamePair& pair = contact.pair;
+    const bool has_parts =
+        oracle_.beings().at(pair.first).parts || oracle_.beings().at(pair.second).parts;
+    sights_.part_contacts += has_parts ? 1 : 0;
+    if (with_contacts.empty() || with_contacts.back() != pair) with_contacts.push_back(pair);
+  }
   expect_equal(with_contacts, solid, "the list of contacts");
   sights_.begun += update.begun.size(), sights_.ended += update.ended.size();
   sights_.contacts += update.contacts.size();
@@ -284,10 +295,21 @@ void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>
   sights_.pairs_at_rest += update.work.pairs_at_rest;
 }
 
-void Player::check_contacts(const std::vector<NamedContacts>& found, const char* what) {
-  for (const NamedContacts& contact : found)
-    expect(are_equal(contact.manifold, oracle_.contacts(contact.pair)),
-           std::string(what) + " of" + listed({contact.pair}) + " differ from the narrow phase's");
+/// All of the solid ones among these pairs, and no others.
+void Player::check_contacts(const std::vector<NamedContacts>& found,
+                            const std::vector<NamePair>& of, const char* what) {
+  std::vector<NamedContacts> wanted;
+  for (const NamePair& pair : of) {
+    if (!oracle_.are_solid(pair)) continue;
+    for (const PartContacts& contacts : oracle_.contacts(pair))
+      wanted.push_back({pair, contacts});
+  }
+  for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i) {
+    const bool is_same = i < found.size() && i < wanted.size() && are_equal(found[i], wanted[i]);
+    expect(is_same, std::string(what) + " differ from the narrow phase's: " +
+                        (i < found.size() ? told(found[i]) : "none") + ", should be " +
+                        (i < wanted.size() ? told(wanted[i]) : "none"));
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace graze::tests {
 
 /// What a world that is not told of something would say: for tests of the tests.
-enum class Fault { None, DeafToFilters, DeafToShapes, DeafToSleep };
+enum class Fault { None, DeafToFilters, DeafToShapes, DeafToSleep, DeafToParts };
 
 struct Failure {
   std::size_t at = 0;  // the operation
@@ -18,6 +18,7 @@ struct Failure {
 /// What was seen on the way, so that a test can tell that something was.
 struct Sights {
   std::size_t updates = 0, begun = 0, ended = 0, contacts = 0, answers = 0, restored = 0;
+  std::size_t part_contacts = 0;  // of two parts, or of one and a body
   std::uint64_t pairs_apart = 0, pairs_at_rest = 0;
 };
 

@@ -24,72 +24,82 @@ bool are_equal(const RayHit& s, const RayHit& t) {
          s.triangle == t.triangle;
 }
 
-/// Bodies by id, as the world lists them.
+/// Bodies by id, as the world lists them, and what a query is about.
 class Asked {
  public:
-  Asked(const World& world, const Oracle& oracle, const std::map<BodyId, std::uint32_t>& names)
-      : world_(world), oracle_(oracle) {
+  Asked(const World& world, const Oracle& oracle, const std::map<BodyId, std::uint32_t>& names,
+        const BodyQuerySettings& settings)
+      : world_(world), oracle_(oracle), settings_(settings) {
+    std::size_t count = 0;
     for (const auto& [id, name] : names) {
-      if (oracle.has(name) && world.contains(id) && world.user_data(id) == name)
-        bodies_.push_back({id, name});
+      if (!oracle.has(name) || !world.contains(id) || world.user_data(id) != name) continue;
+      ++count;
+      if (may_ask(oracle.beings().at(name).filter)) bodies_.push_back({id, name});
     }
-    expect(bodies_.size() == oracle.beings().size(), "bodies are missing");
+    expect(count == oracle.beings().size(), "bodies are missing");
   }
 
   std::size_t touching(const Shape& shape, const Pose& pose) const {
     std::vector<BodyId> wanted;
     for (const auto& [id, name] : bodies_) {
-      if (intersects({shape, pose}, {oracle_.shape_of(name), pose_of(name)})) wanted.push_back(id);
+      bool is_hit = false;
+      for_pieces(name, [&](const Piece& piece) {
+        is_hit = is_hit || intersects({shape, pose}, oracle_.placed(piece));
+      });
+      if (is_hit) wanted.push_back(id);
     }
-    expect(world_.find_touching({shape, pose}) == wanted, "find_touching() differs");
+    expect(world_.find_touching({shape, pose}, settings_) == wanted, "find_touching() differs");
     return wanted.size();
   }
 
   std::size_t within(const Shape& shape, const Pose& pose, double clearance) const {
     std::vector<BodyDistance> wanted;
-    for (const auto& [id, name] : bodies_) {
-      const ShapeDistance way = distance({shape, pose}, {oracle_.shape_of(name), pose_of(name)});
-      if (way.distance <= clearance) wanted.push_back({id, way});
+    for (const Known& body : bodies_) {
+      const std::optional<BodyDistance> way = nearest(body, {shape, pose});
+      if (way && way->distance.distance <= clearance) wanted.push_back(*way);
     }
-    const std::vector<BodyDistance> found = world_.find_within({shape, pose}, clearance);
-    const bool is_same = std::equal(
-        found.begin(), found.end(), wanted.begin(), wanted.end(),
-        [](auto& s, auto& t) { return s.id == t.id && are_equal(s.distance, t.distance); });
-    expect(is_same, "find_within() differs: " + std::to_string(found.size()) + " bodies, not " +
-                        std::to_string(wanted.size()));
+    const std::vector<BodyDistance> found = world_.find_within({shape, pose}, clearance, settings_);
+    expect(std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), are_same),
+           "find_within() differs: " + std::to_string(found.size()) + " bodies, not " +
+               std::to_string(wanted.size()));
     return wanted.size();
   }
 
   std::size_t closest(const Shape& shape, const Pose& pose) const {
     std::optional<BodyDistance> wanted;
-    for (const auto& [id, name] : bodies_) {
-      const ShapeDistance way = distance({shape, pose}, {oracle_.shape_of(name), pose_of(name)});
-      if (!wanted || way.distance < wanted->distance.distance) wanted = BodyDistance{id, way};
+    for (const Known& body : bodies_) {
+      const std::optional<BodyDistance> way = nearest(body, {shape, pose});
+      if (way && (!wanted || way->distance.distance < wanted->distance.distance)) wanted = way;
     }
-    const std::optional<BodyDistance> found = world_.find_closest({shape, pose});
+    const std::optional<BodyDistance> found = world_.find_closest({shape, pose}, settings_);
     expect(found.has_value() == wanted.has_value(), "find_closest() differs");
-    expect(!found || (found->id == wanted->id && are_equal(found->distance, wanted->distance)),
-           "find_closest() finds another body, or says otherwise how far it is");
+    expect(!found || are_same(*found, *wanted),
+           "find_closest() finds another body or part, or says otherwise how far it is");
     return wanted ? 1 : 0;
   }
 
   std::size_t ray(const Ray& ray) const {
     std::vector<BodyRayHit> wanted;
     for (const auto& [id, name] : bodies_) {
-      if (const auto hit = cast_ray({oracle_.shape_of(name), pose_of(name)}, ray))
-        wanted.push_back({id, *hit});
+      std::optional<BodyRayHit> first;
+      for_pieces(name, [&, body = id](const Piece& piece) {
+        const auto hit = graze::cast_ray(oracle_.placed(piece), ray);
+        if (hit && (!first || hit->distance < first->hit.distance))
+          first = BodyRayHit{body, *hit, piece.number};
+      });
+      if (first) wanted.push_back(*first);
     }
     std::sort(wanted.begin(), wanted.end(), [](const BodyRayHit& s, const BodyRayHit& t) {
       return std::tie(s.hit.distance, s.id) < std::tie(t.hit.distance, t.id);
     });
     const auto is_same = [](const BodyRayHit& s, const BodyRayHit& t) {
-      return s.id == t.id && are_equal(s.hit, t.hit);
+      return s.id == t.id && s.part == t.part && are_equal(s.hit, t.hit);
     };
-    const std::vector<BodyRayHit> found = world_.cast_ray_all(ray);
+    const std::vector<BodyRayHit> found = world_.cast_ray_all(ray, settings_);
     expect(std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), is_same),
            "cast_ray_all() differs: " + std::to_string(found.size()) + " bodies, not " +
                std::to_string(wanted.size()));
-    const std::optional<BodyRayHit> first = world_.cast_ray(ray);
+    const std::optional<BodyRayHit> first = world_.cast_ray(ray, settings_);
     expect(first.has_value() == !wanted.empty() && (!first || is_same(*first, wanted[0])),
            "cast_ray() differs");
     return wanted.size();
@@ -98,14 +108,40 @@ class Asked {
   std::size_t box(const Aabb& box) const {
     std::vector<BodyId> wanted;
     for (const auto& [id, name] : bodies_) {
-      const Aabb own = bounding_aabb({oracle_.shape_of(name), pose_of(name)});
+      const Aabb own = oracle_.box_of(name);
       bool is_there = true;
       for (int k = 0; k < 3; ++k)
         is_there = is_there && own.min[k] <= box.max[k] && box.min[k] <= own.max[k];
       if (is_there) wanted.push_back(id);
     }
-    expect(world_.find_in_box(box) == wanted, "find_in_box() differs");
+    expect(world_.find_in_box(box, settings_) == wanted, "find_in_box() differs");
     return wanted.size();
+  }
+
+  /// Of all pairs that may meet, A being the body of the smaller id. Boxes that are farther apart
+  /// than the nearest need not be asked: distance() never says less than they do.
+  std::size_t closest_pair() const {
+    std::optional<BodyPairDistance> wanted;
+    for (const Known& a : bodies_) {
+      for (const Known& b : bodies_) {
+        if (!(a.id < b.id) || !oracle_.may_meet(ordered(a.name, b.name))) continue;
+        for_pairs(a.name, b.name, [&](const Piece& s, const Piece& t) {
+          const PlacedShapeView placed_s = oracle_.placed(s), placed_t = oracle_.placed(t);
+          const double most = wanted ? wanted->distance.distance : 0;
+          if (wanted && widest_gap(bounding_aabb(placed_s), bounding_aabb(placed_t)) > most) return;
+          const ShapeDistance way = distance(placed_s, placed_t);
+          if (!wanted || way.distance < most)
+            wanted = BodyPairDistance{a.id, b.id, way, s.number, t.number};
+        });
+      }
+    }
+    const std::optional<BodyPairDistance> found = world_.find_closest_pair();
+    expect(found.has_value() == wanted.has_value(), "find_closest_pair() differs");
+    expect(!found ||
+               (found->a == wanted->a && found->b == wanted->b && found->part_a == wanted->part_a &&
+                found->part_b == wanted->part_b && are_equal(found->distance, wanted->distance)),
+           "find_closest_pair() finds other bodies or parts, or says otherwise how far they are");
+    return wanted ? 1 : 0;
   }
 
  private:
@@ -114,22 +150,56 @@ class Asked {
     std::uint32_t name;
   };
 
-  const Pose& pose_of(std::uint32_t name) const { return oracle_.beings().at(name).pose; }
+  static bool are_same(const BodyDistance& s, const BodyDistance& t) {
+    return s.id == t.id && s.part == t.part && are_equal(s.distance, t.distance);
+  }
+
+  bool may_ask(const Filter& filter) const {
+    return !settings_.filter || lets_pass(*settings_.filter, filter);
+  }
+
+  template <typename Visit>
+  void for_pieces(std::uint32_t name, const Visit& visit) const {
+    for (const Piece& piece : oracle_.pieces_of(name)) {
+      if (!piece.filter || may_ask(*piece.filter)) visit(piece);
+    }
+  }
+
+  template <typename Visit>
+  void for_pairs(std::uint32_t a, std::uint32_t b, const Visit& visit) const {
+    for (const Piece& s : oracle_.pieces_of(a)) {
+      for (const Piece& t : oracle_.pieces_of(b)) {
+        if (a < b ? oracle_.may_meet({a, b}, s, t) : oracle_.may_meet({b, a}, t, s)) visit(s, t);
+      }
+    }
+  }
+
+  /// The largest along an axis, less what the boxes may be rounded by.
+  static double widest_gap(const Aabb& s, const Aabb& t) {
+    double widest = 0;
+    for (int k = 0; k < 3; ++k)
+      widest = std::max({widest, s.min[k] - t.max[k], t.min[k] - s.max[k]});
+    return widest * (1 - 0x1p-40);
+  }
+
+  /// Its nearest piece, of equals the first.
+  std::optional<BodyDistance> nearest(const Known& body, const PlacedShapeView& shape) const {
+    std::optional<BodyDistance> best;
+    for_pieces(body.name, [&](const Piece& piece) {
+      const ShapeDistance way = distance(shape, oracle_.placed(piece));
+      if (!best || way.distance < best->distance.distance)
+        best = BodyDistance{body.id, way, piece.number};
+    });
+    return best;
+  }
 
   const World& world_;
   const Oracle& oracle_;
-  std::vector<Known> bodies_;  // ascending
+  const BodyQuerySettings& settings_;
+  std::vector<Known> bodies_;  // those that are asked for, ascending
 };
 
-}  // namespace
-
-void expect(bool is_true, const std::string& what) {
-  if (!is_true) throw std::runtime_error(what);
-}
-
-std::size_t check_answer(const Operation& question, const World& world, const Oracle& oracle,
-                         const std::map<BodyId, std::uint32_t>& names) {
-  const Asked asked(world, oracle, names);
+std::size_t check_one(const Operation& question, const Asked& asked, const Oracle& oracle) {
   const auto vector = [&](std::size_t i) {
     return Eigen::Vector3d(question.values[i], question.values[i + 1], question.values[i + 2]);
   };
@@ -147,6 +217,21 @@ std::size_t check_answer(const Operation& question, const World& world, const Or
     default:
       throw std::logic_error("not a question");
   }
+}
+
+}  // namespace
+
+void expect(bool is_true, const std::string& what) {
+  if (!is_true) throw std::runtime_error(what);
+}
+
+/// Once of all bodies, and once of those that a filter lets it meet.
+std::size_t check_answer(const Operation& question, const World& world, const Oracle& oracle,
+                         const std::map<BodyId, std::uint32_t>& names) {
+  const BodyQuerySettings all, some{.filter = Filter{.category = 1, .mask = 3}};
+  const Asked of_all(world, oracle, names, all), of_some(world, oracle, names, some);
+  if (question.verb == Verb::AskClosestPair) return of_all.closest_pair();
+  return check_one(question, of_all, oracle) + check_one(question, of_some, oracle);
 }
 
 }  // namespace graze::tests

@@ -4,6 +4,7 @@
 
 #include "tests/engine/broad_phase/box_histories.h"
 #include "tests/engine/histories/history.h"
+#include "tests/engine/histories/parts_plan.h"
 
 namespace graze::tests {
 namespace {
@@ -11,95 +12,13 @@ namespace {
 using Eigen::Vector3d;
 using test::Chance;
 
-/// A closed surface of 8 * 4^level triangles: an octahedron divided, its corners on a ball.
-Mesh ball_mesh(double radius, int level) {
-  std::vector<Vector3d> corners{{1, 0, 0},  {0, 1, 0},  {0, 0, 1},
-                                {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  std::vector<TriangleIndices> faces{{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2},
-                                     {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}};
-  const auto between = [&](std::uint32_t a, std::uint32_t b) {
-    const Vector3d sum = corners[a] + corners[b];
-    const double length = std::sqrt(sum.x() * sum.x() + sum.y() * sum.y() + sum.z() * sum.z());
-    const Vector3d point(sum.x() / length, sum.y() / length, sum.z() / length);
-    const auto found = std::find(corners.begin(), corners.end(), point);
-    if (found == corners.end()) corners.push_back(point);
-    return static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), point) -
-                                      corners.begin());
-  };
-  for (; level > 0; --level) {
-    std::vector<TriangleIndices> finer;
-    for (const auto& [a, b, c] : faces) {
-      const std::uint32_t ab = between(a, b), bc = between(b, c), ca = between(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    faces = finer;
-  }
-  for (Vector3d& corner : corners)
-    corner *= radius;
-  return Mesh(corners, faces);
-}
-
-/// An open surface of 2 * cells^2 triangles, whole heights 0 and 1.
-Mesh plate_mesh(double size, std::uint32_t cells) {
-  std::vector<Vector3d> corners;
-  std::vector<TriangleIndices> faces;
-  for (std::uint32_t y = 0; y <= cells; ++y) {
-    for (std::uint32_t x = 0; x <= cells; ++x)
-      corners.emplace_back(size * x, size * y, size * ((x * y) % 3 == 1 ? 0.25 : 0));
-  }
-  for (std::uint32_t y = 0; y < cells; ++y) {
-    for (std::uint32_t x = 0; x < cells; ++x) {
-      const std::uint32_t at = y * (cells + 1) + x;
-      faces.push_back({at, at + 1, at + cells + 2});
-      faces.push_back({at, at + cells + 2, at + cells + 1});
-    }
-  }
-  return Mesh(corners, faces);
-}
-
-ConvexHull corners_of_box(double x, double y, double z) {
-  return ConvexHull(std::vector<Vector3d>{{x, y, z},
-                                          {x, y, -z},
-                                          {x, -y, z},
-                                          {x, -y, -z},
-                                          {-x, y, z},
-                                          {-x, y, -z},
-                                          {-x, -y, z},
-                                          {-x, -y, -z}});
-}
-
-void add_kinds(std::vector<Shape>& shapes, double s) {
-  const std::vector<Vector3d> octahedron{{s, 0, 0},  {0, s, 0},  {0, 0, s},
-                                         {-s, 0, 0}, {0, -s, 0}, {0, 0, -s}};
-  shapes.insert(shapes.end(),
-                {Sphere{{0, 0, 0}, s}, Sphere{{0.5 * s, 0, -s}, 0.5 * s}, Box{{s, s, s}},
-                 Box{{0.5 * s, s, 2 * s}}, Capsule{0.5 * s, s}, Cylinder{s, s}, Cone{s, s},
-                 Ellipsoid{{0, 0, 0}, {s, 0.5 * s, s}}, ConvexHull(octahedron),
-                 corners_of_box(s, s, 0.5 * s), ball_mesh(s, 1), plate_mesh(0.5 * s, 4)});
-}
-
-/// Five by four heights on a lattice: steps, a flat part, slopes.
-HeightField terrain(double size, bool has_floats) {
-  std::vector<float> floats;
-  std::vector<std::uint16_t> shorts;
-  for (std::uint32_t row = 0; row < 4; ++row) {
-    for (std::uint32_t column = 0; column < 5; ++column) {
-      const std::uint32_t height = (row * column) % 3 == 1 ? 2 : column > 3 ? 1 : 0;
-      floats.push_back(static_cast<float>(height));
-      shorts.push_back(static_cast<std::uint16_t>(height));
-    }
-  }
-  const HeightFieldSettings settings{
-      .spacing_x = size, .spacing_y = size, .height_scale = size / 4};
-  return has_floats ? HeightField(5, 4, floats, settings) : HeightField(5, 4, shorts, settings);
-}
-
 class Author {
  public:
   Author(Setting setting, std::uint64_t seed)
       : setting_(setting),
         chance_(seed),
-        shape_count_(static_cast<std::uint32_t>(palette_of(setting).size())) {}
+        shape_count_(static_cast<std::uint32_t>(palette_of(setting).size())),
+        plans_(plans_of(setting)) {}
 
   History write(std::size_t count) {
     History history{setting_, {}};
@@ -121,9 +40,11 @@ class Author {
   struct Being {
     std::uint32_t name;
     Pose pose;
+    std::uint32_t number;  // its shape, or the plan of its parts
   };
 
   void change(std::vector<Operation>& all) {
+    if (!plans_.empty() && beings_.size() >= 4 && chance_.one_in(4)) return change_parts(all);
     const std::uint32_t what = chance_.below(40);
     if (beings_.size() < 4 || (what < 4 && beings_.size() < 36)) return add(all);
     Being& being = beings_[chance_.below(static_cast<std::uint32_t>(beings_.size()))];
@@ -149,7 +70,7 @@ class Author {
         break;
       case 9:
         next.verb = Verb::SetShape;
-        next.number = chance_.below(shape_count_);
+        next.number = being.number = random_form();
         break;
       case 10:
       case 11:
@@ -177,19 +98,77 @@ class Author {
 
   void add(std::vector<Operation>& all) {
     Operation next{.verb = Verb::Add, .body = next_name_++};
-    next.number = chance_.below(shape_count_);
+    next.number = random_form();
     next.settings.kind = random_motion();
     next.settings.role = random_role();
     if (chance_.one_in(3)) next.settings.filter = random_filter();
     next.pose = random_pose();
-    beings_.push_back({next.body, next.pose});
+    beings_.push_back({next.body, next.pose, next.number});
     all.push_back(next);
+  }
+
+  /// Half of all bodies have parts, where there are plans.
+  std::uint32_t random_form() {
+    if (plans_.empty() || chance_.one_in(2)) return chance_.below(shape_count_);
+    return shape_count_ + chance_.below(static_cast<std::uint32_t>(plans_.size()));
+  }
+
+  /// One part of a body more, fewer or elsewhere; or nothing, if the body is of one piece.
+  void change_parts(std::vector<Operation>& all) {
+    const Being& being = beings_[chance_.below(static_cast<std::uint32_t>(beings_.size()))];
+    if (being.number < shape_count_) return;
+    const PartsPlan& plan = plans_[being.number - shape_count_];
+    Operation next{.body = being.name};
+    if (plan.grid) {
+      next.verb = chance_.one_in(2) ? Verb::FillVoxels : Verb::ClearVoxels;
+      const Voxel near = plan.voxels[chance_.below(static_cast<std::uint32_t>(plan.voxels.size()))];
+      const std::uint16_t from[3] = {near.i, near.j, near.k};
+      const bool is_one = chance_.one_in(2);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint32_t most = plan.grid->counts[axis] - 1;
+        const std::uint32_t first = std::min(from[axis] + chance_.below(3), most);
+        const std::uint32_t last = is_one ? first : std::min(first + chance_.below(3), most);
+        next.voxels[axis] = static_cast<std::uint16_t>(first);
+        next.voxels[axis + 3] = static_cast<std::uint16_t>(last);
+      }
+    } else {
+      constexpr Verb kVerbs[] = {Verb::AddPart,    Verb::ReplacePart, Verb::MovePart,
+                                 Verb::RemovePart, Verb::MovePart,    Verb::SetPart};
+      next.verb = kVerbs[chance_.below(6)];
+      next.part = chance_.below(1u << 16);
+      next.number = next.verb == Verb::SetPart ? chance_.below(100) : random_shape_of_part();
+      next.has_filter = chance_.one_in(2);
+      if (next.has_filter) next.settings.filter = random_filter();
+      next.pose = random_pose_of_part();
+    }
+    all.push_back(next);
+  }
+
+  /// That of a part of some plan.
+  std::uint32_t random_shape_of_part() {
+    const PartsPlan* plan = nullptr;
+    do {
+      plan = &plans_[chance_.below(static_cast<std::uint32_t>(plans_.size()))];
+    } while (plan->parts.empty());
+    return plan->parts[chance_.below(static_cast<std::uint32_t>(plan->parts.size()))].shape;
+  }
+  Pose random_pose_of_part() {
+    Pose pose = Pose::Identity();
+    const bool is_whole = chance_.one_in(2);
+    for (int k = 0; k < 3; ++k) {
+      pose.matrix()(k, 3) =
+          is_whole ? 0.25 * (static_cast<int>(chance_.below(7)) - 3) : chance_.between(-0.8, 0.8);
+    }
+    if (!is_whole) pose.linear() = random_rotation();
+    if (chance_.one_in(8)) skew(pose, 1e-8);
+    return pose;
   }
 
   void ask(std::vector<Operation>& all) {
     Operation question;
     question.verb =
         static_cast<Verb>(static_cast<std::uint32_t>(Verb::AskTouching) + chance_.below(5));
+    if (!plans_.empty() && chance_.one_in(6)) question.verb = Verb::AskClosestPair;
     question.number = chance_.below(shape_count_);
     question.pose = random_pose();
     const double size = size_here();
@@ -253,7 +232,8 @@ class Author {
   }
 
   bool is_on_lattice() {
-    return setting_ == Setting::Lattice || (setting_ == Setting::Skewed && chance_.one_in(2));
+    const bool is_mixed = setting_ == Setting::Skewed || setting_ == Setting::Parts;
+    return setting_ == Setting::Lattice || (is_mixed && chance_.one_in(2));
   }
 
   Vector3d random_place() {
@@ -296,16 +276,16 @@ class Author {
     }
     return rotation(q);
   }
-  void skew(Pose& pose) {
+  void skew(Pose& pose, double most) {
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k)
-        pose.matrix()(i, k) += chance_.between(-2e-7, 2e-7);
+        pose.matrix()(i, k) += chance_.between(-most, most);
     }
   }
   Pose random_pose() {
     Pose pose = Pose::Identity();
     if (!chance_.one_in(4)) pose.linear() = random_rotation();
-    if (setting_ == Setting::Skewed) skew(pose);
+    if (setting_ == Setting::Skewed) skew(pose, 2e-7);
     pose.translation() = random_place();
     return pose;
   }
@@ -339,33 +319,13 @@ class Author {
   Setting setting_;
   Chance chance_;
   std::uint32_t shape_count_;
+  std::vector<PartsPlan> plans_;
   std::uint32_t next_name_ = 1;
   std::vector<Being> beings_, saved_;
   bool saved_once_ = false;
 };
 
 }  // namespace
-
-std::vector<Shape> palette_of(Setting setting) {
-  std::vector<Shape> shapes;
-  if (setting == Setting::Sizes) {
-    for (const double size : {1e-6, 1.0, 1e6})
-      add_kinds(shapes, size);
-  } else {
-    add_kinds(shapes, 0.5);
-  }
-  if (setting != Setting::OnePoint) {
-    shapes.emplace_back(HalfSpace{{0, 0, 1}, -1});
-    shapes.emplace_back(HalfSpace{{1, 2, -2}, -6});
-  }
-  if (setting == Setting::Terrains) {
-    shapes.emplace_back(Plane{{0, 0, 1}, -1});
-    shapes.emplace_back(Plane{{2, -1, 2}, 3});
-    shapes.emplace_back(terrain(0.5, true));
-    shapes.emplace_back(terrain(1, false));
-  }
-  return shapes;
-}
 
 History random_history(Setting setting, std::uint64_t seed, std::size_t count) {
   return Author(setting, seed).write(count);
