@@ -27,6 +27,7 @@ class VoxelMap;
 class Mesh;
 class MeshPath;
 struct MeshInPoses;
+struct ShapeInPoses;
 struct PlacedMesh;
 struct PlacedMeshView;
 class PairMemory;

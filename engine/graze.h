@@ -66,6 +66,7 @@
 #include <graze/engine/world/shape_separation.h>
 #include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
+#include <graze/engine/world/world_batch.h>
 #include <graze/engine/world/world_drawing.h>
 #include <graze/engine/world/world_pairs.h>
 #include <graze/engine/world/world_update.h>

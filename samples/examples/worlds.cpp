@@ -93,6 +93,16 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   const std::vector<graze::BodyRayHit> hits = world.cast_ray_all(down);
   expect(hits.size() == 2 && hits[1].id == floor, "and behind that");
 
+  // Many rays, or a shape in many poses, which threads share.
+  const auto met = graze::cast_rays(world, std::vector<graze::Ray>{down, {{9, 9, 9}, {0, 0, 1}}});
+  expect(met[0]->id == ball && !met[1], "the same of many rays");
+  const graze::Shape probe = kBall;
+  const std::vector<graze::Pose> poses = {at(0, 0, 1), at(0, 0, 40)};
+  const graze::ShapeInPoses probes(probe, poses);
+  expect(graze::find_touching(world, probes)[0] == std::vector{ball}, "whom it touches in each");
+  expect(graze::find_within(world, probes, 0.5)[1].empty(), "who is near in each");
+  expect(graze::find_closest(world, probes, {}, {.threads = 1})[1]->id == ball, "who is nearest");
+
   // A ball of a millimetre, by a hundred metres in one step, at a ball and at the floor behind it.
   const graze::Shape bullet = graze::Sphere{{0, 0, 0}, 0.001};
   const graze::RigidMotion shot(at(0, 0, 50), {.shift = {0, 0, -100}});

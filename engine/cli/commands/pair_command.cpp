@@ -1,5 +1,6 @@
 #include <graze/bvh/volume.h>
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/pair/pair_options.h>
 #include <graze/engine/cli/pair/pair_run.h>
 
@@ -30,6 +31,16 @@ With --solid, which needs closed meshes, "intersects" is true also where one is 
 other; pairs stay pairs of triangles, and there may be none. With both, "intersects" is true if the
 open interiors have a point in common: solids that merely touch, as walls do that lie against each
 other, do not, however much of their surfaces they share.
+With --query distance there is "distance" in metres, 0 where they intersect, and where it is least:
+"point_a", "point_b" and the "pair" of triangles these lie in.
+
+--output writes an array that numpy.load() reads, an element for each pose in their order: bool for
+--query any, float64 for --query distance, and for --query pairs records of "intersects", bool, and
+"pairs", uint64, how many there are. All threads share the poses, unless --threads says how many.
+Those of a regular file are read a part at a time, so that memory does not grow with them. The file
+appears whole or not at all, and standard output says one line alone; with --json:
+  {"poses":1000000,"intersecting":2001,"file":"answers.npy","work":{...}}
+with "pairs", their sum, or "least_distance" and "nearest_pose" before "file".
 Volumes are wide (oriented boxes, eight to a node), aabb, sphere, obb and kdop. Times are in
 microseconds; the first query's time
 includes building both trees and their volumes.
@@ -38,6 +49,7 @@ Examples:
   graze pair bolt.obj nut.stl
   graze pair bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002" --list
   graze pair bolt.obj nut.stl --poses path.txt --query any --json
+  graze pair bolt.obj nut.stl --poses path.txt --query distance --output distances.npy
   graze pair bolt.obj nut.stl --poses path.txt --check fcl
   graze pair bolt.obj nut.stl --solid --touch exclude
   graze pair bolt.obj nut.stl --threads 0
@@ -45,7 +57,8 @@ Examples:
 Exit codes:
   0  an answer was given, whatever it is
   1  with --check: exact arithmetic found an answer of graze to be wrong
-  2  bad input, with one line on stderr: usage, meshes, poses (FILE:LINE))";
+  2  bad input, with one line on stderr: usage, meshes, poses (FILE:LINE), a file that cannot be
+     written)";
 
 std::vector<std::string> volume_names() {
   std::vector<std::string> names;
@@ -68,9 +81,9 @@ void add_pair_command(CLI::App& program, Action& action) {
       ->type_name("FILE");
   command
       ->add_option("--query", options->query,
-                   "any: do they intersect; pairs (default): which triangles do")
-      ->type_name("any|pairs")
-      ->check(CLI::IsMember({"any", "pairs"}).description(""));
+                   "any: do they intersect; pairs (default): which triangles do; distance")
+      ->type_name("any|pairs|distance")
+      ->check(CLI::IsMember({"any", "pairs", "distance"}).description(""));
   command
       ->add_option("--volume", options->volume,
                    "what prunes (default: wide); changes the time, never the answer")
@@ -91,8 +104,12 @@ void add_pair_command(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"fcl"}).description(""));
   command
       ->add_option("--threads", options->threads,
-                   "threads for each --query pairs; 0: all there are (default: 1)")
+                   "for each --query pairs (default: 1), or the poses of --output; 0: all")
       ->type_name("N");
+  command
+      ->add_option("--output", options->output, "write one answer a pose to a .npy file of numpy's")
+      ->type_name("FILE")
+      ->check(file_name());
   command->add_flag("--json", options->is_json, "one JSON object per line and pose");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");

@@ -20,15 +20,16 @@ void append_list(std::string& line, const TrianglePairs& pairs) {
   line += "]";
 }
 
-void append_work(std::string& line, const Work& work) {
-  fmt::format_to(
-      std::back_inserter(line),
-      ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
-      "\"triangle_tests\":{},\"exact_tests\":{},\"points_tested\":{},\"skipped_by_memory\":{},"
-      "\"trees_built\":{},\"skins_built\":{}}}",
-      work.volume_tests, work.volume_rejections, work.filter_tests, work.triangle_tests,
-      work.exact_tests, work.points_tested, work.skipped_by_memory, work.trees_built,
-      work.skins_built);
+void append_point(std::string& line, const char* name, const Eigen::Vector3d& point) {
+  fmt::format_to(std::back_inserter(line), ",\"{}\":[{},{},{}]", name, point.x(), point.y(),
+                 point.z());
+}
+
+void append_gap(std::string& line, const MeshDistance& gap) {
+  fmt::format_to(std::back_inserter(line), ",\"distance\":{}", gap.distance);
+  append_point(line, "point_a", gap.point_a);
+  append_point(line, "point_b", gap.point_b);
+  fmt::format_to(std::back_inserter(line), ",\"pair\":[{},{}]", gap.pair.a, gap.pair.b);
 }
 
 void append_comparison(std::string& line, const compare::Comparison& comparison, PairQuery query) {
@@ -61,6 +62,7 @@ class JsonReport : public PairReport {
       fmt::format_to(std::back_inserter(line), ",\"pairs\":{}", answer.pairs->size());
       if (settings_.is_listing) append_list(line, *answer.pairs);
     }
+    if (answer.gap) append_gap(line, *answer.gap);
     append_work(line, answer.work);
     if (answer.fcl) append_comparison(line, *answer.fcl, settings_.query);
     output_.write(line + "}\n");
@@ -72,6 +74,17 @@ class JsonReport : public PairReport {
 };
 
 }  // namespace
+
+void append_work(std::string& line, const Work& work) {
+  fmt::format_to(
+      std::back_inserter(line),
+      ",\"work\":{{\"volume_tests\":{},\"volume_rejections\":{},\"filter_tests\":{},"
+      "\"triangle_tests\":{},\"exact_tests\":{},\"points_tested\":{},\"skipped_by_memory\":{},"
+      "\"trees_built\":{},\"skins_built\":{}}}",
+      work.volume_tests, work.volume_rejections, work.filter_tests, work.triangle_tests,
+      work.exact_tests, work.points_tested, work.skipped_by_memory, work.trees_built,
+      work.skins_built);
+}
 
 std::unique_ptr<PairReport> make_json_report(Output& output, const PairReportSettings& settings) {
   return std::make_unique<JsonReport>(output, settings);

@@ -16,6 +16,7 @@ struct PairOptions {
   std::string volume = "wide";
   std::string touch = "include";
   std::string check;
+  std::optional<std::string> output;  ///< likewise
   std::string threads;
   bool is_solid = false;
   bool is_listing = false;

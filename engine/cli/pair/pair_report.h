@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <graze/engine/cli/output/output.h>
 #include <graze/engine/cli/pair/pair_answer.h>
@@ -21,6 +22,9 @@ class PairReport {
   virtual void add(const PairAnswer& answer) = 0;
   virtual void end() = 0;
 };
+
+/// `,"work":{...}` behind what the line holds.
+void append_work(std::string& line, const Work& work);
 
 /// One JSON object per line and pose.
 std::unique_ptr<PairReport> make_json_report(Output& output, const PairReportSettings& settings);

@@ -7,7 +7,7 @@
 namespace graze::cli {
 
 /// Answers for each pose. All input is read and checked before the first query, so that bad input
-/// leaves standard output empty. Throws UsageError, PoseError or MeshError.
+/// leaves standard output empty. Throws UsageError, PoseError, MeshError or FileError.
 ExitCode run_pair(const PairOptions& options, Output& output);
 
 }  // namespace graze::cli

@@ -16,6 +16,7 @@ const char* yes_or_no(bool is_so) {
 Table make_table(const PairReportSettings& settings) {
   std::vector<Column> columns = {{"pose", 6}, {"intersects"}};
   if (settings.query == PairQuery::Pairs) columns.push_back({"pairs", 9});
+  if (settings.query == PairQuery::Distance) columns.push_back({"distance (m)", 12});
   columns.insert(columns.end(),
                  {{"volume tests"}, {"triangle tests"}, {"exact tests"}, {"time (us)", 11}});
   if (settings.is_checked)
@@ -68,6 +69,7 @@ class TableReport : public PairReport {
   std::string row(const PairAnswer& answer) const {
     std::vector<std::string> values = {std::to_string(answer.pose), yes_or_no(answer.intersects)};
     if (answer.pairs) values.push_back(std::to_string(answer.pairs->size()));
+    if (answer.gap) values.push_back(fmt::format("{:.6g}", answer.gap->distance));
     values.insert(
         values.end(),
         {std::to_string(answer.work.volume_tests), std::to_string(answer.work.triangle_tests),

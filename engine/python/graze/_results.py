@@ -22,7 +22,9 @@ from graze._world_results import WorldContacts as WorldContacts
 from graze._world_results import BodyFirstContacts as BodyFirstContacts
 from graze._world_results import WorldUpdate as WorldUpdate
 from graze._world_results import BodyDistance as BodyDistance
+from graze._world_results import BodyDistanceLists as BodyDistanceLists
 from graze._world_results import BodyDistances as BodyDistances
+from graze._world_results import BodyLists as BodyLists
 from graze._world_results import BodyRayHits as BodyRayHits
 from graze._world_results import BodyCast as BodyCast
 from graze._world_results import BodyPairDistance as BodyPairDistance

@@ -9,6 +9,7 @@ import numpy as np
 
 from graze._errors import InputError
 from graze._sweep_files import Journal, ResultFiles, digest_of
+from graze._sweep_zarr import ZarrStore
 
 _IN_FLIGHT = 16
 """Chunks that an executor has at a time: their poses are in memory."""
@@ -118,10 +119,12 @@ def sweep(
 
     `query` takes poses of the shape (k, 4, 4) and returns an array with k rows, or a tuple with names of such arrays;
     over_poses() makes one. `poses` is an array, the name of a `.npy` file, which is mapped, a Dask array, or an
-    iterable of poses or of arrays of them.
+    iterable of poses or of arrays of them. A Zarr array is read in parts, too.
 
     With `out`, the name of a `.npy` file, answers are written there, those with names to one file each,
-    NAME.MEMBER.npy, and the names are returned; a file appears when it is whole. With `reduce`, count(), first_hit()
+    NAME.MEMBER.npy, and the names are returned; a file appears when it is whole. A name that ends in `.zarr` is that of
+    a Zarr store instead, an array or a group with an array for each name, whose chunks are those of the sweep: for
+    answers that many are to read in parts. That needs the package zarr. With `reduce`, count(), first_hit()
     or least_distance(), that is returned. With neither the answers are returned in memory.
 
     A sweep that was killed goes on where it was when it is called again with the same arguments: `journal`, by
@@ -151,8 +154,11 @@ def sweep(
         raise InputError("journal: is for answers in a file, or for a reduction")
     total = _length_of(poses)
     record = None if journal is None else Journal(Path(journal), _identity(query, reduce, chunk))
-    files = None if out is None or record is None else ResultFiles(Path(out), record)
+    files: Union[None, ZarrStore, ResultFiles] = None
     try:
+        if out is not None and record is not None:
+            is_store = Path(out).suffix == ".zarr"
+            files = ZarrStore(Path(out), record, chunk, total) if is_store else ResultFiles(Path(out), record)
         run = _Run(query, reduce, files, record, executor, _watch(progress, total))
         run.all_of(_chunks_of(poses, chunk))
         if files is not None:

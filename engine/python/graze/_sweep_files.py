@@ -21,6 +21,12 @@ def digest_of(content: Any) -> str:
     return hashlib.blake2b(shape + np.ascontiguousarray(content).tobytes(), digest_size=16).hexdigest()
 
 
+def members_of(answers: Any) -> Dict[str, Any]:
+    """The arrays of a tuple by their names; one that is no tuple has the name \"\"."""
+    names = getattr(answers, "_fields", None)
+    return {"": answers} if names is None else dict(zip(names, answers))
+
+
 class Journal:
     """Lines of JSON: what is asked, the layout of the answers, then a line for each chunk that is done. A line that a
     kill has cut short does not count."""
@@ -64,9 +70,16 @@ class Journal:
     def add(self, begin: int, length: int, digest: str, value: Any) -> None:
         self._append({"begin": begin, "length": length, "poses": digest, "value": value})
 
-    def set_layout(self, layout: List[Any]) -> None:
-        self.layout = layout
-        self._append({"layout": layout})
+    def take_layout(self, members: Dict[str, Any]) -> bool:
+        """Whether these are the first answers: names, types and shapes are then those of all. Throws if others were."""
+        layout = [[name, np.asarray(rows).dtype.str, list(np.shape(rows)[1:])] for name, rows in members.items()]
+        if self.layout is None:
+            self.layout = layout
+            self._append({"layout": layout})
+            return True
+        if self.layout != layout:
+            raise InputError(f"query: its answers have the layout {layout}, and earlier ones {self.layout}")
+        return False
 
     def _append(self, line: Dict[str, Any]) -> None:
         self._file.write(json.dumps(line).encode() + b"\n")
@@ -86,15 +99,10 @@ class ResultFiles:
         self._files: Dict[str, Any] = {}
 
     def write(self, begin: int, answers: Any) -> None:
-        names = getattr(answers, "_fields", None)
-        members = {"": answers} if names is None else dict(zip(names, answers))
-        layout = [[name, np.asarray(rows).dtype.str, list(np.shape(rows)[1:])] for name, rows in members.items()]
-        if self._journal.layout is None:
+        members = members_of(answers)
+        if self._journal.take_layout(members):
             for name in members:
                 self._part(name).unlink(missing_ok=True)
-            self._journal.set_layout(layout)
-        if self._journal.layout != layout:
-            raise InputError(f"query: its answers have the layout {layout}, and earlier ones {self._journal.layout}")
         for name, rows in members.items():
             rows = np.ascontiguousarray(rows)
             file = self._open(name)

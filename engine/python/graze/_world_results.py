@@ -93,10 +93,10 @@ class BodyDistance(NamedTuple):
 
 @result
 class BodyDistances(NamedTuple):
-    """The same for each of k bodies."""
+    """The same for each of k bodies, or for the closest body in each of k poses."""
 
     ids: Ids
-    """(k,), ascending."""
+    """(k,), ascending; or one a pose, of no body where there is none."""
     distance: Doubles
     """(k,)"""
     point_a: Doubles
@@ -111,6 +111,26 @@ class BodyDistances(NamedTuple):
     """(k,)"""
     is_converged: Bools
     """(k,)"""
+
+
+@result
+class BodyLists(NamedTuple):
+    """Bodies for each of n poses."""
+
+    ids: Ids
+    """(k,), those of all poses, one pose after the other."""
+    offsets: Offsets
+    """(n + 1,): those of pose i are ids[offsets[i]:offsets[i + 1]]."""
+
+
+@result
+class BodyDistanceLists(NamedTuple):
+    """Bodies and how far they are, for each of n poses."""
+
+    distances: BodyDistances
+    """Those of all poses, one pose after the other."""
+    offsets: Offsets
+    """(n + 1,): those of pose i are rows offsets[i] to offsets[i + 1] of each array."""
 
 
 @result

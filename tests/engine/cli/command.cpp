@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <chrono>
@@ -81,6 +82,27 @@ CommandResult interrupt_graze(const std::filesystem::path& folder,
     }
     kill(child, signal);
   });
+}
+
+long peak_memory_of_graze(const std::filesystem::path& folder,
+                          const std::vector<std::string>& arguments) {
+  int ends[2] = {};
+  if (pipe(ends) != 0) return -1;
+  // A child of its own, whose children are no others.
+  const pid_t child = fork();
+  if (child == 0) {
+    const CommandResult result = run_graze(folder, arguments);
+    rusage usage = {};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const long peak = result.exit_code == 0 ? usage.ru_maxrss : -1;
+    _exit(::write(ends[1], &peak, sizeof(peak)) == sizeof(peak) ? 0 : 1);
+  }
+  close(ends[1]);
+  long peak = -1;
+  if (::read(ends[0], &peak, sizeof(peak)) != sizeof(peak)) peak = -1;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return peak;
 }
 
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line) {

@@ -26,6 +26,11 @@ CommandResult interrupt_graze(const std::filesystem::path& folder,
                               const std::vector<std::string>& arguments,
                               const std::function<bool()>& is_time, int signal = SIGINT);
 
+/// What a run takes of memory at most, in kB, of a process of its own; -1 if it fails. A run of a
+/// process that is larger itself seems as large.
+long peak_memory_of_graze(const std::filesystem::path& folder,
+                          const std::vector<std::string>& arguments);
+
 /// Runs a line of shell in `folder`, in which $GRAZE is the command.
 CommandResult run_shell(const std::filesystem::path& folder, const std::string& line);
 

@@ -1,17 +1,14 @@
 // `graze compare` as a program that is killed, in parts, and with many poses.
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/engine/cli/command_test.h"
+#include "tests/engine/cli/saved_poses.h"
 #include "tests/shapes/formula_meshes.h"
 
 namespace graze::tests {
@@ -54,40 +51,11 @@ class CompareKilled : public CommandTest {
 
   /// Poses in a row, as numpy saves them.
   void write_poses(const std::string& name, std::size_t count) const {
-    std::string head = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
-                       std::to_string(count) + ", 3, 4), }";
-    head.resize(117, ' ');
-    head += '\n';
-    std::ofstream file(folder_ / name, std::ios::binary);
-    file << std::string("\x93NUMPY\x01\x00", 8) << static_cast<char>(head.size()) << '\0' << head;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double x = 0.5 + static_cast<double>(i % 1000) / 1000;
-      const double numbers[12] = {1, 0, 0, x, 0, 1, 0, 0.125, 0, 0, 1, 0.0625};
-      char bytes[sizeof(numbers)];
-      std::memcpy(bytes, numbers, sizeof(numbers));
-      file.write(bytes, sizeof(bytes));
-    }
-  }
-
-  /// What a run takes of memory at most, in kB; of a process of its own, whose children are no
-  /// others.
-  long peak_of(const std::vector<std::string>& arguments) const {
-    int ends[2] = {};
-    if (pipe(ends) != 0) return -1;
-    const pid_t child = fork();
-    if (child == 0) {
-      const CommandResult result = run_graze(folder_, arguments);
-      rusage usage = {};
-      getrusage(RUSAGE_CHILDREN, &usage);
-      const long peak = result.exit_code == 0 ? usage.ru_maxrss : -1;
-      _exit(::write(ends[1], &peak, sizeof(peak)) == sizeof(peak) ? 0 : 1);
-    }
-    close(ends[1]);
-    long peak = -1;
-    if (::read(ends[0], &peak, sizeof(peak)) != sizeof(peak)) peak = -1;
-    close(ends[0]);
-    waitpid(child, nullptr, 0);
-    return peak;
+    save_poses(folder_ / name, count, [](std::size_t i) {
+      Pose pose = Pose::Identity();
+      pose.translation() << 0.5 + static_cast<double>(i % 1000) / 1000, 0.125, 0.0625;
+      return pose;
+    });
   }
 };
 
@@ -120,8 +88,8 @@ TEST_F(CompareKilled, ManyPosesTakeNoMoreMemory) {
                                     "--engines", "graze",     "--keep", "0",       "--save",
                                     "run",       "--threads", "2"};
   };
-  const long few = peak_of(with("few.npy"));
-  const long many = peak_of(with("many.npy"));
+  const long few = peak_memory_of_graze(folder_, with("few.npy"));
+  const long many = peak_memory_of_graze(folder_, with("many.npy"));
   ASSERT_GT(few, 1000);
   ASSERT_GT(many, 0);
   // Held, the 95,000 poses more would take 12 MB, and their answers a hundred.
@@ -141,8 +109,8 @@ TEST_F(CompareKilled, ManyPosesOfATextTakeNoMoreMemory) {
     return std::vector<std::string>{"compare", "a.off",  "b.off", "--poses",   poses, "--engines",
                                     "graze",   "--keep", "0",     "--threads", "2"};
   };
-  const long few = peak_of(with("few.txt"));
-  const long many = peak_of(with("many.txt"));
+  const long few = peak_memory_of_graze(folder_, with("few.txt"));
+  const long many = peak_memory_of_graze(folder_, with("many.txt"));
   ASSERT_GT(few, 1000);
   ASSERT_GT(many, 0);
   EXPECT_LT(many, few + 8'000) << "kB";

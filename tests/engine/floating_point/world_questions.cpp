@@ -79,6 +79,21 @@ void ask_about_bodies(const World& world, const Inputs& in, Words& words) {
     add_manifold(words, contact.manifold);
 }
 
+void ask_in_batches(const World& world, const Inputs& in, Words& words, int threads) {
+  const BatchSettings batch{.threads = threads};
+  const Shape ball(Sphere{in.body_poses[7].translation(), 1});
+  const std::vector<Pose> poses = {in.body_poses[0], in.body_poses[2]};
+  for (const auto& hit : cast_rays(world, std::vector<Ray>(3, in.ray), {}, batch))
+    if (hit) words.add(hit->hit.point);
+  for (const auto& ids : find_touching(world, {ball, poses}, {}, batch))
+    words.add(std::uint64_t{ids.size()});
+  for (const auto& near : find_within(world, {ball, poses}, 0.25, {}, batch))
+    for (const BodyDistance& each : near)
+      add_distance(words, each.distance);
+  for (const auto& closest : find_closest(world, {ball, poses}, {}, batch))
+    if (closest) add_distance(words, closest->distance);
+}
+
 void ask_world(const Inputs& in, Words& words, int threads) {
   World world({.threads = threads});
   std::vector<BodyId> ids;
@@ -87,6 +102,7 @@ void ask_world(const Inputs& in, Words& words, int threads) {
     ids.push_back(world.add({shapes[i], in.body_poses[i]}));
   add_update(words, world.update());
   ask_about_bodies(world, in, words);
+  ask_in_batches(world, in, words, threads);
   const WorldSnapshot snapshot = world.snapshot();
   for (std::size_t i = 0; i < ids.size(); ++i)
     world.move(ids[i], in.body_poses[(i + 5) % in.body_poses.size()]);

@@ -115,6 +115,20 @@ def test_the_samples_run(sample):
     run(str(sample))
 
 
+@pytest.mark.outside
+def test_a_part_of_a_sweep_is_asked_by_its_number(bolt, nut, tmp_path):
+    """As a task of Slurm or a pod of Kubernetes asks: by the line that the page has for both."""
+    page = (SOURCES / "samples" / "python" / "at_scale.md").read_text(encoding="utf-8")
+    lines = re.findall(r"python3 (part_of_sweep.py .*poses.npy) (\S+) 100", page)
+    assert [number.strip('"') for _, number in lines] == ["$SLURM_ARRAY_TASK_ID", "$JOB_COMPLETION_INDEX"]
+    poses = np.stack([translation(0, 0, 0.002), translation(1, 0, 0), translation(0, 0, 0.002)] * 3)
+    np.save(tmp_path / "poses.npy", poses)
+    for part in range(4):
+        run(str(SOURCES / "samples" / "python" / "part_of_sweep.py"), str(tmp_path / "poses.npy"), str(part), "4")
+    hits = np.concatenate([np.load(tmp_path / f"hits.{part:05}.npy") for part in range(4)])
+    assert np.array_equal(hits, graze.intersects(bolt, (nut, poses))) and hits.sum() == 6
+
+
 def test_all_names_are_listed():
     public = {name for name, value in vars(graze).items() if not name.startswith("_") and not inspect.ismodule(value)}
     assert public == set(graze.__all__) - {"__version__"}

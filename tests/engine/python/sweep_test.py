@@ -110,6 +110,47 @@ def test_files_of_answers(touches, gaps, poses, tmp_path):
     assert graze.sweep(gaps, poses, chunk=64) == expected
 
 
+def test_a_store_of_answers(touches, gaps, poses, tmp_path):
+    zarr = pytest.importorskip("zarr", reason="the package zarr, python3-zarr of Debian, is not there")
+    out = graze.sweep(touches, poses, out=tmp_path / "hits.zarr", chunk=64)
+    hits = zarr.open_array(str(out), mode="r")
+    assert out == tmp_path / "hits.zarr" and hits.chunks == (64,) and hits.dtype == np.bool_
+    assert np.array_equal(hits[:], touches(poses)) and not list(tmp_path.glob("*.part"))
+    out = graze.sweep(gaps, (pose for pose in poses), out=tmp_path / "gap.zarr", chunk=64)
+    group, expected = zarr.open_group(str(out), mode="r"), gaps(poses)
+    assert sorted(group.array_keys()) == sorted(expected._fields) and group["point_a"].chunks == (64, 3)
+    for name in expected._fields:
+        assert np.array_equal(group[name][:], getattr(expected, name)), name
+    stored = zarr.open_array(str(tmp_path / "poses.zarr"), mode="w", shape=poses.shape, chunks=(70, 4, 4), dtype="f8")
+    stored[:] = poses
+    assert np.array_equal(graze.sweep(touches, stored, chunk=64), touches(poses))
+    with pytest.raises(graze.InputError, match="is there already"):
+        graze.sweep(touches, poses, out=tmp_path / "poses.zarr")
+
+
+def test_a_store_needs_its_package(touches, poses, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "zarr", None)
+    with pytest.raises(graze.InputError, match="out: .*a.zarr needs the package zarr"):
+        graze.sweep(touches, poses, out=tmp_path / "a.zarr")
+
+
+def test_a_store_that_failed_goes_on(gaps, poses, tmp_path):
+    zarr = pytest.importorskip("zarr", reason="the package zarr, python3-zarr of Debian, is not there")
+    log, out = tmp_path / "asked", tmp_path / "gap.zarr"
+    with pytest.raises(RuntimeError, match="enough"):
+        graze.sweep(Counting(gaps, log, most=6), poses, chunk=64, out=out)
+    assert len(asked(log)) == 6 * 64 and not out.exists()
+    with pytest.raises(graze.InputError, match="another query"):
+        graze.sweep(Counting(gaps, log), poses, chunk=65, out=out)
+    assert graze.sweep(Counting(gaps, log), poses, chunk=64, out=out) == out
+    assert asked(log) == poses[:, 0, 3].tolist()  # all, in order, none twice
+    assert np.array_equal(zarr.open_group(str(out), mode="r")["distance"][:], gaps(poses).distance)
+    assert graze.sweep(Counting(gaps, log, most=0), poses, chunk=64, out=out) == out
+    shutil.rmtree(out)
+    with pytest.raises(graze.InputError, match="is gone"):
+        graze.sweep(Counting(gaps, log, most=0), poses, chunk=64, out=out)
+
+
 @pytest.mark.parametrize("reduce", [None, graze.count()])
 def test_a_sweep_that_failed_goes_on(touches, poses, tmp_path, reduce):
     log = tmp_path / "asked"
@@ -194,13 +235,17 @@ if __name__ == "__main__":
     bolt, nut = graze.load_mesh(MESHES / "bolt.obj"), graze.load_mesh(MESHES / "nut.stl")
     query = Counting(graze.over_poses(graze.intersects, bolt, nut), "asked")
     tell = lambda done, total: (time.sleep(0.02), print(done, flush=True))
-    graze.sweep(query, "poses.npy", out="hits.npy", chunk=10, progress=tell)
+    graze.sweep(query, "poses.npy", out="OUT", chunk=10, progress=tell)
 """
 
 
-def test_a_sweep_that_was_killed_goes_on(touches, poses, tmp_path):
+@pytest.mark.parametrize("ending", ["npy", "zarr"])
+def test_a_sweep_that_was_killed_goes_on(touches, poses, tmp_path, ending):
+    out = tmp_path / f"hits.{ending}"
+    if ending == "zarr":
+        zarr = pytest.importorskip("zarr", reason="the package zarr, python3-zarr of Debian, is not there")
     np.save(tmp_path / "poses.npy", poses)
-    (tmp_path / "program.py").write_text(KILLED)
+    (tmp_path / "program.py").write_text(KILLED.replace("OUT", out.name))
     paths = os.pathsep.join([str(Path(__file__).parent), str(Path(graze.__file__).parents[1])])
     settings = {"cwd": tmp_path, "env": {**os.environ, "PYTHONPATH": paths}}
     for kill_at in ("30", "400", None):
@@ -210,10 +255,10 @@ def test_a_sweep_that_was_killed_goes_on(touches, poses, tmp_path):
                 process.send_signal(signal.SIGKILL)
         process.stdout.close()
         assert process.wait() == (-signal.SIGKILL if kill_at else 0)
-    assert np.array_equal(np.load(tmp_path / "hits.npy"), touches(poses))
+    assert np.array_equal(np.load(out) if ending == "npy" else zarr.open_array(str(out), mode="r")[:], touches(poses))
     times = np.unique(asked(tmp_path / "asked"), return_counts=True)[1]
     assert len(times) == COUNT and (times > 1).sum() <= 20  # but for the chunks that the kills met
-    journal = [json.loads(line) for line in (tmp_path / "hits.npy.journal").read_text().splitlines()]
+    journal = [json.loads(line) for line in (tmp_path / f"{out.name}.journal").read_text().splitlines()]
     assert sorted(line["begin"] for line in journal if "begin" in line) == list(range(0, COUNT, 10))
 
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <graze/engine/python/binding/arguments/arrays.h>
+#include <graze/engine/python/binding/arguments/batch.h>
 #include <graze/engine/python/binding/bodies/body_ids.h>
 
+#include <graze/bvh/error.h>
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/world.h>
 
@@ -10,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace graze::python {
 
@@ -23,12 +26,44 @@ struct SharedWorld {
   auto ask(const Ask& question) {
     const py::gil_scoped_release released;
     const std::scoped_lock lock(mutex);
+    check_free();
     return question(world);
+  }
+
+  /// Throws InputError where a batch is asking the world: it is one thread that holds the lock, and
+  /// calls back to tell of progress, while others read.
+  void check_free() const {
+    if (is_in_batch) throw InputError("progress: cannot use the world that is being asked");
   }
 
   World world;
   std::recursive_mutex mutex;
+  bool is_in_batch = false;  ///< read and written with the lock
 };
+
+/// Calls `ask(world, i)` for `count` questions in a batch that has the world's lock: its threads
+/// read it, and nobody changes it meanwhile. `blame` as of run_batch().
+template <typename Ask>
+void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batch, const Ask& ask,
+                       const std::function<void()>& blame) {
+  run_batch(
+      batch, nullptr,
+      [&](const BatchSettings& settings, Work& sum) {
+        const std::scoped_lock lock(shared.mutex);
+        shared.check_free();
+        const World& world = shared.world;
+        const struct InBatch {
+          explicit InBatch(bool& is_so) : is_so_(is_so) { is_so_ = true; }
+          ~InBatch() { is_so_ = false; }
+          InBatch(const InBatch&) = delete;
+          InBatch& operator=(const InBatch&) = delete;
+          bool& is_so_;
+        } in_batch(shared.is_in_batch);
+        for_each_in_batch(count, kMostInAPart, settings, &sum,
+                          [&](std::size_t i, Work&) { ask(world, i); });
+      },
+      blame);
+}
 
 /// Calls `ask(world, id)` for each, all or none: unknown ids are refused first.
 template <typename Ask>
@@ -47,6 +82,8 @@ template <typename Ask>
 auto ask_both(SharedWorld& shared, SharedWorld& other, const Ask& question) {
   const py::gil_scoped_release released;
   const std::scoped_lock lock(shared.mutex, other.mutex);
+  shared.check_free();
+  other.check_free();
   return question(shared.world, other.world);
 }
 

@@ -243,7 +243,8 @@ Raises PoseError, with its index, and InputError.
   type.def("update", &update, R"(update(self)
 --
 
-Brings all pairs up to date: a WorldUpdate of what changed, in arrays. Looks only at what moved.
+Brings all pairs up to date: a WorldUpdate of what changed, in arrays. Looks only at what moved. It goes to its end,
+however long that takes: Ctrl-C waits for it.
 )");
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <graze/engine/cli/pair/fcl_check.h>
+#include <graze/engine/cli/pair/pair_answer.h>
+#include <graze/engine/cli/pair/pair_options.h>
+#include <graze/engine/compare/run/poses/pose_source.h>
+#include <graze/engine/mesh/interior.h>
+#include <graze/engine/mesh/mesh.h>
+
+#include <memory>
+
+namespace graze::cli {
+
+/// Everything that the queries need.
+struct PairJob {
+  Mesh mesh_a;
+  Mesh mesh_b;
+  Pose pose_a;
+  std::shared_ptr<const compare::PoseSource> poses_b;  ///< those of a file stay there
+  PairQuery query;
+  PairVolume volume;
+  Touch touch;
+  Interior interior;
+  int threads;  ///< of each query, or of all together where their answers go to a file
+  std::unique_ptr<FclCheck> fcl;
+};
+
+/// Reads and checks all input. Throws UsageError, PoseError, MeshError or FileError.
+PairJob read_pair_job(const PairOptions& options);
+
+/// Asks for one pose of B, on so many threads. Can be asked by many threads at once.
+PairAnswer ask(const PairJob& job, const Pose& pose_b, int threads);
+
+}  // namespace graze::cli

@@ -1,0 +1,110 @@
+#include <graze/bvh/floating_point/standard_arithmetic.h>
+#include <graze/bvh/value/element_error.h>
+#include <graze/engine/mesh/query/batch.h>
+#include <graze/engine/mesh/query/threads.h>
+#include <graze/engine/world/body_shapes/users_shape.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/world_batch.h>
+
+#include <algorithm>
+
+namespace graze {
+namespace {
+
+/// Elements of a part: enough that those that meet nothing outweigh its start.
+constexpr std::size_t kMostInAPartOfWorldBatch = 64;
+
+bool allows_concurrent_calls(const BodyShape& shape) {
+  const bool is_users = is_users_shape(shape);
+  return !is_users || ask_shape(is_users, [&] { return shape.allows_concurrent_calls(); });
+}
+
+/// As it was asked for, with one thread where a body's shape asks for that. O(bodies).
+BatchSettings settings_for(const World& world, const BatchSettings& batch) {
+  check_threads(batch.threads);
+  BatchSettings settings = batch;
+  if (batch.threads == 1) return settings;
+  const std::vector<BodyId> bodies = world.bodies();
+  if (!std::all_of(bodies.begin(), bodies.end(),
+                   [&](BodyId id) { return allows_concurrent_calls(world.shape(id)); }))
+    settings.threads = 1;
+  return settings;
+}
+
+/// `ask(i)` for each element, in order.
+template <typename Answer, typename Ask>
+std::vector<Answer> ask_world_for_all(const World& world, std::size_t count,
+                                      const BatchSettings& batch, const Ask& ask) {
+  const BatchSettings settings = settings_for(world, batch);
+  std::vector<Answer> answers(count);
+  for_each_in_batch(count, kMostInAPartOfWorldBatch, settings, nullptr,
+                    [&](std::size_t i, Work&) { answers[i] = ask(i); });
+  return answers;
+}
+
+/// `ask(placed)` for the shape in each pose, all of which are looked at first, as the question
+/// itself does.
+template <typename Answer, typename Ask>
+std::vector<Answer> ask_world_in_poses(const World& world, const ShapeInPoses& placed,
+                                       const BatchSettings& batch, const Ask& ask) {
+  for (std::size_t i = 0; i < placed.poses.size(); ++i) {
+    bvh::check_element("pose", i, "", [&](const char* what) {
+      check_pose(placed.poses[i], what);
+      static_cast<void>(bounding_aabb({placed.shape, placed.poses[i]}));
+    });
+  }
+  return ask_world_for_all<Answer>(world, placed.poses.size(), batch, [&](std::size_t i) {
+    return ask(PlacedShapeView(placed.shape, placed.poses[i]));
+  });
+}
+
+}  // namespace
+
+std::vector<std::optional<BodyRayHit>> cast_rays(const World& world, std::span<const Ray> rays,
+                                                 const BodyQuerySettings& settings,
+                                                 const BatchSettings& batch) {
+  using FirstHit = std::optional<BodyRayHit>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<FirstHit> {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      bvh::check_element("ray", i, "", [&](const char* what) { check_ray(rays[i], what); });
+    return ask_world_for_all<FirstHit>(world, rays.size(), batch, [&](std::size_t i) {
+      return world.cast_ray(rays[i], settings);
+    });
+  });
+}
+
+std::vector<std::vector<BodyId>> find_touching(const World& world, const ShapeInPoses& shape,
+                                               const BodyQuerySettings& settings,
+                                               const BatchSettings& batch) {
+  using Touching = std::vector<BodyId>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Touching> {
+    return ask_world_in_poses<Touching>(world, shape, batch, [&](const PlacedShapeView& placed) {
+      return world.find_touching(placed, settings);
+    });
+  });
+}
+
+std::vector<std::vector<BodyDistance>> find_within(const World& world, const ShapeInPoses& shape,
+                                                   double clearance,
+                                                   const BodyQuerySettings& settings,
+                                                   const BatchSettings& batch) {
+  using Near = std::vector<BodyDistance>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Near> {
+    return ask_world_in_poses<Near>(world, shape, batch, [&](const PlacedShapeView& placed) {
+      return world.find_within(placed, clearance, settings);
+    });
+  });
+}
+
+std::vector<std::optional<BodyDistance>> find_closest(const World& world, const ShapeInPoses& shape,
+                                                      const BodyQuerySettings& settings,
+                                                      const BatchSettings& batch) {
+  using Closest = std::optional<BodyDistance>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Closest> {
+    return ask_world_in_poses<Closest>(world, shape, batch, [&](const PlacedShapeView& placed) {
+      return world.find_closest(placed, settings);
+    });
+  });
+}
+
+}  // namespace graze
