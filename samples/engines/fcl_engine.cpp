@@ -47,6 +47,9 @@ graze_peer::Answer load(const graze_peer::Mesh& mesh_a, const graze_peer::Mesh& 
 
 }  // namespace
 
-int main() {
-  return graze_peer::serve({"my-fcl", FCL_VERSION, {"any", "distance"}, load});
+/// A name may be given: so two versions of FCL, each with a program of its own, stand beside each
+/// other.
+int main(int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "my-fcl";
+  return graze_peer::serve({name, FCL_VERSION, {"any", "distance"}, load});
 }
