@@ -4,8 +4,10 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <graze/bvh/pose.h>
+#include <graze/engine/compare/fcl_engine.h>
 #include <graze/engine/world/shape.h>
 
 namespace graze::compare {
@@ -20,6 +22,9 @@ class FclShape {
  private:
   struct Geometry;
   friend std::optional<bool> intersects(const FclShape&, const Pose&, const FclShape&, const Pose&);
+  friend std::optional<double> distance(const FclShape&, const Pose&, const FclShape&, const Pose&);
+  friend std::optional<std::vector<FclContact>> find_contacts(const FclShape&, const Pose&,
+                                                              const FclShape&, const Pose&);
   std::unique_ptr<const Geometry> geometry_;
 };
 
@@ -27,5 +32,14 @@ class FclShape {
 /// know, and of a hull and a plane, of which it crashes.
 std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
                                const Pose& pose_b);
+
+/// FCL's distance, by its default solver; below 0 it says that they meet. Nothing of half-spaces
+/// and planes, whose distances it does not know, and where it finds none.
+std::optional<double> distance(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,
+                               const Pose& pose_b);
+
+/// FCL's contacts, with the depth that its solver finds; nothing as of intersects().
+std::optional<std::vector<FclContact>> find_contacts(const FclShape& shape_a, const Pose& pose_a,
+                                                     const FclShape& shape_b, const Pose& pose_b);
 
 }  // namespace graze::compare

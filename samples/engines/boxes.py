@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """An engine that looks at the boxes around two meshes alone: wrong wherever these meet and the meshes do not."""
 
+import sys
+
 from graze_peer import serve
 
 
@@ -20,4 +22,5 @@ def load(mesh_a, mesh_b):
     return answer
 
 
-serve("boxes", "1", ["any"], load)
+# A name may be given: so two versions of an engine, each with a program of its own, stand beside each other.
+serve(sys.argv[1] if len(sys.argv) > 1 else "boxes", "1", ["any"], load)

@@ -45,33 +45,85 @@ struct Unsupported : std::runtime_error {
 /// The answer as the protocol has it: {{"says", true}}, or {{"distance", 0.25}}.
 using Answer = std::function<Json(const Question&)>;
 
+/// The same about two of the shapes that are loaded, by their numbers; contacts are
+/// {{"manifold", {{{"point", p}, {"normal", n}, {"depth", 0.01}}}}}.
+using ShapesAnswer = std::function<Json(const Question&, std::size_t shape_a, std::size_t shape_b)>;
+
 struct Engine {
   std::string name;
   std::string version;
   std::vector<std::string> questions;                                  ///< those that it knows
   std::function<Answer(const Mesh& mesh_a, const Mesh& mesh_b)> load;  ///< builds trees, say
+  /// Shapes as the protocol has them, {"sphere":{"centre":[0,0,0],"radius":1}}: empty, if the
+  /// engine knows none. What it throws Unsupported for it does not know.
+  std::function<ShapesAnswer(const std::vector<Json>& shapes)> load_shapes = {};
+};
+
+/// What is loaded: meshes or shapes.
+struct Loaded {
+  Answer meshes;
+  ShapesAnswer shapes;
 };
 
 inline Mesh read_mesh(const Json& text) {
   return {text.at("vertices"), text.at("triangles")};
 }
 
-inline Json reply_to(const Engine& engine, const Json& request, Answer& answer) {
+inline Loaded load(const Engine& engine, const Json& load) {
+  if (load.contains("shapes")) {
+    if (!engine.load_shapes) throw Unsupported("shapes other than meshes");
+    return {{}, engine.load_shapes(load["shapes"])};
+  }
+  const Mesh a = read_mesh(load.at("a"));
+  return {engine.load(a, load.at("b").contains("same_as") ? a : read_mesh(load["b"])), {}};
+}
+
+/// Of two bodies one answer, of pairs of bodies whether each meets, or null.
+inline Json answer_about_bodies(const ShapesAnswer& answer, const Json& request,
+                                Question question) {
+  const Json& bodies = request["bodies"];
+  const auto ask = [&](std::size_t a, std::size_t b) {
+    if (bodies[a].contains("motion") || bodies[b].contains("motion"))
+      throw Unsupported("bodies in motion");
+    question.pose_a = bodies[a].at("pose");
+    question.pose_b = bodies[b].at("pose");
+    return answer(question, bodies[a].at("shape"), bodies[b].at("shape"));
+  };
+  if (!request.contains("pairs")) return {{"answer", ask(0, 1)}};
+  Json answers = Json::array();
+  for (const Json& pair : request["pairs"]) {
+    try {
+      answers.push_back(ask(pair[0], pair[1]).at("says"));
+    } catch (const Unsupported&) {
+      answers.push_back(nullptr);
+    }
+  }
+  return {{"answers", answers}};
+}
+
+inline Json reply_to(const Engine& engine, const Json& request, Loaded& loaded) {
   if (request.contains("load")) {
-    const Json& load = request["load"];
-    if (!load.contains("a")) throw Unsupported("shapes other than meshes");
-    const Mesh a = read_mesh(load["a"]);
-    answer = engine.load(a, load.at("b").contains("same_as") ? a : read_mesh(load["b"]));
+    loaded = load(engine, request["load"]);
     return {{"loaded", true}};
   }
-  if (!answer) throw std::runtime_error("a question before a load");
-  Question question{request.at("question"), request.at("pose_a"), request.at("pose_b")};
+  Question question{request.at("question"), {}, {}};
   if (request.contains("settings"))
     question.clearance = request["settings"].value("clearance", 0.0);
+  const bool is_about_bodies = request.contains("bodies");
+  if (is_about_bodies ? !loaded.shapes : !loaded.meshes)
+    throw std::runtime_error("a question before a load");
   const auto start = std::chrono::steady_clock::now();
-  const Json said = answer(question);
+  Json reply;
+  if (is_about_bodies) {
+    reply = answer_about_bodies(loaded.shapes, request, question);
+  } else {
+    question.pose_a = request.at("pose_a");
+    question.pose_b = request.at("pose_b");
+    reply["answer"] = loaded.meshes(question);
+  }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-  return {{"answer", said}, {"us", time.count()}};
+  reply["us"] = time.count();
+  return reply;
 }
 
 /// Answers until there are no more requests. What the engine prints goes to the standard error.
@@ -86,12 +138,12 @@ inline int serve(const Engine& engine) {
          {"engine", engine.name},
          {"version", engine.version},
          {"questions", engine.questions}});
-  Answer answer;
+  Loaded loaded;
   for (std::string line; std::getline(std::cin, line);) {
     const Json request = Json::parse(line);
     Json reply;
     try {
-      reply = reply_to(engine, request, answer);
+      reply = reply_to(engine, request, loaded);
     } catch (const Unsupported& why) {
       reply = {{"unsupported", why.what()}};
     } catch (const std::exception& error) {

@@ -42,14 +42,18 @@ std::optional<Eigen::Vector3d> read_point_if_any(const JsonCursor& at, std::stri
   return at.member(key).point();
 }
 
-CaseShapeContact read_shape_contact(const JsonCursor& at) {
+/// Which parts meet, that only graze tells. Elsewhere each contact is of parts of its own.
+ContactFeature read_feature(const JsonCursor& at, std::uint32_t number) {
+  if (!at.has("feature_a") && !at.has("feature_b")) return {number, number};
+  return {at.member("feature_a").bits(), at.member("feature_b").bits()};
+}
+
+CaseShapeContact read_shape_contact(const JsonCursor& at, std::uint32_t number) {
   at.require_keys({"point", "point_a", "point_b", "normal", "depth", "feature_a", "feature_b"});
-  return {at.member("point").point(),
-          read_point_if_any(at, "point_a"),
-          read_point_if_any(at, "point_b"),
-          at.member("normal").point(),
-          read_length(at.member("depth")),
-          {at.member("feature_a").bits(), at.member("feature_b").bits()}};
+  return {at.member("point").point(),       read_point_if_any(at, "point_a"),
+          read_point_if_any(at, "point_b"), at.member("normal").point(),
+          at.member("depth").number(),  // of some engines below 0: merely near
+          read_feature(at, number)};
 }
 
 CaseAnswer read_manifold(const JsonCursor& at) {
@@ -58,7 +62,7 @@ CaseAnswer read_manifold(const JsonCursor& at) {
   CaseAnswer answer;
   answer.manifold.emplace();
   for (std::size_t i = 0; i < list.size(); ++i)
-    answer.manifold->push_back(read_shape_contact(list.item(i)));
+    answer.manifold->push_back(read_shape_contact(list.item(i), static_cast<std::uint32_t>(i)));
   return answer;
 }
 

@@ -60,13 +60,13 @@ bool is_answerable(const Case& query) {
     case Ask::Distance:
       return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b)) ||
              (is_body(a) && is_body(b));
+    case Ask::Within:
     case Ask::Contacts:
     case Ask::FirstContact:
     case Ask::Free:
       return is_mesh_pair(query) || (is_body(a) && is_body(b));
     case Ask::Intersection:
       return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b));
-    case Ask::Within:
     case Ask::Separation:
       return is_mesh_pair(query);
     case Ask::Ray:

@@ -139,6 +139,10 @@ CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b,
   if (query.ask == Ask::Contacts) {
     return answer_of(find_contacts({a.shape, a.pose}, {b.shape, b.pose}, work));
   }
+  if (query.ask == Ask::Within) {  // as World::find_within() has it
+    return says(distance({a.shape, a.pose}, {b.shape, b.pose}, work).distance <=
+                query.settings.clearance);
+  }
   refuse(query);
 }
 

@@ -74,8 +74,10 @@ a file stay there. A record (engine/compare/README.md) has some 7 bytes a pose o
 that was killed goes on like one that was interrupted. --part K/N asks the K-th of N parts alone, each with a
 record of its own; graze merge puts them together.
 
-In place of a mesh A and B may be shapes, .json files that hold what a body of a case has ({"sphere":{"radius":1}});
-then B stands in --poses, and other engines are asked any, first_contact and free.
+In place of a mesh A and B may be shapes, .json files that hold what a body of a case has ({"sphere":{"radius":1}}).
+Every question but pairs is asked about them, of every engine that knows it: FCL, Coal and Bullet know distances, within
+and contacts, ODE contacts. Of what is curved a plane that parts the two and two points of them bound a distance, and
+what is wrong names both bounds.
 
 Below the table stands what to do about each class of errors: a tolerance, poses, single precision on the way,
 triangles without area, another question, or a bug to report, for which --report, --markdown and --json have the text of
@@ -101,6 +103,7 @@ Examples:
   graze compare bolt.obj nut.stl --random 100000 --part 3/8 --resume part3.jsonl
   graze compare bolt.obj nut.stl --poses poses.npy --answers mine.jsonl --fail-on mine
   graze compare bolt.obj nut.stl --poses poses.txt --query first_contact
+  graze compare capsule.json box.json --grazing 1000 --query distance
   graze compare bolt.obj nut.stl --random 1000 --engines graze --engine-command ./mine --fail-on mine
   graze compare bolt.obj nut.stl --grazing 1000 --fail-on 'fcl:real>1e-9' --junit fcl.xml
   graze compare data/regressions --save base

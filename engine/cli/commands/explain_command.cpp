@@ -1,7 +1,9 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/reports/case_explanation.h>
 #include <graze/engine/cli/reports/explanation.h>
 #include <graze/engine/compare/judge/judgement.h>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace graze::cli {
 namespace {
@@ -38,14 +41,22 @@ the boxes of the leaves overlap; "solids_intersect", if both meshes are closed.
 Of a case, a .json file alone (see graze replay), it says why the answer in it is wrong: two textbook tests of
 the two triangles that show it best, the separating axes and piercing by determinants, are gone through in double and in float,
 with corners placed in the common frame, in A's, and from A's first corner, beside the same in rational numbers. The first step that gives the
-recorded answer is named: an axis, a determinant, or placing itself. --answer is judged in its place: yes, no, or a
-distance. With --json: {"question":...,"verdict":"wrong","pair":[a,b],"ways":[{"placed":"in A's frame","numbers":"double",
-"touch":true,"axes":true,"determinants":false,"misleading":[{"name":...,"computed":...,"exact":...,"ulps":...}]}],"why":...}
+recorded answer is named: an axis, a determinant, or placing itself. --answer is judged in its place: yes, no, a
+distance, or of a first contact "free" or a time. With --json: {"question":...,"verdict":"wrong","pair":[a,b],
+"ways":[{"placed":"in A's frame","numbers":"double","touch":true,"axes":true,"determinants":false,
+"misleading":[{"name":...,"computed":...,"exact":...,"ulps":...}]}],"why":...}
+
+Of two shapes it says in words what proves the truth: the plane that parts them, the points that are nearest, the point
+that is in both, how far B must go; of two in motion where they meet first, in which triangles, what is proved until then,
+and how late or early the answer is; of a ray what it meets; of a point whether it is inside. With --json: "reasons":[...].
+Of a question that it does not explain one line says so. Of a file of many cases, .jsonl, --line says which.
 
 Examples:
   graze explain bolt.obj nut.stl --pose-b "1 0 0 0  0 1 0 0  0 0 1 0.002"
   graze explain data/regressions/fcl-rock-14.json
   graze explain data/regressions/triangles-16.json --answer yes
+  graze explain data/hard_cases/shapes.jsonl --line 27
+  graze explain data/hard_cases/motions.jsonl --line 1 --answer free
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -56,37 +67,68 @@ struct ExplainOptions {
   std::string mesh_b;
   std::string pose_a;
   std::string pose_b;
-  std::string answer;  ///< in place of that of the case
+  std::string answer;               ///< in place of that of the case
+  std::optional<std::size_t> line;  ///< of a file of many cases: from 1 on
   bool is_json = false;
 };
+
+/// A number and nothing else.
+std::optional<double> read_number(const std::string& word) {
+  double value = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool is_read = error == std::errc() && rest == word.data() + word.size();
+  return is_read && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
 
 /// What stands behind --answer.
 CaseAnswer read_answer_word(const Case& query, const std::string& word) {
   CaseAnswer answer;
-  const bool is_number = query.ask == Ask::Distance;
-  if (!is_number && (word == "yes" || word == "no")) {
+  const bool is_distance = query.ask == Ask::Distance;
+  const bool is_time = query.ask == Ask::FirstContact;
+  const std::optional<double> number = read_number(word);
+  if (!is_distance && !is_time && (word == "yes" || word == "no")) {
     answer.says = word == "yes";
-    return answer;
-  }
-  double value = 0;
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool is_read = error == std::errc() && rest == word.data() + word.size();
-  if (!is_number || !is_read || !std::isfinite(value)) {
+  } else if (is_distance && number) {
+    answer.distance = number;
+  } else if (is_time && word == "free") {
+    answer.status = RigidStatus::Free;
+    answer.low = answer.high = 1;
+  } else if (is_time && number) {
+    answer.status = RigidStatus::Hit;
+    answer.low = answer.high = number;
+  } else {
     throw UsageError("--answer: " + mesh_io::quoted(word) + " is no answer to " +
-                     name_of(query.ask) + ": yes or no, or a distance in metres");
+                     name_of(query.ask) +
+                     ": yes or no, a distance in metres, or of a first contact free or a time");
   }
-  answer.distance = value;
   return answer;
 }
 
-ExitCode run_explain_case(const ExplainOptions& options, Output& output) {
-  if (std::filesystem::path(options.mesh_a).extension() != ".json") {
+/// The case in a file, or of a file of many that in a line of it.
+Case read_explained(const ExplainOptions& options) {
+  const std::filesystem::path path = options.mesh_a;
+  if (path.extension() == ".json" && !options.line) return read_case(path);
+  if (path.extension() == ".json") throw UsageError("--line is of a file of many cases, .jsonl");
+  if (path.extension() != ".jsonl")
     throw UsageError("a mesh B is needed, or a case alone, a .json file");
-  }
+  if (!options.line) throw UsageError("which case of the file: see --line");
+  const std::string name = options.mesh_a + ":" + std::to_string(*options.line);
+  std::optional<Case> found;
+  read_listed_cases(
+      path, {},
+      [&](const ListedCase& each) {
+        if (each.name == name) found = each.query;
+      },
+      [](const Error& error) { throw CaseError(error.what(), error.place()); });
+  if (!found) throw UsageError("--line: " + mesh_io::printable(name) + ": there is no such line");
+  return *found;
+}
+
+ExitCode run_explain_case(const ExplainOptions& options, Output& output) {
   if (!options.pose_a.empty() || !options.pose_b.empty()) {
     throw UsageError("--pose-a and --pose-b are of two meshes: a case has its own");
   }
-  Case query = read_case(options.mesh_a);
+  Case query = read_explained(options);
   if (!options.answer.empty()) {
     query.answer = read_answer_word(query, options.answer);
     query.answered_by = {"--answer", ""};
@@ -104,6 +146,7 @@ ExitCode run_explain_case(const ExplainOptions& options, Output& output) {
 ExitCode run_explain(const ExplainOptions& options, Output& output) {
   if (options.mesh_b.empty()) return run_explain_case(options, output);
   if (!options.answer.empty()) throw UsageError("--answer is of a case");
+  if (options.line) throw UsageError("--line is of a file of many cases, .jsonl");
   const auto pose_of = [](const std::string& text, const char* option) {
     return text.empty() ? Pose(Pose::Identity()) : parse_pose(text, option);
   };
@@ -133,7 +176,10 @@ void add_explain_command(CLI::App& program, Action& action) {
   command
       ->add_option("--answer", options->answer,
                    "of a case: this answer in place of the recorded one")
-      ->type_name("yes|no|METRES");
+      ->type_name("yes|no|METRES|free|TIME");
+  command->add_option("--line", options->line, "of a file of many cases: that of this line")
+      ->type_name("N")
+      ->check(whole_number(1, 1'000'000'000));
   command->add_flag("--json", options->is_json, "one JSON object on one line");
   command->footer(kExplainFooter);
   command->callback([options, &action] {

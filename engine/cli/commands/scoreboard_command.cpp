@@ -2,6 +2,8 @@
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/cli/scoreboard/hard_case.h>
 #include <graze/engine/cli/scoreboard/scoreboard.h>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +19,10 @@ query, no such shapes), and are unknown (not wholly judged, or wrong once and ri
 data/hard_cases has cases that engines are known to get wrong, each with its truth and where it is from; its page
 says how a library is tried on them without graze.
 
+--add CASE.json makes a case of that folder of one that graze compare has written, and asks no engine: a line of the
+file of --class, in plain numbers, with the truth for its answer, which the referee must prove, and with --origin, where
+it is from. The counts in the folder's README.md are then those of its files. A case that is there is refused.
+
 With --json one line: {"engines":[{"engine":"fcl","version":"0.7.0","all":{"passed":...,"failed":...,"refused":...,
 "unknown":...},"classes":{"coplanar":{...},...}},...]}
 
@@ -24,6 +30,7 @@ Examples:
   graze scoreboard data/hard_cases
   graze scoreboard data/hard_cases --engines graze --engine-command ./mine
   graze scoreboard data/hard_cases/coplanar.jsonl --markdown table.md
+  graze scoreboard data/hard_cases --add graze-cases/odd.json --class shapes --origin "found by graze compare"
 
 Exit codes:
   0  graze passes, whatever others do
@@ -34,6 +41,7 @@ Exit codes:
 
 void add_scoreboard_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ScoreboardOptions>();
+  auto added = std::make_shared<HardCaseOptions>();
   CLI::App* command =
       program.add_subcommand("scoreboard", "Who passes which hard cases: engines and classes");
   command->add_option("FILE", options->files, "cases, or folders of them; .jsonl: one on each line")
@@ -53,9 +61,26 @@ void add_scoreboard_command(CLI::App& program, Action& action) {
   command->add_flag("--json", options->is_json, "one JSON object on one line");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
+  CLI::Option* add =
+      command->add_option("--add", added->file, "make a hard case of this one")->type_name("CASE");
+  command->add_option("--class", added->kind, "of --add: the class that it joins")
+      ->type_name("NAME")
+      ->needs(add);
+  command->add_option("--origin", added->origin, "of --add: where it is from (default: as it says)")
+      ->type_name("TEXT")
+      ->needs(add);
+  command->add_option("--note", added->note, "of --add: what is hard (default: as it says)")
+      ->type_name("TEXT")
+      ->needs(add);
   command->footer(kScoreboardFooter);
-  command->callback([options, &action] {
-    action = [options](Output& output) {
+  command->callback([options, added, &action] {
+    action = [options, added](Output& output) {
+      if (!added->file.empty()) {
+        if (options->files.size() != 1) throw UsageError("--add is to one folder");
+        added->folder = options->files.front();
+        add_hard_case(*added, output);
+        return ExitCode::Answered;
+      }
       const compare::PeerSettings peers = {.timeout =
                                                std::chrono::duration<double>(options->timeout)};
       return run_scoreboard(*options, engines_with(peers, options->engine_commands), output);

@@ -80,34 +80,23 @@ CaseBody load_body(const std::string& path, const Pose& pose) {
   return {is_shape_file(path) ? load_shape(path) : Shape(load_mesh(path)), pose};
 }
 
-/// Poses of a shape: no generator knows what its touch is.
-std::shared_ptr<const compare::PoseSource> shape_poses_of(const CompareOptions& options,
-                                                          const Shape& b) {
-  if (options.random > 0 || options.grazing > 0) {
-    throw UsageError("--random and --grazing place meshes; of shapes see --poses");
-  }
-  const Aabb bounds = b.as<HalfSpace>() != nullptr ? Aabb{{0, 0, 0}, {0, 0, 0}}
-                                                   : bounding_aabb({b, Pose::Identity()});
-  if (options.poses) return compare::pose_file(*options.poses, bounds);
-  if (options.pose_b.empty()) return compare::pose_list({Pose::Identity()});
-  const Pose pose = parse_pose(options.pose_b, "--pose-b");
-  check_pose(pose, "--pose-b");
-  return compare::pose_list({pose});
+/// A box that B must have room for: of what has no end its origin alone.
+Aabb room_of(const Shape& shape) {
+  const bool is_endless = shape.as<HalfSpace>() != nullptr || shape.as<Plane>() != nullptr;
+  return is_endless ? Aabb{{0, 0, 0}, {0, 0, 0}} : bounding_aabb({shape, Pose::Identity()});
 }
 
-std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& options, const Mesh& a,
-                                                    const Pose& pose_a, const Mesh& b) {
+/// Of two meshes or two bodies; `b` is the mesh or the shape of B, which has such bounds.
+template <typename A, typename B>
+std::shared_ptr<const compare::PoseSource> poses_of(const CompareOptions& options, const A& a,
+                                                    const B& b, const Aabb& bounds_b) {
   const std::uint64_t seed = options.seed.value_or(1);
-  if (options.random > 0) {
-    return compare::random_pose_source(a, pose_a, b, options.random, seed);
-  }
-  if (options.grazing > 0) {
-    return compare::grazing_pose_source(a, pose_a, b, options.grazing, seed);
-  }
-  if (options.poses) return compare::pose_file(*options.poses, b.bounds());
+  if (options.random > 0) return compare::random_pose_source(a, b, options.random, seed);
+  if (options.grazing > 0) return compare::grazing_pose_source(a, b, options.grazing, seed);
+  if (options.poses) return compare::pose_file(*options.poses, bounds_b);
   if (options.pose_b.empty()) return compare::pose_list({Pose::Identity()});
   const Pose pose = parse_pose(options.pose_b, "--pose-b");
-  check_placement(pose, b.bounds(), "--pose-b");
+  check_placement(pose, bounds_b, "--pose-b");
   return compare::pose_list({pose});
 }
 
@@ -136,19 +125,21 @@ ComparisonJob read_shape_job(const CompareOptions& options, const Pose& pose_a) 
   const CaseBody a = load_body(options.mesh_a, pose_a);
   const CaseBody b = load_body(options.mesh_b, Pose::Identity());
   const Ask ask = ask_named(options.query);
-  if (ask == Ask::Pairs || ask == Ask::Within) {
-    throw UsageError("--query " + options.query + " is about meshes, not about shapes");
-  }
-  return {.a = a, .b = b, .poses_b = shape_poses_of(options, b.shape), .question = {ask, {}}};
+  if (ask == Ask::Pairs) throw UsageError("--query pairs is about meshes, not about shapes");
+  return {.a = a,
+          .b = b,
+          .poses_b = poses_of(options, a, b.shape, room_of(b.shape)),
+          .question = {ask, {}}};
 }
 
 ComparisonJob read_mesh_job(const CompareOptions& options, const Pose& pose_a) {
   const Mesh mesh_a = load_mesh(options.mesh_a);
   const Mesh mesh_b = options.mesh_b == options.mesh_a ? mesh_a : load_mesh(options.mesh_b);
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
-  return {.a = CaseMesh(mesh_a, pose_a),
+  const CaseMesh a(mesh_a, pose_a);
+  return {.a = a,
           .b = CaseMesh(mesh_b, Pose::Identity()),
-          .poses_b = poses_of(options, mesh_a, pose_a, mesh_b),
+          .poses_b = poses_of(options, a, mesh_b, mesh_b.bounds()),
           .question = {ask_named(options.query), {}}};
 }
 

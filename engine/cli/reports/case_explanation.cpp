@@ -55,12 +55,26 @@ std::vector<ClassicWay> ways_in(const std::vector<ClassicWay>& ways,
   return some;
 }
 
+/// Whether an answer is gone through by tests of two triangles.
+bool has_textbook_tests(const Case& query) {
+  const bool is_asked =
+      query.ask == Ask::Any || query.ask == Ask::Pairs || query.ask == Ask::Distance;
+  return is_asked && compare::as_meshes(query);
+}
+
 void explain_wrong(const Case& query, CaseExplanation& e) {
-  const std::optional<MeshCase> meshes = compare::as_meshes(query);
-  if (!meshes || meshes->a.course || meshes->b.course) {
-    e.why = "Only answers about two triangles, or two meshes that rest, can be gone through.";
+  if (e.reasons) {
+    e.why = "The answer is wrong.";
     return;
   }
+  if (!has_textbook_tests(query)) {
+    e.why = fmt::format(
+        "An answer to \"{}\" about these is judged, as the truth above says, but not explained: "
+        "answers about two triangles, two meshes at rest, shapes, motions, rays and points are.",
+        name_of(query.ask));
+    return;
+  }
+  const std::optional<MeshCase> meshes = compare::as_meshes(query);
   e.pair = pair_of(*meshes, e.judgement.culprit);
   e.ways = compare::classic_ways({meshes->a.mesh.triangle(e.pair->a), meshes->a.pose,
                                   meshes->b.mesh.triangle(e.pair->b), meshes->b.pose});
@@ -127,6 +141,7 @@ CaseExplanation explain_case(const Case& query) {
       .says = compare::brief(*query.answer),
       .judgement = compare::Judge(query).judge(*query.answer, witness),
       .why = ""};
+  e.reasons = reasons_of(query, e.judgement);
   switch (e.judgement.verdict) {
     case Verdict::Wrong:
       explain_wrong(query, e);
@@ -163,6 +178,9 @@ std::string to_text(const CaseExplanation& e) {
     }
     text += "\n";
   }
+  if (e.reasons) text += "\n";
+  for (const std::string& reason : e.reasons.value_or(Reasons()))
+    text += reason + "\n";
   return text + e.why + "\n";
 }
 
@@ -180,6 +198,11 @@ std::string to_json(const CaseExplanation& e) {
   if (e.pair) {
     out += fmt::format(",\"pair\":[{},{}],\"ways\":", e.pair->a, e.pair->b);
     out += cases::json_list(e.ways, ",", way_json);
+  }
+  if (e.reasons) {
+    out += ",\"reasons\":" + cases::json_list(*e.reasons, ",", [](const std::string& each) {
+             return json_string(each);
+           });
   }
   return out + ",\"why\":" + json_string(e.why) + "}\n";
 }

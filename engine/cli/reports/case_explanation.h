@@ -5,12 +5,14 @@
 #include <vector>
 
 #include <graze/engine/cases/case.h>
+#include <graze/engine/cli/reasons/reasons.h>
 #include <graze/engine/compare/judge/classics/blame.h>
 #include <graze/engine/compare/judge/judgement.h>
 
 namespace graze::cli {
 
-/// Why somebody's answer to a case is wrong, as far as textbook tests of two triangles show it.
+/// Why somebody's answer to a case is wrong, as far as textbook tests of two triangles show it, or
+/// what proves the truth.
 struct CaseExplanation {
   std::string question;
   std::string engine;  ///< with its version
@@ -18,6 +20,9 @@ struct CaseExplanation {
   compare::Judgement judgement;
   std::optional<TrianglePair> pair = {};  ///< that shows it best; none: no two triangles do
   std::vector<compare::ClassicWay> ways = {};
+  /// What proves the truth, of shapes, motions, rays and points, whatever the verdict; none of
+  /// others.
+  std::optional<Reasons> reasons = {};
   std::string why;  ///< in words
 };
 

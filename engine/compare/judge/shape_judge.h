@@ -41,6 +41,12 @@ class ShapeJudge {
   /// does not end, where law 11 says so.
   Judgement judge(bool says, const CaseWitness& witness, const JudgeSettings& settings = {}) const;
 
+  /// Whether they meet; nothing if that is not proved, and of two meshes.
+  std::optional<bool> is_hit() const;
+
+  /// The class of an error of so many metres in what else is said of them.
+  ErrorClass class_of(double error) const;
+
   /// From the largest coordinate that a proof computes with to the next double.
   double ulp() const;
 

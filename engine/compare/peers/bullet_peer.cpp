@@ -2,12 +2,15 @@
 // double. Its shapes keep state while they are asked.
 
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/compare/peers/shape_answers.h>
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <btBulletCollisionCommon.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <variant>
 
@@ -65,6 +68,7 @@ class Collector : public btCollisionWorld::ContactResultCallback {
  public:
   btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* object_0, int,
                            int, const btCollisionObjectWrapper*, int, int) override {
+    nearest = std::min(nearest, point.getDistance());
     if (point.getDistance() > 0) return 0;
     // The normal points from the second object to the first, whichever of the two comes first.
     const bool is_swapped = object_0->getCollisionObject() != first;
@@ -77,6 +81,7 @@ class Collector : public btCollisionWorld::ContactResultCallback {
   }
   const btCollisionObject* first = nullptr;
   std::vector<CaseContact> contacts;
+  double nearest = std::numeric_limits<double>::infinity();  // of all points, apart or not
 };
 
 /// Two objects at a time.
@@ -95,6 +100,17 @@ class PairTest {
     collector.first = a;
     world_.contactPairTest(a, b, collector);
     return std::move(collector.contacts);
+  }
+
+  /// The distance of the nearest points that Bullet's GJK finds, however far apart; below 0 they
+  /// meet. Nothing if it finds none.
+  std::optional<double> distance(btCollisionObject* a, btCollisionObject* b) {
+    constexpr double kAnyDistance = 1e30;
+    Collector collector;
+    collector.first = a;
+    collector.m_closestDistanceThreshold = kAnyDistance;
+    world_.contactPairTest(a, b, collector);
+    return std::isfinite(collector.nearest) ? std::optional(collector.nearest) : std::nullopt;
   }
 
  private:
@@ -210,12 +226,41 @@ class BulletShapes : public LoadedShapes {
                                  const Pose& pose_b) const override {
     BulletShape& a = *shapes_[shape_a];
     BulletShape& b = *shapes_[shape_b];
-    const bool are_planes = a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace;
-    if (!a.is_known() || !b.is_known() || are_planes) return std::nullopt;
+    if (!knows(a, b)) return std::nullopt;
     return !test_.contacts(a.place(0, pose_a), b.place(1, pose_b)).empty();
   }
 
+  /// Of meshes GImpact knows no distance.
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& placed_a,
+                                   const PlacedShape& placed_b) const override {
+    BulletShape& a = *shapes_[placed_a.shape];
+    BulletShape& b = *shapes_[placed_b.shape];
+    if (!knows(a, b)) return std::nullopt;
+    btCollisionObject* object_a = a.place(0, placed_a.pose);
+    btCollisionObject* object_b = b.place(1, placed_b.pose);
+    if (question.ask == Ask::Contacts) return contacts(object_a, object_b);
+    if (a.kind() == ShapeKind::Mesh || b.kind() == ShapeKind::Mesh) return std::nullopt;
+    if (question.ask == Ask::Distance)
+      return answer_of_distance(test_.distance(object_a, object_b));
+    if (question.ask == Ask::Within)
+      return answer_of_within(test_.distance(object_a, object_b), question.settings.clearance);
+    return std::nullopt;
+  }
+
  private:
+  static bool knows(const BulletShape& a, const BulletShape& b) {
+    const bool are_planes = a.kind() == ShapeKind::HalfSpace && b.kind() == ShapeKind::HalfSpace;
+    return a.is_known() && b.is_known() && !are_planes;
+  }
+
+  CaseAnswer contacts(btCollisionObject* a, btCollisionObject* b) const {
+    CaseAnswer answer;
+    answer.manifold.emplace();
+    for (const CaseContact& c : test_.contacts(a, b))
+      add_contact(c.point, c.normal, c.depth, *answer.manifold);
+    return answer;
+  }
+
   std::vector<std::unique_ptr<BulletShape>> shapes_;
   mutable PairTest test_;
 };
@@ -223,7 +268,9 @@ class BulletShapes : public LoadedShapes {
 class BulletEngine : public Engine {
  public:
   CaseWitness name() const override { return {"bullet", std::to_string(btGetVersion())}; }
-  std::optional<std::vector<Ask>> questions() const override { return {{Ask::Any, Ask::Contacts}}; }
+  std::optional<std::vector<Ask>> questions() const override {
+    return {{Ask::Any, Ask::Distance, Ask::Within, Ask::Contacts}};
+  }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<BulletPair>(mesh_a, mesh_b);
   }

@@ -2,6 +2,7 @@
 // are its defaults, but for the one that asks for time and changes no answer (slack_of).
 
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/compare/peers/shape_answers.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
@@ -272,7 +273,53 @@ class CoalShapes : public LoadedShapes {
     });
   }
 
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
+    if (shapes_[a.shape].geometry == nullptr || shapes_[b.shape].geometry == nullptr)
+      return std::nullopt;
+    return unless_it_throws([&] { return known_answer(question, a, b); }).value_or(std::nullopt);
+  }
+
  private:
+  std::optional<CaseAnswer> known_answer(const Question& question, const PlacedShape& a,
+                                         const PlacedShape& b) const {
+    switch (question.ask) {
+      case Ask::Distance:
+        return answer_of_distance(distance(a, b));
+      case Ask::Within:
+        return answer_of_within(distance(a, b), question.settings.clearance);
+      case Ask::Contacts:
+        return contacts(a, b);
+      default:
+        return std::nullopt;
+    }
+  }
+
+  /// Below 0: as deep as that.
+  std::optional<double> distance(const PlacedShape& a, const PlacedShape& b) const {
+    const coal::DistanceRequest request;
+    coal::DistanceResult result;
+    const Body& body_a = shapes_[a.shape];
+    const Body& body_b = shapes_[b.shape];
+    coal::distance(body_a.geometry.get(), to_coal(a.pose, body_a.centre), body_b.geometry.get(),
+                   to_coal(b.pose, body_b.centre), request, result);
+    return result.min_distance;
+  }
+
+  CaseAnswer contacts(const PlacedShape& a, const PlacedShape& b) const {
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    const Body& body_a = shapes_[a.shape];
+    const Body& body_b = shapes_[b.shape];
+    const coal::CollisionResult result =
+        collide(*body_a.geometry, to_coal(a.pose, body_a.centre), *body_b.geometry,
+                to_coal(b.pose, body_b.centre), kAll);
+    CaseAnswer answer;
+    answer.manifold.emplace();
+    for (const coal::Contact& c : result.getContacts())
+      add_contact(c.pos, c.normal, -c.penetration_depth, *answer.manifold);
+    return answer;
+  }
+
   struct Body {
     Geometry geometry;       // or null
     Eigen::Vector3d centre;  // Coal's shapes are at 0

@@ -18,7 +18,7 @@
 
 namespace graze::compare {
 
-/// What is asked about two meshes.
+/// What is asked about two meshes or shapes.
 struct Question {
   Ask ask = Ask::Any;
   CaseSettings settings = {};
@@ -105,10 +105,11 @@ class LoadedShapes {
       std::span<const PlacedShape> bodies,
       std::span<const std::pair<std::size_t, std::size_t>> pairs) const;
 
-  /// What the engine answers to Ask::FirstContact or Free about two of them, each of which goes
-  /// from its pose along the course in the question; nothing if it does not know such questions.
-  virtual std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
-                                                  const PlacedShape& b) const;
+  /// What the engine answers to any other question about two of them: Ask::Distance, Within and
+  /// Contacts as they stand, FirstContact and Free as each goes from its pose along the course in
+  /// the question; nothing if it does not know such questions.
+  virtual std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                           const PlacedShape& b) const;
 };
 
 /// A collision engine behind one page. No type of the engine's own appears here.

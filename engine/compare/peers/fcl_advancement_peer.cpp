@@ -33,8 +33,8 @@ class FclAdvancementShapes : public LoadedShapes {
                                  const Pose&) const override {
     return std::nullopt;
   }
-  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
-                                          const PlacedShape& b) const override {
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
     return motions_.answer(question, a, b);
   }
 

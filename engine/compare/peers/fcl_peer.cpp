@@ -4,6 +4,7 @@
 #include <graze/engine/compare/fcl_shapes.h>
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/fcl_motions.h>
+#include <graze/engine/compare/peers/shape_answers.h>
 
 #include <array>
 
@@ -66,12 +67,35 @@ class FclShapes : public LoadedShapes {
     return compare::intersects(shapes_[shape_a], pose_a, shapes_[shape_b], pose_b);
   }
 
-  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
-                                          const PlacedShape& b) const override {
-    return motions_.answer(question, a, b);
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
+    const FclShape& shape_a = shapes_[a.shape];
+    const FclShape& shape_b = shapes_[b.shape];
+    switch (question.ask) {
+      case Ask::Distance:
+        return answer_of_distance(compare::distance(shape_a, a.pose, shape_b, b.pose));
+      case Ask::Within:
+        return answer_of_within(compare::distance(shape_a, a.pose, shape_b, b.pose),
+                                question.settings.clearance);
+      case Ask::Contacts:
+        return contacts(shape_a, a.pose, shape_b, b.pose);
+      default:
+        return motions_.answer(question, a, b);
+    }
   }
 
  private:
+  static std::optional<CaseAnswer> contacts(const FclShape& shape_a, const Pose& pose_a,
+                                            const FclShape& shape_b, const Pose& pose_b) {
+    const auto found = compare::find_contacts(shape_a, pose_a, shape_b, pose_b);
+    if (!found) return std::nullopt;
+    CaseAnswer answer;
+    answer.manifold.emplace();
+    for (const FclContact& c : *found)
+      add_contact(c.point, c.normal, c.depth, *answer.manifold);
+    return answer;
+  }
+
   std::vector<FclShape> shapes_;
   FclMotions motions_;
 };

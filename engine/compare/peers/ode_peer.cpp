@@ -3,6 +3,7 @@
 // ask.
 
 #include <graze/engine/compare/peers/adaptors.h>
+#include <graze/engine/compare/peers/shape_answers.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 
@@ -262,6 +263,24 @@ class OdeShapes : public LoadedShapes {
     const OdeShape& b = *others_[shape_b];
     if (!knows_[index_of(a.kind())][index_of(b.kind())]) return std::nullopt;
     return collide(a.place(pose_a), b.place(pose_b));
+  }
+
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& placed_a,
+                                   const PlacedShape& placed_b) const override {
+    const OdeShape& a = *shapes_[placed_a.shape];
+    const OdeShape& b = *others_[placed_b.shape];
+    const bool is_known = knows_[index_of(a.kind())][index_of(b.kind())];
+    if (question.ask != Ask::Contacts || !is_known) return std::nullopt;
+    std::vector<dContactGeom> found(kMaxContacts);
+    const int count = dCollide(a.place(placed_a.pose), b.place(placed_b.pose), kMaxContacts,
+                               found.data(), sizeof(dContactGeom));
+    found.resize(static_cast<std::size_t>(std::max(count, 0)));
+    CaseAnswer answer;
+    answer.manifold.emplace();
+    for (const dContactGeom& c : found)
+      add_contact({c.pos[0], c.pos[1], c.pos[2]}, {-c.normal[0], -c.normal[1], -c.normal[2]},
+                  c.depth, *answer.manifold);
+    return answer;
   }
 
  private:

@@ -1,5 +1,4 @@
 #include <graze/engine/cases/answer_case.h>
-#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/run/shape_pair.h>
 
 #include <array>
@@ -39,10 +38,8 @@ class OtherShapePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    if (cases::is_about_motion(question.ask)) {
-      return shapes_->answer_motion(question, {0, pose_a}, {1, pose_b});
-    }
-    if (question.ask != Ask::Any || !question.is_plain()) return std::nullopt;
+    if (!question.is_plain()) return std::nullopt;
+    if (question.ask != Ask::Any) return shapes_->answer(question, {0, pose_a}, {1, pose_b});
     const std::optional<bool> says = shapes_->intersects(0, pose_a, 1, pose_b);
     std::optional<CaseAnswer> answer;
     if (says) answer.emplace().says = says;

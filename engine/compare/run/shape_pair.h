@@ -7,7 +7,7 @@
 namespace graze::compare {
 
 /// Two shapes of bodies as two meshes are held, so that many poses are asked about one after the
-/// other. Engines other than graze know whether they meet, and motions; null for one that knows no
+/// other. Engines other than graze are asked what their adaptors know; null for one that knows no
 /// shapes.
 std::unique_ptr<LoadedPair> load_shape_pair(const Engine& engine, const Shape& shape_a,
                                             const Shape& shape_b);

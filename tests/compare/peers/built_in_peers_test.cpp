@@ -9,6 +9,7 @@
 #include <graze/engine/compare/run/case_comparison.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/hull_data.h>
 #include <graze/narrowphase/convex/core/hull.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,46 @@ TEST_P(BuiltInPeers, AnswersEveryQuestionThatItKnows) {
     EXPECT_FALSE(is_plainly_wrong) << name_of(what) << ": " << judgement.truth;
   }
   EXPECT_GE(answers, 2u);
+}
+
+/// Balls and boxes whose distance and depth are known by hand, by each question that the engine
+/// knows: what a user of it would see, for no proof takes part.
+TEST_P(BuiltInPeers, KnowsDistancesAndContactsOfShapes) {
+  const std::vector<std::pair<Shape, Shape>> pairs = {
+      {Sphere{{0, 0, 0}, 1}, Sphere{{0, 0, 0}, 0.5}},
+      {Box{{1, 1, 1}}, Box{{0.5, 0.25, 0.25}}},
+      {Capsule{1, 0.5}, Sphere{{0, 0, 0}, 0.5}}};
+  std::size_t distances = 0;
+  std::size_t contacts = 0;
+  for (const auto& [a, b] : pairs) {
+    for (const double gap : {0.25, -0.25}) {
+      Pose pose = Pose::Identity();
+      pose.translation().x() = 1.5 + gap;
+      Case query = to_case({a, Pose::Identity()}, {b, pose}, distance({a}, {b, pose}));
+      query.answer.reset();
+      if (const std::optional<CaseAnswer> answer = ask(engine(), query)) {
+        ++distances;
+        EXPECT_NEAR(std::max(*answer->distance, 0.0), std::max(gap, 0.0), 1e-6);
+      }
+      query.ask = Ask::Within;
+      for (const double clearance : {0.125, 0.5}) {
+        query.settings.clearance = clearance;
+        const std::optional<CaseAnswer> within = ask(engine(), query);
+        EXPECT_TRUE(!within || *within->says == (gap < clearance));
+      }
+      query.ask = Ask::Contacts;
+      const std::optional<CaseAnswer> answer = ask(engine(), query);
+      if (!answer) continue;
+      ++contacts;
+      EXPECT_EQ(answer->manifold->empty(), gap > 0);
+      for (const CaseShapeContact& contact : *answer->manifold) {
+        EXPECT_NEAR(contact.depth, -gap, 1e-5);
+        EXPECT_NEAR(contact.normal.x(), 1, 1e-5) << "from A to B";
+      }
+    }
+  }
+  EXPECT_EQ(contacts, 6u);
+  EXPECT_EQ(distances, std::string(GetParam()) == "ode" ? 0u : 6u);
 }
 
 /// Whom to ask about motions, and what.

@@ -18,12 +18,10 @@ namespace {
 
 const std::string kEngines = GRAZE_ENGINE_SAMPLES;
 
-/// Each engine's answer to the question in each pose of a box that goes past a torus.
-std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines, Ask ask) {
-  ComparisonJob job{.a = CaseMesh(tests::make_torus(1, 0.25, 10, 8), Pose::Identity()),
-                    .b = CaseMesh(tests::make_box({0.2, 0.2, 0.2}), Pose::Identity()),
-                    .poses_b = nullptr,
-                    .question = {ask, {}}};
+/// Each engine's answer to the question in each pose of B, which goes past A.
+std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines, Ask ask,
+                                               const CaseShape& a, const CaseShape& b) {
+  ComparisonJob job{.a = a, .b = b, .poses_b = nullptr, .question = {ask, {}}};
   std::vector<Pose> poses;
   for (int i = 0; i < 12; ++i) {
     Pose pose = Pose::Identity();
@@ -36,6 +34,13 @@ std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines,
                  each_record<PlaceRecord>(
                      [&](const PlaceRecord& record) { all[record.place] = record.answers; }));
   return all;
+}
+
+/// Of a box that goes past a torus.
+std::vector<std::vector<AnswerRecord>> answers(std::vector<EngineEntry> engines, Ask ask) {
+  return answers(std::move(engines), ask,
+                 CaseMesh(tests::make_torus(1, 0.25, 10, 8), Pose::Identity()),
+                 CaseMesh(tests::make_box({0.2, 0.2, 0.2}), Pose::Identity()));
 }
 
 std::vector<EngineEntry> graze_and(EngineEntry other) {
@@ -83,6 +88,29 @@ TEST(UsersEngine, OfFclSaysWhatFclSays) {
       EXPECT_EQ(answer[1].brief, answer[2].brief) << name_of(ask);
       EXPECT_FALSE(answer[1].is_wrong());
       EXPECT_GT(answer[1].time, 0);
+    }
+  }
+}
+#endif
+
+#ifdef GRAZE_FCL_ENGINE
+/// The client's page knows shapes as the adaptor does: whatever their kinds, both say the same.
+TEST(UsersEngine, OfFclSaysWhatFclSaysOfShapes) {
+  const std::vector<Shape> shapes = {
+      Sphere{{0.25, 0, 0}, 0.5}, Box{{0.5, 0.25, 0.75}}, Capsule{0.25, 0.5},
+      Cylinder{0.5, 0.25},       Cone{0.5, 0.5},         Ellipsoid{{0, 0.125, 0}, {0.5, 1, 0.25}}};
+  for (const Ask ask : {Ask::Any, Ask::Distance, Ask::Contacts}) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      std::vector<EngineEntry> engines = graze_and(start_engine(GRAZE_FCL_ENGINE));
+      for (EngineEntry& entry : all_engines())
+        if (entry.name == "fcl") engines.push_back(std::move(entry));
+      const CaseBody a(shapes[i], Pose::Identity());
+      const CaseBody b(shapes[(i + 1) % shapes.size()], Pose::Identity());
+      for (const std::vector<AnswerRecord>& answer : answers(std::move(engines), ask, a, b)) {
+        ASSERT_EQ(answer.size(), 3u);
+        EXPECT_EQ(answer[1].brief, answer[2].brief) << name_of(ask) << i;
+        EXPECT_EQ(answer[1].value, answer[2].value) << name_of(ask) << i;
+      }
     }
   }
 }

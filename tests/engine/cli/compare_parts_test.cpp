@@ -273,15 +273,15 @@ TEST(RunInOrder, StopsWithoutAHole) {
 TEST(PoseSource, DrawsAnyPoseByItself) {
   const Mesh a = tests::make_torus(1, 0.25, 10, 8);
   const Mesh b = tests::make_box({0.5, 0.5, 0.5});
-  const auto whole = compare::random_pose_source(a, Pose::Identity(), b, 3000, 5);
+  const auto whole = compare::random_pose_source(CaseMesh(a, Pose::Identity()), b, 3000, 5);
   const std::vector<Pose> first = compare::random_poses({a}, b, 1024, 5);
   for (std::size_t i = 0; i < first.size(); ++i)
     ASSERT_TRUE(whole->at(i).matrix() == first[i].matrix()) << i;
-  const auto again = compare::random_pose_source(a, Pose::Identity(), b, 3000, 5);
+  const auto again = compare::random_pose_source(CaseMesh(a, Pose::Identity()), b, 3000, 5);
   for (const std::size_t i : {2999, 1500, 1024, 0})
     EXPECT_TRUE(again->at(i).matrix() == whole->at(i).matrix()) << i;
   EXPECT_FALSE(whole->at(1024).matrix() == whole->at(0).matrix());
-  const auto grazing = compare::grazing_pose_source(a, Pose::Identity(), b, 1030, 5);
+  const auto grazing = compare::grazing_pose_source(CaseMesh(a, Pose::Identity()), b, 1030, 5);
   for (const std::size_t i : {1025, 1024, 3})
     EXPECT_EQ(intersects({a}, {b, grazing->at(i)}), i % 2 == 0) << i;
 }

@@ -1,5 +1,6 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
+#include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/work.h>
 #include <graze/engine/world/shape_bounds.h>
 
@@ -22,6 +23,9 @@ constexpr double kExtentTolerance = 1e-4;
 constexpr double kSearchTolerance = 1e-6;
 constexpr double kPointTolerance = 0x1p-18;
 constexpr double kBoxShare = 0.05;
+
+/// Of the smaller shape: what is granted to other engines' contacts.
+constexpr double kOthersTolerance = 1e-5;
 
 /// Of the smaller shape: farther off a point is wrong, though edges count as one and round faces as
 /// octagons, whose sides are up to a thirteenth of the radius inside.
@@ -88,6 +92,24 @@ Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
   return std::nullopt;
 }
 
+/// The same of another engine's contacts, of which the deepest may stand anywhere.
+Fault fault_of_others_parting(const PlacedBody& a, const PlacedBody& b,
+                              const CaseShapeContact& deepest, double tolerance) {
+  const Vector3d n = deepest.normal.normalized();
+  const double needed = support_along(a.shape, a.pose, n) + support_along(b.shape, b.pose, -n);
+  const auto beside = [&](const char* what) {
+    return std::string(what) + in_metres(": B moved by", needed) +
+           " along the normal parts them, " + in_metres("not by", deepest.depth);
+  };
+  if (deepest.depth > std::max(needed, 0.0) + tolerance)
+    return WitnessFault{beside("a depth beyond what parts the two"), deepest.depth - needed};
+  if (needed <= deepest.depth + tolerance) return std::nullopt;
+  const double back = support_along(a.shape, a.pose, -n) + support_along(b.shape, b.pose, n);
+  if (back <= deepest.depth + tolerance)
+    return WitnessFault{"a normal from B to A", 2 * deepest.depth};
+  return WitnessFault{beside("a depth that does not part the two"), needed - deepest.depth};
+}
+
 /// How far a point is off the surface, inside or outside.
 double off_surface(const PlacedBody& body, const Vector3d& point) {
   return std::abs(outside_by(body.shape, body.pose, point));
@@ -149,6 +171,32 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
   if (Fault fault = fault_of_parting(a, b, contacts, tolerance)) return {.fault = fault};
   return most_off > beside ? PartsReview{.unjudged = "where its points are, to a part in 16"}
                            : PartsReview{};
+}
+
+PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
+                                   const std::vector<CaseShapeContact>& contacts) {
+  if (contacts.empty()) return {};
+  const double size = smaller_size(a, b);
+  const double tolerance =
+      size * kOthersTolerance +
+      kTouchUlps * 0x1p-52 * (a.pose.translation().norm() + b.pose.translation().norm() + size);
+  const CaseShapeContact* deepest = contacts.data();
+  for (const CaseShapeContact& c : contacts) {
+    const double off_unit = std::abs(c.normal.norm() - 1);
+    if (!(off_unit <= kOthersTolerance))
+      return {.fault = WitnessFault{"a normal of another length", off_unit}};
+    if (c.depth < -tolerance) return {.fault = WitnessFault{"a depth below zero", -c.depth}};
+    for (const PlacedBody* body : {&a, &b}) {
+      const double off =
+          outside_by(body->shape, body->pose, c.point) - std::max(c.depth, 0.0) - tolerance;
+      if (off > 0)
+        return {.fault = WitnessFault{body == &a ? "a point off A" : "a point off B", off}};
+    }
+    if (c.depth > deepest->depth) deepest = &c;
+  }
+  if (is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh)) return {.unjudged = "normals and depths"};
+  if (Fault fault = fault_of_others_parting(a, b, *deepest, tolerance)) return {.fault = fault};
+  return {};
 }
 
 }  // namespace graze::compare

@@ -1,21 +1,16 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
+#include <graze/engine/compare/judge/bodies/distance_bounds.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
-#include <graze/engine/compare/judge/rational/mesh_referee.h>
-#include <graze/engine/compare/judge/rational/rational_triangle.h>
-#include <graze/engine/mesh/placement.h>
-#include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graze::compare {
 namespace {
 
 using Eigen::Vector3d;
-
-/// distance() of shapes promises 2^-34 of the scale of the pair.
-constexpr double kPromise = 0x1p-34;
 
 /// Normals are unit to some ulp. Of a search that did not end kShapeTolerance is asked.
 constexpr double kUnitTolerance = 0x1p-48;
@@ -24,91 +19,41 @@ bool is(const PlacedBody& body, ShapeKind kind) {
   return body.shape.kind() == kind;
 }
 
-double largest_of(const PlacedBody& body) {
-  if (const auto plane = flat_of(body.shape))
-    return body.pose.translation().cwiseAbs().maxCoeff() + std::abs(plane->offset);
-  const Aabb box = bounding_aabb({body.shape, body.pose});
-  return std::max({box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff(),
-                   body.pose.translation().cwiseAbs().maxCoeff()});
-}
-
 /// By how much a plane across the unit direction has A behind it and B before it.
 double gap_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
   const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
   return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
 }
 
-/// The distance where it is a matter of points and triangles, rounded.
-std::optional<double> exact_distance(const PlacedBody& a, const PlacedBody& b) {
-  const auto* ball_a = a.shape.as<Sphere>();
-  const auto* ball_b = b.shape.as<Sphere>();
-  const Mesh* mesh_a = a.shape.as<Mesh>();
-  const Mesh* mesh_b = b.shape.as<Mesh>();
-  const auto centre_of = [](const PlacedBody& body, const Sphere& ball) {
-    const Vector3d p = place(body.pose, ball.centre);
-    return exactly(Triangle{p, p, p});
-  };
-  std::optional<mpq_class> square;
-  double radii = 0;
-  if (mesh_a != nullptr && mesh_b != nullptr) {
-    square = MeshReferee({*mesh_a, a.pose}, {*mesh_b, b.pose}).find_gap().square;
-  } else if (ball_a != nullptr && ball_b != nullptr) {
-    square = squared_distance(centre_of(a, *ball_a), centre_of(b, *ball_b));
-    radii = ball_a->radius + ball_b->radius;
-  } else if ((mesh_a != nullptr && ball_b != nullptr) || (ball_a != nullptr && mesh_b != nullptr)) {
-    const PlacedBody& ball_body = ball_a != nullptr ? a : b;
-    const PlacedBody& mesh_body = ball_a != nullptr ? b : a;
-    const Sphere& ball = ball_a != nullptr ? *ball_a : *ball_b;
-    std::vector<Triangle> surface;
-    const Mesh& mesh = mesh_a != nullptr ? *mesh_a : *mesh_b;
-    for (std::size_t i = 0; i < mesh.triangles().size(); ++i)
-      surface.push_back(place(mesh_body.pose, mesh.triangle(i)));
-    return std::max(0.0, distance_to(surface, place(ball_body.pose, ball.centre)) - ball.radius);
-  }
-  if (!square) return std::nullopt;
-  return std::max(0.0, rounded_root(*square) - radii);
-}
-
-/// What is known of the distance of two convex shapes that are apart.
-struct Proved {
-  double least;  ///< a plane has them so far on different sides
-  double most;   ///< two points of them are so near; infinite: none are known
-};
-
-/// The library proposes a direction and two points; what the shapes are decides what these prove.
-Proved prove(const PlacedBody& a, const PlacedBody& b, double tolerance) {
-  const ShapeDistance proposed = distance({a.shape, a.pose}, {b.shape, b.pose});
-  const bool are_there = outside_by(a.shape, a.pose, proposed.point_a) <= tolerance &&
-                         outside_by(b.shape, b.pose, proposed.point_b) <= tolerance;
-  return {.least = gap_along(a, b, proposed.normal),
-          .most = are_there ? (proposed.point_a - proposed.point_b).norm()
-                            : std::numeric_limits<double>::infinity()};
-}
-
 /// Of a number alone, without points and a normal that would show it.
 PartsReview review_number(const PlacedBody& a, const PlacedBody& b, double claimed,
                           double tolerance) {
-  const Proved proved = prove(a, b, tolerance);
+  const DistanceBounds proved = distance_bounds(a, b);
+  const auto beside = [&](const char* what) { return std::string(what) + ": " + proved.text(); };
   if (claimed < proved.least - tolerance)
-    return {.fault = WitnessFault{"nearer than a plane lets them be", proved.least - claimed}};
+    return {.fault =
+                WitnessFault{beside("nearer than a plane lets them be"), proved.least - claimed}};
   if (claimed > proved.most + tolerance)
-    return {.fault = WitnessFault{"two points are nearer", claimed - proved.most}};
+    return {.fault = WitnessFault{beside("two points are nearer"), claimed - proved.most}};
   if (proved.least >= claimed - tolerance && proved.most <= claimed + tolerance) return {};
-  return {.unjudged = "that nothing is nearer"};
+  return {.unjudged = beside("that nothing is nearer")};
 }
 
 }  // namespace
 
-PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer) {
+PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
+                            bool is_graze) {
   const auto fault = [](const char* what, double error) {
     return PartsReview{.fault = WitnessFault{what, error}};
   };
   const double claimed = *answer.distance;
-  if (claimed < 0) return fault("a distance below zero", -claimed);
+  if (claimed < 0 && is_graze) return fault("a distance below zero", -claimed);
+  if (claimed < 0) return claimed == -1 ? PartsReview{} : PartsReview{.unjudged = "how deep"};
   const double largest = std::max(largest_of(a), largest_of(b));
   const double slack = kTouchUlps * 0x1p-52 * largest;
   const bool has_ended = answer.is_converged.value_or(true);
-  const double tolerance = (has_ended ? kPromise : kShapeTolerance) * 4 * largest + slack;
+  const double tolerance =
+      has_ended ? distance_tolerance(a, b) : kShapeTolerance * 4 * largest + slack;
   const bool is_apart = claimed > 0;
   if (const std::optional<double> exact = exact_distance(a, b)) {
     if (std::abs(*exact - claimed) > slack)

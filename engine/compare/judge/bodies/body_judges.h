@@ -5,6 +5,7 @@
 #include <graze/engine/compare/judge/meshes/parts_review.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 
+#include <optional>
 #include <vector>
 
 namespace graze::compare {
@@ -16,12 +17,27 @@ namespace graze::compare {
 PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
                             const std::vector<CaseShapeContact>& contacts);
 
+/// The same of another engine, which promises less: any number of contacts in any order, each with
+/// a unit normal and a point as near to both as it is deep; moving B by the depth of the deepest
+/// along its normal parts two convex bodies, and not much less does. All to kOthersTolerance of the
+/// smaller size, as engines compute partly in float.
+PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
+                                   const std::vector<CaseShapeContact>& contacts);
+
 /// The distance of two bodies: two balls, or a mesh and a mesh or a ball, exactly; else by proof.
 /// The points are on the surfaces and so far apart: no less is claimed than is true. A plane across
 /// the normal, or across the segment between the points, has the two so far on different sides: no
-/// more is claimed. Where that proves nothing, as of a mesh and what is not flat, the distance from
-/// below is not judged.
-PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer);
+/// more is claimed. Of a number alone the library proposes both, and the words have both bounds.
+/// Where that proves nothing, as of a mesh and what is not flat, the distance from below is not
+/// judged. A negative one of another engine claims a touch: how deep is not judged, but of -1.
+PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
+                            bool is_graze);
+
+/// Whether two bodies are within a clearance, by a plane that has them further apart, or two points
+/// that are as near: neither, not judged. Whether they meet is known before, if it is. graze is
+/// right to call within what is further by distance_tolerance() alone, as law 11 has it.
+Judgement judge_within(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
+                       const Case& query, bool says, bool is_graze);
 
 /// A ray at a body that is no mesh. How far a point is outside of a convex shape is a convex
 /// function along the ray: its least value, found by dividing the interval, says whether the ray

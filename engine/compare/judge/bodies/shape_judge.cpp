@@ -1,4 +1,5 @@
 #include <graze/bvh/error.h>
+#include <graze/engine/compare/judge/bodies/distance_bounds.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/compare/judge/rational/volume_error.h>
@@ -89,33 +90,6 @@ double largest_coordinate(const PlacedBody& body_a, const PlacedBody& body_b) {
   return largest;
 }
 
-/// By how much a plane at right angles to the direction from A to B keeps the two apart.
-double proved_gap(const PlacedBody& a, const PlacedBody& b, Eigen::Vector3d n) {
-  // A half-space is bounded in its own direction only, and a plane in its two.
-  const Eigen::Vector3d proposed = n;
-  const auto turned_to = [&](const PlacedBody& plane, const Eigen::Vector3d& out) {
-    const bool is_two_sided = plane.shape.kind() == ShapeKind::Plane;
-    n = is_two_sided && out.dot(proposed) < 0 ? -out : out;
-  };
-  if (const auto plane = flat_of(a.shape)) turned_to(a, a.pose.linear() * plane->normal);
-  if (const auto plane = flat_of(b.shape)) turned_to(b, -(b.pose.linear() * plane->normal));
-  const double gap = -support_along(b.shape, b.pose, -n) - support_along(a.shape, a.pose, n);
-  return std::isnan(gap) ? -std::numeric_limits<double>::infinity() : gap;
-}
-
-/// The best of the plane that the library proposes and those along the axes of the two: between
-/// faces that nearly touch the direction of the nearest points says little.
-double best_proved_gap(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& proposed) {
-  double best = proved_gap(a, b, proposed);
-  for (const PlacedBody* body : {&a, &b}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector3d n = body->pose.linear().col(axis);
-      best = std::max({best, proved_gap(a, b, n), proved_gap(a, b, -n)});
-    }
-  }
-  return best;
-}
-
 bool is_exact(const PlacedBody& a, const PlacedBody& b) {
   switch (pair_method(a.shape.kind(), b.shape.kind())) {
     case PairMethod::ExactSpheres:
@@ -197,6 +171,15 @@ double ShapeJudge::ulp() const {
   return truth_->ulp;
 }
 
+std::optional<bool> ShapeJudge::is_hit() const {
+  return truth_->is_hit;
+}
+
+ErrorClass ShapeJudge::class_of(double error) const {
+  const bool is_small = !truth_->is_of_meshes() && error <= kShapeTolerance * truth_->scale;
+  return is_small ? ErrorClass::Touching : ErrorClass::Real;
+}
+
 const std::optional<Case>& ShapeJudge::as_case() const {
   return truth_->query;
 }
@@ -220,8 +203,7 @@ Judgement ShapeJudge::judge(bool says, const CaseWitness& witness,
   if (judgement.verdict == Verdict::Right) return judgement;
   judgement.error = truth.size;
   judgement.ulps = truth.size / truth.ulp;
-  judgement.error_class =
-      truth.size <= kShapeTolerance * truth.scale ? ErrorClass::Touching : ErrorClass::Real;
+  judgement.error_class = class_of(truth.size);
   return judgement;
 }
 

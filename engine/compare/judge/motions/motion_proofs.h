@@ -50,8 +50,11 @@ class MotionProofs {
   /// Of some times the one at which they come nearest.
   double nearest_time() const;
 
- private:
+  /// The question about the two as they stand at a time: whether they touch, or are within a
+  /// clearance above 0.
   Case at(double time, double clearance) const;
+
+ private:
   bool proves_free_until(double time) const;
   bool advances_to(double end) const;
   double proved_gap(double time) const;

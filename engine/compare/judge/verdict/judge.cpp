@@ -33,6 +33,13 @@ bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
   return work.penetration_failures > 0;
 }
 
+PartsReview review_distance_or_contacts(const PlacedBody& a, const PlacedBody& b, const Case& query,
+                                        const CaseAnswer& answer, bool is_graze) {
+  if (query.ask == Ask::Distance) return review_distance(a, b, answer, is_graze);
+  return is_graze ? review_manifold(a, b, *answer.manifold)
+                  : review_others_contacts(a, b, *answer.manifold);
+}
+
 /// Whether they meet, and if that is right or not judged, what else is said of them.
 Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAnswer& answer,
                        const CaseWitness& witness, const JudgeSettings& settings) {
@@ -40,17 +47,23 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
   const PlacedBody a{pair.a.shape, pair.a.pose};
   const PlacedBody b{pair.b.shape, pair.b.pose};
   if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness, settings);
+  const bool is_graze = witness.engine == "graze";
+  if (query.ask == Ask::Within && answer.says) {
+    Judgement judgement = judge_within(a, b, judge.is_hit(), query, *answer.says, is_graze);
+    judgement.ulps = judgement.error / judge.ulp();
+    judgement.error_class = judge.class_of(judgement.error);
+    return judgement;
+  }
   const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
   if (!is_of_contacts && query.ask != Ask::Distance) return {};
   const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;
   Judgement judgement = judge.judge(says, witness, settings);
   if (judgement.verdict == Verdict::Wrong) return judgement;
-  PartsReview review =
-      is_of_contacts ? review_manifold(a, b, *answer.manifold) : review_distance(a, b, answer);
-  const bool is_excused =
-      review.fault && is_of_contacts && witness.engine == "graze" && has_no_least_depth(a, b);
+  PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze);
+  const bool is_excused = review.fault && is_of_contacts && is_graze && has_no_least_depth(a, b);
   if (is_excused) review = {.unjudged = "contacts whose least depth the library did not find"};
   add_review(judgement, review, judge.ulp());
+  if (judgement.verdict == Verdict::Wrong) judgement.error_class = judge.class_of(judgement.error);
   return judgement;
 }
 

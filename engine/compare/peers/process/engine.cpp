@@ -1,5 +1,4 @@
 #include <graze/engine/cases/answer_case.h>
-#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/compare/peers/known_peers.h>
 #include <graze/engine/compare/peers/process/process_engine.h>
@@ -34,14 +33,14 @@ TimedAnswer timed(const Ask& ask) {
   return {std::move(answer), std::chrono::steady_clock::now() - start};
 }
 
-/// Two bodies in motion before an engine that holds their shapes.
-LoadedQuestion load_motion(const Engine& engine, const Case& query, const BodyCase& bodies) {
+/// Another question than whether they meet, about two bodies, before an engine that holds them.
+LoadedQuestion load_bodies(const Engine& engine, const Case& query, const BodyCase& bodies) {
   const std::array<Shape, 2> shapes = {bodies.a.shape, bodies.b.shape};
   const std::shared_ptr<LoadedShapes> loaded = engine.load_shapes(shapes);
   if (!loaded) return [] { return TimedAnswer(); };
   return [loaded, question = Question{query.ask, query.settings, bodies.a.course, bodies.b.course},
           pose_a = bodies.a.pose, pose_b = bodies.b.pose] {
-    return timed([&] { return loaded->answer_motion(question, {0, pose_a}, {1, pose_b}); });
+    return timed([&] { return loaded->answer(question, {0, pose_a}, {1, pose_b}); });
   };
 }
 
@@ -73,8 +72,8 @@ ShapesAnswer LoadedShapes::intersect_all(
   return all;
 }
 
-std::optional<CaseAnswer> LoadedShapes::answer_motion(const Question&, const PlacedShape&,
-                                                      const PlacedShape&) const {
+std::optional<CaseAnswer> LoadedShapes::answer(const Question&, const PlacedShape&,
+                                               const PlacedShape&) const {
   return std::nullopt;
 }
 
@@ -127,7 +126,7 @@ LoadedQuestion load_question(const Engine& engine, const Case& query) {
   }
   if (engine.name().engine == "graze")
     return [&query] { return timed([&] { return std::optional(answer_case(query)); }); };
-  if (bodies && cases::is_about_motion(query.ask)) return load_motion(engine, query, *bodies);
+  if (bodies) return load_bodies(engine, query, *bodies);
   return [] { return TimedAnswer(); };
 }
 

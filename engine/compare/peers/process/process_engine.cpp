@@ -114,11 +114,12 @@ class PeerShapes : public LoadedShapes {
     return all;
   }
 
-  std::optional<CaseAnswer> answer_motion(const Question& question, const PlacedShape& a,
-                                          const PlacedShape& b) const override {
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
     const std::optional<std::size_t>& place_a = texts_.place(a.shape);
     const std::optional<std::size_t>& place_b = texts_.place(b.shape);
-    if (!place_a || !place_b || !hello_.may_know(question.ask)) return std::nullopt;
+    if (!place_a || !place_b || !question.is_plain() || !hello_.may_know(question.ask))
+      return std::nullopt;
     const CaseBody any_body(Sphere{{0, 0, 0}, 1}, Pose::Identity());  // how an answer is read
     const Case query{.note = "",
                      .ask = question.ask,

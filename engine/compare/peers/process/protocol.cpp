@@ -49,10 +49,13 @@ std::string text_of(const Mesh& mesh) {
          ",\"triangles\":" + json_list(mesh.triangles(), ",", item) + "}";
 }
 
-/// Of questions about motions.
-std::string lengths_text(const CaseSettings& settings) {
+/// The lengths that the question has, if any.
+std::string lengths_text(const Question& question) {
+  const CaseSettings& settings = question.settings;
+  const bool is_of_motion = cases::is_about_motion(question.ask);
+  if (question.ask != Ask::Within && !is_of_motion) return "";
   return ",\"settings\":{\"clearance\":" + number(settings.clearance) +
-         ",\"tolerance\":" + number(settings.tolerance) + "}";
+         (is_of_motion ? ",\"tolerance\":" + number(settings.tolerance) : std::string()) + "}";
 }
 
 /// The member of a shape, as a case has it.
@@ -126,10 +129,7 @@ std::string request_line(std::uint64_t id, std::string_view member) {
 
 std::string question_text(const Question& question, const Pose& pose_a, const Pose& pose_b) {
   std::string out = std::string("\"question\":\"") + name_of(question.ask) + "\"";
-  if (question.ask == Ask::Within) {
-    out += ",\"settings\":{\"clearance\":" + number(question.settings.clearance) + "}";
-  }
-  if (cases::is_about_motion(question.ask)) out += lengths_text(question.settings);
+  out += lengths_text(question);
   out += ",\"pose_a\":" + text_of(pose_a) + ",\"pose_b\":" + text_of(pose_b);
   if (question.course_a) out += ",\"motion_a\":" + text_of(*question.course_a);
   if (question.course_b) out += ",\"motion_b\":" + text_of(*question.course_b);
@@ -154,9 +154,8 @@ std::string question_text(const Question& question, const PlacedShape& a, const 
            ",\"pose\":" + text_of(each.pose) +
            (course ? ",\"motion\":" + text_of(*course) : std::string()) + "}";
   };
-  return std::string("\"question\":\"") + name_of(question.ask) + "\"" +
-         lengths_text(question.settings) + ",\"bodies\":[" + body(a, question.course_a) + "," +
-         body(b, question.course_b) + "]";
+  return std::string("\"question\":\"") + name_of(question.ask) + "\"" + lengths_text(question) +
+         ",\"bodies\":[" + body(a, question.course_a) + "," + body(b, question.course_b) + "]";
 }
 
 std::optional<std::string> shape_text(const Shape& shape) {

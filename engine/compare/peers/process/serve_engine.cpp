@@ -163,7 +163,7 @@ class Server {
   std::string answer_to(const JsonCursor& request) const {
     const Ask ask = read_question(request.member("question"));
     if (request.has("pairs")) return answer_about_shapes(request, ask);
-    if (request.has("bodies")) return answer_about_motions(request, ask);
+    if (request.has("bodies")) return answer_about_two(request, ask);
     if (!pair_) request.fail("no meshes are loaded");
     Question question{ask, cases::read_settings(request, ask)};
     question.course_a = read_course(request, "motion_a");
@@ -189,9 +189,9 @@ class Server {
     return body;
   }
 
-  std::string answer_about_motions(const JsonCursor& request, Ask ask) const {
+  std::string answer_about_two(const JsonCursor& request, Ask ask) const {
     if (!shapes_) request.fail("no shapes are loaded");
-    if (!cases::is_about_motion(ask)) request.fail("has no pairs");
+    if (ask == Ask::Any) request.fail("has no pairs");
     const JsonCursor bodies = request.member("bodies");
     bodies.require_size(2);
     const Question question{ask, cases::read_settings(request, ask),
@@ -200,7 +200,7 @@ class Server {
     const PlacedShape a = read_placed_shape(bodies.item(0));
     const PlacedShape b = read_placed_shape(bodies.item(1));
     const auto start = Clock::now();
-    const std::optional<CaseAnswer> answer = shapes_->answer_motion(question, a, b);
+    const std::optional<CaseAnswer> answer = shapes_->answer(question, a, b);
     const std::string time = microseconds(start);
     if (!answer) throw Unsupported("knows no such question about such shapes");
     return "\"answer\":" + to_plain_json(*answer) + ",\"us\":" + time;

@@ -3,10 +3,13 @@
 #include <graze/engine/compare/run/poses/pose_source.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -79,49 +82,80 @@ Pose with_middle_at(const Pose& rotation, const Extent& b, const Eigen::Vector3d
   return pose;
 }
 
-}  // namespace
+/// What poses are drawn for.
+struct Room {
+  Extent a;
+  Pose pose_a;
+  Extent b;
+  std::function<bool(const Pose&)> is_hit;  ///< with B in this pose
+};
 
-std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
-                               std::uint64_t seed) {
-  const Extent a = extent_of(mesh_a.mesh.bounds());
-  const Extent b = extent_of(mesh_b.bounds());
+Room room_of(const Mesh& a, const Pose& pose_a, const Mesh& b) {
+  return {extent_of(a.bounds()), pose_a, extent_of(b.bounds()), [a, pose_a, b](const Pose& pose) {
+            return intersects(PlacedMeshView{a, pose_a}, {b, pose});
+          }};
+}
+
+/// Nothing of a half-space or a plane, which have no end.
+std::optional<Extent> extent_of(const Shape& shape) {
+  if (shape.as<HalfSpace>() != nullptr || shape.as<Plane>() != nullptr) return std::nullopt;
+  return extent_of(bounding_aabb({shape, Pose::Identity()}));
+}
+
+/// Of what has no end that part around the point nearest to the origin of its frame that is as
+/// large as the other.
+Extent extent_beside(const Shape& shape, const std::optional<Extent>& other) {
+  const auto* space = shape.as<HalfSpace>();
+  const auto* plane = shape.as<Plane>();
+  const Eigen::Vector3d normal = space != nullptr ? space->normal : plane->normal;
+  const double radius = other ? other->radius : 1;
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(radius);
+  return {normal * (space != nullptr ? space->offset : plane->offset), half, radius};
+}
+
+Room room_of(const CaseBody& a, const Shape& b) {
+  const std::optional<Extent> extent_a = extent_of(a.shape), extent_b = extent_of(b);
+  return {extent_a ? *extent_a : extent_beside(a.shape, extent_b), a.pose,
+          extent_b ? *extent_b : extent_beside(b, extent_a), [a, b](const Pose& pose) {
+            return intersects(PlacedShapeView{a.shape, a.pose}, {b, pose});
+          }};
+}
+
+std::vector<Pose> random_in(const Room& room, std::size_t count, std::uint64_t seed) {
   Dice dice(seed);
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < count; ++i) {
     const Pose rotation = dice.rotation();
     const Eigen::Vector3d where = dice.in_cube();
-    const Eigen::Vector3d room = a.half + Eigen::Vector3d::Constant(b.radius / 2);
-    poses.push_back(with_middle_at(rotation, b, a.middle + where.cwiseProduct(room), mesh_a.pose));
+    const Eigen::Vector3d reach = room.a.half + Eigen::Vector3d::Constant(room.b.radius / 2);
+    poses.push_back(
+        with_middle_at(rotation, room.b, room.a.middle + where.cwiseProduct(reach), room.pose_a));
   }
   return poses;
 }
 
-std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
-                                std::uint64_t seed) {
+std::vector<Pose> grazing_in(const Room& room, std::size_t count, std::uint64_t seed) {
   constexpr int kSteps = 64;        // from far away to where the middles meet
   constexpr int kMaxMisses = 1000;  // lines through A that meet nothing
-  const Extent a = extent_of(mesh_a.mesh.bounds());
-  const Extent b = extent_of(mesh_b.bounds());
   Dice dice(seed);
   std::vector<Pose> poses;
   for (int misses = 0; poses.size() < count;) {
     const Pose rotation = dice.rotation();
-    const Eigen::Vector3d target = a.middle + dice.in_cube().cwiseProduct(a.half) / 2;
-    const Eigen::Vector3d out = dice.direction() * (2 * (a.radius + b.radius));
+    const Eigen::Vector3d target = room.a.middle + dice.in_cube().cwiseProduct(room.a.half) / 2;
+    const Eigen::Vector3d out = dice.direction() * (2 * (room.a.radius + room.b.radius));
     const auto pose_at = [&](double share) {
-      return with_middle_at(rotation, b, target + out * share, mesh_a.pose);
+      return with_middle_at(rotation, room.b, target + out * share, room.pose_a);
     };
-    const auto is_hit_at = [&](double share) {
-      return intersects(mesh_a, {mesh_b, pose_at(share)});
-    };
+    const auto is_hit_at = [&](double share) { return room.is_hit(pose_at(share)); };
     double hit = -1;
     double apart = 1;
-    for (int step = kSteps - 1; step >= 0 && hit < 0; --step) {
+    const bool begins_apart = !is_hit_at(apart);  // not in a half-space
+    for (int step = kSteps - 1; begins_apart && step >= 0 && hit < 0; --step) {
       const double share = static_cast<double>(step) / kSteps;
       (is_hit_at(share) ? hit : apart) = share;
     }
     if (hit < 0) {
-      if (++misses == kMaxMisses) throw InputError("--grazing: the meshes never touch");
+      if (++misses == kMaxMisses) throw InputError("--grazing: the two never touch");
       continue;
     }
     for (double middle = hit / 2 + apart / 2; middle != hit && middle != apart;
@@ -131,6 +165,18 @@ std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b
     poses.push_back(pose_at(poses.size() % 2 == 0 ? hit : apart));
   }
   return poses;
+}
+
+}  // namespace
+
+std::vector<Pose> random_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
+                               std::uint64_t seed) {
+  return random_in(room_of(mesh_a.mesh, mesh_a.pose, mesh_b), count, seed);
+}
+
+std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b, std::size_t count,
+                                std::uint64_t seed) {
+  return grazing_in(room_of(mesh_a.mesh, mesh_a.pose, mesh_b), count, seed);
 }
 
 namespace {
@@ -147,27 +193,18 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t block) {
   return block == 0 ? seed : mixed(mixed(seed) ^ block);
 }
 
-/// What the poses are drawn for.
-struct DrawnFor {
-  Mesh a;
-  Pose pose_a;
-  Mesh b;
-};
-
-using Generate = std::vector<Pose> (*)(const PlacedMeshView&, const Mesh&, std::size_t,
-                                       std::uint64_t);
+using Generate = std::vector<Pose> (*)(const Room&, std::size_t, std::uint64_t);
 
 class GeneratedPoses : public PoseSource {
  public:
-  GeneratedPoses(const char* kind, Generate generate, DrawnFor meshes, std::size_t count,
+  GeneratedPoses(const char* kind, Generate generate, Room room, std::size_t count,
                  std::uint64_t seed)
       : size_(count),
         key_(std::string(kind) + " " + std::to_string(count) + ", seed " + std::to_string(seed)),
         blocks_(
             [=](std::size_t block) {
               const std::size_t rest = count - block * kPosesOfSeed;
-              return generate({meshes.a, meshes.pose_a}, meshes.b, std::min(rest, kPosesOfSeed),
-                              seed_of(seed, block));
+              return generate(room, std::min(rest, kPosesOfSeed), seed_of(seed, block));
             },
             (count + kPosesOfSeed - 1) / kPosesOfSeed) {}
 
@@ -185,18 +222,26 @@ class GeneratedPoses : public PoseSource {
 
 }  // namespace
 
-std::shared_ptr<const PoseSource> random_pose_source(const Mesh& mesh_a, const Pose& pose_a,
-                                                     const Mesh& mesh_b, std::size_t count,
-                                                     std::uint64_t seed) {
-  return std::make_shared<GeneratedPoses>("random", random_poses, DrawnFor{mesh_a, pose_a, mesh_b},
-                                          count, seed);
+std::shared_ptr<const PoseSource> random_pose_source(const CaseMesh& a, const Mesh& b,
+                                                     std::size_t count, std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("random", random_in, room_of(a.mesh, a.pose, b), count,
+                                          seed);
 }
 
-std::shared_ptr<const PoseSource> grazing_pose_source(const Mesh& mesh_a, const Pose& pose_a,
-                                                      const Mesh& mesh_b, std::size_t count,
-                                                      std::uint64_t seed) {
-  return std::make_shared<GeneratedPoses>("grazing", grazing_poses,
-                                          DrawnFor{mesh_a, pose_a, mesh_b}, count, seed);
+std::shared_ptr<const PoseSource> grazing_pose_source(const CaseMesh& a, const Mesh& b,
+                                                      std::size_t count, std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("grazing", grazing_in, room_of(a.mesh, a.pose, b), count,
+                                          seed);
+}
+
+std::shared_ptr<const PoseSource> random_pose_source(const CaseBody& a, const Shape& b,
+                                                     std::size_t count, std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("random", random_in, room_of(a, b), count, seed);
+}
+
+std::shared_ptr<const PoseSource> grazing_pose_source(const CaseBody& a, const Shape& b,
+                                                      std::size_t count, std::uint64_t seed) {
+  return std::make_shared<GeneratedPoses>("grazing", grazing_in, room_of(a, b), count, seed);
 }
 
 }  // namespace graze::compare

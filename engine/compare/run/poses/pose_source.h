@@ -8,7 +8,9 @@
 #include <vector>
 
 #include <graze/bvh/pose.h>
+#include <graze/engine/cases/case.h>
 #include <graze/engine/mesh/placed_mesh.h>
+#include <graze/engine/world/shape.h>
 
 namespace graze::compare {
 
@@ -44,12 +46,18 @@ std::vector<Pose> grazing_poses(const PlacedMeshView& mesh_a, const Mesh& mesh_b
                                 std::uint64_t seed);
 
 /// The same, as many as there are, without holding them. The meshes are kept.
-std::shared_ptr<const PoseSource> random_pose_source(const Mesh& mesh_a, const Pose& pose_a,
-                                                     const Mesh& mesh_b, std::size_t count,
-                                                     std::uint64_t seed);
-std::shared_ptr<const PoseSource> grazing_pose_source(const Mesh& mesh_a, const Pose& pose_a,
-                                                      const Mesh& mesh_b, std::size_t count,
-                                                      std::uint64_t seed);
+std::shared_ptr<const PoseSource> random_pose_source(const CaseMesh& a, const Mesh& b,
+                                                     std::size_t count, std::uint64_t seed);
+std::shared_ptr<const PoseSource> grazing_pose_source(const CaseMesh& a, const Mesh& b,
+                                                      std::size_t count, std::uint64_t seed);
+
+/// The same of shapes of all kinds, to whose bounds in their own frames all of that applies. Of a
+/// half-space or a plane, which has no bounds, so much counts as is as large as the other, about
+/// the point nearest to the origin of its frame. Touching is what intersects() of shapes says.
+std::shared_ptr<const PoseSource> random_pose_source(const CaseBody& a, const Shape& b,
+                                                     std::size_t count, std::uint64_t seed);
+std::shared_ptr<const PoseSource> grazing_pose_source(const CaseBody& a, const Shape& b,
+                                                      std::size_t count, std::uint64_t seed);
 
 /// These.
 std::shared_ptr<const PoseSource> pose_list(std::vector<Pose> poses);

@@ -1,0 +1,35 @@
+#pragma once
+
+// What adaptors say of two shapes, from the numbers that their engines return.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <graze/engine/cases/case.h>
+
+namespace graze::compare {
+
+/// Nothing of nothing.
+inline std::optional<CaseAnswer> answer_of_distance(const std::optional<double>& distance) {
+  std::optional<CaseAnswer> answer;
+  if (distance) answer.emplace().distance = distance;
+  return answer;
+}
+
+/// Of an engine that has no such question but a distance, as its users ask it.
+inline std::optional<CaseAnswer> answer_of_within(const std::optional<double>& distance,
+                                                  double clearance) {
+  std::optional<CaseAnswer> answer;
+  if (distance) answer.emplace().says = *distance <= clearance;
+  return answer;
+}
+
+/// A contact of which the engine names no features: each counts as one of its own.
+inline void add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth,
+                        std::vector<CaseShapeContact>& contacts) {
+  const auto number = static_cast<std::uint32_t>(contacts.size());
+  contacts.push_back({point, std::nullopt, std::nullopt, normal, depth, {number, number}});
+}
+
+}  // namespace graze::compare
