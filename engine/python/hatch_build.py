@@ -40,7 +40,7 @@ class Module(BuildHookInterface):  # type: ignore[misc]
         folder = root / (os.environ.get("GRAZE_BUILD_FOLDER") or "build/wheel")
         if not (folder / "CMakeCache.txt").is_file():
             settings = [f"-DGRAZE_BUILD_{name}=OFF" for name in OFF]
-            settings += ["-DGRAZE_WITH_FCL=OFF", "-DGRAZE_WITH_VIEW=OFF", "-DGRAZE_WITH_REFEREE=OFF", "-DGRAZE_INSTALL=OFF"]
+            settings += ["-DGRAZE_WITH_FCL=OFF", "-DGRAZE_WITH_VIEW=OFF", "-DGRAZE_WITH_RECORD=OFF", "-DGRAZE_WITH_REFEREE=OFF", "-DGRAZE_INSTALL=OFF"]
             settings += ["-DGRAZE_BUILD_PYTHON=ON", f"-DGRAZE_PYTHON={sys.executable}", "-DCMAKE_BUILD_TYPE=Release"]
             subprocess.run(["cmake", "-S", root, "-B", folder, "-G", "Ninja", *settings], check=True)
         subprocess.run(["cmake", "--build", folder, "--target", "graze_python"], check=True)

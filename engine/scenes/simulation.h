@@ -37,6 +37,8 @@ class Simulation {
 
   /// The world that it moves.
   const World& world() const { return world_; }
+  /// The same for who records it. Its bodies are this object's to move.
+  World& world() { return world_; }
 
  private:
   void move_bodies();

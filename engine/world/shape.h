@@ -118,6 +118,7 @@ class Shape {
   }
 
  private:
+  friend struct ShapeAccess;
   Value value_;
 };
 

@@ -326,6 +326,7 @@ class World {
   void restore(const WorldSnapshot& snapshot);
 
  private:
+  friend struct WorldJournalAccess;
   struct State;
   class OtherBodies;
   std::unique_ptr<State> state_;

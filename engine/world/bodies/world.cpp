@@ -209,6 +209,7 @@ BodyId World::add(const PlacedBodyShape& placed, const BodySettings& settings) {
     body.detection = settings.detection;
     if (body.detection == Detection::Continuous) state.movers.add_swept();
     state.note_change(index);
+    state.journal.tell(BodyChange::Added, state.all, index);
     return state.all.id(index);
   });
 }
@@ -235,6 +236,7 @@ void World::remove(BodyId id) {
   if (body.detection == Detection::Continuous) state.movers.remove_swept();
   state.all.ids.free(id.index);
   ++state.removed;
+  state.journal.tell(BodyChange::Removed, state.all, id.index);
 }
 
 void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
@@ -256,6 +258,7 @@ void World::set_shape(BodyId id, std::shared_ptr<const BodyShape> shape) {
     body.is_awake = true;
     state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);
+    state.journal.tell(BodyChange::Shape, state.all, id.index);
   });
 }
 
@@ -268,6 +271,7 @@ void World::set_filter(BodyId id, const Filter& filter) {
   state_->make_room_for_changes(1);
   body.filter = filter;
   state_->note_other_filter(id.index);
+  state_->journal.tell(BodyChange::Filter, state_->all, id.index);
 }
 
 void World::set_kind(BodyId id, BodyKind kind) {
@@ -275,6 +279,7 @@ void World::set_kind(BodyId id, BodyKind kind) {
   state_->make_room_for_changes(1);
   body.kind = kind;
   state_->note_other_filter(id.index);
+  state_->journal.tell(BodyChange::Kind, state_->all, id.index);
 }
 
 void World::set_role(BodyId id, Role role) {
@@ -282,6 +287,7 @@ void World::set_role(BodyId id, Role role) {
   state_->make_room_for_changes(1);
   body.role = role;
   state_->note_other_filter(id.index);
+  state_->journal.tell(BodyChange::Role, state_->all, id.index);
 }
 
 void World::set_margin(BodyId id, double margin) {
@@ -296,11 +302,13 @@ void World::set_margin(BodyId id, double margin) {
     body.margin = margin;
     state.all.changes[id.index].has_other_shape = true;
     state.note_change(id.index);
+    state.journal.tell(BodyChange::Margin, state.all, id.index);
   });
 }
 
 void World::set_user_data(BodyId id, std::uint64_t data) {
   state_->body(id, "set_user_data").user_data = data;
+  state_->journal.tell(BodyChange::UserData, state_->all, id.index);
 }
 
 void World::exclude(BodyId a, BodyId b) {
@@ -319,6 +327,7 @@ void World::exclude(BodyId a, BodyId b) {
   }
   ++body_a.exclusions, ++body_b.exclusions;
   state_->note_other_filter(a.index);
+  state_->journal.tell(PairChange::Excluded, a.index, b.index);
 }
 
 void World::include(BodyId a, BodyId b) {
@@ -329,12 +338,15 @@ void World::include(BodyId a, BodyId b) {
   state_->all.excluded.erase(pair_key(b.index, a.index));
   --body_a.exclusions, --body_b.exclusions;
   state_->note_other_filter(a.index);
+  state_->journal.tell(PairChange::Included, a.index, b.index);
 }
 
 void World::set_pair_filter(std::function<bool(BodyId, BodyId)> filter) {
   state_->check_is_free("set_pair_filter");
   state_->note_everything();
   state_->all.pair_filter = std::move(filter);
+  if (state_->journal.is_taken())
+    state_->journal.journal()->note_pair_filter(state_->all.pair_filter != nullptr);
 }
 
 }  // namespace graze

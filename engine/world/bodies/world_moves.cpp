@@ -56,6 +56,7 @@ void World::move(BodyId id, const Pose& pose) {
     state_->begin_move();
     state_->prepare_move(id, pose, "move");
     state_->move_prepared({&id, 1}, {&pose, 1});
+    state_->journal.tell_moves({&id, 1}, {&pose, 1});
   });
 }
 
@@ -79,6 +80,7 @@ void World::move(std::span<const BodyId> ids, std::span<const Pose> poses) {
       throw;
     }
     state.move_prepared(ids, poses);
+    state.journal.tell_moves(ids, poses);
   });
 }
 
@@ -97,6 +99,9 @@ void World::move(BodyId id, const RigidMotion& motion) {
     }
     state.move_prepared({&id, 1}, {&end, 1});
     if (is_swept) state.movers.find(id.index)->motion = motion;
+    if (!state.journal.is_taken()) return;
+    is_swept ? state.journal.journal()->note_motion(id, motion)
+             : state.journal.tell_moves({&id, 1}, {&end, 1});
   });
 }
 
@@ -110,6 +115,7 @@ void World::set_detection(BodyId id, Detection detection) {
     state.movers.remove_swept();
   }
   body.detection = detection;
+  state.journal.tell(BodyChange::Detection, state.all, id.index);
 }
 
 }  // namespace graze

@@ -20,6 +20,7 @@ void World::State::check_bodies(std::span<const BodyId> ids, const char* what) c
 
 void World::sleep(BodyId id) {
   state_->body(id, "sleep").is_awake = false;
+  state_->journal.tell(BodyChange::Sleep, state_->all, id.index);
 }
 
 void World::wake(BodyId id) {
@@ -27,12 +28,15 @@ void World::wake(BodyId id) {
   if (body.is_awake) return;
   state_->note_change(id.index);
   body.is_awake = true;
+  state_->journal.tell(BodyChange::Wake, state_->all, id.index);
 }
 
 void World::sleep(std::span<const BodyId> ids) {
   state_->check_bodies(ids, "sleep");
-  for (const BodyId id : ids)
+  for (const BodyId id : ids) {
     state_->all.bodies[id.index].is_awake = false;
+    state_->journal.tell(BodyChange::Sleep, state_->all, id.index);
+  }
 }
 
 void World::wake(std::span<const BodyId> ids) {
@@ -42,6 +46,7 @@ void World::wake(std::span<const BodyId> ids) {
     Bodies::Body& body = state_->all.bodies[id.index];
     if (!body.is_awake) state_->note_change(id.index);
     body.is_awake = true;
+    state_->journal.tell(BodyChange::Wake, state_->all, id.index);
   }
 }
 

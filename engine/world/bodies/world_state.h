@@ -8,6 +8,7 @@
 #include <graze/engine/world/bodies/pair_batches.h>
 #include <graze/engine/world/bodies/pair_news.h>
 #include <graze/engine/world/bodies/unbuilt_trees.h>
+#include <graze/engine/world/bodies/world_journal.h>
 #include <graze/engine/world/body_shapes/part_pairs.h>
 #include <graze/engine/world/body_shapes/users_shape.h>
 #include <graze/engine/world/boxes/id_table.h>
@@ -264,6 +265,8 @@ struct World::State {
   std::vector<BoxPair> swept_pairs;
   std::vector<SweptPart> swept_parts;
   std::vector<SweptAnswer> swept_answers;  ///< by pair
+
+  JournalPlace journal;
 
   bool is_updating = false;
   /// The last update did not end: something that it asked threw, or it had no memory.

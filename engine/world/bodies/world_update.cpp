@@ -110,6 +110,7 @@ void World::State::begin_pairs() {
       candidates.add(pair);
     } else {
       ++news.work.pairs_filtered;
+      if (all.pair_filter) journal.tell(PairChange::Refused, pair.a, pair.b);
     }
   }
 }
@@ -136,6 +137,7 @@ void World::State::filter_again(std::uint32_t index) {
     if (do_meet && at == CandidatePairs::kNowhere) candidates.add(pair);
     if (!do_meet && at != CandidatePairs::kNowhere) end(at);
     news.work.pairs_filtered += !do_meet;
+    if (!do_meet && all.pair_filter) journal.tell(PairChange::Refused, pair.a, pair.b);
   }
 }
 
@@ -201,11 +203,14 @@ WorldUpdate World::update() {
       state.keep_up_islands();
       state.all.ids.next_round();
     }
-    state.is_cut_short = false;
+    const bool follows_failure = std::exchange(state.is_cut_short, false);
     state.movers.clear();
     const PairNews& news = state.news;
-    return {news.begun, news.ended,      news.moved,      state.contacts.all(),
-            news.work,  news.begun_near, news.ended_near, news.first_contacts};
+    const WorldUpdate update{news.begun, news.ended,      news.moved,      state.contacts.all(),
+                             news.work,  news.begun_near, news.ended_near, news.first_contacts};
+    if (state.journal.is_taken()) [[unlikely]]
+      state.journal.journal()->note_update(update, follows_failure);
+    return update;
   });
 }
 
@@ -234,8 +239,39 @@ void World::restore(const WorldSnapshot& snapshot) {
     fresh->broad.update();
     fresh->candidates.rebuild(snapshot.state_->candidates, snapshot.state_->states);
     fresh->rebuild_islands();
+    fresh->journal = std::move(state_->journal);
     state_ = std::move(fresh);
+    if (state_->journal.is_taken())
+      state_->journal.journal()->note_restored({state_->settings, state_->all,
+                                                state_->candidates.list(),
+                                                state_->candidates.all_states()});
   });
+}
+
+/// Whether bodies have been added and nothing else has happened: as if they came now.
+bool WorldJournalAccess::has_only_come(const World::State& state) {
+  const auto& all = state.all;
+  bool is_first_of_all = true;
+  for (std::uint32_t index = 0; index < all.ids.live_count(); ++index)
+    is_first_of_all = is_first_of_all && all.ids.is_live(index) && all.ids.generation(index) == 1 &&
+                      all.changes[index].has_changed && state.movers.find(index) == nullptr;
+  return is_first_of_all && state.removed == 0 && !state.is_cut_short &&
+         state.candidates.list().empty();
+}
+
+void WorldJournalAccess::attach(World& world, std::shared_ptr<WorldJournal> journal) {
+  World::State& state = *world.state_;
+  state.check_is_free("record");
+  if (!has_only_come(state)) state.check_is_updated("record");
+  if (state.journal.is_taken() && state.journal.journal()->is_open())
+    throw InputError("record: the world is being recorded already");
+  state.journal.take(std::move(journal));
+}
+
+WorldContents WorldJournalAccess::contents(const World& world) {
+  const World::State& state = *world.state_;
+  return {state.settings, state.all, state.candidates.list(), state.candidates.all_states(),
+          state.is_updated()};
 }
 
 }  // namespace graze

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <graze/engine/record/recording.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace graze {
+
+/// What a WorldRecorder keeps beside inputs and pairs.
+struct WorldRecorderSettings {
+  RecordedContacts contacts = RecordedContacts::Begun;  ///< of which pairs
+  bool has_work = true;                                 ///< each update's WorldWork, some 40 bytes
+  double seconds_per_update = 0;  ///< for those who look at it; finite and not negative; 0: unknown
+  std::string note = {};          ///< what it shows, for people
+};
+
+/// Writes down what is done to a world and what its updates say: while this lives everything that
+/// changes the world is noted, and each update() ends with a block in the file. Poses, filters and
+/// shapes are kept to the last bit, so that the run can be repeated (RecordingReplay). A world that
+/// nobody records pays one look at a pointer for each change.
+///
+/// Each update is handed to the system before update() returns. So a program that ends in whatever
+/// way leaves a file that can be read up to its last update, and one that is read while it is
+/// written. Changes after the last update are not kept.
+///
+/// A shape is written once, however many bodies have it: those with equal numbers are one. Shapes
+/// of a user's own cannot be kept.
+///
+/// What goes wrong while the world runs - a full disk, a shape of a user's own - does not disturb
+/// the world: the recording ends there, has_failed() says so, and finish() throws it. For the
+/// thread that changes the world.
+class WorldRecorder {
+ public:
+  /// Begins with all that the world is, which may be empty, in a file that takes the place of what
+  /// was there. Throws InputError for settings that are none, while the world is being recorded
+  /// already, for a body whose shape is a user's own, and while changes wait for an update, unless
+  /// that will be the first one; and an Error that names the file if it cannot be written.
+  /// O(bodies and pairs of the world).
+  WorldRecorder(World& world, const std::filesystem::path& file,
+                const WorldRecorderSettings& settings = {});
+  /// Likewise, to whoever takes bytes: once now, and once at the end of each update. What it throws
+  /// ends the recording, as a full disk does.
+  WorldRecorder(World& world, std::function<void(std::string_view)> sink,
+                const WorldRecorderSettings& settings = {});
+  /// As finish(), but says nothing of what went wrong.
+  ~WorldRecorder();
+  WorldRecorder(WorldRecorder&& other) noexcept;             ///< what was moved from is finished
+  WorldRecorder& operator=(WorldRecorder&& other) noexcept;  ///< likewise
+
+  /// Gives a body a name for those who look at the recording. Throws StaleIdError for one that is
+  /// not there.
+  void name(BodyId id, std::string_view name);
+
+  /// How many updates are in it.
+  std::size_t updates() const;
+  /// How many bytes it has.
+  std::uint64_t bytes() const;
+  /// Whether it ended before its time: finish() throws why.
+  bool has_failed() const noexcept;
+
+  /// Writes the end, by which a reader knows that nothing is missing. From then on nothing is noted
+  /// any more, and another recorder may begin. Throws what went wrong, since the beginning; a
+  /// second call does nothing.
+  void finish();
+
+ private:
+  class Journal;
+  std::shared_ptr<Journal> journal_;
+};
+
+}  // namespace graze
