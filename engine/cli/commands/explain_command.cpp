@@ -1,18 +1,22 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/outcome.h>
 #include <graze/engine/cli/replay/case_list.h>
 #include <graze/engine/cli/reports/case_explanation.h>
 #include <graze/engine/cli/reports/explanation.h>
+#include <graze/engine/cli/reports/why_page.h>
 #include <graze/engine/compare/judge/judgement.h>
+#include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/pose_text.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -57,6 +61,7 @@ Examples:
   graze explain data/regressions/triangles-16.json --answer yes
   graze explain data/hard_cases/shapes.jsonl --line 27
   graze explain data/hard_cases/motions.jsonl --line 1 --answer free
+  graze explain bolt.obj nut.stl --view why.html
 
 Exit codes:
   0  an answer was given, whatever it is
@@ -69,8 +74,21 @@ struct ExplainOptions {
   std::string pose_b;
   std::string answer;               ///< in place of that of the case
   std::optional<std::size_t> line;  ///< of a file of many cases: from 1 on
+  std::string page;                 ///< where to write one; empty: nowhere
   bool is_json = false;
 };
+
+/// A page goes nowhere where something is read.
+void check_page(const ExplainOptions& options) {
+  const std::array<FilePlace, 2> inputs = {
+      {{"A", options.mesh_a}, {"the second mesh", options.mesh_b}}};
+  const std::array<FilePlace, 1> outputs = {{{"--view", options.page}}};
+  check_outputs(outputs, inputs);
+}
+
+std::string name_of_file(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
 
 /// A number and nothing else.
 std::optional<double> read_number(const std::string& word) {
@@ -139,11 +157,14 @@ ExitCode run_explain_case(const ExplainOptions& options, Output& output) {
     throw UsageError("--answer: " + *fault);
   }
   const CaseExplanation explanation = explain_case(query);
+  if (!options.page.empty())
+    files::write_file(options.page, why_page(query, name_of_file(options.mesh_a), explanation));
   output.write(options.is_json ? to_json(explanation) : to_text(explanation));
   return ExitCode::Answered;
 }
 
 ExitCode run_explain(const ExplainOptions& options, Output& output) {
+  check_page(options);
   if (options.mesh_b.empty()) return run_explain_case(options, output);
   if (!options.answer.empty()) throw UsageError("--answer is of a case");
   if (options.line) throw UsageError("--line is of a file of many cases, .jsonl");
@@ -157,6 +178,10 @@ ExitCode run_explain(const ExplainOptions& options, Output& output) {
   check_placement(pose_a, mesh_a.bounds(), "--pose-a");
   check_placement(pose_b, mesh_b.bounds(), "--pose-b");
   const Explanation explanation = explain({mesh_a, pose_a}, {mesh_b, pose_b});
+  if (!options.page.empty())
+    files::write_file(options.page,
+                      why_page({mesh_a, pose_a}, {mesh_b, pose_b}, name_of_file(options.mesh_a),
+                               name_of_file(options.mesh_b), explanation));
   output.write(options.is_json ? to_json(explanation) : to_text(explanation));
   return ExitCode::Answered;
 }
@@ -180,6 +205,9 @@ void add_explain_command(CLI::App& program, Action& action) {
   command->add_option("--line", options->line, "of a file of many cases: that of this line")
       ->type_name("N")
       ->check(whole_number(1, 1'000'000'000));
+  command->add_option("--view", options->page, "where to write a page that shows it (HTML)")
+      ->type_name("FILE")
+      ->check(file_name());
   command->add_flag("--json", options->is_json, "one JSON object on one line");
   command->footer(kExplainFooter);
   command->callback([options, &action] {

@@ -180,6 +180,37 @@ TEST_F(CliView, AMotionIsPlayedUpToWhereTheyMeet) {
   EXPECT_EQ(graze(path).exit_code, 2) << "a mesh is not overwritten";
 }
 
+TEST_F(CliView, WhatExplainSaysIsShownByTheTrianglesThatDecide) {
+  for (const auto& [place, state] : {std::pair("0.5", "touching"), std::pair("5", "clear")}) {
+    const std::string pose = std::string("1 0 0 ") + place + "  0 1 0 0  0 0 1 0";
+    const std::vector<std::string> words = {"explain", "torus.off", "torus.off", "--pose-b",
+                                            pose,      "--json",    "--view",    "why.html"};
+    const CommandResult result = graze(words);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto said = nlohmann::json::parse(result.out);
+    const UnpackedPage shown = page("why.html");
+    ASSERT_EQ(shown.json()["frames"].size(), 2u);
+    EXPECT_EQ(shown.json()["frames"][0]["state"], state);
+    EXPECT_EQ(shown.json()["frames"][1]["state"], state);
+    for (std::size_t body = 0; body < 2; ++body) {
+      const auto mark = shown.json()["marks"]["triangles"][body];
+      const std::vector<std::uint32_t> frames = shown.words(mark["frames"]),
+                                       starts = shown.words(mark["starts"]),
+                                       list = shown.words(mark["list"]);
+      ASSERT_EQ(frames.back(), 1u);
+      ASSERT_EQ(starts[starts.size() - 1] - starts[starts.size() - 2], 1u);
+      EXPECT_EQ(list.back(), said["pair"][body].get<std::uint32_t>());
+    }
+    const bool is_clear = std::string(state) == "clear";
+    EXPECT_EQ(shown.marks("planes", 7, 1).size(), is_clear ? 7u : 0u);
+    EXPECT_EQ(shown.marks("points", 3, 1).size(), is_clear ? 0u : 3u);
+  }
+  const std::string wrong = std::string(GRAZE_DATA_DIR) + "/regressions/fcl-rock-14.json";
+  ASSERT_EQ(graze({"explain", wrong, "--view", "case.html"}).exit_code, 0);
+  const auto frame = page("case.html").json()["frames"][0];
+  EXPECT_NE(frame["note"].get<std::string>().find("the truth is"), std::string::npos);
+}
+
 TEST_F(CliView, EveryBundledCaseIsShown) {
   const std::string cases = std::string(GRAZE_DATA_DIR) + "/regressions";
   const CommandResult result = graze({"view", cases, "-o", "cases.html"});

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include <graze/engine/cli/reports/case_explanation.h>
+#include <graze/engine/cli/reports/explanation.h>
+
+namespace graze::cli {
+
+// Pages of the viewer that show what `graze explain` says. Both throw UsageError where the command
+// was built without pages, and what is asked for the pictures throws.
+
+/// Two meshes, and then the triangles alone that decide, with the plane or the point that proves
+/// it.
+std::string why_page(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
+                     const std::string& name_a, const std::string& name_b,
+                     const Explanation& explanation);
+
+/// A case, with what is said of its answer.
+std::string why_page(const Case& query, const std::string& name,
+                     const CaseExplanation& explanation);
+
+}  // namespace graze::cli
