@@ -79,6 +79,7 @@ from graze._graze import (
 )
 from graze._results import (
     BodyCast,
+    BodyCasts,
     BodyDistance,
     BodyDistanceLists,
     BodyDistances,
@@ -148,6 +149,7 @@ from graze._sweep import (
 __all__ = [
     "__version__",
     "BodyCast",
+    "BodyCasts",
     "BodyDistance",
     "BodyDistanceLists",
     "BodyDistances",

@@ -27,6 +27,7 @@ from graze._world_results import BodyDistances as BodyDistances
 from graze._world_results import BodyLists as BodyLists
 from graze._world_results import BodyRayHits as BodyRayHits
 from graze._world_results import BodyCast as BodyCast
+from graze._world_results import BodyCasts as BodyCasts
 from graze._world_results import BodyPairDistance as BodyPairDistance
 from graze._world_results import BodyPairDistances as BodyPairDistances
 from graze._world_results import WorldDrawing as WorldDrawing

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graze._arrays_of_results import Bools, Doubles, Ids, Indices, Offsets, result
-from graze._contact_results import RigidContact, ShapeContacts
+from graze._contact_results import RigidContact, RigidContacts, ShapeContacts
 from graze._graze import Work
 
 
@@ -165,6 +165,18 @@ class BodyCast(NamedTuple):
     """Hit or close."""
     part: int
     """Of a compound that which is met first; else 0."""
+
+
+@result
+class BodyCasts(NamedTuple):
+    """The body that a shape comes to first in each of n motions."""
+
+    ids: Ids
+    """(n,); of no body where the motion is free."""
+    contacts: RigidContacts
+    """Of n rows."""
+    part: Indices
+    """(n,), of a compound that which is met first; else 0."""
 
 
 @result

@@ -59,6 +59,28 @@ def test_many_rays_at_a_world(unit_cube):
         world.cast_rays(origins, directions, threads=2**40)
 
 
+def test_many_motions_in_a_world_are_the_single_ones(unit_cube):
+    world = graze.World()
+    world.add((unit_cube, random_poses(60, 6, seed=11)))
+    starts = [translation(*place) for place in np.random.default_rng(12).uniform(-9, 9, (80, 3))]
+    motions = [graze.RigidMotion.between(pose, translation(0, 0, 0.1 * i)) for i, pose in enumerate(starts)]
+    singles = [world.cast(graze.Sphere([0, 0, 0], 0.25), motion) for motion in motions]
+    assert 0 < sum(one is None for one in singles) < 80
+    for threads in (0, 1, 3):
+        found = world.cast(graze.Sphere([0, 0, 0], 0.25), motions, threads=threads)
+        for i, one in enumerate(singles):
+            if one is None:
+                assert (found.contacts.status[i], found.contacts.low[i], found.contacts.high[i]) == ("free", 1, 1)
+                continue
+            assert (found.ids[i], found.part[i], found.contacts.status[i]) == (one.id, one.part, one.contact.status)
+            assert (found.contacts.low[i], found.contacts.high[i]) == (one.contact.low, one.contact.high)
+    assert len(world.cast(unit_cube, []).ids) == 0
+    with pytest.raises(graze.PoseError, match=r"motion\[1\]"):
+        world.cast(unit_cube, [motions[0], 2 * np.eye(4)])
+    with pytest.raises(graze.InputError, match="many motions"):
+        world.cast_all(unit_cube, motions)
+
+
 def test_nobody_uses_a_world_that_a_batch_asks(unit_cube):
     world = graze.World()
     id = world.add((unit_cube, translation(0, 0, 0)))
@@ -75,10 +97,11 @@ def test_nobody_uses_a_world_that_a_batch_asks(unit_cube):
     mover.join()
 
 
-def test_a_batch_of_rays_ends_by_a_signal(unit_cube):
+def test_a_batch_in_a_world_ends_by_a_signal(bolt):
     world = graze.World()
-    world.add((unit_cube, random_poses(2000, 6, seed=9)))
-    origins = np.random.default_rng(10).uniform(-9, 9, (3_000_000, 3))
+    world.add((bolt, random_poses(200, 0.2, seed=9)))
+    poses = random_poses(100_000, 0.2, seed=10)
+    world.find_closest((bolt, poses[:4]))  # builds trees
     sent = []
 
     def send():
@@ -88,7 +111,6 @@ def test_a_batch_of_rays_ends_by_a_signal(unit_cube):
 
     threading.Thread(target=send).start()
     with pytest.raises(KeyboardInterrupt):
-        while True:
-            world.cast_rays(origins, -origins)
+        world.find_closest((bolt, poses))
     assert time.monotonic() - sent[0] < 1
-    assert len(world) == 2000
+    assert len(world) == 200

@@ -4,6 +4,7 @@
 #include <graze/engine/python/binding/bodies/shared_world.h>
 #include <graze/engine/python/binding/module.h>
 #include <graze/engine/python/binding/queries/answers.h>
+#include <graze/engine/python/binding/queries/rigid_contacts.h>
 #include <graze/engine/python/binding/values/motions.h>
 
 #include <limits>
@@ -232,7 +233,7 @@ struct CastQuestion {
   CastQuestion(py::handle shape, py::handle motion_argument, py::handle clearance,
                py::handle tolerance, py::handle budget, py::handle filter, py::handle role)
       : placed(single_shape(shape)),
-        motion(motion_from(motion_argument, "motion")),
+        motions(motion_argument, "motion"),
         contact(contact_settings(clearance, tolerance, budget)),
         settings(query_settings(filter, role)) {
     if (PyTuple_Check(shape.ptr()) != 0)
@@ -240,7 +241,7 @@ struct CastQuestion {
   }
 
   Placed placed;
-  RigidMotion motion;
+  Motions motions;
   RigidContactSettings contact;
   BodyQuerySettings settings;
 };
@@ -250,12 +251,37 @@ py::object cast_result(const BodyCast& found) {
   return kType(number_of(found.id), result_of(found.contact), found.part);
 }
 
+/// Where no body is met, the motion is free.
+py::object cast_results(const std::vector<std::optional<BodyCast>>& found) {
+  static const ResultType kType("BodyCasts");
+  constexpr RigidContact kFree{RigidStatus::Free, 1, 1, false};
+  std::vector<BodyId> ids;
+  std::vector<RigidContact> contacts;
+  for (const auto& cast : found) {
+    ids.push_back(cast ? cast->id : BodyId{});
+    contacts.push_back(cast ? cast->contact : kFree);
+  }
+  return kType(
+      array_of_ids(ids), result_of(contacts),
+      numbers_of<std::uint32_t>(found, [](const auto& cast) { return cast ? cast->part : 0; }));
+}
+
 py::object body_cast(SharedWorld& shared, py::handle shape, py::handle motion, py::handle clearance,
-                     py::handle tolerance, py::handle budget, py::handle filter, py::handle role) {
+                     py::handle tolerance, py::handle budget, py::handle filter, py::handle role,
+                     py::handle threads, py::handle progress) {
   const CastQuestion asked(shape, motion, clearance, tolerance, budget, filter, role);
-  const auto found = shared.ask([&](World& world) {
-    return world.cast(asked.placed.shape(), asked.motion, asked.contact, asked.settings);
-  });
+  const auto ask = [&](const World& world, std::size_t i) {
+    return world.cast(asked.placed.shape(), asked.motions[i], asked.contact, asked.settings);
+  };
+  const Batch batch(threads, progress);
+  if (asked.motions.is_many()) {
+    static_cast<void>(asked.placed.shape());  // made once, before threads ask for it
+    std::vector<std::optional<BodyCast>> found(asked.motions.size());
+    ask_world_for_all(shared, found.size(), batch,
+                      [&](const World& world, std::size_t i) { found[i] = ask(world, i); }, {});
+    return cast_results(found);
+  }
+  const auto found = shared.ask([&](World& world) { return ask(world, 0); });
   return found ? cast_result(*found) : py::none();
 }
 
@@ -263,9 +289,11 @@ py::object body_cast_all(SharedWorld& shared, py::handle shape, py::handle motio
                          py::handle clearance, py::handle tolerance, py::handle budget,
                          py::handle filter, py::handle role) {
   const CastQuestion asked(shape, motion, clearance, tolerance, budget, filter, role);
+  if (asked.motions.is_many()) throw InputError("motion: many motions are not taken");
   py::list all;
   for (const BodyCast& found : shared.ask([&](World& world) {
-         return world.cast_all(asked.placed.shape(), asked.motion, asked.contact, asked.settings);
+         return world.cast_all(asked.placed.shape(), asked.motions[0], asked.contact,
+                               asked.settings);
        }))
     all.append(cast_result(found));
   return all;
@@ -298,20 +326,23 @@ void add_rays_and_casts(py::class_<SharedWorld>& type) {
            "BodyRayHits.",
            py::arg("origin"), py::arg("direction"), py::arg("max_distance") = infinity,
            py::kw_only(), py::arg("filter") = py::none(), py::arg("role") = py::none());
-  const auto add_cast = [&](const char* name, auto* function, const char* text) {
-    type.def(name, function, text, py::arg("shape"), py::arg("motion"), py::kw_only(),
-             py::arg("clearance") = 0.0, py::arg("tolerance") = 1e-6,
-             py::arg("budget") = std::size_t{1} << 24, py::arg("filter") = py::none(),
-             py::arg("role") = py::none());
-  };
-  add_cast("cast", &body_cast,
+  const auto clearance = [] { return py::arg("clearance") = 0.0; };
+  const auto tolerance = [] { return py::arg("tolerance") = 1e-6; };
+  const auto budget = [] { return py::arg("budget") = std::size_t{1} << 24; };
+  type.def("cast", &body_cast,
            "cast(self, shape, motion, *, clearance=0.0, tolerance=1e-06, budget=16777216, "
-           "filter=None, role=None)\n--\n\nThe body to which a shape in rigid motion comes first, "
-           "a BodyCast, or None. None is missed.");
-  add_cast("cast_all", &body_cast_all,
+           "filter=None, role=None, threads=0, progress=None)\n--\n\nThe body to which a shape in "
+           "rigid motion comes first, a BodyCast, or None. None is missed. With a list of motions "
+           "BodyCasts: arrays, of which those that meet no body are free.",
+           py::arg("shape"), py::arg("motion"), py::kw_only(), clearance(), tolerance(), budget(),
+           py::arg("filter") = py::none(), py::arg("role") = py::none(), py::arg("threads") = 0,
+           py::arg("progress") = py::none());
+  type.def("cast_all", &body_cast_all,
            "cast_all(self, shape, motion, *, clearance=0.0, tolerance=1e-06, budget=16777216, "
            "filter=None, role=None)\n--\n\nAll bodies that it comes to, each asked as if it were "
-           "alone: a list of BodyCasts, by time.");
+           "alone: a list of each BodyCast, by time.",
+           py::arg("shape"), py::arg("motion"), py::kw_only(), clearance(), tolerance(), budget(),
+           py::arg("filter") = py::none(), py::arg("role") = py::none());
 }
 
 }  // namespace

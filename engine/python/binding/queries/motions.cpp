@@ -2,6 +2,7 @@
 #include <graze/engine/python/binding/arguments/settings.h>
 #include <graze/engine/python/binding/module.h>
 #include <graze/engine/python/binding/queries/answers.h>
+#include <graze/engine/python/binding/queries/rigid_contacts.h>
 #include <graze/engine/python/binding/values/motions.h>
 
 #include <graze/engine/mesh/mesh_cast.h>
@@ -30,24 +31,14 @@ struct MotionQuestion {
                  py::handle motion_argument_b)
       : a(unplaced(a_argument, "a")),
         b(unplaced(b_argument, "b")),
-        motion_a(motion_from(motion_argument_a, "motion_a")) {
-    is_many =
-        PyList_Check(motion_argument_b.ptr()) != 0 || PyTuple_Check(motion_argument_b.ptr()) != 0;
-    if (!is_many) {
-      motions_b.push_back(motion_from(motion_argument_b, "motion_b"));
-      return;
-    }
-    motions_b.reserve(py::len(motion_argument_b));
-    for (const py::handle motion : motion_argument_b)
-      motions_b.push_back(
-          motion_from(motion, ("motion_b[" + std::to_string(motions_b.size()) + "]").c_str()));
-  }
+        motion_a(motion_from(motion_argument_a, "motion_a")),
+        motions_b(motion_argument_b, "motion_b") {}
 
   template <typename Answer, typename Ask>
   std::vector<Answer> answers(const Batch& batch, Work* work, const Ask& ask) const {
     // Motions differ a thousandfold in what they take, so that each is a part by itself.
     return ask_all<Answer>(
-        is_many, motions_b.size(), batch, work,
+        motions_b.is_many(), motions_b.size(), batch, work,
         [&](std::size_t i, Work* own) { return ask(*this, motions_b[i], own); }, {}, 1);
   }
 
@@ -56,14 +47,12 @@ struct MotionQuestion {
   Placed a;
   Placed b;
   RigidMotion motion_a;
-  std::vector<RigidMotion> motions_b;
-  bool is_many;
+  Motions motions_b;
 };
 
 py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py::handle motion_b,
                             py::handle clearance, py::handle tolerance, py::handle budget,
                             py::handle threads, py::handle progress, py::handle work) {
-  static const ResultType kMany("RigidContacts");
   const MotionQuestion question(a, motion_a, b, motion_b);
   static_cast<void>(question.b.shape());  // made once, before threads ask for it
   static_cast<void>(question.a.shape());
@@ -75,15 +64,8 @@ py::object first_contact_of(py::handle a, py::handle motion_a, py::handle b, py:
                    ? first_contact(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own)
                    : first_contact(of.a.shape(), of.motion_a, of.b.shape(), motion, settings, own);
       });
-  if (!question.is_many) return result_of(answers[0]);
-  py::list words;
-  for (const RigidContact& contact : answers)
-    words.append(word_of(contact.status));
-  return kMany(
-      py::module_::import("numpy").attr("array")(words, "U5"),
-      numbers_of<double>(answers, [](const auto& contact) { return contact.low; }),
-      numbers_of<double>(answers, [](const auto& contact) { return contact.high; }),
-      numbers_of<bool>(answers, [](const auto& contact) { return contact.is_out_of_budget; }));
+  if (!question.motions_b.is_many()) return result_of(answers[0]);
+  return result_of(answers);
 }
 
 py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handle motion_b,
@@ -101,7 +83,7 @@ py::object is_free_of(py::handle a, py::handle motion_a, py::handle b, py::handl
                 ? is_free(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own)
                 : is_free(of.a.shape(), of.motion_a, of.b.shape(), motion, settings, own));
       });
-  if (!question.is_many) return py::bool_(answers[0] != 0);
+  if (!question.motions_b.is_many()) return py::bool_(answers[0] != 0);
   return numbers_of<bool>(answers, [](char says) { return says != 0; });
 }
 
@@ -116,7 +98,7 @@ py::object last_free_of(py::handle a, py::handle motion_a, py::handle b, py::han
       [&](const MotionQuestion& of, const RigidMotion& motion, Work* own) {
         return last_free(of.a.mesh(), of.motion_a, of.b.mesh(), motion, settings, own);
       });
-  if (question.is_many) {
+  if (question.motions_b.is_many()) {
     return numbers_of<double>(answers, [](const auto& time) {
       return time.value_or(std::numeric_limits<double>::quiet_NaN());
     });
@@ -282,6 +264,31 @@ True
 )";
 
 }  // namespace
+
+Motions::Motions(py::handle argument, const char* name)
+    : is_many_(PyList_Check(argument.ptr()) != 0 || PyTuple_Check(argument.ptr()) != 0) {
+  if (!is_many_) {
+    all_.push_back(motion_from(argument, name));
+    return;
+  }
+  all_.reserve(py::len(argument));
+  for (const py::handle motion : argument) {
+    const std::string place = std::string(name) + "[" + std::to_string(all_.size()) + "]";
+    all_.push_back(motion_from(motion, place.c_str()));
+  }
+}
+
+py::object result_of(const std::vector<RigidContact>& answers) {
+  static const ResultType kMany("RigidContacts");
+  py::list words;
+  for (const RigidContact& contact : answers)
+    words.append(word_of(contact.status));
+  return kMany(
+      py::module_::import("numpy").attr("array")(words, "U5"),
+      numbers_of<double>(answers, [](const auto& contact) { return contact.low; }),
+      numbers_of<double>(answers, [](const auto& contact) { return contact.high; }),
+      numbers_of<bool>(answers, [](const auto& contact) { return contact.is_out_of_budget; }));
+}
 
 void add_motions(py::module_& module) {
   const auto add = [&](const char* name, auto* function, const char* text) {
