@@ -1,5 +1,6 @@
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/view/view_run.h>
 
 #include <CLI/CLI.hpp>
@@ -13,9 +14,11 @@ The page is one file that any browser opens, without a network: turn by mouse, f
 keys, play, jump to where touching begins or ends, cut, measure, save a picture. Two meshes are
 shown in the pose, or a picture for each pose of --poses: intersecting triangles red, curves of
 intersection, contacts with normals and depths, or else the nearest points and the gap. Of cases
-each is a picture, and 49 where things move; of a scene each step. What is shown is asked of graze
-anew, by exact queries; coordinates are drawn as floats. A case that cannot be read is named, and
-the page says so.
+each is a picture, and 49 where things move; of a scene each step; of a recording (graze simulate
+--record) each update, or one of --every and all in which something begins or ends. What is shown
+is asked of graze anew, by exact queries; coordinates are drawn as floats. A case that cannot be
+read is named, and the page says so. With -o FILE.glb a recording becomes animated glTF 2.0, for
+other programs.
 
 With --json the answer is one line:
   {"file":"page.html","pictures":36,"touching":12,"bytes":1000036}
@@ -26,6 +29,8 @@ Examples:
   graze view odd.json --json
   graze view data/regressions -o cases.html
   graze view data/scenes/machine.json --meshes data/meshes -o scene.html
+  graze view run.recording --every 4 -o run.html
+  graze view run.recording -o run.glb
 
 Exit codes:
   0  the page was written
@@ -37,10 +42,10 @@ Exit codes:
 void add_view_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command = program.add_subcommand(
-      "view", "A page that shows a pose, a motion, cases or a scene, to be turned");
+      "view", "A page that shows a pose, a motion, cases, a scene or a recording, to be turned");
   command
       ->add_option("FILE", options->files,
-                   "one or two meshes; or cases, or folders of them; or a scene")
+                   "one or two meshes; or cases, or folders of them; or a scene; or a recording")
       ->required();
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
@@ -55,6 +60,10 @@ void add_view_command(CLI::App& program, Action& action) {
       ->add_option("-o,--output", options->page, "where the page goes (default: graze-view.html)")
       ->type_name("FILE")
       ->check(file_name());
+  command
+      ->add_option("--every", options->every, "of a recording one update of so many (default: 1)")
+      ->type_name("N")
+      ->check(whole_number(1, 1'000'000));
   command->add_option("--title", options->title, "the heading (default: the names of the files)")
       ->type_name("TEXT");
   command->add_flag("--open", options->is_opened, "open the page in a browser");
