@@ -17,6 +17,7 @@ using nlohmann::json;
 
 // glTF's numbers for what they say.
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
+constexpr int kVertices = 34962, kIndices = 34963;
 // Of the chunks of a GLB: "JSON" and "BIN", lowest byte first.
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
@@ -60,6 +61,11 @@ std::size_t GltfFile::end(json accessor) {
   return file_["accessors"].size() - 1;
 }
 
+/// What the view that was begun last is for.
+void GltfFile::say_target(int target) {
+  file_["bufferViews"].back()["target"] = target;
+}
+
 std::size_t GltfFile::add_floats(std::span<const float> numbers, std::size_t width,
                                  bool has_bounds) {
   static constexpr std::array kTypes{"", "SCALAR", "", "VEC3", "VEC4"};
@@ -91,8 +97,10 @@ std::size_t GltfFile::add_mesh(std::span<const Eigen::Vector3d> vertices,
     for (int k = 0; k < 3; ++k)
       positions.push_back(static_cast<float>(vertex[k]));
   const std::size_t position = add_floats(positions, 3, true);
+  say_target(kVertices);
   const std::size_t indices = end(begin(triangles.data(), triangles.size_bytes(),
                                         3 * triangles.size(), kUnsignedInt, "SCALAR"));
+  say_target(kIndices);
   const json primitive = {
       {"attributes", {{"POSITION", position}}}, {"indices", indices}, {"material", material}};
   file_["meshes"].push_back({{"primitives", json::array({primitive})}});

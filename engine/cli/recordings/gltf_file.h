@@ -46,6 +46,7 @@ class GltfFile {
   std::size_t add_floats(std::span<const float> numbers, std::size_t width, bool has_bounds);
   nlohmann::json begin(const void* numbers, std::size_t bytes, std::size_t count, int type,
                        const char* shape);
+  void say_target(int target);
   std::size_t end(nlohmann::json accessor);
   void add_channel(std::size_t node, const char* path, std::size_t times, std::size_t values,
                    const char* interpolation);

@@ -47,10 +47,33 @@ class RecordingPage {
       if (restored == nullptr) continue;
       touching_.clear();
       touching_.insert(restored->state->touching.begin(), restored->state->touching.end());
+      are_contacts_known_ = false;
     }
     for (const BodyPair& pair : step.answers.ended)
       touching_.erase(pair);
     touching_.insert(step.answers.begun.begin(), step.answers.begun.end());
+    note_contacts();
+  }
+
+  /// What moved has contacts anew, and keeps them until it moves again: to ask for those of all in
+  /// each update would cost what lies still, too.
+  void note_contacts() {
+    if (!are_contacts_known_) return take_all_contacts();
+    const WorldUpdate& update = replay_.update();
+    for (const auto& gone : {update.ended, update.ended_near, update.moved})
+      for (const BodyPair& pair : gone)
+        contacts_.erase(pair);
+    for (const BodyContact& contact : update.contacts)
+      contacts_.erase(contact.pair);
+    for (const BodyContact& contact : update.contacts)
+      contacts_.emplace(contact.pair, contact.manifold);
+  }
+
+  void take_all_contacts() {
+    contacts_.clear();
+    for (const BodyContact& contact : replay_.world().contacts())
+      contacts_.emplace(contact.pair, contact.manifold);
+    are_contacts_known_ = replay_.reader().head().world.contacts;
   }
 
   /// Never left out is where something begins or ends, or where this graze says otherwise.
@@ -104,8 +127,8 @@ class RecordingPage {
       for (const ShownPiece& piece : pieces({id, shape}))
         page_.view.place(piece.body, placed_part(pose, piece.pose));
     }
-    for (const BodyContact& contact : world.contacts())
-      for (const ShapeContact& point : contact.manifold)
+    for (const auto& [pair, manifold] : contacts_)
+      for (const ShapeContact& point : manifold)
         page_.view.add_contact(point.point, point.normal, std::max(0.0, point.depth));
   }
 
@@ -115,6 +138,8 @@ class RecordingPage {
   RecordedBodies bodies_;
   RecordedNames names_;
   std::set<BodyPair> touching_;
+  std::multimap<BodyPair, Manifold> contacts_;  ///< of parts several for a pair
+  bool are_contacts_known_ = false;             ///< those of before this update
   std::map<RecordedLook, std::vector<ShownPiece>> pieces_;
 };
 
