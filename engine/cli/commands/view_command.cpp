@@ -45,7 +45,7 @@ void add_view_command(CLI::App& program, Action& action) {
       "view", "A page that shows a pose, a motion, cases, a scene or a recording, to be turned");
   command
       ->add_option("FILE", options->files,
-                   "one or two meshes; or cases, or folders of them; or a scene; or a recording")
+                   "one or two meshes; cases or folders of them; a scene; a recording")
       ->required();
   command->add_option("--pose-a", options->pose_a, "pose of A (default: identity)")->type_name("P");
   command->add_option("--pose-b", options->pose_b, "pose of B (default: identity)")->type_name("P");
