@@ -59,6 +59,8 @@ class RecordingReplay {
   const RecordedStep& step() const;
   /// What differed in it: what was recorded first, what is now second.
   const std::optional<RecordingDifference>& difference() const;
+  /// All that the world says to it now. Valid until the next call of advance().
+  const WorldUpdate& update() const;
   /// The world after it.
   const World& world() const;
   /// To look up shapes, and how the recording ended.

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   graze::RecordingReplay replay(graze::RecordingReader{file}, {.threads = 2});
   while (replay.advance())
     expect(!replay.difference(), "it says the same");
+  expect(replay.update().begun.size() == replay.step().answers.begun.size(), "and as much");
   expect(replay.step().number == 4 && replay.world().size() == 2, "up to the last update");
   expect(replay.reader().end() == graze::RecordingEnd::Complete, "and there it ends");
 

@@ -1,10 +1,15 @@
 #include <graze/engine/cli/commands/commands.h>
 #include <graze/engine/cli/compare/engine_field.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/recordings/recording_file.h>
+#include <graze/engine/cli/recordings/recording_run.h>
 #include <graze/engine/cli/replay/replay_run.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace graze::cli {
 namespace {
@@ -39,24 +44,69 @@ engine-error; with >SIZE behind only those larger than so many metres (quote the
 
 --engine-command starts an engine of your own, as for graze compare.
 
+A recording of a world (graze simulate --record) is repeated: this graze is given the same bodies, poses and
+settings, update by update, and must say the same. The first update and pair that differ are named, and how many
+updates do. --against holds another recording against it, such as that of another version or machine. With --json:
+  {"file":FILE,"engine":"0.2.0","against":null,"updates":N,"complete":true,"differing":0}
+and where something differs
+  "difference":{"update":I,"what":"begun","time":S,"pair":["a","b"],"is_input":false,"first":T,"second":T}
+"complete":false means that its writer was stopped: what there is was repeated.
+
 Examples:
   graze replay odd.json
   graze replay data/regressions --json
   graze replay graze-cases --fail-on recorded:real --fail-on fcl
+  graze replay run.recording --threads 8 --work
+  graze replay old.recording --against new.recording --json
 
 Exit codes:
   0  graze is right everywhere, or was not judged
-  1  exact arithmetic found an answer of graze to be wrong, or one that nobody judges has changed; with
+  1  exact arithmetic found an answer of graze to be wrong, or one that nobody judges has changed; of a
+     recording, something differs; with
      --same also if any has changed; with --fail-on also if an answer that it names is wrong
   2  bad input, with one line on stderr for each bad file, FILE:LINE: /PLACE: why; the others are replayed)";
+
+/// What of a command line is about recordings.
+struct RecordedRunOptions {
+  std::optional<std::string> against;
+  std::optional<int> threads;
+  bool has_work = false;
+};
+
+/// The run of a recording, if one is meant; all options must be about one.
+std::optional<RecordingOptions> recording_of(const ReplayOptions& options,
+                                             const RecordedRunOptions& run) {
+  const bool has_any = std::any_of(options.files.begin(), options.files.end(), is_recording);
+  if (!has_any) {
+    if (run.against || run.threads || run.has_work)
+      throw UsageError("--against, --threads and --work are about a recording: here is none");
+    return std::nullopt;
+  }
+  if (options.files.size() != 1) throw UsageError("a recording is replayed by itself");
+  if (!options.fail_on.empty() || options.is_change_failure || !options.engine_commands.empty() ||
+      !options.mesh_folder.empty())
+    throw UsageError(
+        "--meshes, --same, --fail-on and --engine-command are about cases: here is a recording");
+  if (run.against && run.threads)
+    throw UsageError("--threads is about repeating a recording, not about --against");
+  return RecordingOptions{.file = options.files.front(),
+                          .against = run.against,
+                          .threads = run.threads.value_or(1),
+                          .has_work = run.has_work,
+                          .is_json = options.is_json,
+                          .has_progress = options.has_progress};
+}
 
 }  // namespace
 
 void add_replay_command(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command =
-      program.add_subcommand("replay", "Ask every engine the questions of case files");
-  command->add_option("FILE", options->files, "cases, or folders of them; .jsonl: one on each line")
+  auto run = std::make_shared<RecordedRunOptions>();
+  CLI::App* command = program.add_subcommand(
+      "replay", "Ask every engine the questions of case files, or repeat a recording");
+  command
+      ->add_option("FILE", options->files,
+                   "cases, or folders of them; .jsonl: one on each line; or a recording")
       ->required();
   command
       ->add_option("--meshes", options->mesh_folder,
@@ -75,11 +125,20 @@ void add_replay_command(CLI::App& program, Action& action) {
   add_repeated_option(*command, "--fail-on", options->fail_on,
                       "exit code 1 also if this engine is wrong, now or in a record",
                       "ENGINE[:CLASS][>SIZE]");
+  command->add_option("--against", run->against, "another recording, to be held against the first")
+      ->type_name("FILE")
+      ->check(file_name());
+  command->add_option("--threads", run->threads, "of a repeated recording's world (default: 1)")
+      ->type_name("N")
+      ->check(whole_number(0, kMaxThreads));
+  command->add_flag("--work", run->has_work, "of a recording, compare work counters, too");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");
   command->footer(kReplayFooter);
-  command->callback([options, &action] {
-    action = [options](Output& output) {
+  command->callback([options, run, &action] {
+    action = [options, run](Output& output) {
+      if (const auto recording = recording_of(*options, *run))
+        return run_recording(*recording, output);
       const compare::PeerSettings peers = {.timeout =
                                                std::chrono::duration<double>(options->timeout)};
       return run_replay(*options, engines_with(peers, options->engine_commands), output);

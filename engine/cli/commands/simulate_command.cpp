@@ -1,10 +1,15 @@
 #include <graze/engine/cli/commands/commands.h>
+#include <graze/engine/cli/files/output_places.h>
 #include <graze/engine/cli/output/count_argument.h>
+#include <graze/engine/cli/output/interruption.h>
+#include <graze/engine/cli/output/progress.h>
+#include <graze/engine/cli/recordings/scene_recorder.h>
 #include <graze/engine/cli/reports/simulate_report.h>
 #include <graze/engine/scenes/read_scene.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +31,11 @@ Bodies of the scene that are swept ("detection": "continuous") are told whom the
 step before, and when, in seconds; or that they touched already. "came close" is nearer than 1e-6 m, and no
 contact proved.
 
+--record FILE writes the run down, each step as it is done: "graze replay FILE" repeats it, on any version
+and with any number of threads, and "graze view FILE" plays it (engine/record/README.md). It keeps the contacts of
+pairs that begin to touch, with --contacts of all. A run that is stopped by SIGINT, or killed, leaves a file that can
+be read up to its last step.
+
 With --json each step gives one line:
   {"step":0,"time":0,"begun":[["a","b"],...],"ended":[],"touching":1,
    "contacts":[{"a":"a","b":"b","points":[{"depth":...,"normal":[x,y,z],"point":[x,y,z]},...]},...],
@@ -42,35 +52,59 @@ Examples:
   graze simulate data/scenes/parts.json --contacts
   graze simulate data/scenes/terrain.json
   graze simulate data/scenes/machine.json --meshes data/meshes --steps 20 --contacts --json
+  graze simulate data/scenes/shapes.json --record shapes.recording
 
 Exit codes:
   0  an answer was given, whatever it is
-  2  bad input, with one line on stderr and nothing on stdout: FILE:LINE: /PLACE: why)";
+  2  bad input, with one line on stderr and nothing on stdout: FILE:LINE: /PLACE: why
+  130  with --record: stopped by SIGINT; the steps until then are in the file)";
 
 struct SimulateOptions {
   std::string scene;
   std::string mesh_folder;
+  std::optional<std::string> record;
   std::optional<std::size_t> steps;
   double step = 0;
   int threads = 1;
   bool has_contacts = false;
   bool is_json = false;
+  bool has_progress = false;
 };
+
+/// While it is recorded SIGINT ends the run after a step, with the file's end behind it.
+void stop_if_asked(const SimulateOptions& options, SceneRecorder& recorder, std::size_t steps) {
+  recorder.check();
+  if (!options.record || !Interruption::is_requested()) return;
+  recorder.finish();
+  throw Interrupted("interrupted: " + *options.record + " has the steps until " +
+                    std::to_string(steps));
+}
 
 ExitCode run_simulate(const SimulateOptions& options, Output& output) {
   const Scene scene = read_scene(options.scene, {.mesh_folder = options.mesh_folder});
   const std::size_t steps = options.steps.value_or(scene.steps);
-  Simulation simulation(scene,
-                        {.step = options.step,
-                         .world = {.threads = options.threads, .contacts = options.has_contacts}});
+  const std::array<FilePlace, 1> inputs = {{{"the scene", options.scene}}};
+  const std::array<FilePlace, 1> outputs = {{{"--record", options.record.value_or("")}}};
+  check_outputs(outputs, inputs);
+  Simulation simulation(scene, {.step = options.step,
+                                .world = {.threads = options.threads,
+                                          .contacts = options.has_contacts || options.record}});
   check_paths(scene, simulation.time_of(steps));  // bad input leaves standard output empty
   SimulateReport report(output, scene,
                         {.is_json = options.is_json, .has_contacts = options.has_contacts});
+  std::optional<Interruption> interruption;
+  if (options.record) interruption.emplace();
+  SceneRecorder recorder(options.record, scene, simulation,
+                         options.has_contacts ? RecordedContacts::All : RecordedContacts::Begun);
   report.begin();
+  Progress progress("steps:", steps, {.is_forced = options.has_progress});
   for (std::size_t i = 0; i <= steps; ++i) {
     const WorldUpdate update = simulation.advance();
     report.add(simulation.steps(), simulation.time(), update);
+    progress.update(i);
+    if (i < steps) stop_if_asked(options, recorder, i);
   }
+  recorder.finish();
   return ExitCode::Answered;
 }
 
@@ -96,7 +130,13 @@ void add_simulate_command(CLI::App& program, Action& action) {
       ->type_name("N")
       ->check(whole_number(0, kMaxThreads));
   command->add_flag("--contacts", options->has_contacts, "also where bodies touch");
+  command
+      ->add_option("--record", options->record, "write the run down, to be repeated and looked at")
+      ->type_name("FILE")
+      ->check(file_name());
   command->add_flag("--json", options->is_json, "one JSON object per line and step");
+  command->add_flag("--progress", options->has_progress,
+                    "report progress on stderr even if it is no terminal");
   command->footer(kSimulateFooter);
   command->callback([options, &action] {
     action = [options](Output& output) { return run_simulate(*options, output); };

@@ -2,8 +2,11 @@
 
 #include <graze/engine/cases/text/json_text.h>
 #include <graze/engine/cli/files/output_places.h>
+#include <graze/engine/cli/recordings/recorded_gltf.h>
+#include <graze/engine/cli/recordings/recording_file.h>
 #include <graze/engine/cli/view/shown_cases.h>
 #include <graze/engine/cli/view/shown_meshes.h>
+#include <graze/engine/cli/view/shown_recording.h>
 #include <graze/engine/cli/view/shown_scene.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/files/source.h>
@@ -35,6 +38,20 @@ bool are_cases(const ViewOptions& options) {
   if (count == 0) return false;
   if (count != std::ssize(options.files))
     throw UsageError("meshes and cases go to pages of their own");
+  return true;
+}
+
+/// One may be; then all options must be about one.
+bool has_recording(const ViewOptions& options) {
+  const bool is_any = std::any_of(options.files.begin(), options.files.end(), is_recording);
+  if (!is_any) {
+    if (options.every != 1) throw UsageError("--every is about a recording: here is none");
+    return false;
+  }
+  if (options.files.size() > 1) throw UsageError("a recording goes to a page of its own");
+  if (options.poses || !options.pose_a.empty() || !options.pose_b.empty() ||
+      !options.mesh_folder.empty())
+    throw UsageError("--pose-a, --pose-b, --poses and --meshes are not about recordings");
   return true;
 }
 
@@ -74,6 +91,27 @@ void open_page(const std::string& page) {
     throw UsageError("--open: xdg-open has not opened " + mesh_io::printable(file));
 }
 
+void say(const ViewOptions& options, std::size_t pictures, std::size_t touching, std::size_t bytes,
+         Output& output) {
+  if (options.is_json)
+    output.write(fmt::format("{{\"file\":{},\"pictures\":{},\"touching\":{},\"bytes\":{}}}\n",
+                             cases::json_string(options.page), pictures, touching, bytes));
+  else
+    output.write(fmt::format(
+        "{}: {} {}, {} touching, {:.1f} MB\n", mesh_io::printable(options.page), pictures,
+        pictures == 1 ? "picture" : "pictures", touching, static_cast<double>(bytes) / 1e6));
+}
+
+/// A recording for other programs, in place of a page.
+ExitCode write_gltf(const ViewOptions& options, Output& output) {
+  if (options.is_opened || !options.title.empty())
+    throw UsageError("--open and --title are about pages, not about glTF");
+  const RecordedGltf made = gltf_of_recording(options.files.front(), options.every);
+  files::write_file(options.page, made.bytes);
+  say(options, made.pictures, made.touching, made.bytes.size(), output);
+  return ExitCode::Answered;
+}
+
 /// One file may be a scene; of several each must be a case.
 ShownPage show(const ViewOptions& options, bool has_cases) {
   if (!has_cases) return show_meshes(options);
@@ -84,21 +122,16 @@ ShownPage show(const ViewOptions& options, bool has_cases) {
 }  // namespace
 
 ExitCode run_view(const ViewOptions& options, Output& output) {
-  const bool has_cases = are_cases(options);
-  check_options(options, has_cases);
+  const bool is_of_recording = has_recording(options);
+  const bool has_cases = !is_of_recording && are_cases(options);
+  if (!is_of_recording) check_options(options, has_cases);
   check_files(options);
-  const ShownPage shown = show(options, has_cases);
+  if (is_of_recording && fs::path(options.page).extension() == ".glb")
+    return write_gltf(options, output);
+  const ShownPage shown = is_of_recording ? show_recording(options) : show(options, has_cases);
   const std::string page = shown.view.page();
   files::write_file(options.page, page);
-  if (options.is_json)
-    output.write(fmt::format("{{\"file\":{},\"pictures\":{},\"touching\":{},\"bytes\":{}}}\n",
-                             cases::json_string(options.page), shown.frames, shown.touching,
-                             page.size()));
-  else
-    output.write(fmt::format("{}: {} {}, {} touching, {:.1f} MB\n",
-                             mesh_io::printable(options.page), shown.frames,
-                             shown.frames == 1 ? "picture" : "pictures", shown.touching,
-                             static_cast<double>(page.size()) / 1e6));
+  say(options, shown.frames, shown.touching, page.size(), output);
   if (options.is_opened) open_page(options.page);
   return shown.is_all_read ? ExitCode::Answered : ExitCode::BadInput;
 }

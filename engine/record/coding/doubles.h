@@ -31,18 +31,21 @@ inline double turned_back(std::uint64_t turned, double guess) {
 template <std::size_t kCount>
 void write_doubles(ByteWriter& to, const std::array<double, kCount>& actual,
                    const std::array<double, kCount>& guess) {
+  static_assert(kCount <= 16, "half a byte each in one word");
   constexpr std::size_t kLengths = (kCount + 1) / 2;
-  unsigned char* lengths = to.room(kLengths + kCount * 8 + 8);
-  unsigned char* at = lengths + kLengths;
-  std::memset(lengths, 0, kLengths);
+  unsigned char* const begin = to.room(kLengths + kCount * 8 + 8);
+  unsigned char* at = begin + kLengths;
+  std::uint64_t lengths = 0;
   for (std::size_t i = 0; i < kCount; ++i) {
     const std::uint64_t turned = turned_difference(actual[i], guess[i]);
     const auto length = static_cast<unsigned>((71 - std::countl_zero(turned)) / 8);
     const std::uint64_t bytes = lowest_first(turned);
     std::memcpy(at, &bytes, sizeof bytes);  // what is beyond its length is written over
     at += length;
-    lengths[i / 2] = static_cast<unsigned char>(lengths[i / 2] | length << 4 * (i % 2));
+    lengths |= std::uint64_t{length} << 4 * i;
   }
+  const std::uint64_t bytes = lowest_first(lengths);
+  std::memcpy(begin, &bytes, kLengths);
   to.end_at(at);
 }
 

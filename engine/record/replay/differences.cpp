@@ -1,5 +1,6 @@
 // Where two runs part: list by list, and within a list pair by pair.
 
+#include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/record/coding/work_counters.h>
 #include <graze/engine/record/replay_recording.h>
 
@@ -173,34 +174,38 @@ std::string brief(const RecordedChange& change) {
 
 Difference first_difference(std::size_t update, const RecordedAnswers& first,
                             const RecordedAnswers& second) {
-  Difference found = in_lists(update, "begun", first.begun, second.begun);
-  if (!found) found = in_lists(update, "ended", first.ended, second.ended);
-  if (!found) found = in_lists(update, "begun near", first.begun_near, second.begun_near);
-  if (!found) found = in_lists(update, "ended near", first.ended_near, second.ended_near);
-  if (!found)
-    found = in_elements(update, "first contacts", first.first_contacts, second.first_contacts);
-  if (!found) found = in_elements(update, "contacts", first.contacts, second.contacts);
-  if (!found) found = in_counts(update, "pairs that moved", first.moved, second.moved);
-  if (!found) found = in_counts(update, "manifolds", first.all_contacts, second.all_contacts);
-  if (!found) found = in_work(update, first, second);
-  return found;
+  return bvh::in_standard_arithmetic([&]() -> Difference {
+    Difference found = in_lists(update, "begun", first.begun, second.begun);
+    if (!found) found = in_lists(update, "ended", first.ended, second.ended);
+    if (!found) found = in_lists(update, "begun near", first.begun_near, second.begun_near);
+    if (!found) found = in_lists(update, "ended near", first.ended_near, second.ended_near);
+    if (!found)
+      found = in_elements(update, "first contacts", first.first_contacts, second.first_contacts);
+    if (!found) found = in_elements(update, "contacts", first.contacts, second.contacts);
+    if (!found) found = in_counts(update, "pairs that moved", first.moved, second.moved);
+    if (!found) found = in_counts(update, "manifolds", first.all_contacts, second.all_contacts);
+    if (!found) found = in_work(update, first, second);
+    return found;
+  });
 }
 
 Difference first_difference(std::size_t update, const std::vector<RecordedChange>& first,
                             const std::vector<RecordedChange>& second) {
-  const std::size_t both = std::min(first.size(), second.size());
-  for (std::size_t i = 0; i < both; ++i) {
-    if (std::visit(ChangeEquality{}, first[i], second[i])) continue;
-    RecordingDifference difference{update, "change " + std::to_string(i), std::nullopt,
-                                   brief(first[i]), brief(second[i])};
-    if (difference.first == difference.second) difference.second += ", but otherwise";
-    return difference;
-  }
-  if (first.size() == second.size()) return std::nullopt;
-  const bool is_of_first = first.size() > both;
-  const std::string more = brief((is_of_first ? first : second)[both]);
-  return RecordingDifference{update, "change " + std::to_string(both), std::nullopt,
-                             is_of_first ? more : "none", is_of_first ? "none" : more};
+  return bvh::in_standard_arithmetic([&]() -> Difference {
+    const std::size_t both = std::min(first.size(), second.size());
+    for (std::size_t i = 0; i < both; ++i) {
+      if (std::visit(ChangeEquality{}, first[i], second[i])) continue;
+      RecordingDifference difference{update, "change " + std::to_string(i), std::nullopt,
+                                     brief(first[i]), brief(second[i])};
+      if (difference.first == difference.second) difference.second += ", but otherwise";
+      return difference;
+    }
+    if (first.size() == second.size()) return std::nullopt;
+    const bool is_of_first = first.size() > both;
+    const std::string more = brief((is_of_first ? first : second)[both]);
+    return RecordingDifference{update, "change " + std::to_string(both), std::nullopt,
+                               is_of_first ? more : "none", is_of_first ? "none" : more};
+  });
 }
 
 }  // namespace graze

@@ -86,6 +86,7 @@ struct RecordingReplay::Data {
   bool knows_work;  ///< what the recorded world knew of pairs is what this one knows
   RecordedStep none;
   const RecordedStep* step = &none;
+  WorldUpdate update{};
   std::optional<RecordingDifference> difference;
 };
 
@@ -109,7 +110,8 @@ bool RecordingReplay::advance() {
     }
     if (next->follows_failure) data.knows_work = false;
     const RecordingHead& head = data.reader.head();
-    RecordedAnswers now = answers_of(data.world.update(), head.contacts, data.knows_work);
+    data.update = data.world.update();
+    RecordedAnswers now = answers_of(data.update, head.contacts, data.knows_work);
     if (next->follows_failure) {
       RecordedAnswers recorded;
       recorded.begun = next->answers.begun, recorded.ended = next->answers.ended;
@@ -131,6 +133,10 @@ const RecordedStep& RecordingReplay::step() const {
 
 const std::optional<RecordingDifference>& RecordingReplay::difference() const {
   return data_->difference;
+}
+
+const WorldUpdate& RecordingReplay::update() const {
+  return data_->update;
 }
 
 const World& RecordingReplay::world() const {

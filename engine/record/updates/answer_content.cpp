@@ -113,9 +113,9 @@ class PairReader {
  public:
   PairReader(ByteReader& from, const LastIds& ids) : from_(from), ids_(ids) {}
   BodyPair read() {
-    last_ += from_.difference();
+    last_ += static_cast<std::uint64_t>(from_.difference());
     const BodyId a = id_of(last_, ids_, from_);
-    return {a, id_of(last_ + from_.difference(), ids_, from_)};
+    return {a, id_of(last_ + static_cast<std::uint64_t>(from_.difference()), ids_, from_)};
   }
 
  private:

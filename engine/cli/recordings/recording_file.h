@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <graze/engine/record/recording.h>
+
+namespace graze::cli {
+
+/// Whether a file begins as a recording does. What cannot be read is none.
+bool is_recording(const std::string& file);
+
+/// How bodies are called: by the names that the recording has for them, else by their indices.
+class RecordedNames {
+ public:
+  /// Takes note of names, and of bodies that are gone.
+  void note(const std::vector<RecordedChange>& changes);
+  std::string of(BodyId id) const;
+
+ private:
+  std::map<BodyId, std::string> names_;
+};
+
+}  // namespace graze::cli
