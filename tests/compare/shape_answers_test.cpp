@@ -4,6 +4,7 @@
 #include <graze/engine/cases/answer_case.h>
 #include <graze/engine/compare/judge/bodies/distance_bounds.h>
 #include <graze/engine/compare/judge/judge.h>
+#include <graze/engine/compare/peers/engine.h>
 #include <gtest/gtest.h>
 #include <cmath>
 #include <limits>
@@ -151,6 +152,23 @@ TEST_F(OthersContacts, InAnyNumberAndOrderAreRight) {
   EXPECT_EQ(on(many).verdict, Verdict::Right) << "others are granted float";
 }
 
+/// Out along a diagonal of a corner B is free of A before a plane across the diagonal parts them.
+TEST_F(OthersContacts, ADepthThatFreesBBesideIsRight) {
+  const Case corner = of_bodies(Ask::Contacts, Box{{1, 1, 1}}, Box{{1, 1, 1}}, {1.75, 1.5, 0});
+  const auto on_diagonal = [&](double depth) {
+    CaseAnswer answer;
+    answer.manifold = {
+        {{0.875, 0.75, 0}, std::nullopt, std::nullopt, {0.6, 0.8, 0}, depth, {0, 0}}};
+    return Judge(corner).judge(answer, {"other", ""});
+  };
+  // Free once x has gone 0.25: after 0.25 / 0.6; a plane across needs 0.6 * 0.25 + 0.8 * 0.5.
+  EXPECT_EQ(on_diagonal(0.25 / 0.6 + 1e-6).verdict, Verdict::Right);
+  EXPECT_EQ(on_diagonal(0.5).verdict, Verdict::Right);
+  EXPECT_EQ(on_diagonal(0.55).verdict, Verdict::Right);
+  EXPECT_EQ(on_diagonal(0.25 / 0.6 - 0.05).verdict, Verdict::Wrong);
+  EXPECT_EQ(on_diagonal(0.56).verdict, Verdict::Wrong);
+}
+
 TEST_F(OthersContacts, PlantedFaultsAreFound) {
   CaseShapeContact reversed = contact(0, 0.25, 0);
   reversed.normal = {-1, 0, 0};
@@ -167,7 +185,7 @@ TEST_F(OthersContacts, PlantedFaultsAreFound) {
     EXPECT_EQ(judgement.error_class, ErrorClass::Real);
   }
   const std::string truth = on({contact(0, 0.125, 0)}).truth;
-  EXPECT_NE(truth.find("B moved by 0.25 m along the normal parts them, not by 0.125 m"),
+  EXPECT_NE(truth.find("which is 0.125 m: a plane across the normal parts them after 0.25 m"),
             std::string::npos)
       << truth;
   EXPECT_EQ(on({}).verdict, Verdict::Wrong) << "they meet";

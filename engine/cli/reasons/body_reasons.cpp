@@ -108,10 +108,10 @@ void add_claimed_depth(const PlacedBody& a, const PlacedBody& b, const CaseAnswe
   const double needed = compare::support_along(a.shape, a.pose, deepest.normal) +
                         compare::support_along(b.shape, b.pose, -deepest.normal);
   if (!std::isfinite(needed)) return;
-  all.push_back(
-      fmt::format("The deepest contact of the answer says that B must go {:.6g} m along {}; along "
-                  "that direction it must go {:.6g} m to be free of A.",
-                  deepest.depth, words_of(deepest.normal), needed));
+  all.push_back(fmt::format(
+      "The deepest contact of the answer says that B must go {:.6g} m along {}; a plane "
+      "across that direction parts them once it has gone {:.6g} m.",
+      deepest.depth, words_of(deepest.normal), needed));
 }
 
 }  // namespace

@@ -34,8 +34,9 @@ void check_kind(const std::string& kind) {
   }
 }
 
-bool is_right(const Case& query, const CaseAnswer& answer, const CaseWitness& witness) {
-  return compare::Judge(query).judge(answer, witness).verdict == compare::Verdict::Right;
+/// Without what graze is granted near a touch: a truth has no tolerance.
+bool is_true(const Case& query, const CaseAnswer& answer) {
+  return compare::Judge(query).judge(answer, {"referee", ""}).verdict == compare::Verdict::Right;
 }
 
 /// With meshes in the case itself, and the truth for an answer.
@@ -44,18 +45,18 @@ Case with_truth(Case query) {
     auto* mesh = shape != nullptr ? std::get_if<CaseMesh>(shape) : nullptr;
     if (mesh != nullptr) mesh->file.reset();
   }
-  if (query.answer && is_right(query, *query.answer, query.answered_by)) {
+  if (query.answer && is_true(query, *query.answer)) {
     if (query.answered_by.engine != this_library().engine) query.answered_by = {"referee", ""};
     return query;
   }
   CaseAnswer answer = answer_case(query);
-  if (query.ask == Ask::Distance && !is_right(query, answer, this_library())) {
+  if (query.ask == Ask::Distance && !is_true(query, answer)) {
     // The number alone: which way out of each other two are is not judged.
     const std::optional<double> number = answer.distance;
     answer = {};
     answer.distance = number;
   }
-  if (!is_right(query, answer, this_library())) {
+  if (!is_true(query, answer)) {
     throw UsageError("--add: the referee proves no answer to it, and a hard case needs its truth");
   }
   query.answer = answer;

@@ -72,7 +72,8 @@ TEST(CliExplainReasons, ShapesThatMeetShareAPoint) {
   expect_in(text, "They share the point ");
   expect_in(text, "They are 0.25 m deep in each other: moved by that along (1, 0, 0), B is free");
   expect_in(text,
-            "says that B must go 0.25 m along (-1, 0, 0); along that direction it must go 3.75");
+            "says that B must go 0.25 m along (-1, 0, 0); a plane across that direction parts them "
+            "once it has gone 3.75 m.");
 }
 
 TEST(CliExplainReasons, OfMotionsTheFirstContactIsNamed) {

@@ -2,6 +2,7 @@
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/work.h>
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_bounds.h>
 
 #include <algorithm>
@@ -92,22 +93,38 @@ Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
   return std::nullopt;
 }
 
-/// The same of another engine's contacts, of which the deepest may stand anywhere.
+/// How far a point that both share is below both surfaces, where the library finds one: so deep
+/// they are in each other, at least. Below 0 there is none.
+double shared_depth(const PlacedBody& a, const PlacedBody& b) {
+  const Manifold contacts = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
+  if (contacts.empty()) return -1;
+  Vector3d middle(0, 0, 0);  // of points that may lie on edges of one of the two
+  for (const ShapeContact& contact : contacts)
+    middle += contact.point / static_cast<double>(contacts.size());
+  return -std::max(outside_by(a.shape, a.pose, middle), outside_by(b.shape, b.pose, middle));
+}
+
+/// The same of another engine's contacts, of which the deepest may stand anywhere. Along its normal
+/// B may be free of A before a plane across it parts the two: both depths are right.
 Fault fault_of_others_parting(const PlacedBody& a, const PlacedBody& b,
                               const CaseShapeContact& deepest, double tolerance) {
   const Vector3d n = deepest.normal.normalized();
   const double needed = support_along(a.shape, a.pose, n) + support_along(b.shape, b.pose, -n);
   const auto beside = [&](const char* what) {
-    return std::string(what) + in_metres(": B moved by", needed) +
-           " along the normal parts them, " + in_metres("not by", deepest.depth);
+    return std::string(what) + in_metres(", which is", deepest.depth) +
+           in_metres(": a plane across the normal parts them after", needed);
   };
   if (deepest.depth > std::max(needed, 0.0) + tolerance)
     return WitnessFault{beside("a depth beyond what parts the two"), deepest.depth - needed};
   if (needed <= deepest.depth + tolerance) return std::nullopt;
+  Pose moved = b.pose;
+  moved.translation() += n * deepest.depth;
+  const double still = shared_depth(a, {b.shape, moved});
+  if (!(still > tolerance)) return std::nullopt;
   const double back = support_along(a.shape, a.pose, -n) + support_along(b.shape, b.pose, n);
   if (back <= deepest.depth + tolerance)
     return WitnessFault{"a normal from B to A", 2 * deepest.depth};
-  return WitnessFault{beside("a depth that does not part the two"), needed - deepest.depth};
+  return WitnessFault{beside("a depth after which they share a point below both surfaces"), still};
 }
 
 /// How far a point is off the surface, inside or outside.

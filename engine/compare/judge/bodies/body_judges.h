@@ -18,9 +18,10 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
                             const std::vector<CaseShapeContact>& contacts);
 
 /// The same of another engine, which promises less: any number of contacts in any order, each with
-/// a unit normal and a point as near to both as it is deep; moving B by the depth of the deepest
-/// along its normal parts two convex bodies, and not much less does. All to kOthersTolerance of the
-/// smaller size, as engines compute partly in float.
+/// a unit normal and a point as near to both as it is deep. Moved by the depth of the deepest along
+/// its normal B shares no point with A that is below both surfaces, and the depth is no more than
+/// what lets a plane across the normal part them. All to kOthersTolerance of the smaller size, as
+/// engines compute partly in float.
 PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
                                    const std::vector<CaseShapeContact>& contacts);
 

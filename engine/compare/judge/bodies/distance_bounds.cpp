@@ -8,7 +8,9 @@
 #include <graze/engine/world/shape_pairs.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 namespace graze::compare {
@@ -83,20 +85,24 @@ double distance_tolerance(const PlacedBody& a, const PlacedBody& b) {
 }
 
 DistanceBounds distance_bounds(const PlacedBody& a, const PlacedBody& b) {
-  if (const std::optional<double> exact = exact_distance(a, b)) return {*exact, *exact, true};
+  if (const std::optional<double> exact = exact_distance(a, b)) return {*exact, *exact, 0, true};
   const ShapeDistance proposed = distance({a.shape, a.pose}, {b.shape, b.pose});
   const double tolerance = distance_tolerance(a, b);
   const bool are_there = outside_by(a.shape, a.pose, proposed.point_a) <= tolerance &&
                          outside_by(b.shape, b.pose, proposed.point_b) <= tolerance;
   return {.least = std::max(best_proved_gap(a, b, proposed.normal), 0.0),
           .most = are_there ? (proposed.point_a - proposed.point_b).norm()
-                            : std::numeric_limits<double>::infinity()};
+                            : std::numeric_limits<double>::infinity(),
+          .slack = tolerance};
 }
 
 std::string DistanceBounds::text() const {
   if (is_exact) return in_metres("exactly", least);
   const std::string from = in_metres("a plane proves", least) + " at least";
-  return std::isfinite(most) ? from + in_metres(", two points", most) + " at most" : from;
+  if (!std::isfinite(most)) return from;
+  std::array<char, 24> to;
+  std::snprintf(to.data(), to.size(), "%.2g", slack);
+  return from + in_metres(", two points", most) + " at most, to " + to.data() + " m";
 }
 
 }  // namespace graze::compare

@@ -30,9 +30,10 @@ double distance_tolerance(const PlacedBody& a, const PlacedBody& b);
 struct DistanceBounds {
   double least = 0;  ///< a plane has them so far on different sides
   double most = 0;   ///< two points of them are so near; infinite: none are known
+  double slack = 0;  ///< so far off the shapes these points may be
   bool is_exact = false;
 
-  /// "from 0.24 to 0.25 m: a plane parts them, two points of them are as near".
+  /// "a plane proves 0.24 m at least, two points 0.25 m at most, to 1e-10 m".
   std::string text() const;
 };
 
