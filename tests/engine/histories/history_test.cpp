@@ -45,7 +45,7 @@ TEST_P(Histories, EqualBruteForce) {
   EXPECT_GT(sights.answers, count / 20);
   EXPECT_GT(sights.pairs_at_rest, count);
   if (setting == Setting::Parts) {
-    EXPECT_GT(sights.part_contacts, count / 2);
+    EXPECT_GT(sights.part_contacts, count / 4);
   }
 }
 
