@@ -3,6 +3,7 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/world/compound.h>
+#include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
 #include <graze/engine/world/world_drawing.h>
 #include <gtest/gtest.h>
@@ -155,6 +156,33 @@ TEST_F(DrawnWorld, ShowsWhatIsAskedFor) {
   EXPECT_EQ(kept.labels[0].text, std::to_string(floor_.index) + " asleep");
   EXPECT_EQ(kept.labels[2].body, upper_);
   EXPECT_LT((kept.labels[2].at - Vector3d(0, 0, 2.85)).norm(), 1e-6);
+}
+
+TEST_F(DrawnWorld, ShowsEachVoxelOfAMap) {
+  VoxelMap map(VoxelGrid{{-1, -1, -1}, 0.5, {4, 4, 4}});
+  map.add(std::vector<Voxel>{{0, 0, 0}, {3, 3, 3}, {1, 0, 0}});
+  World world({.threads = 1});
+  const BodyId id = world.add({share(map), at(0, 0, 5)});
+  world.update();
+  Kept kept;
+  draw(world, kept);
+  ASSERT_EQ(kept.count(Drawn::Shape), 3u * 12);
+  std::set<std::vector<double>> corners, wanted;
+  for (const DrawnLine& line : kept.lines) {
+    EXPECT_EQ(line.body, id);
+    corners.insert({line.from.x(), line.from.y(), line.from.z()});
+    corners.insert({line.to.x(), line.to.y(), line.to.z()});
+  }
+  for (const Voxel& voxel : map.voxels()) {
+    const Aabb box = map.grid().box(voxel);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto along = [&](int axis) {
+        return (corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis];
+      };
+      wanted.insert({along(0), along(1), along(2) + 5});
+    }
+  }
+  EXPECT_EQ(corners, wanted);
 }
 
 TEST_F(DrawnWorld, ShowsNothingElse) {

@@ -2,6 +2,7 @@
 // many parts cost.
 
 #include <graze/engine/world/compound.h>
+#include <graze/engine/world/voxel_map.h>
 #include <graze/engine/world/world.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 
 #include "tests/engine/compounds/twins.h"
 #include "tests/engine/motion/moving_bodies.h"
+#include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/pose_at.h"
 
 namespace graze {
@@ -40,6 +42,21 @@ TEST(Compound, KnowsPartsByNumbersThatAreUsedAgain) {
   EXPECT_EQ(compound.settings(0).material, 3u);
   compound.set_settings(0, {.material = 4});
   EXPECT_EQ(compound.settings(0).material, 4u);
+}
+
+TEST(Compound, OverlapsWithinOneBodyAreNobodysContact) {
+  World world;
+  Compound heap;
+  for (int i = 0; i < 40; ++i)
+    heap.add({kBall, at(0.1 * i)});
+  heap.add({tests::make_box({1, 1, 1}), at(0)});
+  VoxelMap full(VoxelGrid{{0, 0, 9}, 0.25, {8, 8, 8}});
+  full.add_block({0, 0, 0}, {7, 7, 7});
+  const BodyId body = world.add({share(heap), at(0)}), map = world.add({share(full), at(0)});
+  const WorldUpdate update = world.update();
+  EXPECT_TRUE(update.begun.empty() && update.contacts.empty() && world.contacts().empty());
+  EXPECT_TRUE(world.pairs(body).empty() && world.pairs(map).empty());
+  EXPECT_GT(world.find_closest_pair()->distance.distance, 7);
 }
 
 TEST(Compound, WhatIsSharedStaysAsItWas) {

@@ -101,8 +101,8 @@ TEST(VoxelPairs, AreThoseOfAllPiecesAskedAlone) {
   EXPECT_GT(touching, 15u);
 }
 
-/// Two plates of 65,536 voxels each, and a plate over as many parts of a compound: which of the two
-/// is A decides nothing.
+/// Two plates of 65,536 voxels each, and a plate over 4,096 balls of a compound, whichever of the
+/// two is A. Without the bounds of blocks the three take between 380,000 and 1.2 million.
 TEST(VoxelPairs, FewAreMeasuredOfManyThatLieAlongEachOther) {
   const double edge = 0.125;
   VoxelMap plate(VoxelGrid{{-16, -16, 0}, edge, {256, 256, 1}});
@@ -117,11 +117,14 @@ TEST(VoxelPairs, FewAreMeasuredOfManyThatLieAlongEachOther) {
   const auto tested = [&](const std::shared_ptr<const BodyShape>& a,
                           const std::shared_ptr<const BodyShape>& b) {
     World world;
-    world.add({a, tests::at(0)});
+    // Both at a slant, so that the box of each holds the other.
+    Pose slant = Pose::Identity();
+    slant.linear() = Eigen::AngleAxisd(0.9, Eigen::Vector3d(2, 1, 2) / 3).toRotationMatrix();
+    world.add({a, slant});
     Pose over = Pose::Identity();
     over.linear() = Eigen::AngleAxisd(0.01, Eigen::Vector3d(0.6, 0.8, 0)).toRotationMatrix();
     over.translation() = Eigen::Vector3d(0.03, 0.02, 2);
-    world.add({b, over});
+    world.add({b, slant * over});
     Work work;
     std::optional<BodyPairDistance> found;
     {
@@ -131,10 +134,11 @@ TEST(VoxelPairs, FewAreMeasuredOfManyThatLieAlongEachOther) {
     EXPECT_TRUE(found && found->distance.distance > 1);
     return work.convex_tests;
   };
-  EXPECT_GT(tested(share(plate), share(bump)), 10u);
-  EXPECT_LE(tested(share(plate), share(bump)), 8000u);
-  EXPECT_LE(tested(share(plate), share(tiles)), 8000u);
-  EXPECT_LE(tested(share(tiles), share(plate)), 8000u);
+  const std::uint64_t of_plates = tested(share(plate), share(bump));
+  EXPECT_GT(of_plates, 10u);
+  EXPECT_LE(of_plates, 200000u);
+  EXPECT_LE(tested(share(plate), share(tiles)), 200000u);
+  EXPECT_LE(tested(share(tiles), share(plate)), 200000u);
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ class Player {
   void check_contacts(const std::vector<NamedContacts>& found, const std::vector<NamePair>& of,
                       const char* what);
   void check_body(std::uint32_t name);
+  void check_neighbours(const Contestant& each, const std::vector<NamePair>& now);
 
   Oracle oracle_;
   std::vector<Contestant> all_;  // never moved: filters of pairs refer to them
@@ -225,6 +226,7 @@ void Player::update() {
       contacts = found;
       check_update(update, now);
       check_contacts(contacts, moved, "contacts");
+      if (is_time) check_neighbours(each, now);
     } else {
       expect_equal(each.named(update.moved), moved, is("moved"));
       const bool is_same =
@@ -293,6 +295,27 @@ void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>
   sights_.contacts += update.contacts.size();
   sights_.pairs_apart += update.work.pairs_apart;
   sights_.pairs_at_rest += update.work.pairs_at_rest;
+}
+
+/// What the world says of one body after the other.
+void Player::check_neighbours(const Contestant& each, const std::vector<NamePair>& now) {
+  for (const auto& [name, being] : oracle_.beings()) {
+    const BodyId id = each.ids.at(name);
+    std::vector<NamePair> own;
+    std::set<std::uint32_t> beside, found;
+    for (const NamePair& pair : now) {
+      if (pair.first != name && pair.second != name) continue;
+      own.push_back(pair);
+      beside.insert(pair.first == name ? pair.second : pair.first);
+    }
+    expect_equal(each.named(each.world.pairs(id)), own, "pairs() of one body");
+    const std::vector<BodyId> touching = each.world.touching(id);
+    expect(std::is_sorted(touching.begin(), touching.end()), "touching() is out of order");
+    for (const BodyId other : touching)
+      found.insert(each.names.at(other));
+    expect(found == beside && touching.size() == beside.size(), "touching() differs");
+    check_contacts(each.named(each.world.contacts(id), oracle_), own, "contacts() of one body");
+  }
 }
 
 /// All of the solid ones among these pairs, and no others.

@@ -239,10 +239,14 @@ class Author {
   Vector3d random_place() {
     Vector3d p;
     const bool is_whole = is_on_lattice();
+    // Where bodies of parts are half of all, others are small: these stand closer.
+    const std::uint32_t halves = setting_ == Setting::Parts ? 4 : 7;
+    const double most = setting_ == Setting::Parts ? 1.75 : 3;
     for (int k = 0; k < 3; ++k) {
       p[k] = setting_ == Setting::OnePoint ? nudged(1)
-             : is_whole                    ? nudged(0.5 * (static_cast<int>(chance_.below(15)) - 7))
-                                           : chance_.between(-3, 3);
+             : is_whole ? nudged(0.5 * (static_cast<int>(chance_.below(2 * halves + 1)) -
+                                        static_cast<int>(halves)))
+                        : chance_.between(-most, most);
     }
     if (setting_ == Setting::Sizes) p *= size_here();
     if (setting_ == Setting::Far) p += Vector3d(1e7, -1e7, 1e7);

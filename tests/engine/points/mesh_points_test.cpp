@@ -191,6 +191,40 @@ TEST(Points, NoneAndMany) {
   EXPECT_GT(inside.points_tested, 1000u);
 }
 
+/// A million, of which every thousandth is asked alone.
+TEST(PointsSlow, AMillionAreAsOneByOne) {
+  const Mesh torus = tests::make_torus(2, 0.5, 96, 48);
+  RandomSource source(37);
+  std::vector<Eigen::Vector3d> many(1'000'000);
+  for (Eigen::Vector3d& point : many)
+    point = source.vector(-3, 3);
+  std::size_t last_done = 0, last_total = 0;
+  const BatchSettings batch{.threads = 0, .on_progress = [&](std::size_t done, std::size_t total) {
+                              EXPECT_GE(done, last_done);
+                              last_done = done, last_total = total;
+                            }};
+  const std::vector<double> distances = signed_distances(torus, many, batch);
+  EXPECT_GT(last_total, 0u);
+  EXPECT_EQ(last_done, last_total);
+  const std::vector<bool> inside = contains_points(torus, many);
+  const std::vector<NearestPoint> nearest = nearest_points(torus, many);
+  ASSERT_EQ(distances.size(), many.size());
+  ASSERT_EQ(inside.size(), many.size());
+  ASSERT_EQ(nearest.size(), many.size());
+  std::size_t within = 0;
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    EXPECT_EQ(distances[i] < 0, inside[i] && nearest[i].distance > 0);
+    EXPECT_EQ(std::abs(distances[i]), nearest[i].distance);
+    within += inside[i];
+    if (i % 1009 != 0) continue;
+    EXPECT_EQ(distances[i], signed_distance(torus, many[i]));
+    EXPECT_EQ(nearest[i], nearest_point(torus, many[i]));
+    EXPECT_EQ(inside[i], contains(torus, many[i]));
+  }
+  // The share of a torus in a cube: 2 pi^2 R r^2 of 6^3.
+  EXPECT_NEAR(static_cast<double>(within) / 1e6, 9.8696 / 216, 0.002);
+}
+
 TEST(Points, AreNearestInPrint) {
   std::ostringstream text;
   text << std::hex << nearest_point(tests::make_box({1, 1, 1}), {0.5, 0.25, 3});
