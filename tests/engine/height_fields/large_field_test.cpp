@@ -16,9 +16,9 @@
 namespace graze {
 namespace {
 
-constexpr std::uint32_t kSide = 10001;  // heights along each side
-constexpr double kUnit = 1.0 / 64;      // metres of a stored height
-constexpr std::uint32_t kAround = 8;    // cells on each side of a place
+constexpr std::uint32_t kLargeSide = 10001;  // heights along each side
+constexpr double kUnit = 1.0 / 64;           // metres of a stored height
+constexpr std::uint32_t kAround = 8;         // cells on each side of a place
 
 /// Slopes of whole numbers, and stones on them.
 std::uint16_t stored_height(std::uint32_t column, std::uint32_t row) {
@@ -29,11 +29,11 @@ std::uint16_t stored_height(std::uint32_t column, std::uint32_t row) {
 
 HeightField hundred_million_cells() {
   std::vector<std::uint16_t> heights;
-  heights.reserve(std::size_t{kSide} * kSide);
-  for (std::uint32_t row = 0; row < kSide; ++row)
-    for (std::uint32_t column = 0; column < kSide; ++column)
+  heights.reserve(std::size_t{kLargeSide} * kLargeSide);
+  for (std::uint32_t row = 0; row < kLargeSide; ++row)
+    for (std::uint32_t column = 0; column < kLargeSide; ++column)
       heights.push_back(stored_height(column, row));
-  return HeightField(kSide, kSide, std::span<const std::uint16_t>(heights),
+  return HeightField(kLargeSide, kLargeSide, std::span<const std::uint16_t>(heights),
                      {.height_scale = kUnit});
 }
 
@@ -46,8 +46,8 @@ struct Around {
 Around cells_around(std::uint32_t column, std::uint32_t row) {
   const auto first = [](std::uint32_t at) { return at < kAround ? 0 : at - kAround; };
   const std::uint32_t left = first(column), low = first(row);
-  const std::uint32_t right = std::min(column + kAround, kSide - 1);
-  const std::uint32_t high = std::min(row + kAround, kSide - 1);
+  const std::uint32_t right = std::min(column + kAround, kLargeSide - 1);
+  const std::uint32_t high = std::min(row + kAround, kLargeSide - 1);
   std::vector<Eigen::Vector3d> vertices;
   std::vector<TriangleIndices> triangles;
   std::vector<std::uint32_t> numbers;
@@ -60,7 +60,7 @@ Around cells_around(std::uint32_t column, std::uint32_t row) {
       const std::uint32_t at = (r - low) * wide + (c - left);
       triangles.push_back({at, at + 1, at + wide + 1});
       triangles.push_back({at, at + wide + 1, at + wide});
-      const std::uint32_t number = 2 * (r * (kSide - 1) + c);
+      const std::uint32_t number = 2 * (r * (kLargeSide - 1) + c);
       numbers.insert(numbers.end(), {number, number + 1});
     }
   }
@@ -80,9 +80,10 @@ struct Place {
 
 /// The corners, and anywhere.
 std::vector<Place> places(RandomSource& source, int count) {
-  std::vector<Place> all{{0, 0}, {kSide - 1, 0}, {0, kSide - 1}, {kSide - 1, kSide - 1}};
+  std::vector<Place> all{
+      {0, 0}, {kLargeSide - 1, 0}, {0, kLargeSide - 1}, {kLargeSide - 1, kLargeSide - 1}};
   const auto at = [&] {
-    return static_cast<std::uint32_t>(source.integer(0, static_cast<int>(kSide) - 1));
+    return static_cast<std::uint32_t>(source.integer(0, static_cast<int>(kLargeSide) - 1));
   };
   for (int i = 0; i < count; ++i) {
     const std::uint32_t column = at();
@@ -93,7 +94,7 @@ std::vector<Place> places(RandomSource& source, int count) {
 
 TEST(LargeFieldSlow, OfAHundredMillionCellsSaysWhatTheCellsAroundSay) {
   const HeightField heights = hundred_million_cells();
-  constexpr double kCells = (kSide - 1.0) * (kSide - 1.0);
+  constexpr double kCells = (kLargeSide - 1.0) * (kLargeSide - 1.0);
   EXPECT_LT(static_cast<double>(heights.bytes()) / kCells, 2.16);
   const Shape field = heights;
   RandomSource source(108);

@@ -96,18 +96,18 @@ HeightField terrain(double size, bool has_floats) {
 
 /// Where shapes stand in the palette of Setting::Parts: of each kind a large one and a small one.
 enum PartShape : std::uint32_t {
-  kBall = 0,
-  kBox = 2,
-  kSlab = 3,
-  kCapsule = 4,
-  kCylinder = 5,
-  kCone = 6,
-  kEllipsoid = 7,
-  kOctahedron = 8,
-  kBallMesh = 10,
-  kPlateMesh = 11,
-  kSmall = 12,  // as an offset
-  kField = 2 * kSmall,
+  kPartBall = 0,
+  kPartBox = 2,
+  kPartSlab = 3,
+  kPartCapsule = 4,
+  kPartCylinder = 5,
+  kPartCone = 6,
+  kPartEllipsoid = 7,
+  kPartOctahedron = 8,
+  kPartBallMesh = 10,
+  kPartPlateMesh = 11,
+  kPartSmall = 12,  // as an offset
+  kPartField = 2 * kPartSmall,
   kPaintedMesh,
   kVoxelBox
 };
@@ -144,20 +144,20 @@ Pose turned_at(double x, double y, double z, int turn) {
 
 /// A dumbbell, which touches itself.
 PartsPlan dumbbell() {
-  return {.parts = {{kSmall + kBall, turned_at(-0.5, 0, 0, 0)},
-                    {kSmall + kSlab, turned_at(0, 0, 0, 1)},
-                    {kSmall + kBox, turned_at(0.5, 0, 0, 0), Filter{2, 3, 0}, 7}}};
+  return {.parts = {{kPartSmall + kPartBall, turned_at(-0.5, 0, 0, 0)},
+                    {kPartSmall + kPartSlab, turned_at(0, 0, 0, 1)},
+                    {kPartSmall + kPartBox, turned_at(0.5, 0, 0, 0), Filter{2, 3, 0}, 7}}};
 }
 
 /// Meshes in meshes, and round things among them, some for few to meet.
 PartsPlan nest() {
-  return {.parts = {{kBallMesh, turned_at(0, 0, 0, 0)},
-                    {kSmall + kBallMesh, turned_at(0, 0, 0.25, 3)},
+  return {.parts = {{kPartBallMesh, turned_at(0, 0, 0, 0)},
+                    {kPartSmall + kPartBallMesh, turned_at(0, 0, 0.25, 3)},
                     {kPaintedMesh, turned_at(0.5, 0, 0, 1), {}, 3},
-                    {kSmall + kCone, turned_at(0, 0.5, 0, 2), Filter{1, 4, 0}},
-                    {kSmall + kCylinder, turned_at(0, -0.5, 0, 3), Filter{4, ~0u, 0}},
-                    {kSmall + kEllipsoid, turned_at(0.25, 0.25, 0.5, 0)},
-                    {kOctahedron, turned_at(-0.5, 0, 0, 3), Filter{1, ~0u, 2}, 9}}};
+                    {kPartSmall + kPartCone, turned_at(0, 0.5, 0, 2), Filter{1, 4, 0}},
+                    {kPartSmall + kPartCylinder, turned_at(0, -0.5, 0, 3), Filter{4, ~0u, 0}},
+                    {kPartSmall + kPartEllipsoid, turned_at(0.25, 0.25, 0.5, 0)},
+                    {kPartOctahedron, turned_at(-0.5, 0, 0, 3), Filter{1, ~0u, 2}, 9}}};
 }
 
 /// So many that they are looked up: stairs of boxes with balls on them, face to face.
@@ -165,18 +165,18 @@ PartsPlan stairs() {
   PartsPlan plan;
   for (int i = 0; i < 10; ++i) {
     const double x = 0.25 * i - 1.125;
-    plan.parts.push_back({kSmall + kBox, turned_at(x, 0, 0.125 * i - 0.5, 0), {}, 1});
-    plan.parts.push_back({kSmall + kBall, turned_at(x, 0, 0.125 * i - 0.25, i % 4)});
+    plan.parts.push_back({kPartSmall + kPartBox, turned_at(x, 0, 0.125 * i - 0.5, 0), {}, 1});
+    plan.parts.push_back({kPartSmall + kPartBall, turned_at(x, 0, 0.125 * i - 0.25, i % 4)});
   }
   return plan;
 }
 
 /// Ground with things that stand on it.
 PartsPlan plot() {
-  return {.parts = {{kField, turned_at(-0.5, -0.375, 0, 0)},
-                    {kSmall + kPlateMesh, turned_at(-0.25, -0.25, 0.5, 0)},
-                    {kSmall + kCapsule, turned_at(0.25, 0, 0.25, 2)},
-                    {kSmall + kOctahedron, turned_at(0.25, 0.25, 0.125, 0)}}};
+  return {.parts = {{kPartField, turned_at(-0.5, -0.375, 0, 0)},
+                    {kPartSmall + kPartPlateMesh, turned_at(-0.25, -0.25, 0.5, 0)},
+                    {kPartSmall + kPartCapsule, turned_at(0.25, 0, 0.25, 2)},
+                    {kPartSmall + kPartOctahedron, turned_at(0.25, 0.25, 0.125, 0)}}};
 }
 
 /// Voxels on both sides of where blocks of 16 meet, about the frame's origin.
@@ -196,7 +196,7 @@ PartsPlan lump() {
 PartsPlan crumbs() {
   PartsPlan plan;
   plan.grid = VoxelGrid{Vector3d::Constant(-0.5), kCoarseEdge, {20, 6, 6}};
-  plan.voxel_shape = kSmall + kBox;
+  plan.voxel_shape = kPartSmall + kPartBox;
   plan.voxels = {{0, 0, 0}, {1, 0, 0}, {2, 2, 2}, {3, 2, 2}, {2, 3, 2}, {5, 0, 3}, {19, 5, 5}};
   return plan;
 }

@@ -109,8 +109,8 @@ export class ShownBody {
     this.group = new THREE.Group();
     this.group.matrixAutoUpdate = false;
     const offset = {polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5};
-    const look = {color, flatShading: true, roughness: 0.75, metalness: 0.05, clippingPlanes: cuts, ...offset};
-    this.material = new THREE.MeshStandardMaterial({...look, side: THREE.DoubleSide});
+    const look = {color, flatShading: true, clippingPlanes: cuts, ...offset};
+    this.material = new THREE.MeshLambertMaterial({...look, side: THREE.DoubleSide});
     if (shape.isBoundless)
       Object.assign(this.material, {transparent: true, opacity: 0.3, depthWrite: false});
     this.surface = new THREE.Mesh(shape.surface, this.material);
@@ -253,7 +253,7 @@ class Cap {
 
 /** @param {THREE.Plane[]} cuts */
 function markedMaterial(cuts) {
-  return new THREE.MeshStandardMaterial({
+  return new THREE.MeshLambertMaterial({
     color: kMarked,
     emissive: kMarked,
     emissiveIntensity: 0.35,

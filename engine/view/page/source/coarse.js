@@ -4,7 +4,7 @@
 // marked, picked or cut comes from all triangles.
 
 /** Cells along the longest side of a mesh's box, by level. */
-export const kGrids = /** @type {const} */ ([8, 16, 32, 64, 128]);
+export const kGrids = /** @type {const} */ ([4, 8, 16, 32, 64, 128]);
 /** Meshes of fewer triangles are always drawn whole. */
 const kLeastTriangles = 2000;
 /** A coarser mesh that has more than this part of the triangles is not worth its memory. */
@@ -35,21 +35,25 @@ export function clustered(positions, triangles, cells) {
     if (known === undefined) first.set(cell, v);
     of[v] = known ?? v;
   }
-  const kept = new Uint32Array(triangles.length);
-  /** @type {Set<string>} */
-  const seen = new Set();
-  let at = 0;
+  // Of triangles with the same corners those from one side and those from the other cancel each other out: between
+  // them there was nothing, and of the rest one is enough.
+  /** @type {Map<string, {corners: number[], sum: number}>} */
+  const sides = new Map();
   for (let i = 0; i < triangles.length; i += 3) {
-    const a = of[triangles[i]], b = of[triangles[i + 1]], c = of[triangles[i + 2]];
-    if (a === b || b === c || c === a) continue;
-    // The same triangle from the same side once, whichever corner it begins with.
-    const key = a < b && a < c ? `${a},${b},${c}` : b < c ? `${b},${c},${a}` : `${c},${a},${b}`;
-    if (seen.has(key)) continue;
-    seen.add(key);
-    kept[at] = a, kept[at + 1] = b, kept[at + 2] = c;
-    at += 3;
+    const corners = [of[triangles[i]], of[triangles[i + 1]], of[triangles[i + 2]]];
+    const [a, b, c] = corners, sorted = [...corners].sort((x, y) => x - y);
+    if (sorted[0] === sorted[1] || sorted[1] === sorted[2]) continue;
+    const isEven = (a < b && b < c) || (b < c && c < a) || (c < a && a < b);
+    const key = sorted.join(), known = sides.get(key);
+    if (known) known.sum += isEven ? 1 : -1;
+    else sides.set(key, {corners: sorted, sum: isEven ? 1 : -1});
   }
-  return at < kWorth * triangles.length ? kept.slice(0, at) : null;
+  const kept = [];
+  for (const {corners: [a, b, c], sum} of sides.values()) {
+    if (sum > 0) kept.push(a, b, c);
+    if (sum < 0) kept.push(b, a, c);
+  }
+  return kept.length < kWorth * triangles.length ? Uint32Array.from(kept) : null;
 }
 
 /**
