@@ -93,8 +93,9 @@ struct ViewFrame {
 /// Collects bodies and frames, and writes them as a page. Each shape is kept once, however many
 /// bodies and frames have it: bodies that are handles to one mesh share it, as do equal shapes of
 /// other kinds. Coordinates stand in the page as floats about the middle of their mesh, poses as
-/// floats about that of their frames: off by some 1e-7 of these sizes. Nothing is thinned out; where
-/// there are many triangles the browser draws coarser what is small on the screen, and says so.
+/// floats about that of their frames: off by some 1e-7 of these sizes. Nothing is thinned out;
+/// where there are many triangles the browser draws coarser what is small on the screen, and says
+/// so.
 ///
 /// Whatever is placed or added goes to the frame that was begun last; before the first one a frame
 /// without a label begins by itself. For one thread at a time.
