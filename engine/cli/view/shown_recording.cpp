@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace graze::cli {
@@ -19,6 +20,7 @@ namespace {
 struct ShownPiece {
   ViewBody body;
   Pose pose;
+  std::optional<std::uint32_t> part;  ///< of a compound
 };
 
 /// The page, and what of the recording is on it.
@@ -88,7 +90,8 @@ class RecordingPage {
     for (const RecordedPiece& piece : pieces_of(*replay_.reader().shape(look.shape))) {
       std::string name = names_.of(look.id);
       if (piece.part) name += fmt::format(", part {}", *piece.part);
-      known->second.push_back({page_.view.add(piece.shape, {.name = name}), piece.pose});
+      known->second.push_back(
+          {page_.view.add(piece.shape, {.name = name}), piece.pose, piece.part});
     }
     return known->second;
   }
@@ -127,9 +130,33 @@ class RecordingPage {
       for (const ShownPiece& piece : pieces({id, shape}))
         page_.view.place(piece.body, placed_part(pose, piece.pose));
     }
-    for (const auto& [pair, manifold] : contacts_)
+    std::set<BodyPair> without = touching_;  // contacts
+    for (const auto& [pair, manifold] : contacts_) {
       for (const ShapeContact& point : manifold)
         page_.view.add_contact(point.point, point.normal, std::max(0.0, point.depth));
+      // Some are near, and do not touch.
+      if (!touching_.contains(pair)) continue;
+      add_pair(pair, manifold.part_a(), manifold.part_b());
+      without.erase(pair);
+    }
+    for (const BodyPair& pair : without)
+      add_pair(pair, 0, 0);
+  }
+
+  /// The piece of a body that is this part of it, else its first; none where there is nothing.
+  std::optional<ViewBody> piece_of(BodyId id, std::uint32_t part) {
+    const auto shape = bodies_.shapes().find(id);
+    if (shape == bodies_.shapes().end()) return std::nullopt;
+    const std::vector<ShownPiece>& all = pieces({id, shape->second});
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const ShownPiece& piece) { return piece.part == part; });
+    if (all.empty()) return std::nullopt;
+    return found == all.end() ? all.front().body : found->body;
+  }
+
+  void add_pair(const BodyPair& pair, std::uint32_t part_a, std::uint32_t part_b) {
+    const auto a = piece_of(pair.a, part_a), b = piece_of(pair.b, part_b);
+    if (a && b) page_.view.add_pair(*a, *b);
   }
 
   RecordingReplay& replay_;

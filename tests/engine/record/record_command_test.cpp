@@ -154,6 +154,12 @@ TEST_F(CliRecord, ThePageShowsEachUpdateOrWhatIsAskedFor) {
   EXPECT_EQ(page.json()["bodies"][1]["name"], "the ball");
   EXPECT_TRUE(page.marks("contacts", 7, 4).empty());
   EXPECT_FALSE(page.marks("contacts", 7, 5).empty());
+  const auto pairs = page.json()["marks"]["pairs"];
+  const std::vector<std::uint32_t> starts = page.words(pairs["starts"]);
+  EXPECT_EQ(starts[5], 0u) << "nothing touches before";
+  EXPECT_EQ(starts[6], 1u);
+  EXPECT_EQ(page.words(pairs["list"])[0], 0u);
+  EXPECT_EQ(page.words(pairs["list"])[1], 1u);
   const CommandResult thinned =
       graze({"view", "fall.recording", "-o", "few.html", "--every", "4", "--json"});
   EXPECT_EQ(json::parse(thinned.out)["pictures"], 4) << "0, 4, 8, and 5, where the two touch";
