@@ -41,8 +41,10 @@ struct Cone {
 
 /// The points x with normal . x <= offset.
 struct HalfSpace {
-  Eigen::Vector3d normal;  ///< outward; of any length but 0, and scaled to 1 by Shape
-  double offset = 0;       ///< for the normal as it is given
+  /// Outward; of any length but 0, and scaled to 1 by Shape, which leaves what is of that length to
+  /// rounding as it is.
+  Eigen::Vector3d normal;
+  double offset = 0;  ///< for the normal as it is given
 };
 
 /// The points x with normal . x == offset: a plane that has no inside, and both sides of which are

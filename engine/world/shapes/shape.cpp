@@ -72,6 +72,16 @@ Ellipsoid checked(const Ellipsoid& ellipsoid) {
   });
 }
 
+/// Scaling leaves a normal whose squared length is within 8 u of 1, u = 2^-53: x, y and z carry u
+/// each, the root 2 u, the quotients u more, so that the length is within 3 u, its square within 6
+/// u, and the sum here within 2 u of that. Whatever is as near as that stays as it is: else a shape
+/// made from another's numbers would be another.
+constexpr double kUnitSquareError = 0x1p-50;
+
+bool is_unit(const double* n) {
+  return std::abs(((n[0] * n[0] + n[1] * n[1]) + n[2] * n[2]) - 1) <= kUnitSquareError;
+}
+
 /// The same set, with a normal of length 1 to rounding: a half-space, or a plane.
 template <typename Flat>
 Flat checked_flat(const Flat& flat, const char* what) {
@@ -80,6 +90,7 @@ Flat checked_flat(const Flat& flat, const char* what) {
     const double* n = flat.normal.data();
     const double largest = std::max(std::abs(n[0]), std::max(std::abs(n[1]), std::abs(n[2])));
     if (!(largest >= kSmallestLength)) refuse(what, "the normal is zero");
+    if (is_unit(n) && std::abs(flat.offset) <= kLargestLength) return flat;
     const double x = n[0] / largest, y = n[1] / largest, z = n[2] / largest;
     const double length = std::sqrt((x * x + y * y) + z * z);
     const double offset = flat.offset / largest / length;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -241,6 +242,37 @@ TEST(Planes, AreCheckedAtTheDoor) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "plane: the normal is zero");
   }
+}
+
+/// The numbers that a shape has, to the bit.
+template <typename Flat>
+std::array<double, 4> numbers_of(const Shape& shape) {
+  const Flat& flat = *shape.as<Flat>();
+  return {flat.normal.x(), flat.normal.y(), flat.normal.z(), flat.offset};
+}
+
+template <typename Flat>
+void expect_same_made_again(const Flat& flat) {
+  const Shape once(flat), again(*once.as<Flat>());
+  EXPECT_EQ(numbers_of<Flat>(once), numbers_of<Flat>(again));
+  EXPECT_NEAR(once.as<Flat>()->normal.norm(), 1, 0x1p-50);
+}
+
+TEST(PlaneNumbers, AShapeMadeFromAnothersNumbersIsTheSame) {
+  RandomSource source(77);
+  for (int i = 0; i < 20000; ++i) {
+    const double length =
+        std::ldexp(source.uniform(1, 2), static_cast<int>(source.integer(-30, 30)));
+    const Vector3d normal = source.vector(-1, 1) * length;
+    const double offset = source.uniform(-1, 1) * normal.norm();
+    expect_same_made_again(HalfSpace{normal, offset});
+    expect_same_made_again(Plane{normal, offset});
+  }
+  // What is of length 1 but for some units in the last place, in whatever way, stays as it is.
+  const Vector3d nearly = Vector3d(0.6, 0.8, 0) * (1 + 0x1p-52);
+  EXPECT_EQ(Shape(HalfSpace{nearly, 3}).as<HalfSpace>()->normal, nearly);
+  EXPECT_NE(Shape(HalfSpace{nearly * (1 + 0x1p-40), 3}).as<HalfSpace>()->normal.x(),
+            nearly.x() * (1 + 0x1p-40));
 }
 
 }  // namespace
