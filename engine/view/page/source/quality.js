@@ -46,9 +46,10 @@ export class Quality {
     const all = bodies.reduce((sum, body) => sum + body.countAt(kGrids.length), 0);
     if (all <= Math.min(this.budget, kFirstBudget)) return 0;
     if (!isMoving && this.drawsAll(all)) return kStillCell;
+    // For a picture that stays one waits a little.
+    const budget = isMoving ? this.budget : Math.max(kFirstBudget, this.budget);
     let cell = kMovingCell;
-    while (cell < kMostCell &&
-           bodies.reduce((sum, {pixels, countAt}) => sum + countAt(levelFor(pixels, cell)), 0) > this.budget)
+    while (cell < kMostCell && bodies.reduce((sum, {pixels, countAt}) => sum + countAt(levelFor(pixels, cell)), 0) > budget)
       cell *= 1.5;
     return cell;
   }

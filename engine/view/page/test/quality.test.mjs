@@ -30,6 +30,7 @@ test('a slow machine draws less and less, down to a bound, and a quick one more 
   assert.ok(cells[9] > 2 * cells[0] && cells[9] <= 36);
   assert.equal(quality.resolution, 0.5);
   assert.ok(!quality.drawsAll(3e6), 'nor all once nothing moves');
+  assert.ok(quality.cell(bodies(200, 100), false) < cells[9], 'but more than while it moved');
   for (let i = 0; i < 40; ++i) quality.took(10);
   assert.equal(quality.resolution, 1);
   assert.equal(quality.cell(bodies(200, 100), true), 2);
