@@ -153,6 +153,8 @@ std::string html_report(const HtmlReportInput& input) {
   out += "<h2>Wrong answers</h2>\n" + wrong_table(input);
   out += "<h2>Wrong answers, shrunk</h2>\n";
   if (input.cases.empty()) out += "<p>None.</p>\n";
+  if (!input.viewer.note.empty())
+    out += "<p>They cannot be turned here: " + escaped(input.viewer.note) + "</p>\n";
   out += "<div class=\"cases\">\n";
   if (!input.viewer.page.empty())
     out += "<iframe id=\"viewer\" title=\"The cases, to be turned\" srcdoc=\"" +

@@ -14,6 +14,7 @@ struct ReportViewer {
   std::string page = {};  ///< all of it; empty: there is none
   /// Of each case its first picture in that page; none: it could not be drawn.
   std::vector<std::optional<std::size_t>> first = {};
+  std::string note = {};  ///< why there is no page though there are cases; may be empty
 };
 
 /// A page of some cases. Without any, or where the command was built without pages, there is none.

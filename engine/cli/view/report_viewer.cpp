@@ -23,7 +23,12 @@ ReportViewer report_viewer(std::span<const WrittenCase> cases, const std::string
       viewer.first.emplace_back();  // its numbers are beyond what can be drawn: the report says so
     }
   }
-  if (page.frames > 0) viewer.page = page.view.page();
+  if (page.frames == 0) return viewer;
+  try {
+    viewer.page = page.view.page();
+  } catch (const Error& error) {  // meshes that are not shrunk may be too large for a page
+    return {.note = error.what()};
+  }
   return viewer;
 }
 

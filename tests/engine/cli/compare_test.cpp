@@ -376,7 +376,8 @@ TEST(CliReport, ThePageNeedsNothingElse) {
                                         .place = "pose",
                                         .summaries = {},
                                         .wrong = wrong,
-                                        .cases = cases});
+                                        .cases = cases,
+                                        .viewer = {.note = "too <em>large</em>"}});
   EXPECT_EQ(page.find("<script"), page.rfind("<script")) << "its own alone";
   for (const char* reference :
        {"src=", "href", "url(", "@import", "<link", "<img", "<iframe", "<b>\"x", "<em>", "<u>"}) {
@@ -384,6 +385,7 @@ TEST(CliReport, ThePageNeedsNothingElse) {
   }
   EXPECT_NE(page.find("&lt;script&gt;"), page.npos);
   EXPECT_NE(page.find("a&amp;b.off"), page.npos);
+  EXPECT_NE(page.find("They cannot be turned here: too &lt;em&gt;large"), page.npos);
   EXPECT_NE(page.find("graze replay 'it'\\''s/&lt;b&gt;&quot;x&quot;.json'"), page.npos) << page;
   const std::string picture = svg_picture(shrunk.query);
   std::size_t polygons = 0;
