@@ -51,6 +51,7 @@ std::vector<WrongAnswer> WrongList::kept() const {
   for (const auto& [number, wrong] : worst_)
     all.emplace(number, wrong);
   std::vector<WrongAnswer> list;
+  list.reserve(all.size());
   for (auto& [number, wrong] : all)
     list.push_back(std::move(wrong));
   return list;

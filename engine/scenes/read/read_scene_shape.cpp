@@ -38,7 +38,7 @@ std::string hash_of(const std::filesystem::path& path, const std::string& name) 
 /// The path to what "file" names, if its bytes have the "sha256" that may be there.
 std::filesystem::path MeshFiles::find(const JsonCursor& at) {
   const JsonCursor place = at.member("file");
-  const std::filesystem::path path =
+  std::filesystem::path path =
       at_place(place, [&] { return cases::find_inside(folder_, place.text(), "scene"); });
   if (at.has("sha256")) {
     const JsonCursor hash = at.member("sha256");

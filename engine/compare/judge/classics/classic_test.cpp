@@ -217,6 +217,7 @@ bool says_of(ClassicTest test, const std::vector<ClassicStep>& steps, const Corn
     return std::any_of(all.begin(), all.end(), [](const auto& each) { return each > 0; });
   };
   std::vector<int> signs;
+  signs.reserve(steps.size());
   for (const ClassicStep& step : steps)
     signs.push_back(step.computed_sign);
   if (test == ClassicTest::Axes) return !has_gap(signs);
