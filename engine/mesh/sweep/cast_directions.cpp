@@ -134,70 +134,78 @@ CastDirections::CastDirections(const Frame& a, const Frame& b, const SweepUnits&
 }
 
 /// A vector of size 0 says nothing: nothing is beside it, and all is from 0 on.
+CastDirections::Limit CastDirections::limit_of(const double (&n)[3]) const {
+  const double size = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+  if (!says_something(size)) return {0, 0, 0, -kInfinity, kInfinity, 0};
+  const double along = dot(n, direction_);
+  const double sense = along < 0 ? -1 : 1;
+  const double between[3] = {a_.centre[0] - b_.centre[0], a_.centre[1] - b_.centre[1],
+                             a_.centre[2] - b_.centre[2]};
+  const SweepScale scale(sense * along, size);
+  const double across = 2 * scale.across;  // |d| is at least 1/2
+  const bool is_across = across >= 0;
+  return {sense,
+          sense * dot(n, between),
+          a_.margin * size,
+          is_across ? -across : 0,
+          is_across ? across : kInfinity,
+          is_across ? 0 : scale.down};
+}
+
 void CastDirections::set(int at, const double (&n)[3]) {
   const int pair = at / 2, lane = at % 2;
-  const double size = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-  const bool says = says_something(size);
-  const double along = dot(n, direction_);
-  const double sense = says ? (along < 0 ? -1 : 1) : 0;
-  vectors_.x[pair][lane] = sense * n[0];
-  vectors_.y[pair][lane] = sense * n[1];
-  vectors_.z[pair][lane] = sense * n[2];
+  const Limit limit = limit_of(n);
+  const auto set_rows = [&](Rows& rows, double x, double y, double z) {
+    rows.x[pair][lane] = limit.sense * x;
+    rows.y[pair][lane] = limit.sense * y;
+    rows.z[pair][lane] = limit.sense * z;
+  };
+  set_rows(vectors_, n[0], n[1], n[2]);
   const auto set_local = [&](Rows& rows, const Frame& frame) {
-    rows.x[pair][lane] = sense * (dot(n, frame.axis[0]) * frame.unit);
-    rows.y[pair][lane] = sense * (dot(n, frame.axis[1]) * frame.unit);
-    rows.z[pair][lane] = sense * (dot(n, frame.axis[2]) * frame.unit);
+    set_rows(rows, dot(n, frame.axis[0]) * frame.unit, dot(n, frame.axis[1]) * frame.unit,
+             dot(n, frame.axis[2]) * frame.unit);
   };
   set_local(local_a_, a_);
   set_local(local_b_, b_);
-  const double between[3] = {a_.centre[0] - b_.centre[0], a_.centre[1] - b_.centre[1],
-                             a_.centre[2] - b_.centre[2]};
-  limits_.between[pair][lane] = sense * dot(n, between);
-  limits_.margin[pair][lane] = says ? a_.margin * size : 0;
-  const SweepScale scale(sense * along, size);
-  const double across = 2 * scale.across;  // |d| is at least 1/2
-  const bool is_across = !says || across >= 0;
-  limits_.least_high[pair][lane] = says ? (is_across ? -across : 0) : -kInfinity;
-  limits_.most_low[pair][lane] = says && is_across ? across : kInfinity;
-  limits_.down[pair][lane] = is_across ? 0 : scale.down;
+  limits_.between[pair][lane] = limit.between;
+  limits_.margin[pair][lane] = limit.margin;
+  limits_.least_high[pair][lane] = limit.least_high;
+  limits_.most_low[pair][lane] = limit.most_low;
+  limits_.down[pair][lane] = limit.down;
 }
 
-CastDirections::Span CastDirections::of_box(Side side, const bvh::FloatBox& box) const {
+void CastDirections::tell_box(Side side, const bvh::FloatBox& box, Pairs pairs, Span& span) const {
   const Rows& n = side == Side::A ? local_a_ : local_b_;
   TwoLanes middle[3], half[3];
   for (int k = 0; k < 3; ++k) {
     middle[k] = both(0.5 * (double{box.max[k]} + box.min[k]));
     half[k] = both(0.5 * (double{box.max[k]} - box.min[k]));
   }
-  Span span;
-  for (int i = 0; i < kPairs; ++i) {
+  for (int i = first_of(pairs); i < kPairs; ++i) {
     span.middle[i] = (n.x[i] * middle[0] + n.y[i] * middle[1]) + n.z[i] * middle[2];
     span.half[i] =
         (magnitude(n.x[i]) * half[0] + magnitude(n.y[i]) * half[1]) + magnitude(n.z[i]) * half[2];
   }
-  return span;
 }
 
-CastDirections::Span CastDirections::of_points(
-    Side side, std::span<const Eigen::Vector3d* const> points) const {
+void CastDirections::tell_points(Side side, std::span<const Eigen::Vector3d* const> points,
+                                 Pairs pairs, Span& span) const {
   const double* centre = frame(side).centre;
   TwoLanes low[kPairs], high[kPairs];
   for (std::size_t at = 0; at < points.size(); ++at) {
     TwoLanes p[3];
     for (int k = 0; k < 3; ++k)
       p[k] = both(points[at]->data()[k] * per_metre_ - centre[k]);
-    for (int i = 0; i < kPairs; ++i) {
+    for (int i = first_of(pairs); i < kPairs; ++i) {
       const TwoLanes value = (vectors_.x[i] * p[0] + vectors_.y[i] * p[1]) + vectors_.z[i] * p[2];
       low[i] = at == 0 ? value : smaller(low[i], value);
       high[i] = at == 0 ? value : larger(high[i], value);
     }
   }
-  Span span;
-  for (int i = 0; i < kPairs; ++i) {
+  for (int i = first_of(pairs); i < kPairs; ++i) {
     span.middle[i] = both(0.5) * (low[i] + high[i]);
     span.half[i] = both(0.5) * (high[i] - low[i]);
   }
-  return span;
 }
 
 // Relative to its own centre. The square of n is off by 3 u of itself, for those of what says
@@ -242,6 +250,52 @@ double CastDirections::first_contact(const Span& a, const Span& b, double limit)
   }
   const double bound = std::max(lower[0], lower[1]);
   return sign_bits(beside) != 0 || bound > limit ? kInfinity : bound;
+}
+
+void CastDirections::tell_along(Side side, const double (&n)[3], const Triangle& placed,
+                                double& low, double& high) const {
+  const double* centre = frame(side).centre;
+  const double* corners[3] = {placed.a.data(), placed.b.data(), placed.c.data()};
+  double value[3];
+  for (int i = 0; i < 3; ++i) {
+    const double p[3] = {corners[i][0] * per_metre_ - centre[0],
+                         corners[i][1] * per_metre_ - centre[1],
+                         corners[i][2] * per_metre_ - centre[2]};
+    value[i] = dot(n, p);
+  }
+  low = std::min(value[0], std::min(value[1], value[2]));
+  high = std::max(value[0], std::max(value[1], value[2]));
+}
+
+/// The normal is whatever rounding makes of it: the bounds hold for any vector.
+CastDirections::Plane CastDirections::plane_of(Side side, const Triangle& placed) const {
+  double edge[2][3];
+  for (int k = 0; k < 3; ++k) {
+    edge[0][k] = (placed.b.data()[k] - placed.a.data()[k]) * per_metre_;
+    edge[1][k] = (placed.c.data()[k] - placed.a.data()[k]) * per_metre_;
+  }
+  const Vector normal = cross(edge[0], edge[1]);
+  Plane plane;
+  plane.limit = limit_of(normal.at);
+  for (int k = 0; k < 3; ++k)
+    plane.n[k] = plane.limit.sense * normal.at[k];
+  tell_along(side, plane.n, placed, plane.low, plane.high);
+  return plane;
+}
+
+double CastDirections::first_contact(Side side, const Plane& plane, const Triangle& other,
+                                     double limit) const {
+  double low, high;
+  tell_along(side == Side::A ? Side::B : Side::A, plane.n, other, low, high);
+  const bool is_of_a = side == Side::A;
+  const Limit& of_n = plane.limit;
+  const double least =
+      ((is_of_a ? plane.low - high : low - plane.high) + of_n.between) - of_n.margin;
+  const double most =
+      ((is_of_a ? plane.high - low : high - plane.low) + of_n.between) + of_n.margin;
+  if (most < of_n.least_high || least > of_n.most_low) return kInfinity;
+  const double bound = std::max(0.0, least * of_n.down);
+  return bound > limit ? kInfinity : bound;
 }
 
 bool CastDirections::take_normal(const double (&normal)[3]) {

@@ -19,10 +19,23 @@ class CastDirections {
   enum class Side { A, B };
   static constexpr int kPairs = 3;
 
+  /// Which pairs of vectors: all, or the one with the normal, which alone take_normal() changes.
+  enum class Pairs { All, WithNormal };
+
   /// What something is along each vector, relative to the centre of its mesh's tree.
   struct Span {
     narrowphase::TwoLanes middle[kPairs];
     narrowphase::TwoLanes half[kPairs];
+  };
+
+  /// What one vector tells of the motion.
+  struct Limit {
+    double sense;    ///< the vector is taken times this: 1, -1, or 0 if it says nothing
+    double between;  ///< n . (the centre of A - the centre of B)
+    double margin;
+    double least_high;  ///< less, and they never meet
+    double most_low;    ///< more, and they never meet
+    double down;        ///< what `low` is multiplied by to bound s from below
   };
 
   /// Of a direction whose largest component is from 1/2 to 1 in size, or of none.
@@ -36,11 +49,23 @@ class CastDirections {
   CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
-  Span of_box(Side side, const bvh::FloatBox& box) const;
-  Span of_points(Side side, std::span<const Eigen::Vector3d* const> points) const;
-  Span of_triangle(Side side, const Triangle& placed) const {
+  /// Writes what a box is along these vectors.
+  void tell_box(Side side, const bvh::FloatBox& box, Pairs pairs, Span& span) const;
+  void tell_points(Side side, std::span<const Eigen::Vector3d* const> points, Pairs pairs,
+                   Span& span) const;
+  void tell_triangle(Side side, const Triangle& placed, Pairs pairs, Span& span) const {
     const Eigen::Vector3d* const corners[3] = {&placed.a, &placed.b, &placed.c};
-    return of_points(side, corners);
+    tell_points(side, corners, pairs, span);
+  }
+  Span of_points(Side side, std::span<const Eigen::Vector3d* const> points) const {
+    Span span;
+    tell_points(side, points, Pairs::All, span);
+    return span;
+  }
+  Span of_triangle(Side side, const Triangle& placed) const {
+    Span span;
+    tell_triangle(side, placed, Pairs::All, span);
+    return span;
   }
   /// Of the ball that this was made for.
   Span of_ball(const Sphere& ball) const;
@@ -51,8 +76,19 @@ class CastDirections {
   /// infinite if there is none, or none up to `limit`.
   double first_contact(const Span& a, const Span& b, double limit) const;
 
-  /// Takes another normal, in metres or whatever; spans that were made before serve no more. False,
-  /// and nothing happens, if it is nearly the one that there is.
+  /// Another vector: the normal of one triangle, which knows best when its plane is reached.
+  struct Plane {
+    double n[3];
+    double low;  ///< of n . (its corners - the centre of its mesh's tree)
+    double high;
+    Limit limit;
+  };
+  Plane plane_of(Side side, const Triangle& placed) const;
+  /// As of two spans: of the triangle with this plane and one of the other mesh.
+  double first_contact(Side side, const Plane& plane, const Triangle& other, double limit) const;
+
+  /// Takes another normal, in metres or whatever; of spans that were made before, the pair with the
+  /// normal serves no more. False, and nothing happens, if it is nearly the one that there is.
   bool take_normal(const double (&normal)[3]);
 
  private:
@@ -73,17 +109,22 @@ class CastDirections {
     narrowphase::TwoLanes y[kPairs];
     narrowphase::TwoLanes z[kPairs];
   };
+  /// Those of all vectors.
   struct Limits {
-    narrowphase::TwoLanes between[kPairs];  ///< n . (the centre of A - the centre of B)
+    narrowphase::TwoLanes between[kPairs];
     narrowphase::TwoLanes margin[kPairs];
-    narrowphase::TwoLanes least_high[kPairs];  ///< less, and they never meet
-    narrowphase::TwoLanes most_low[kPairs];    ///< more, and they never meet
-    narrowphase::TwoLanes down[kPairs];  ///< what `low` is multiplied by to bound s from below
+    narrowphase::TwoLanes least_high[kPairs];
+    narrowphase::TwoLanes most_low[kPairs];
+    narrowphase::TwoLanes down[kPairs];
   };
 
   const Frame& frame(Side side) const { return side == Side::A ? a_ : b_; }
   CastDirections(const Frame& a, const Frame& b, const SweepUnits& units,
                  const double (&direction)[3]);
+  static int first_of(Pairs pairs) { return pairs == Pairs::All ? 0 : kPairs - 1; }
+  Limit limit_of(const double (&n)[3]) const;
+  void tell_along(Side side, const double (&n)[3], const Triangle& placed, double& low,
+                  double& high) const;
   void set(int at, const double (&n)[3]);
 
   double per_metre_;

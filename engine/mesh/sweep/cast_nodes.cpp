@@ -4,11 +4,14 @@ namespace graze::contacts {
 
 const CastNodes::Span& CastNodes::span_of(std::uint32_t node) {
   const std::uint32_t at = node % kNodes;
-  if (node_at_[at] == node) return span_[at];
+  const bool is_kept = node_at_[at] == node;
+  if (is_kept && node_normal_[at] == normal_) return span_[at];
+  const CastDirections::Pairs pairs = is_kept ? Pairs::WithNormal : Pairs::All;
   node_at_[at] = node;
+  node_normal_[at] = normal_;
   const bvh::Node& of_tree = tree_.nodes[node];
   if (!of_tree.is_leaf()) {
-    span_[at] = directions_.of_box(side_, of_tree.box);
+    directions_.tell_box(side_, of_tree.box, pairs, span_[at]);
     return span_[at];
   }
   const Leaf& of_leaf = leaf(node);
@@ -18,16 +21,30 @@ const CastNodes::Span& CastNodes::span_of(std::uint32_t node) {
   return span_[at];
 }
 
-const CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
+CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
   const std::uint32_t at = node % kLeaves;
-  if (leaf_at_[at] == node) return leaf_[at];
+  const bool is_kept = leaf_at_[at] == node;
+  if (is_kept && leaf_normal_[at] == normal_) return leaf_[at];
+  const CastDirections::Pairs pairs = is_kept ? Pairs::WithNormal : Pairs::All;
   leaf_at_[at] = node;
+  leaf_normal_[at] = normal_;
   const bvh::Node& of_tree = tree_.nodes[node];
+  Leaf& leaf = leaf_[at];
+  if (!is_kept) leaf.has_plane = 0;
   for (std::uint32_t i = 0; i < of_tree.count; ++i) {
-    leaf_[at].triangle[i] = mesh_.triangle(tree_.primitives[of_tree.first + i]);
-    leaf_[at].span[i] = directions_.of_triangle(side_, leaf_[at].triangle[i]);
+    if (!is_kept) leaf.triangle[i] = mesh_.triangle(tree_.primitives[of_tree.first + i]);
+    directions_.tell_triangle(side_, leaf.triangle[i], pairs, leaf.span[i]);
   }
-  return leaf_[at];
+  return leaf;
+}
+
+const CastDirections::Plane& CastNodes::plane(Leaf& leaf, std::uint32_t triangle) const {
+  const std::uint32_t bit = 1u << triangle;
+  if ((leaf.has_plane & bit) == 0) {
+    leaf.plane[triangle] = directions_.plane_of(side_, leaf.triangle[triangle]);
+    leaf.has_plane |= bit;
+  }
+  return leaf.plane[triangle];
 }
 
 }  // namespace graze::contacts

@@ -14,29 +14,32 @@ class CastNodes {
  public:
   using Span = CastDirections::Span;
   using Side = CastDirections::Side;
+  using Pairs = CastDirections::Pairs;
 
-  /// The triangles of a leaf, placed.
+  /// The triangles of a leaf, placed, and the planes of those that had to be asked for.
   struct Leaf {
     std::array<Triangle, 4> triangle;
     std::array<Span, 4> span;
+    std::array<CastDirections::Plane, 4> plane;
+    std::uint32_t has_plane;  ///< a bit for each
   };
 
   CastNodes(Side side, const FramedMesh& mesh, const bvh::Tree& tree,
             const CastDirections& directions)
       : side_(side), mesh_(mesh), tree_(tree), directions_(directions) {
-    forget();
+    node_at_.fill(kNone);
+    leaf_at_.fill(kNone);
   }
 
   /// Around the box of a node, or the triangles of a leaf.
   const Span& span_of(std::uint32_t node);
   /// Of a leaf; until the next call.
-  const Leaf& leaf(std::uint32_t node);
+  Leaf& leaf(std::uint32_t node);
+  /// Of a triangle of that leaf.
+  const CastDirections::Plane& plane(Leaf& leaf, std::uint32_t triangle) const;
 
-  /// To be called when the directions have changed.
-  void forget() {
-    node_at_.fill(kNone);
-    leaf_at_.fill(kNone);
-  }
+  /// To be called when the directions have taken another normal.
+  void take_normal() { ++normal_; }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -47,8 +50,11 @@ class CastNodes {
   FramedMesh mesh_;
   const bvh::Tree& tree_;
   const CastDirections& directions_;
+  std::uint32_t normal_ = 0;  ///< how many there were
   std::array<std::uint32_t, kNodes> node_at_;
+  std::array<std::uint32_t, kNodes> node_normal_;
   std::array<std::uint32_t, kLeaves> leaf_at_;
+  std::array<std::uint32_t, kLeaves> leaf_normal_;
   std::array<Span, kNodes> span_;
   std::array<Leaf, kLeaves> leaf_;
 };

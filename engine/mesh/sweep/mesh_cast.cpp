@@ -57,8 +57,8 @@ class CastWalk {
         unit_a_(tree_a_.frame.unit() * units.per_metre),
         unit_b_(tree_b_.frame.unit() * units.per_metre),
         directions_({a}, {b}, units, way.direction),
-        nodes_a_(contacts::CastDirections::Side::A, {a}, tree_a_, directions_),
-        nodes_b_(contacts::CastDirections::Side::B, {b}, tree_b_, directions_) {}
+        nodes_a_(Side::A, {a}, tree_a_, directions_),
+        nodes_b_(Side::B, {b}, tree_b_, directions_) {}
 
   void run() {
     const Waiting root = waiting(0, 0);
@@ -79,6 +79,7 @@ class CastWalk {
   }
 
  private:
+  using Side = contacts::CastDirections::Side;
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   /// Two nodes, and no more than the translation at which something in them meets first.
@@ -111,13 +112,13 @@ class CastWalk {
 
   void ask_leaves(std::uint32_t node_a, std::uint32_t node_b) {
     const bvh::Node &leaf_a = tree_a_.nodes[node_a], &leaf_b = tree_b_.nodes[node_b];
-    const contacts::CastNodes::Leaf &in_a = nodes_a_.leaf(node_a), &in_b = nodes_b_.leaf(node_b);
+    contacts::CastNodes::Leaf &in_a = nodes_a_.leaf(node_a), &in_b = nodes_b_.leaf(node_b);
     bool is_sooner = false;
     for (std::uint32_t i = 0; i < leaf_a.count; ++i) {
       for (std::uint32_t k = 0; k < leaf_b.count; ++k) {
         const double bound = directions_.first_contact(in_a.span[i], in_b.span[k], limit_);
         ++work_.filter_tests;
-        if (bound == kNever) continue;
+        if (bound == kNever || are_apart_by_planes(in_a, i, in_b, k)) continue;
         ++work_.triangle_tests;
         const TrianglePair pair{tree_a_.primitives[leaf_a.first + i],
                                 tree_b_.primitives[leaf_b.first + k]};
@@ -132,8 +133,19 @@ class CastWalk {
     double normal[3];
     earliest_.rough_normal(normal);
     if (!directions_.take_normal(normal)) return;
-    nodes_a_.forget();
-    nodes_b_.forget();
+    nodes_a_.take_normal();
+    nodes_b_.take_normal();
+  }
+
+  /// Where surfaces face each other their planes meet later than any box around them.
+  bool are_apart_by_planes(contacts::CastNodes::Leaf& in_a, std::uint32_t i,
+                           contacts::CastNodes::Leaf& in_b, std::uint32_t k) {
+    const auto is_late = [&](Side side, const contacts::CastDirections::Plane& plane,
+                             const Triangle& other) {
+      return directions_.first_contact(side, plane, other, limit_) == kNever;
+    };
+    return is_late(Side::A, nodes_a_.plane(in_a, i), in_b.triangle[k]) ||
+           is_late(Side::B, nodes_b_.plane(in_b, k), in_a.triangle[i]);
   }
 
   bool do_meet(const Triangle& a, const Triangle& b) {

@@ -73,7 +73,7 @@ class VolumeWalk {
       is_sooner = true;
       limit_ = way_.at(mover_.limit());
     }
-    if (is_sooner && mover_.turn(directions_)) nodes_.forget();
+    if (is_sooner && mover_.turn(directions_)) nodes_.take_normal();
   }
 
   const bvh::Tree& tree_;

@@ -2,6 +2,7 @@
 // meshes of which the answer is known.
 
 #include <graze/bvh/error.h>
+#include <graze/engine/mesh/load_mesh.h>
 #include <graze/engine/mesh/mesh_cast.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/separation.h>
@@ -256,6 +257,23 @@ TEST(Law13Meshes, LooksAtLittle) {
   Work none;
   EXPECT_FALSE(cast({floor}, {cube(), at_place(0.3, 0.3, 2)}, {0.1, 0.2, 3}, {}, &none));
   EXPECT_EQ(none.triangle_tests, 0u);
+}
+
+// Where flanks of teeth face each other, triangles' planes tell which of them are met later.
+TEST(Law13Meshes, PlanesKeepOutWhatIsMetLater) {
+  const Mesh gear = load_mesh(GRAZE_DATA_DIR "/meshes/gear.ply");
+  const Mesh pinion = load_mesh(GRAZE_DATA_DIR "/meshes/pinion.off");
+  const double reach = gear.bounds().max.norm() + pinion.bounds().max.norm();
+  RandomSource source(136);
+  Work work;
+  for (int n = 0; n < 20; ++n) {
+    Pose pose = tests::random_pose(0, source);
+    const Eigen::Vector3d away = 2 * reach * source.vector(-1, 1);
+    pose.translation() = away;
+    cast({gear}, {pinion, pose}, -2 * away, {}, &work);
+  }
+  EXPECT_GT(work.triangle_tests, 0u);
+  EXPECT_LT(3 * work.triangle_tests, work.filter_tests);
 }
 
 TEST(Law13Door, RefusesWhatItCannotPlace) {
