@@ -36,6 +36,7 @@ std::vector<std::uint32_t> triangles_near(const PlacedMeshView& placed,
 
 CaseMesh part_of(const PlacedMeshView& placed, const std::vector<std::uint32_t>& indices) {
   std::vector<TriangleIndices> triangles;
+  triangles.reserve(indices.size());
   for (const std::uint32_t index : indices)
     triangles.push_back(placed.mesh.triangles()[index]);
   return {Mesh(placed.mesh.vertices(), triangles), placed.pose};

@@ -108,7 +108,8 @@ std::size_t GltfFile::add_mesh(std::span<const Eigen::Vector3d> vertices,
 }
 
 std::size_t GltfFile::add_node(const std::string& name, const Pose& pose,
-                               std::optional<std::size_t> mesh, std::vector<std::size_t> children) {
+                               std::optional<std::size_t> mesh,
+                               const std::vector<std::size_t>& children) {
   const Eigen::Vector3f at = pose.translation().cast<float>();
   const Eigen::Quaternionf turn = turn_of(pose);
   json node = {{"name", name},

@@ -29,7 +29,7 @@ class GltfFile {
   /// A node at a pose. Returns its number.
   std::size_t add_node(const std::string& name, const Pose& pose,
                        std::optional<std::size_t> mesh = {},
-                       std::vector<std::size_t> children = {});
+                       const std::vector<std::size_t>& children = {});
 
   /// Seconds, ascending; for the channels that follow. Returns the number of the accessor.
   std::size_t add_times(std::span<const float> seconds);
