@@ -98,7 +98,7 @@ DistanceBounds distance_bounds(const PlacedBody& a, const PlacedBody& b) {
 
 std::string DistanceBounds::text() const {
   if (is_exact) return in_metres("exactly", least);
-  const std::string from = in_metres("a plane proves", least) + " at least";
+  std::string from = in_metres("a plane proves", least) + " at least";
   if (!std::isfinite(most)) return from;
   std::array<char, 24> to;
   std::snprintf(to.data(), to.size(), "%.2g", slack);

@@ -197,7 +197,7 @@ using Generate = std::vector<Pose> (*)(const Room&, std::size_t, std::uint64_t);
 
 class GeneratedPoses : public PoseSource {
  public:
-  GeneratedPoses(const char* kind, Generate generate, Room room, std::size_t count,
+  GeneratedPoses(const char* kind, Generate generate, const Room& room, std::size_t count,
                  std::uint64_t seed)
       : size_(count),
         key_(std::string(kind) + " " + std::to_string(count) + ", seed " + std::to_string(seed)),
