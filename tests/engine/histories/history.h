@@ -77,9 +77,9 @@ enum class Setting {
   OnePoint,   // all in one place, some an ulp off
   Skewed,     // turned by matrices that are as far from rotations as the door lets in
   Teleports,  // between places that are 1e9 apart
-  Terrains,   // sizes about 1, with height fields and planes of two sides
-  Parts       // sizes about 1, with compounds and maps of voxels whose parts change, margins,
-              // casts and bodies that are swept
+  Terrains,   // sizes about 1, with height fields and planes of two sides, and margins, casts and
+              // bodies that are swept
+  Parts       // likewise with compounds and maps of voxels whose parts change
 };
 inline constexpr std::array kSettings{Setting::Crowd,     Setting::Lattice,  Setting::Sizes,
                                       Setting::Far,       Setting::OnePoint, Setting::Skewed,

@@ -392,7 +392,8 @@ class Inserter {
 
 History random_history(Setting setting, std::uint64_t seed, std::size_t count) {
   const History history = Author(setting, seed).write(count);
-  return setting == Setting::Parts ? Inserter(seed).with_ways(history) : history;
+  const bool has_ways = setting == Setting::Parts || setting == Setting::Terrains;
+  return has_ways ? Inserter(seed).with_ways(history) : history;
 }
 
 }  // namespace graze::tests
