@@ -33,12 +33,12 @@ struct DuplicateTriangle {
   bool operator==(const DuplicateTriangle&) const = default;
 };
 
-/// A closed part of the surface that faces the wrong way.
+/// A part of a closed surface that faces the wrong way.
 struct InsideOutPart {
   std::uint32_t triangle;        ///< its lowest triangle
   std::uint32_t triangle_count;  ///< how many it has
-  std::uint32_t depth;  ///< inside how many other parts it lies: it should face outwards where that
-                        ///< is even, and into the cavity that it bounds where that is odd
+  std::uint32_t depth;  ///< inside how many other closed surfaces it lies: it should face outwards
+                        ///< where that is even, and into the cavity that it bounds where it is odd
 
   bool operator==(const InsideOutPart&) const = default;
 };
@@ -56,10 +56,14 @@ struct MeshHealth {
   /// Triangles without area, exactly.
   std::vector<std::uint32_t> degenerate_triangles;
   std::vector<DuplicateTriangle> duplicate_triangles;  ///< by triangle
-  /// Closed parts, connected across edges that have two triangles and consistently wound, that
-  /// enclose less than nothing (exactly) but should face outwards, or the other way round. What
-  /// crosses or touches a part is left out where it is counted what it lies in, and a part all of
-  /// whose vertices others have as well is left out itself. By triangle.
+  /// Parts, connected across edges that have two triangles and consistently wound, that should face
+  /// outwards and do not, or the other way round; exactly. One that is closed by itself faces
+  /// outwards if it encloses more than nothing. Others go together where they meet at edges of more
+  /// triangles; if all of those are closed then, a part faces outwards if they enclose, by the
+  /// even-odd rule, what is behind it and not what is before it. That says nothing of a part that
+  /// one of them crosses or touches away from common edges and vertices, of one before and behind
+  /// which is the same, and of what stays open: these are not listed. What crosses or touches a
+  /// part is not counted where it is asked what it lies in. By triangle.
   std::vector<InsideOutPart> inside_out_parts;
   /// All pairs of triangles that cross: those of find_self_pairs(), duplicates among them.
   TrianglePairs self_intersections;

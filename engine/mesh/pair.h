@@ -29,11 +29,11 @@ TrianglePairs find_triangle_pairs(const PlacedMeshView& mesh_a, const PlacedMesh
 /// a solid inside another one that shares faces with it. Exact, whatever way triangles are wound.
 ///
 /// Costs find_triangle_pairs() and tens of microseconds for each triangle that touches the other
-/// mesh; where triangles cross() it ends at the first such pair. Throws MeshError, which names the
-/// mesh and its number of boundary edges, for one that is not closed, and where the answer depends
-/// on a triangle whose inside another one of the same mesh meets: on which side of it that mesh
-/// lies is then no matter of the triangle. PoseError for a pose that is refused by law 10 or by law
-/// 1.
+/// mesh; where triangles cross() it ends at the first such pair. Meshes may go through themselves:
+/// where the answer depends on a triangle whose inside others of its mesh meet, that is asked piece
+/// by piece, in integers, which for n of them costs O(n^2). Throws MeshError, which names the mesh
+/// and its number of boundary edges, for one that is not closed; PoseError for a pose that is
+/// refused by law 10 or by law 1.
 bool interiors_intersect(const PlacedMeshView& mesh_a, const PlacedMeshView& mesh_b,
                          Work* work = nullptr);
 

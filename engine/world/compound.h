@@ -66,7 +66,8 @@ class Compound {
 /// its own grows with the distance of the world's origin. Moving such a body costs nothing for each
 /// part; an answer costs the parts near the other, which are looked up in boxes: O(log n + near).
 /// Throws InputError for one without parts, PoseError for one that reaches beyond kLargestLength.
-/// O(n log n); it takes up to 512 bytes, and as much for each part.
+/// O(n log n); it takes up to 512 bytes, and as much for each part, with 60 more from when the
+/// nearest of many is asked for.
 ///
 /// A body's pose is refused (PoseError) where that of a part is. Of `gap()` such a shape knows
 /// nothing: pairs in which something moved are asked again.

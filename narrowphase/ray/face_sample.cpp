@@ -4,20 +4,10 @@
 #include <graze/narrowphase/derived/sign_of_products.h>
 #include <graze/narrowphase/predicates/predicates.h>
 #include <graze/narrowphase/ray/face_sample.h>
+#include <graze/narrowphase/ray/sample_steps.h>
 
 namespace graze::narrowphase {
 namespace {
-
-constexpr double kNoStep[3] = {0, 0, 0};
-constexpr double kUnitSteps[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-Step unit_step(int axis) {
-  return {kNoStep, kUnitSteps[axis]};
-}
-
-Sign product(Sign s, Sign t) {
-  return static_cast<Sign>(static_cast<int>(s) * static_cast<int>(t));
-}
 
 struct SampleSteps {
   explicit SampleSteps(const FaceSample& sample)
@@ -42,16 +32,7 @@ Sign side_of_edge(const double* u, const double* v, const SampleSteps& sample, i
   if (sign == Sign::Zero) sign = sign_of_triple(edge, sample.second, along);
   if (sign == Sign::Zero)
     sign = product(sample.side, sign_of_cross_products(along, edge, sample.first, sample.second));
-  for (int k = 0; k < 3 && sign == Sign::Zero; ++k)
-    sign = sign_of_triple(edge, unit_step(k), along);
-  return sign;
-}
-
-using SampleCorners = const double* const (&)[3];
-
-Sign turn_along(SampleCorners corner, int axis) {
-  return orientation_2d(project(corner[0], axis), project(corner[1], axis),
-                        project(corner[2], axis));
+  return sign == Sign::Zero ? last_side_of_edge(edge, axis) : sign;
 }
 
 /// The side of the plane of a triangle with area on which the sample lies. Never zero.
@@ -63,9 +44,7 @@ Sign side_of_plane(SampleCorners corner, const SampleSteps& sample) {
   if (sign == Sign::Zero) sign = sign_of_triple(f, g, sample.second);
   if (sign == Sign::Zero)
     sign = product(sample.side, sign_of_cross_products(f, g, sample.first, sample.second));
-  for (int k = 0; k < 3 && sign == Sign::Zero; ++k)
-    sign = turn_along(corner, k);
-  return sign;
+  return sign == Sign::Zero ? last_side_of_plane(corner) : sign;
 }
 
 }  // namespace
@@ -73,13 +52,10 @@ Sign side_of_plane(SampleCorners corner, const SampleSteps& sample) {
 LineCrossing cross_axis_line(const Triangle& triangle, const FaceSample& sample, int axis) {
   const double* const corner[3] = {triangle.a.data(), triangle.b.data(), triangle.c.data()};
   const SampleSteps steps(sample);
-  const Sign first = side_of_edge(corner[0], corner[1], steps, axis);
-  if (first == Sign::Zero || side_of_edge(corner[1], corner[2], steps, axis) != first ||
-      side_of_edge(corner[2], corner[0], steps, axis) != first)
-    return LineCrossing::None;
-  // The line goes through the inside of what is seen, which has an area then: neither is zero.
-  return side_of_plane(corner, steps) == turn_along(corner, axis) ? LineCrossing::Below
-                                                                  : LineCrossing::Above;
+  return crossing_by_sides(
+      corner, axis,
+      [&](const double* u, const double* v) { return side_of_edge(u, v, steps, axis); },
+      [&] { return side_of_plane(corner, steps); });
 }
 
 }  // namespace graze::narrowphase

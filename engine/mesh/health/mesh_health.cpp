@@ -12,21 +12,36 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <optional>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace graze {
 namespace {
 
 using narrowphase::Sign;
 
-/// Parts that cross or touch each other: pairs of their numbers, the lower one first.
-using MetParts = std::unordered_set<std::uint64_t>;
+/// What crosses or touches: pairs of closed surfaces, and parts that others of their own surface
+/// do, or they themselves.
+struct Met {
+  std::unordered_set<std::uint64_t> surfaces;
+  std::unordered_set<std::uint32_t> crossed;
+};
 
-std::uint64_t key_of(std::uint32_t part_a, std::uint32_t part_b) {
-  const auto [low, high] = std::minmax(part_a, part_b);
+std::uint64_t key_of(std::uint32_t surface_a, std::uint32_t surface_b) {
+  const auto [low, high] = std::minmax(surface_a, surface_b);
   return static_cast<std::uint64_t>(high) << 32 | low;
+}
+
+void note_crossing(TrianglePair pair, const MeshParts& parts, Met& met) {
+  const std::uint32_t part_a = parts.part_of[pair.a], part_b = parts.part_of[pair.b];
+  const std::uint32_t surface_a = parts.surface_of[part_a], surface_b = parts.surface_of[part_b];
+  if (surface_a != surface_b) {
+    met.surfaces.insert(key_of(surface_a, surface_b));
+  } else {
+    met.crossed.insert({part_a, part_b});
+  }
 }
 
 void list_edges(std::span<const DirectedEdge> edges, MeshHealth& health) {
@@ -63,18 +78,17 @@ void list_triangles(const Mesh& mesh, MeshHealth& health) {
             });
 }
 
-MetParts list_crossings(const Mesh& mesh, const MeshParts& parts, const CheckSettings& settings,
-                        Work& work, MeshHealth& health) {
+Met list_crossings(const Mesh& mesh, const MeshParts& parts, const CheckSettings& settings,
+                   Work& work, MeshHealth& health) {
   constexpr std::size_t kReports = 200;
   const std::size_t total = mesh.triangles().size();
   std::size_t next_report = total / kReports;
-  MetParts met;
+  Met met;
   for_each_crossing_self_pair(
       mesh, work,
       [&](TrianglePair pair) {
         health.self_intersections.pairs.push_back(pair);
-        const std::uint32_t part_a = parts.part_of[pair.a], part_b = parts.part_of[pair.b];
-        if (part_a != part_b) met.insert(key_of(part_a, part_b));
+        note_crossing(pair, parts, met);
       },
       [&](std::size_t done) {
         if (!settings.on_progress || (done < next_report && done != total)) return;
@@ -85,67 +99,65 @@ MetParts list_crossings(const Mesh& mesh, const MeshParts& parts, const CheckSet
   return met;
 }
 
-constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint32_t kSeveralParts = kNoPart - 1;
-
-/// For each welded vertex the part whose triangles have it, if one alone does.
-std::vector<std::uint32_t> parts_of_vertices(const Mesh& mesh, const MeshParts& parts) {
-  std::vector<std::uint32_t> owners(mesh.vertices().size(), kNoPart);
-  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
-    for (const std::uint32_t vertex : mesh.triangles()[i]) {
-      std::uint32_t& owner = owners[mesh.welded()[vertex]];
-      owner = owner == kNoPart || owner == parts.part_of[i] ? parts.part_of[i] : kSeveralParts;
-    }
-  }
-  return owners;
-}
-
-/// A vertex that no other part has; nothing if there is none.
-std::optional<std::uint32_t> own_vertex(const Mesh& mesh, std::span<const std::uint32_t> triangles,
-                                        std::uint32_t part,
-                                        const std::vector<std::uint32_t>& owners) {
+/// The first triangle that has area.
+std::optional<Triangle> face_of(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   for (const std::uint32_t index : triangles) {
-    for (const std::uint32_t vertex : mesh.triangles()[index]) {
-      if (owners[mesh.welded()[vertex]] == part) return vertex;
-    }
+    const Triangle triangle = mesh.triangle(index);
+    if (!narrowphase::is_degenerate(triangle)) return triangle;
   }
   return std::nullopt;
 }
 
-/// How many of the oriented parts enclose the point, which lies on none but `part`, not counting
-/// that and those that it meets.
-std::uint32_t depth_at(const Eigen::Vector3d& point, std::uint32_t part, const Mesh& mesh,
-                       const MeshParts& parts, const MetParts& met, Work& work) {
+/// The closed surfaces that enclose a point beside a triangle, ascending.
+std::vector<std::uint32_t> surfaces_around(const narrowphase::FaceSample& sample, const Mesh& mesh,
+                                           const MeshParts& parts, Work& work) {
   std::vector<std::uint32_t> crossed;
-  crossed_triangles(mesh, point, work, crossed);
+  crossed_triangles(mesh, sample, work, crossed);
   for (std::uint32_t& index : crossed)
-    index = parts.part_of[index];
+    index = parts.surface_of[parts.part_of[index]];
   std::sort(crossed.begin(), crossed.end());
-  std::uint32_t depth = 0;
+  std::vector<std::uint32_t> around;
   for (std::size_t i = 0; i < crossed.size();) {
-    const std::uint32_t other = crossed[i];
-    std::size_t count = 0;
-    for (; i < crossed.size() && crossed[i] == other; ++i)
-      ++count;
-    depth += other != part && count % 2 == 1 && parts.is_oriented[other] &&
-             !met.contains(key_of(part, other));
+    const std::uint32_t surface = crossed[i];
+    bool is_odd = false;
+    for (; i < crossed.size() && crossed[i] == surface; ++i)
+      is_odd = !is_odd;
+    if (is_odd && surface != MeshParts::kNone) around.push_back(surface);
   }
-  return depth;
+  return around;
 }
 
-void list_inside_out(const Mesh& mesh, const MeshParts& parts, const MetParts& met, Work& work,
+bool holds(const std::vector<std::uint32_t>& list, std::uint32_t entry) {
+  return std::binary_search(list.begin(), list.end(), entry);
+}
+
+/// A part is judged beside one of its triangles. An oriented one faces outwards as the sign of its
+/// volume says; another one if the surface that it is of encloses what is behind it there, which is
+/// so all over it unless something of that surface crosses it.
+void list_inside_out(const Mesh& mesh, const MeshParts& parts, const Met& met, Work& work,
                      MeshHealth& health) {
-  const std::vector<std::uint32_t> owners = parts_of_vertices(mesh, parts);
   for (std::uint32_t part = 0; part < parts.size(); ++part) {
-    if (!parts.is_oriented[part]) continue;
+    const std::uint32_t surface = parts.surface_of[part];
+    const bool is_oriented = parts.is_oriented[part];
+    if (surface == MeshParts::kNone) continue;
+    if (!is_oriented && (!parts.is_consistent[part] || met.crossed.contains(part))) continue;
     const std::span<const std::uint32_t> triangles = parts.triangles_of(part);
-    const Sign sign = volume_sign(mesh, triangles);
-    if (sign == Sign::Zero) continue;
-    const std::optional<std::uint32_t> vertex = own_vertex(mesh, triangles, part, owners);
-    if (!vertex) continue;
-    const std::uint32_t depth =
-        parts.size() == 1 ? 0 : depth_at(mesh.vertices()[*vertex], part, mesh, parts, met, work);
-    if ((sign == Sign::Positive) == (depth % 2 == 0)) continue;
+    const Sign sign = is_oriented ? volume_sign(mesh, triangles) : Sign::Zero;
+    const std::optional<Triangle> face = face_of(mesh, triangles);
+    if (!face || (is_oriented && sign == Sign::Zero)) continue;
+    bool faces_out = sign == Sign::Positive;
+    std::vector<std::uint32_t> around;
+    if (!is_oriented || parts.size() > 1)
+      around = surfaces_around({*face, Sign::Positive}, mesh, parts, work);
+    if (!is_oriented) {
+      faces_out = holds(surfaces_around({*face, Sign::Negative}, mesh, parts, work), surface);
+      if (holds(around, surface) == faces_out) continue;
+    }
+    const auto depth = static_cast<std::uint32_t>(
+        std::count_if(around.begin(), around.end(), [&](std::uint32_t other) {
+          return other != surface && !met.surfaces.contains(key_of(surface, other));
+        }));
+    if (faces_out == (depth % 2 == 0)) continue;
     health.inside_out_parts.push_back(
         {triangles.front(), static_cast<std::uint32_t>(triangles.size()), depth});
   }
@@ -171,7 +183,7 @@ MeshHealth check(const Mesh& mesh, const CheckSettings& settings, Work* work) {
     list_edges(edges, health);
     list_triangles(mesh, health);
     const MeshParts parts = parts_of(mesh, edges);
-    const MetParts met = list_crossings(mesh, parts, settings, counted.work(), health);
+    const Met met = list_crossings(mesh, parts, settings, counted.work(), health);
     list_inside_out(mesh, parts, met, counted.work(), health);
     return health;
   });

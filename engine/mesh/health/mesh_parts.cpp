@@ -30,7 +30,9 @@ void number_parts(contacts::DisjointSets& sets, MeshParts& parts) {
 /// Marks the parts of which more triangles go along this edge one way than the other.
 void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
   if (edge.size() == 2) {  // both of one part
-    if (excess_of(edge) != 0) parts.is_oriented[parts.part_of[edge[0].of.triangle]] = false;
+    if (excess_of(edge) == 0) return;
+    const std::uint32_t part = parts.part_of[edge[0].of.triangle];
+    parts.is_oriented[part] = parts.is_consistent[part] = false;
     return;
   }
   std::vector<std::pair<std::uint32_t, int>> ways;
@@ -46,6 +48,38 @@ void mark_unbalanced(std::span<const DirectedEdge> edge, MeshParts& parts) {
   }
 }
 
+/// The parts that are not oriented at an edge, once for each of their triangles there, by their
+/// surfaces so far; ascending.
+std::vector<std::uint32_t> surfaces_at(std::span<const DirectedEdge> edge, const MeshParts& parts,
+                                       contacts::DisjointSets& surfaces) {
+  std::vector<std::uint32_t> at;
+  for (const DirectedEdge& each : edge) {
+    const std::uint32_t part = parts.part_of[each.of.triangle];
+    if (!parts.is_oriented[part]) at.push_back(surfaces.lowest(part));
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+void find_surfaces(std::span<const DirectedEdge> edges, MeshParts& parts) {
+  contacts::DisjointSets surfaces(parts.size());
+  for_each_edge(edges, [&](std::span<const DirectedEdge> edge) {
+    const std::vector<std::uint32_t> at = surfaces_at(edge, parts, surfaces);
+    for (std::size_t i = 1; i < at.size(); ++i)
+      surfaces.join(at[0], at[i]);
+  });
+  std::vector<bool> is_open(parts.size(), false);
+  for_each_edge(edges, [&](std::span<const DirectedEdge> edge) {
+    const std::vector<std::uint32_t> at = surfaces_at(edge, parts, surfaces);
+    if (at.size() % 2 == 1) is_open[at[0]] = true;  // all of one surface
+  });
+  parts.surface_of.resize(parts.size());
+  for (std::uint32_t part = 0; part < parts.size(); ++part) {
+    const std::uint32_t surface = surfaces.lowest(part);
+    parts.surface_of[part] = is_open[surface] ? MeshParts::kNone : surface;
+  }
+}
+
 }  // namespace
 
 MeshParts parts_of(const Mesh& mesh, std::span<const DirectedEdge> edges) {
@@ -57,8 +91,10 @@ MeshParts parts_of(const Mesh& mesh, std::span<const DirectedEdge> edges) {
   });
   number_parts(sets, parts);
   parts.is_oriented.assign(parts.first.size() - 1, true);
+  parts.is_consistent = parts.is_oriented;
   // A triangle that repeats a vertex has no edges, and is a part that encloses nothing.
   for_each_edge(edges, [&](std::span<const DirectedEdge> edge) { mark_unbalanced(edge, parts); });
+  find_surfaces(edges, parts);
   return parts;
 }
 

@@ -20,6 +20,13 @@ struct MeshParts {
   /// For each part, whether as many of its triangles go along each edge one way as the other: then
   /// it is closed and consistently wound, and encloses a volume with a sign.
   std::vector<bool> is_oriented;
+  /// Whether that holds of its edges with two triangles, so that it faces one side at least.
+  std::vector<bool> is_consistent;
+  /// Which of the closed surfaces it is of: of itself if it is oriented. Parts that are not go
+  /// together where they meet at an edge, and are closed if they have an even number of triangles
+  /// at each; else they are of none.
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> surface_of;  ///< by the lowest part of it
 
   std::size_t size() const { return is_oriented.size(); }
   std::span<const std::uint32_t> triangles_of(std::uint32_t part) const {

@@ -95,10 +95,16 @@ bool is_on_or_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& wor
   return seen.is_on() || is_odd;
 }
 
-void crossed_triangles(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,
+void crossed_triangles(const Mesh& mesh, const narrowphase::FaceSample& sample, Work& work,
                        std::vector<std::uint32_t>& triangles) {
   triangles.clear();
-  for_each_crossed(mesh, point, work, [&](std::uint32_t index) { triangles.push_back(index); });
+  const Eigen::Vector3d& corner = sample.triangle.a;
+  const AxisRay direction = shortest_ray(mesh.bounds(), corner);
+  const auto crossing = [&](const Triangle& triangle) {
+    return narrowphase::cross_axis_line(triangle, sample, direction.axis);
+  };
+  for_each_crossed(mesh, corner, direction, work, crossing,
+                   [&](std::uint32_t index) { triangles.push_back(index); });
 }
 
 }  // namespace graze

@@ -10,6 +10,7 @@
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/engine/work.h>
 #include <graze/narrowphase/ray/face_sample.h>
+#include <graze/narrowphase/ray/rational_sample.h>
 
 #include <cstdint>
 #include <string>
@@ -32,9 +33,9 @@ bool is_moved_point_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Wor
 bool is_on_or_enclosed(const Mesh& mesh, const Eigen::Vector3d& point, Work& work);
 bool is_on_or_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work);
 
-/// The triangles of any mesh that one ray of the moved point, along an axis, crosses: of each
-/// closed part that encloses it an odd number. `point` must lie within the mesh's bounds.
-void crossed_triangles(const Mesh& mesh, const Eigen::Vector3d& point, Work& work,
+/// The triangles of any mesh that one ray of a point beside one of them, along an axis, crosses: of
+/// each closed part that encloses it an odd number.
+void crossed_triangles(const Mesh& mesh, const narrowphase::FaceSample& sample, Work& work,
                        std::vector<std::uint32_t>& triangles);
 
 /// Whether the moved point is enclosed by the placed triangles of a closed mesh (law 1), wherever
@@ -45,6 +46,8 @@ bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d
 /// Whether a point that is as near to a placed triangle as can be, of this mesh or of another, is
 /// enclosed by the placed triangles of a closed mesh. Exact.
 bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::FaceSample& sample,
+                        Work& work);
+bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::RationalSample& sample,
                         Work& work);
 
 /// Whether the moved origin of the box's frame is enclosed by the triangles that law 3 takes into

@@ -49,21 +49,25 @@ Aabb placed_bounds(const PlacedMeshView& placed) {
   return box;
 }
 
-bool is_within(const Aabb& box, const Eigen::Vector3d& point) {
+/// Whether a point that is somewhere in `around` may be in the box.
+bool is_within(const Aabb& box, const Aabb& around) {
   bool is_inside = true;
   for (int k = 0; k < 3; ++k) {
-    is_inside &= box.min.data()[k] <= point.data()[k] && point.data()[k] <= box.max.data()[k];
+    is_inside &=
+        box.min.data()[k] <= around.max.data()[k] && around.min.data()[k] <= box.max.data()[k];
   }
   return is_inside;
 }
 
-/// The point and all beyond it on its ray, as far as the bounds.
-Aabb ray_from(const Eigen::Vector3d& point, const AxisRay& direction, const Aabb& bounds) {
-  Aabb ray{point, point};
+/// All that may be the point, and all beyond it on its ray, as far as the bounds.
+Aabb ray_from(const Aabb& around, const AxisRay& direction, const Aabb& bounds) {
+  Aabb ray = around;
+  double& low = ray.min.data()[direction.axis];
+  double& high = ray.max.data()[direction.axis];
   if (direction.side == LineCrossing::Above) {
-    ray.max.data()[direction.axis] = bounds.max.data()[direction.axis];
+    high = std::max(high, bounds.max.data()[direction.axis]);
   } else {
-    ray.min.data()[direction.axis] = bounds.min.data()[direction.axis];
+    low = std::min(low, bounds.min.data()[direction.axis]);
   }
   return ray;
 }
@@ -96,24 +100,24 @@ bool is_odd_along(const PlacedMeshView& placed, const FramedRay& ray, CrossingAt
   return is_crossed_oddly(tree, is_apart, crossing_at, direction, work);
 }
 
-/// The ray of a point from which it leaves a placed mesh soonest.
+/// The ray of a point, which is somewhere in `around`, from which it leaves a placed mesh soonest.
 struct PointRay {
-  PointRay(const Aabb& bounds, const Eigen::Vector3d& point)
-      : direction(shortest_ray(bounds, point)),
-        framed(ray_from(point, direction, bounds), Pose::Identity()) {}
+  PointRay(const Aabb& bounds, const Aabb& around)
+      : direction(shortest_ray(bounds, around.min)),
+        framed(ray_from(around, direction, bounds), Pose::Identity()) {}
 
   AxisRay direction;
   FramedRay framed;
 };
 
-/// Whether a point that is as near to `point` as can be is enclosed, where `crossing(triangle,
-/// axis)` says how a placed triangle crosses its line along an axis.
+/// Whether a point that is as near as can be to one in `around` is enclosed, where
+/// `crossing(triangle, axis)` says how a placed triangle crosses its line along an axis.
 template <typename Crossing>
-bool is_enclosed_near(const PlacedMeshView& placed, const Eigen::Vector3d& point,
-                      Crossing&& crossing, Work& work) {
+bool is_enclosed_near(const PlacedMeshView& placed, const Aabb& around, Crossing&& crossing,
+                      Work& work) {
   const Aabb bounds = placed_bounds(placed);
-  if (!is_within(bounds, point)) return false;
-  const PointRay ray(bounds, point);
+  if (!is_within(bounds, around)) return false;
+  const PointRay ray(bounds, around);
   const auto crossing_at = [&](std::uint32_t index) {
     return crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)),
                     ray.direction.axis);
@@ -128,13 +132,13 @@ bool is_moved_point_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d
   const auto crossing = [&](const Triangle& triangle, int axis) {
     return narrowphase::cross_axis_line(triangle, point.data(), axis);
   };
-  return is_enclosed_near(placed, point, crossing, work);
+  return is_enclosed_near(placed, {point, point}, crossing, work);
 }
 
 bool is_on_or_enclosed(const PlacedMeshView& placed, const Eigen::Vector3d& point, Work& work) {
   const Aabb bounds = placed_bounds(placed);
-  if (!is_within(bounds, point)) return false;
-  const PointRay ray(bounds, point);
+  if (!is_within(bounds, {point, point})) return false;
+  const PointRay ray(bounds, {point, point});
   CrossingsAndContacts seen(point, ray.direction.axis, work);
   const auto crossing_at = [&](std::uint32_t index) {
     return seen.crossing(narrowphase::place(placed.pose, placed.mesh.triangle(index)));
@@ -148,7 +152,16 @@ bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::FaceSam
   const auto crossing = [&](const Triangle& triangle, int axis) {
     return narrowphase::cross_axis_line(triangle, sample, axis);
   };
-  return is_enclosed_near(placed, sample.triangle.a, crossing, work);
+  const Eigen::Vector3d& corner = sample.triangle.a;
+  return is_enclosed_near(placed, {corner, corner}, crossing, work);
+}
+
+bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::RationalSample& sample,
+                        Work& work) {
+  const auto crossing = [&](const Triangle& triangle, int axis) {
+    return narrowphase::cross_axis_line(triangle, sample, axis);
+  };
+  return is_enclosed_near(placed, sample.around, crossing, work);
 }
 
 // The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.

@@ -18,18 +18,27 @@ bool FaceSides::has_area(std::uint32_t index) const {
 std::optional<std::uint32_t> FaceSides::intruder(std::uint32_t index) {
   const auto known = intruders_.find(index);
   if (known != intruders_.end()) return known->second;
-  // As a mesh of its own, whose box lies along it: an axis-aligned one around a long slanted
-  // triangle meets most of a mesh of such.
-  const Triangle own = placed_.mesh.triangle(index), asked = triangle(index);
-  const Mesh alone(std::vector{own.a, own.b, own.c}, std::vector<TriangleIndices>{{0, 1, 2}});
-  const TrianglePairs near = find_triangle_pairs({alone, placed_.pose}, placed_, {}, &work_);
-  const auto found = std::find_if(near.begin(), near.end(), [&](const TrianglePair& pair) {
-    return pair.b != index && has_area(pair.b) &&
-           narrowphase::meets_inside(triangle(pair.b), asked);
+  const Triangle asked = triangle(index);
+  const std::vector<std::uint32_t> near = meeting(index, *this);
+  const auto found = std::find_if(near.begin(), near.end(), [&](std::uint32_t other) {
+    return other != index && has_area(other) && narrowphase::meets_inside(triangle(other), asked);
   });
-  const auto answer = found == near.end() ? std::nullopt : std::optional(found->b);
+  const auto answer = found == near.end() ? std::nullopt : std::optional(*found);
   intruders_.emplace(index, answer);
   return answer;
+}
+
+// As a mesh of its own, whose box lies along it: an axis-aligned one around a long slanted triangle
+// meets most of a mesh of such.
+std::vector<std::uint32_t> FaceSides::meeting(std::uint32_t index, const FaceSides& of) const {
+  const Triangle own = placed_.mesh.triangle(index);
+  const Mesh alone(std::vector{own.a, own.b, own.c}, std::vector<TriangleIndices>{{0, 1, 2}});
+  const TrianglePairs pairs = find_triangle_pairs({alone, placed_.pose}, of.placed(), {}, &work_);
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(pairs.size());
+  for (const TrianglePair& pair : pairs)
+    triangles.push_back(pair.b);
+  return triangles;
 }
 
 FaceSides::Enclosed FaceSides::enclosed(std::uint32_t index) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace graze {
 
@@ -28,6 +29,9 @@ class FaceSides {
   /// has area; nothing if there is none. Then the mesh lies on one side of it, which is the same
   /// all over its inside.
   std::optional<std::uint32_t> intruder(std::uint32_t index);
+
+  /// The triangles of a mesh, perhaps the same, that share a point with this one, ascending.
+  std::vector<std::uint32_t> meeting(std::uint32_t index, const FaceSides& of) const;
 
   /// Whether the mesh encloses what is beside the inside of a triangle that has area, near its
   /// first corner: above, where its normal points, and below.

@@ -1,8 +1,8 @@
 // Do the open interiors O of two closed meshes A and B meet?
 //
-// Triangles without area change no parity and are left out. Let no other triangle of A meet the
-// inside of a triangle T of A. Then A lies on one side of T, the same all over its inside: its
-// *inner side*. The interiors meet if, for such T and such triangles t of B,
+// Triangles without area change no parity and are left out. Let a triangle T of A be *clear*: no
+// other triangle of A meets its inside. Then A lies on one side of T, the same all over its inside:
+// its *inner side*. The interiors meet if, for such T and such triangles t of B,
 //   1. t reaches the inside of T in some point and has a corner on T's inner side: beside that
 //      point the inside of t is within A, and B lies on one of its sides; or
 //   2. t lies in T's plane, their insides meet, and their inner sides are the same; or
@@ -14,21 +14,29 @@
 // meets T's inside stays on the other side of it, so that no surface of B parts what is beside T's
 // inside on the inner side: B encloses all of it or nothing, and one sample decides (3).
 //
+// A triangle that is not clear is asked cell by cell: all triangles of both meshes that meet it
+// divide it into cells, and beside one point of each, on both sides, it is seen whether both meshes
+// enclose what is there. That finds every piece of the boundary of the intersection that lies on
+// it. And where such a triangle of B reaches the inside of a clear T from the inner side, and parts
+// what is beside that, a piece is on both of them.
+//
 // Triangles that share no point with B lie on one side of it together with all that hang together
 // with them by such triangles. So one of these stands for all: beside each corner of what touches,
-// and in each component.
+// and in each component. Where it lies within B, a clear one tells that the interiors meet; a mesh
+// of which none is clear there is asked cell by cell.
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/engine/mesh/inside/parity.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/query/query_results.h>
+#include <graze/engine/mesh/solids/face_cells.h>
 #include <graze/engine/mesh/solids/face_sides.h>
 #include <graze/engine/mesh/solids/representatives.h>
 #include <graze/narrowphase/predicates/sides_of_plane.h>
 #include <graze/narrowphase/triangle_pair/inside_contact.h>
 
-#include <optional>
-#include <string>
+#include <set>
+#include <vector>
 
 namespace graze {
 namespace {
@@ -37,17 +45,16 @@ using narrowphase::Sign;
 
 /// One of the two meshes in the question.
 struct Solid {
-  Solid(const PlacedMeshView& placed, const char* mesh_name, Work& work)
-      : sides(placed, work), name(mesh_name) {}
+  Solid(const PlacedMeshView& placed, Work& work) : sides(placed, work) {}
 
   FaceSides sides;
-  const char* name;
+  std::set<std::uint32_t> open;  ///< triangles that are to be asked cell by cell
 };
 
 class InteriorQuery {
  public:
   InteriorQuery(const PlacedMeshView& a, const PlacedMeshView& b, Work& work)
-      : a_(a, "mesh A", work), b_(b, "mesh B", work), work_(work) {}
+      : a_(a, work), b_(b, work), work_(work) {}
 
   bool answer() {
     if (do_some_cross()) return true;
@@ -61,17 +68,10 @@ class InteriorQuery {
     for (const TrianglePair& pair : touching)
       of_a.add_touched(pair.a), of_b.add_touched(pair.b);
     if (do_samples_tell(a_, b_, of_a) || do_samples_tell(b_, a_, of_b)) return true;
-    if (doubt_) throw_doubt();
-    return false;
+    return do_cells_tell(a_, b_) || do_cells_tell(b_, a_);
   }
 
  private:
-  struct Doubt {
-    const char* name;
-    std::uint32_t triangle;
-    std::uint32_t intruder;
-  };
-
   /// Where triangles cross, each has corners on both sides of the other.
   bool do_some_cross() {
     const TrianglePairs crossing = find_triangle_pairs(
@@ -82,11 +82,11 @@ class InteriorQuery {
            !b_.sides.intruder(b);
   }
 
-  /// Whether nothing of its own mesh meets the triangle's inside; else that is remembered.
-  bool is_clear(Solid& solid, std::uint32_t index) {
-    const std::optional<std::uint32_t> intruder = solid.sides.intruder(index);
-    if (intruder && !doubt_) doubt_ = {solid.name, index, *intruder};
-    return !intruder;
+  /// Whether nothing of its own mesh meets the triangle's inside; else it is left open.
+  static bool is_clear(Solid& solid, std::uint32_t index) {
+    if (!solid.sides.intruder(index)) return true;
+    solid.open.insert(index);
+    return false;
   }
 
   /// Rules 1 and 2 of triangles that touch and have area.
@@ -95,15 +95,17 @@ class InteriorQuery {
     if (does_reach_in(a_, pair.a, a, b_, pair.b, b)) return true;
     if (does_reach_in(b_, pair.b, b, a_, pair.a, a)) return true;
     if (!sides_of(a, b).are_all_zero() || !narrowphase::meets_inside(b, a)) return false;
-    if (!is_clear(a_, pair.a) || !is_clear(b_, pair.b)) return false;
+    const bool is_a_clear = is_clear(a_, pair.a), is_b_clear = is_clear(b_, pair.b);
+    if (!is_a_clear || !is_b_clear) return false;
     const Sign side_a = a_.sides.enclosed(pair.a).side();
     const Sign side_b = b_.sides.enclosed(pair.b).side();
     return narrowphase::turn_alike(a, b) == (side_a == side_b);
   }
 
-  /// Rule 1: whether the other triangle reaches the inside of this one from its inner side.
-  bool does_reach_in(Solid& solid, std::uint32_t index, const Triangle& triangle, Solid& others,
-                     std::uint32_t other_index, const Triangle& other) {
+  /// Rule 1: whether the other triangle reaches the inside of this one from its inner side. If it
+  /// is not clear, it may part what is beside this one all the same, and is left open.
+  static bool does_reach_in(Solid& solid, std::uint32_t index, const Triangle& triangle,
+                            Solid& others, std::uint32_t other_index, const Triangle& other) {
     const narrowphase::PlaneSides sides = sides_of(triangle, other);
     if (sides.are_all_zero() || !narrowphase::meets_inside(other, triangle)) return false;
     if (!is_clear(solid, index) || !sides.has(solid.sides.enclosed(index).side())) return false;
@@ -122,6 +124,10 @@ class InteriorQuery {
     }
     for (const std::uint32_t index : representatives.untouched(has_area)) {
       if (does_sample_tell(solid, index, other)) return true;
+      if (!solid.open.contains(index)) continue;
+      for (const std::uint32_t connected : representatives.connected(index, has_area)) {
+        if (is_clear(solid, connected)) return true;
+      }
     }
     return false;
   }
@@ -146,17 +152,32 @@ class InteriorQuery {
     return is_sample_enclosed(solid.sides.placed(), {triangle, side}, work_);
   }
 
-  [[noreturn]] void throw_doubt() const {
-    throw MeshError(std::string(doubt_->name) + " goes through itself: its triangle " +
-                        std::to_string(doubt_->intruder) + " meets the inside of its triangle " +
-                        std::to_string(doubt_->triangle),
-                    {.element = "triangle", .index = doubt_->triangle});
+  /// Beside one point of each cell of what is open.
+  bool do_cells_tell(const Solid& solid, const Solid& other) const {
+    for (const std::uint32_t index : solid.open) {
+      const Triangle triangle = solid.sides.triangle(index);
+      std::vector<Triangle> near;
+      for (const FaceSides* sides : {&solid.sides, &other.sides}) {
+        for (const std::uint32_t each : solid.sides.meeting(index, *sides))
+          near.push_back(sides->triangle(each));
+      }
+      const auto is_shared = [&](const narrowphase::RationalPoint& point) {
+        const Aabb around = narrowphase::box_around(point);
+        const auto is_shared_on = [&](Sign side) {
+          const narrowphase::RationalSample sample{point, around, triangle, side};
+          return is_sample_enclosed(solid.sides.placed(), sample, work_) &&
+                 is_sample_enclosed(other.sides.placed(), sample, work_);
+        };
+        return is_shared_on(Sign::Positive) || is_shared_on(Sign::Negative);
+      };
+      if (FaceCells(triangle, near).any(is_shared)) return true;
+    }
+    return false;
   }
 
   Solid a_;
   Solid b_;
   Work& work_;
-  std::optional<Doubt> doubt_;
 };
 
 }  // namespace

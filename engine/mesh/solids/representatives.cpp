@@ -17,6 +17,26 @@ std::set<std::uint32_t> Representatives::untouched(
   return found;
 }
 
+std::set<std::uint32_t> Representatives::connected(
+    std::uint32_t index, const std::function<bool(std::uint32_t)>& is_wanted) const {
+  const VertexFans& fans = vertex_fans_of(mesh_);
+  std::set<std::uint32_t> found;
+  std::unordered_set<std::uint32_t> seen;
+  std::vector<std::uint32_t> open{index};
+  while (!open.empty()) {
+    const std::uint32_t next = open.back();
+    open.pop_back();
+    if (is_wanted(next)) found.insert(next);
+    for (const std::uint32_t corner : mesh_.triangles()[next]) {
+      if (!seen.insert(mesh_.welded()[corner]).second) continue;
+      for (const std::uint32_t other : fans.around(mesh_.welded()[corner])) {
+        if (!touched_.contains(other)) open.push_back(other);
+      }
+    }
+  }
+  return found;
+}
+
 void Representatives::add_near(std::uint32_t vertex,
                                const std::function<bool(std::uint32_t)>& is_wanted,
                                std::set<std::uint32_t>& found) {

@@ -29,6 +29,10 @@ class Representatives {
   /// touched ones are known.
   std::set<std::uint32_t> untouched(const std::function<bool(std::uint32_t)>& is_wanted);
 
+  /// All wanted ones that an untouched triangle stands for, and itself; ascending.
+  std::set<std::uint32_t> connected(std::uint32_t index,
+                                    const std::function<bool(std::uint32_t)>& is_wanted) const;
+
  private:
   /// Adds a wanted triangle that hangs together with the vertex, unless the vertex has been seen.
   void add_near(std::uint32_t vertex, const std::function<bool(std::uint32_t)>& is_wanted,

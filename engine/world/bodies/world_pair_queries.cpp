@@ -55,8 +55,8 @@ class NearestParts {
         id_a_(id_a),
         id_b_(id_b) {}
 
-  // One of the two is gone through, nearest parts first as far as it knows them, and the other is
-  // asked which of its own is nearest to each. A map of voxels knows them block by block.
+  // One of the two is gone through, nearest parts first, and the other is asked which of its own is
+  // nearest to each; before that, which is nearest to a branch of the one or a block of voxels.
   std::optional<BodyPairDistance> find(double most) {
     most_ = std::min(most, kLargest);
     const bool is_a_gone_through = whole_b_ == nullptr || voxel_map_of(a_.shape) != nullptr ||
@@ -75,7 +75,7 @@ class NearestParts {
   double limit() const { return best_ ? std::min(best_->distance.distance, most_) : most_; }
 
   /// As nearest_part() does: parts in a box around the other that grows. What is near of the other
-  /// to a block of the one is asked before anything of the block is.
+  /// to a branch or block of the one is asked before anything of that is.
   template <typename Ask>
   void go_through(const PartsBody& whole, const PosedBody& own, const PosedBody& other,
                   const Ask& ask_part) {

@@ -65,6 +65,20 @@ std::vector<std::uint32_t> CompoundBody::parts_near(const Aabb& own_box) const {
   return near;
 }
 
+void CompoundBody::look_at_nearest(const std::optional<Aabb>& own_box, const GapToParts& gap,
+                                   double limit, const Look& look) const {
+  if (!boxes_) return PartsBody::look_at_nearest(own_box, gap, limit, look);
+  std::call_once(tree_flag_, [&] {
+    std::vector<Aabb> boxes;
+    boxes.reserve(numbers_.size());
+    for (const std::uint32_t number : numbers_)
+      boxes.push_back(bounding_aabb(compound_.part(number)));
+    tree_ = std::make_unique<const PartTree>(boxes);
+  });
+  const auto look_at = [&](std::uint32_t slot) { return look(numbers_[slot]); };
+  tree_->look_at_nearest(own_box, index_room(), gap, limit, std::cref(look_at));
+}
+
 void CompoundBody::visit_along(const Ray& own_ray, const Look& look) const {
   if (!boxes_) {
     for (const std::uint32_t number : numbers_)

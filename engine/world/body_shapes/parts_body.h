@@ -39,7 +39,7 @@ class PartsBody : public BodyShape {
   bool visit_near(const Pose& pose, const Aabb& box, double room,
                   const std::function<bool(const PlacedPart&)>& visit) const;
   /// Calls `visit(part)` for parts that may be no farther from the seeker than its limit: `visit`
-  /// says what that is from then on. Those of a map of voxels come roughly nearest first.
+  /// says what that is from then on. Where there are many they come roughly nearest first.
   void visit_nearest(const Pose& pose, const PartSeeker& seeker,
                      const std::function<double(const PlacedPart&)>& visit) const;
   /// That part alone, in the world.

@@ -44,6 +44,27 @@ std::vector<NamedContacts> Contestant::named(std::span<const BodyContact> contac
   return all;
 }
 
+std::vector<NamedFirstContact> Contestant::named(std::span<const BodyFirstContact> contacts) const {
+  std::vector<NamedFirstContact> all;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    BodyFirstContact own = contacts[i];
+    expect(own.pair.a < own.pair.b, title + ": a first contact is out of order");
+    if (i > 0) {
+      const BodyFirstContact& last = contacts[i - 1];
+      expect(std::tie(last.pair, last.contact.low) <= std::tie(own.pair, own.contact.low),
+             title + ": first contacts are out of order");
+    }
+    const std::uint32_t a = names.at(own.pair.a), b = names.at(own.pair.b);
+    if (a > b) {
+      std::swap(own.part_a, own.part_b);
+      own.normal = -own.normal;
+    }
+    all.push_back({ordered(a, b), own});
+  }
+  sort_by_name(all);
+  return all;
+}
+
 /// Of a body of that name from here on.
 std::shared_ptr<const BodyShape> Contestant::shape_for(std::uint32_t name, std::uint32_t number) {
   wholes.erase(name);
@@ -94,6 +115,12 @@ void Contestant::tell(const Operation& operation) {
       return world.set_kind(id, settings.kind);
     case Verb::SetRole:
       return world.set_role(id, settings.role);
+    case Verb::SetMargin:
+      if (fault == Fault::DeafToMargins) return;
+      return world.set_margin(id, operation.values[0]);
+    case Verb::SetDetection:
+      if (fault == Fault::DeafToDetection) return;
+      return world.set_detection(id, settings.detection);
     case Verb::Sleep:
       if (fault == Fault::DeafToSleep) return;
       return world.sleep(id);

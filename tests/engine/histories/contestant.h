@@ -13,6 +13,7 @@
 #include "tests/engine/histories/oracle.h"
 #include "tests/engine/histories/player.h"
 #include "tests/engine/histories/questions.h"
+#include "tests/engine/histories/ways.h"
 #include "tests/engine/histories/whole.h"
 
 namespace graze::tests {
@@ -60,6 +61,7 @@ struct Contestant {
 
   std::vector<NamedContacts> named(std::span<const BodyContact> contacts,
                                    const Oracle& oracle) const;
+  std::vector<NamedFirstContact> named(std::span<const BodyFirstContact> contacts) const;
 
   void tell(const Operation& operation);
   void move(std::span<const Operation> moves);

@@ -46,7 +46,11 @@ enum class Verb {
   SetPart,
   FillVoxels,
   ClearVoxels,
-  AskClosestPair
+  AskClosestPair,
+  // Of what lies between bodies, and between updates.
+  SetMargin,
+  SetDetection,
+  AskCast  // a shape from a pose to another, the short way
 };
 
 /// What a verb does not need keeps its default.
@@ -58,7 +62,9 @@ struct Operation {
   bool has_filter = false;  // a part of its own
   BodySettings settings = {};
   Pose pose = Pose::Identity();
-  std::array<double, 7> values = {};  // clearance; ray: origin, direction, end; box: min, max
+  Pose end = Pose::Identity();        // of a cast
+  std::array<double, 7> values = {};  // clearance or margin; ray: origin, direction, end; box: min,
+                                      // max
   std::array<std::uint16_t, 6> voxels = {};  // the first and the last, both included
 };
 
@@ -71,8 +77,9 @@ enum class Setting {
   OnePoint,   // all in one place, some an ulp off
   Skewed,     // turned by matrices that are as far from rotations as the door lets in
   Teleports,  // between places that are 1e9 apart
-  Terrains,   // sizes about 1, with height fields and planes of two sides
-  Parts       // sizes about 1, with compounds and maps of voxels whose parts change
+  Terrains,   // sizes about 1, with height fields and planes of two sides, and margins, casts and
+              // bodies that are swept
+  Parts       // likewise with compounds and maps of voxels whose parts change
 };
 inline constexpr std::array kSettings{Setting::Crowd,     Setting::Lattice,  Setting::Sizes,
                                       Setting::Far,       Setting::OnePoint, Setting::Skewed,

@@ -46,6 +46,13 @@ TEST_P(Histories, EqualBruteForce) {
   EXPECT_GT(sights.pairs_at_rest, count);
   if (setting == Setting::Parts) {
     EXPECT_GT(sights.part_contacts, count / 4);
+    EXPECT_GT(sights.part_first_contacts, count / 30);
+  }
+  if (setting == Setting::Parts || setting == Setting::Terrains) {
+    EXPECT_GT(sights.begun_near, count / 60);
+    EXPECT_GT(sights.contacts_apart, count / 30);
+    EXPECT_GT(sights.casts, count / 40);
+    EXPECT_GT(sights.later_first_contacts, count / 60);
   }
 }
 
@@ -117,11 +124,11 @@ TEST(HistoryText, RefusesWhatItDoesNotKnowAndNamesTheLine) {
 
 /// A world that does not listen is found out, and what is left of the history says why.
 TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
-  for (const Fault fault :
-       {Fault::DeafToFilters, Fault::DeafToShapes, Fault::DeafToSleep, Fault::DeafToParts}) {
-    const bool is_about_parts = fault == Fault::DeafToParts;
-    const Setting setting = is_about_parts ? Setting::Parts : Setting::Lattice;
-    const History history = random_history(setting, 2, is_about_parts ? 300 : 1500);
+  for (const Fault fault : {Fault::DeafToFilters, Fault::DeafToShapes, Fault::DeafToSleep,
+                            Fault::DeafToParts, Fault::DeafToMargins, Fault::DeafToDetection}) {
+    const bool is_of_parts = fault >= Fault::DeafToParts;
+    const Setting setting = is_of_parts ? Setting::Parts : Setting::Lattice;
+    const History history = random_history(setting, is_of_parts ? 6 : 2, is_of_parts ? 300 : 1500);
     ASSERT_FALSE(play(history));
     ASSERT_TRUE(play(history, nullptr, fault));
     const History least = shrunk(history, fault);
@@ -129,12 +136,14 @@ TEST(HistoryShrink, LeavesWhatAFailureNeeds) {
     EXPECT_FALSE(play(least));
     EXPECT_LE(least.operations.size(), 6u);
     EXPECT_GE(least.operations.size(), 3u);
-    const Verb guilty = fault == Fault::DeafToFilters  ? Verb::SetFilter
-                        : fault == Fault::DeafToShapes ? Verb::SetShape
-                                                       : Verb::Sleep;
+    const Verb guilty = fault == Fault::DeafToFilters   ? Verb::SetFilter
+                        : fault == Fault::DeafToShapes  ? Verb::SetShape
+                        : fault == Fault::DeafToMargins ? Verb::SetMargin
+                        : fault == Fault::DeafToSleep   ? Verb::Sleep
+                                                        : Verb::SetDetection;
     EXPECT_TRUE(
         std::any_of(least.operations.begin(), least.operations.end(), [&](const Operation& o) {
-          return is_about_parts ? is_about_a_part(o.verb) : o.verb == guilty;
+          return fault == Fault::DeafToParts ? is_about_a_part(o.verb) : o.verb == guilty;
         }));
     const std::string path = keep(least, "history-on-trial");
     std::ifstream in(path);

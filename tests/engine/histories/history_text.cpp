@@ -24,7 +24,9 @@ enum Field : unsigned {
   kBox = 256,
   kPart = 512,
   kHasFilter = 1024,
-  kVoxels = 2048
+  kVoxels = 2048,
+  kEnd = 4096,
+  kDetection = 8192
 };
 
 struct Word {
@@ -62,6 +64,9 @@ constexpr Word kWords[] = {
     {"fill_voxels", kBody | kVoxels},
     {"clear_voxels", kBody | kVoxels},
     {"ask_closest_pair", 0},
+    {"set_margin", kBody | kClearance},
+    {"set_detection", kBody | kDetection},
+    {"ask_cast", kNumber | kPose | kEnd | kClearance},
 };
 
 constexpr const char* kSettingNames[] = {"crowd",  "lattice",   "sizes",    "far",  "one_point",
@@ -81,12 +86,15 @@ void visit_parts(Operation& operation, unsigned parts, const Visit& visit) {
     visit(operation.settings.filter.group);
   }
   if ((parts & kRole) != 0) visit(operation.settings.role);
-  if ((parts & kPose) != 0) {
+  if ((parts & kDetection) != 0) visit(operation.settings.detection);
+  const auto visit_pose = [&](Pose& pose) {
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column)
-        visit(operation.pose.matrix()(row, column));
+        visit(pose.matrix()(row, column));
     }
-  }
+  };
+  if ((parts & kPose) != 0) visit_pose(operation.pose);
+  if ((parts & kEnd) != 0) visit_pose(operation.end);
   const std::size_t values = (parts & kRay) != 0         ? 7
                              : (parts & kBox) != 0       ? 6
                              : (parts & kClearance) != 0 ? 1

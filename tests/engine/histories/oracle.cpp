@@ -2,6 +2,7 @@
 
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/grown_box.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,11 +32,11 @@ bool are_of_interest(const Oracle::Being& s, const Oracle::Being& t) {
   return kMeets[row(s)][row(t)];
 }
 
+}  // namespace
+
 bool is_endless(const Shape& shape) {
   return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
 }
-
-}  // namespace
 
 NamePair ordered(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
@@ -55,9 +56,8 @@ bool Oracle::are_alike(const NamePair& pair, std::uint32_t part_a, std::uint32_t
                           piece(beings_.at(pair.second), part_b));
 }
 
-void Oracle::place(Being& being) const {
-  being.pieces = being.parts ? being.parts->pieces(being.pose)
-                             : std::vector<Piece>{{0, being.shape, being.pose, std::nullopt}};
+std::vector<Piece> Oracle::Being::pieces_at(const Pose& at) const {
+  return parts ? parts->pieces(at) : std::vector<Piece>{{0, shape, at, std::nullopt}};
 }
 
 /// Of parts what their body says without a world.
@@ -90,6 +90,8 @@ bool Oracle::concerns_nobody(const Operation& operation) const {
     case Verb::SetRole:
     case Verb::Sleep:
     case Verb::Wake:
+    case Verb::SetMargin:
+    case Verb::SetDetection:
       return !has(operation.body);
     case Verb::AddPart:
     case Verb::ReplacePart:
@@ -107,6 +109,15 @@ bool Oracle::concerns_nobody(const Operation& operation) const {
   }
 }
 
+void Oracle::remove(std::uint32_t name) {
+  set_detection(beings_.at(name), Detection::Discrete);
+  beings_.erase(name);
+  changed_.erase(name);
+  excluded_anew_.erase(name);
+  std::erase_if(excluded_, [&](const NamePair& p) { return p.first == name || p.second == name; });
+  has_lost_ = true;
+}
+
 void Oracle::change(const Operation& operation) {
   const std::uint32_t name = operation.body;
   const BodySettings& settings = operation.settings;
@@ -116,15 +127,7 @@ void Oracle::change(const Operation& operation) {
       changed_.insert(other);
     return;
   }
-  if (operation.verb == Verb::Remove) {
-    beings_.erase(name);
-    changed_.erase(name);
-    excluded_anew_.erase(name);
-    std::erase_if(excluded_,
-                  [&](const NamePair& p) { return p.first == name || p.second == name; });
-    has_lost_ = true;
-    return;
-  }
+  if (operation.verb == Verb::Remove) return remove(name);
   if (operation.verb == Verb::Exclude || operation.verb == Verb::Include) {
     const NamePair pair = ordered(name, operation.number);
     const bool is_new = operation.verb == Verb::Exclude ? excluded_.insert(pair).second
@@ -143,6 +146,7 @@ void Oracle::change(const Operation& operation) {
       break;
     case Verb::Move:
     case Verb::MoveToo:
+      if (!being.before && is_anyone_swept()) being.before = being.pose;
       being.pose = operation.pose;
       being.is_awake = true;
       break;
@@ -169,6 +173,12 @@ void Oracle::change(const Operation& operation) {
     case Verb::SetRole:
       being.role = settings.role;
       break;
+    case Verb::SetMargin:
+      being.margin = operation.values[0];
+      break;
+    case Verb::SetDetection:
+      set_detection(being, settings.detection);
+      return;
     case Verb::Wake:
       if (!being.is_awake) changed_.insert(name);
       being.is_awake = true;
@@ -177,9 +187,24 @@ void Oracle::change(const Operation& operation) {
       being.is_awake = false;
       return;
   }
-  place(being);
+  being.pieces = being.pieces_at(being.pose);
   being.version = ++version_;
   changed_.insert(name);
+}
+
+bool Oracle::is_anyone_swept() const {
+  return std::any_of(beings_.begin(), beings_.end(), [](const auto& entry) {
+    return entry.second.detection == Detection::Continuous;
+  });
+}
+
+/// What others did before the first one is swept, or when nobody is any more, is no way of theirs.
+void Oracle::set_detection(Being& being, Detection detection) {
+  if (detection == Detection::Continuous) being.before.reset();
+  being.detection = detection;
+  if (is_anyone_swept()) return;
+  for (auto& [name, each] : beings_)
+    each.before.reset();
 }
 
 void Oracle::take_shape(Being& being, std::uint32_t number) const {
@@ -201,22 +226,42 @@ bool Oracle::may_meet(const NamePair& pair, const Piece& s, const Piece& t) cons
                       t.filter.value_or(beings_.at(pair.second).filter));
 }
 
-bool Oracle::do_pieces_touch(const NamePair& pair) const {
-  for (const Piece& s : pieces_of(pair.first)) {
-    for (const Piece& t : pieces_of(pair.second)) {
-      if (may_meet(pair, s, t) && intersects(placed(s), placed(t))) return true;
-    }
-  }
-  return false;
+double Oracle::margin(const NamePair& pair) const {
+  return beings_.at(pair.first).margin + beings_.at(pair.second).margin;
 }
 
-bool Oracle::touch(const NamePair& pair) {
+Oracle::Answer Oracle::answer_of_pieces(const NamePair& pair) const {
+  const double most = margin(pair);
+  Answer answer{beings_.at(pair.first).version, beings_.at(pair.second).version, false, false};
+  for (const Piece& s : pieces_of(pair.first)) {
+    for (const Piece& t : pieces_of(pair.second)) {
+      if (!may_meet(pair, s, t)) continue;
+      answer.touches = answer.touches || intersects(placed(s), placed(t));
+      if (most == 0 || answer.is_near) continue;
+      const ShapeDistance way = distance(placed(s), placed(t));
+      answer.is_near =
+          (way.status == PairStatus::Converged ? way.distance : way.lower_bound) <= most;
+    }
+  }
+  answer.is_near = answer.is_near || (answer.touches && most > 0);
+  return answer;
+}
+
+const Oracle::Answer& Oracle::answer(const NamePair& pair) {
   const Being &s = beings_.at(pair.first), &t = beings_.at(pair.second);
   const auto [at, is_new] = answers_.try_emplace(pair, Answer{});
   Answer& answer = at->second;
   if (is_new || answer.version_a != s.version || answer.version_b != t.version)
-    answer = {s.version, t.version, do_pieces_touch(pair)};
-  return answer.touches;
+    answer = answer_of_pieces(pair);
+  return answer;
+}
+
+bool Oracle::do_boxes_meet(const NamePair& pair) const {
+  const auto box = [&](std::uint32_t name) {
+    const double margin = beings_.at(name).margin;
+    return margin > 0 ? grown(box_of(name), margin) : box_of(name);
+  };
+  return test::share_point(box(pair.first), box(pair.second));
 }
 
 bool Oracle::has_changed(std::uint32_t name) const {
@@ -233,23 +278,30 @@ bool Oracle::is_looked_at(const NamePair& pair) const {
   return is_up(a) || is_up(b);
 }
 
-std::vector<NamePair> Oracle::touching(const std::vector<NamePair>& before) {
+Oracle::Lists Oracle::lists(const Lists& before) {
   std::erase_if(answers_, [&](const auto& entry) {
     return !has(entry.first.first) || !has(entry.first.second);
   });
-  std::vector<NamePair> pairs;
+  const auto stands = [](const std::vector<NamePair>& list, const NamePair& pair) {
+    return std::binary_search(list.begin(), list.end(), pair);
+  };
+  Lists now;
   for (auto s = beings_.begin(); s != beings_.end(); ++s) {
     for (auto t = std::next(s); t != beings_.end(); ++t) {
       const NamePair pair{s->first, t->first};
       if (!may_meet(pair)) continue;
-      const bool touches = is_looked_at(pair)
-                               ? touch(pair)
-                               : std::binary_search(before.begin(), before.end(), pair) &&
-                                     test::share_point(box_of(pair.first), box_of(pair.second));
-      if (touches) pairs.push_back(pair);
+      bool touches = stands(before.touching, pair), is_near = stands(before.near, pair);
+      if (is_looked_at(pair)) {
+        touches = answer(pair).touches, is_near = answer(pair).is_near;
+      } else if (touches || is_near) {
+        const bool is_there = do_boxes_meet(pair);
+        touches = touches && is_there, is_near = is_near && is_there;
+      }
+      if (touches) now.touching.push_back(pair);
+      if (is_near) now.near.push_back(pair);
     }
   }
-  return pairs;
+  return now;
 }
 
 bool Oracle::are_solid(const NamePair& pair) const {
@@ -264,7 +316,8 @@ std::vector<PartContacts> Oracle::contacts(const NamePair& pair) const {
       if (!may_meet(pair, s, t)) continue;
       PartContacts next{s.number, t.number, {}};
       const bool are_endless = is_endless(palette_[s.shape]) && is_endless(palette_[t.shape]);
-      if (!are_endless) next.manifold = find_contacts(placed(s), placed(t));
+      if (!are_endless)
+        next.manifold = find_contacts(placed(s), placed(t), {.margin = margin(pair)});
       if (!have_parts || !next.manifold.empty()) all.push_back(std::move(next));
     }
   }
@@ -283,6 +336,8 @@ void Oracle::settle() {
   changed_.clear();
   excluded_anew_.clear();
   has_lost_ = false;
+  for (auto& [name, being] : beings_)
+    being.before.reset();
 }
 
 }  // namespace graze::tests

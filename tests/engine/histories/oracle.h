@@ -34,8 +34,14 @@ class Oracle {
     Role role = Role::Solid;
     Filter filter = {};
     bool is_awake = true;
-    std::uint64_t version = 0;  // of all of this
+    double margin = 0;
+    Detection detection = Detection::Discrete;
+    std::optional<Pose> before = {};  // at the last update, if it moved since and that is noted
+    std::uint64_t version = 0;        // of all of this
     std::vector<Piece> pieces = {};
+
+    /// What it is made of where its body is in a pose.
+    std::vector<Piece> pieces_at(const Pose& at) const;
   };
 
   explicit Oracle(Setting setting) : palette_(palette_of(setting)), plans_(plans_of(setting)) {}
@@ -56,11 +62,16 @@ class Oracle {
   bool concerns_nobody(const Operation& operation) const;
   void change(const Operation& operation);
 
-  /// Pairs that touch now, ascending. Where something changed but nobody is awake those of `before`
-  /// stand, unless their boxes or a filter part them.
-  std::vector<NamePair> touching(const std::vector<NamePair>& before);
+  /// Pairs that touch now, and those with a margin that are within it, ascending. Where something
+  /// changed but nobody is awake those of `before` stand, unless their boxes with the margins
+  /// around them, or a filter, part them.
+  struct Lists {
+    std::vector<NamePair> touching, near;
+  };
+  Lists lists(const Lists& before);
   bool are_solid(const NamePair& pair) const;
-  /// Those of parts that touch, in the order of their numbers; of bodies without any one entry.
+  /// Those of parts that touch or are near, in the order of their numbers; of bodies without any
+  /// one entry.
   std::vector<PartContacts> contacts(const NamePair& pair) const;
   /// Whether kinds, filters and exclusions let two bodies meet, and those of parts two of these.
   bool may_meet(const NamePair& pair) const;
@@ -78,15 +89,19 @@ class Oracle {
  private:
   struct Answer {
     std::uint64_t version_a, version_b;
-    bool touches;
+    bool touches, is_near;
   };
 
+  void remove(std::uint32_t name);
   bool has_changed(std::uint32_t name) const;
   bool is_looked_at(const NamePair& pair) const;
-  bool touch(const NamePair& pair);
-  bool do_pieces_touch(const NamePair& pair) const;
+  double margin(const NamePair& pair) const;
+  const Answer& answer(const NamePair& pair);
+  Answer answer_of_pieces(const NamePair& pair) const;
+  bool do_boxes_meet(const NamePair& pair) const;
+  bool is_anyone_swept() const;
+  void set_detection(Being& being, Detection detection);
   void take_shape(Being& being, std::uint32_t number) const;
-  void place(Being& being) const;
 
   std::vector<Shape> palette_;
   std::vector<PartsPlan> plans_;
@@ -100,5 +115,7 @@ class Oracle {
 };
 
 NamePair ordered(std::uint32_t a, std::uint32_t b);
+/// A half-space or a plane.
+bool is_endless(const Shape& shape);
 
 }  // namespace graze::tests

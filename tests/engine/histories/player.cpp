@@ -33,6 +33,32 @@ std::vector<NamePair> difference(const std::vector<NamePair>& s, const std::vect
   return rest;
 }
 
+std::vector<NamePair> together(const std::vector<NamePair>& s, const std::vector<NamePair>& t) {
+  std::vector<NamePair> all;
+  std::set_union(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(all));
+  return all;
+}
+
+bool has(const std::vector<NamePair>& list, const NamePair& pair) {
+  return std::binary_search(list.begin(), list.end(), pair);
+}
+
+std::vector<NamePair> pairs_with(const std::vector<NamePair>& list, std::uint32_t name) {
+  std::vector<NamePair> some;
+  std::copy_if(list.begin(), list.end(), std::back_inserter(some),
+               [&](const NamePair& pair) { return pair.first == name || pair.second == name; });
+  return some;
+}
+
+/// Each once.
+std::vector<NamePair> pairs_of(const std::vector<NamedContacts>& contacts) {
+  std::vector<NamePair> pairs;
+  for (const NamedContacts& each : contacts) {
+    if (pairs.empty() || pairs.back() != each.pair) pairs.push_back(each.pair);
+  }
+  return pairs;
+}
+
 bool are_equal(const NamedContacts& s, const NamedContacts& t) {
   return s.pair == t.pair && s.contacts.part_a == t.contacts.part_a &&
          s.contacts.part_b == t.contacts.part_b && s.contacts.manifold == t.contacts.manifold;
@@ -44,23 +70,29 @@ std::string told(const NamedContacts& contact) {
          std::to_string(contact.contacts.part_b);
 }
 
+/// How all worlds sweep: coarsely, for they do it five times.
+const WorldSettings kSettings{.sweeps = {.tolerance = 0x1p-12}};
+
 class Player {
  public:
   Player(const History& history, Fault fault) : oracle_(history.setting) {
     const Setting setting = history.setting;
     all_.reserve(5);
-    all_.emplace_back("world", setting, WorldSettings{});
+    all_.emplace_back("world", setting, kSettings);
     all_.back().fault = fault;
-    all_.emplace_back(
-        "world without skips", setting,
-        WorldSettings{
-            .threads = 3, .skip_apart = false, .skip_at_rest = false, .skip_unused_trees = false});
+    all_.emplace_back("world without skips", setting,
+                      WorldSettings{.threads = 3,
+                                    .sweeps = kSettings.sweeps,
+                                    .skip_apart = false,
+                                    .skip_at_rest = false,
+                                    .skip_unused_trees = false});
     all_.emplace_back("world without contacts", setting,
-                      WorldSettings{.threads = 4, .contacts = false});
+                      WorldSettings{.threads = 4, .contacts = false, .sweeps = kSettings.sweeps});
     all_.back().finds_contacts = false;
-    all_.emplace_back("restored world", setting, WorldSettings{.islands = true});
+    all_.emplace_back("restored world", setting,
+                      WorldSettings{.islands = true, .sweeps = kSettings.sweeps});
     all_.back().is_restored_often = true;
-    all_.emplace_back("world in another order", setting, WorldSettings{});
+    all_.emplace_back("world in another order", setting, kSettings);
     all_.back().is_shuffled = true;
   }
 
@@ -84,18 +116,19 @@ class Player {
   void save(const Operation& operation);
   void restore(const Operation& operation);
   void update();
-  static void check_islands(const World& world);
-  void check_update(const WorldUpdate& update, const std::vector<NamePair>& now);
+  void check_update(const WorldUpdate& update, const Oracle::Lists& now);
+  void check_first_contacts(const Contestant& each, const WorldUpdate& update,
+                            const std::vector<NamedFirstContact>& truth);
   void check_contacts(const std::vector<NamedContacts>& found, const std::vector<NamePair>& of,
                       const char* what);
   void check_body(std::uint32_t name);
-  void check_neighbours(const Contestant& each, const std::vector<NamePair>& now);
+  void check_neighbours(const Contestant& each, const Oracle::Lists& now);
 
   Oracle oracle_;
   std::vector<Contestant> all_;  // never moved: filters of pairs refer to them
-  std::vector<NamePair> before_;
+  Oracle::Lists before_;
   std::optional<Oracle> saved_;
-  std::vector<NamePair> saved_before_;
+  Oracle::Lists saved_before_;
   Sights sights_;
 };
 
@@ -129,8 +162,12 @@ std::size_t Player::perform(const std::vector<Operation>& operations, std::size_
     case Verb::AskRay:
     case Verb::AskBox:
     case Verb::AskClosestPair:
-      sights_.answers += check_answer(operation, all_[0].world, oracle_, all_[0].names);
+    case Verb::AskCast: {
+      const std::size_t found = check_answer(operation, all_[0].world, oracle_, all_[0].names);
+      sights_.answers += found;
+      sights_.casts += operation.verb == Verb::AskCast ? found : 0;
       break;
+    }
     default:
       change(operation);
   }
@@ -160,10 +197,11 @@ void Player::change(const Operation& operation) {
       each.tell(operation);
     }
   }
-  if (oracle_.has(operation.body) && all_[0].fault == Fault::None) check_body(operation.body);
+  if (oracle_.has(operation.body)) check_body(operation.body);
 }
 
 void Player::check_body(std::uint32_t name) {
+  if (all_[0].fault != Fault::None) return;
   const World& world = all_[0].world;
   const BodyId id = all_[0].ids.at(name);
   const Oracle::Being& being = oracle_.beings().at(name);
@@ -172,7 +210,8 @@ void Player::check_body(std::uint32_t name) {
       world.pose(id).matrix() == being.pose.matrix() && world.kind(id) == being.kind &&
       world.role(id) == being.role && world.user_data(id) == name &&
       filter.group == being.filter.group && filter.category == being.filter.category &&
-      filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name);
+      filter.mask == being.filter.mask && world.is_awake(id) == oracle_.is_awake(name) &&
+      world.margin(id) == being.margin && world.detection(id) == being.detection;
   expect(is_as_told, "body " + std::to_string(name) + " is not as it was told to be");
   if (being.parts) being.parts->check(world.shape(id));
 }
@@ -208,7 +247,8 @@ void Player::restore(const Operation& operation) {
 }
 
 void Player::update() {
-  const std::vector<NamePair> now = oracle_.touching(before_);
+  const Oracle::Lists now = oracle_.lists(before_);
+  const std::vector<NamedFirstContact> met = all_first_contacts(oracle_, kSettings);
   const bool is_time = ++sights_.updates % 16 == 0;
   std::vector<NamePair> moved;
   std::vector<NamedContacts> contacts;
@@ -216,16 +256,22 @@ void Player::update() {
     each.flush();
     const WorldUpdate update = each.world.update();
     const auto is = [&](const char* list) { return each.title + ": " + list; };
-    expect_equal(each.named(update.begun), difference(now, before_), is("begun"));
-    expect_equal(each.named(update.ended), difference(before_, now), is("ended"));
-    expect_equal(each.named(each.world.pairs()), now, is("pairs()"));
+    expect_equal(each.named(update.begun), difference(now.touching, before_.touching), is("begun"));
+    expect_equal(each.named(update.ended), difference(before_.touching, now.touching), is("ended"));
+    expect_equal(each.named(each.world.pairs()), now.touching, is("pairs()"));
+    expect_equal(each.named(update.begun_near), difference(now.near, before_.near),
+                 is("begun_near"));
+    expect_equal(each.named(update.ended_near), difference(before_.near, now.near),
+                 is("ended_near"));
+    expect_equal(each.named(each.world.near_pairs()), now.near, is("near_pairs()"));
+    check_first_contacts(each, update, met);
     expect(each.world.size() == oracle_.beings().size(), is("size()"));
     const std::vector<NamedContacts> found = each.named(update.contacts, oracle_);
     if (&each == &all_[0]) {
       moved = each.named(update.moved);
       contacts = found;
       check_update(update, now);
-      check_contacts(contacts, moved, "contacts");
+      check_contacts(contacts, pairs_of(contacts), "contacts");
       if (is_time) check_neighbours(each, now);
     } else {
       expect_equal(each.named(update.moved), moved, is("moved"));
@@ -235,7 +281,8 @@ void Player::update() {
     }
     if (each.is_restored_often) check_islands(each.world);
     if (is_time && !each.finds_contacts)
-      check_contacts(each.named(each.world.contacts(), oracle_), now, "contacts()");
+      check_contacts(each.named(each.world.contacts(), oracle_), together(now.touching, now.near),
+                     "contacts()");
     if (each.is_restored_often && sights_.updates % 5 == 0)
       each.world.restore(each.world.snapshot());
   }
@@ -243,78 +290,80 @@ void Player::update() {
   oracle_.settle();
 }
 
-/// Islands beside a search through all pairs that touch.
-void Player::check_islands(const World& world) {
-  const auto joins = [&](BodyId id) {
-    return world.kind(id) == BodyKind::Dynamic && world.role(id) == Role::Solid;
-  };
-  std::map<BodyId, std::vector<BodyId>> beside;
-  for (const BodyId id : world.bodies()) {
-    if (joins(id)) beside[id];
-  }
-  for (const auto& [a, b] : world.pairs()) {
-    if (joins(a) && joins(b)) beside[a].push_back(b), beside[b].push_back(a);
-  }
-  std::vector<std::vector<BodyId>> wanted;
-  std::set<BodyId> seen;
-  for (const auto& [first, unused] : beside) {
-    if (!seen.insert(first).second) continue;
-    std::vector<BodyId> island{first};
-    for (std::size_t i = 0; i < island.size(); ++i) {
-      for (const BodyId next : beside[island[i]]) {
-        if (seen.insert(next).second) island.push_back(next);
-      }
-    }
-    std::sort(island.begin(), island.end());
-    wanted.push_back(island);
-  }
-  expect(world.islands() == wanted, "islands() differs");
-}
-
-void Player::check_update(const WorldUpdate& update, const std::vector<NamePair>& now) {
+void Player::check_update(const WorldUpdate& update, const Oracle::Lists& now) {
   const std::vector<NamePair> moved = all_[0].named(update.moved);
-  for (const NamePair& pair : moved)
+  const std::vector<NamePair> all = together(now.touching, now.near);
+  const std::vector<NamedContacts> contacts = all_[0].named(update.contacts, oracle_);
+  const std::vector<NamePair> with_contacts = pairs_of(contacts);
+  expect_equal(difference(moved, now.touching), {}, "moved, but not touching,");
+  expect_equal(difference(with_contacts, all), {}, "in contact, but not near,");
+  for (const NamePair& pair : together(moved, with_contacts))
     expect(oracle_.may_be_listed(pair),
-           "moved has" + listed({pair}) + ", in which nothing changed");
-  expect_equal(difference(moved, now), {}, "moved, but not touching,");
-  for (const NamePair& pair : now)
-    expect(!oracle_.must_be_listed(pair) || std::binary_search(moved.begin(), moved.end(), pair),
-           "moved lacks" + listed({pair}));
-  std::vector<NamePair> solid, with_contacts;
-  std::copy_if(moved.begin(), moved.end(), std::back_inserter(solid),
-               [&](const NamePair& pair) { return oracle_.are_solid(pair); });
-  for (const NamedContacts& contact : all_[0].named(update.contacts, oracle_)) {
+           "listed is" + listed({pair}) + ", in which nothing changed");
+  for (const NamePair& pair : all) {
+    const bool must_be = oracle_.must_be_listed(pair), is_solid = oracle_.are_solid(pair);
+    const bool touches = has(now.touching, pair), has_moved = has(moved, pair);
+    expect(!must_be || !touches || has_moved, "moved lacks" + listed({pair}));
+    const bool has_contacts = has(with_contacts, pair);
+    const bool is_right = touches        ? has_contacts == (is_solid && has_moved)
+                          : has_contacts ? is_solid
+                                         : !(must_be && is_solid);
+    expect(is_right, "the list of contacts is wrong about" + listed({pair}));
+    sights_.contacts_apart += has_contacts && !touches ? 1 : 0;
+  }
+  for (const NamedContacts& contact : contacts) {
     const NamePair& pair = contact.pair;
     const bool has_parts =
         oracle_.beings().at(pair.first).parts || oracle_.beings().at(pair.second).parts;
     sights_.part_contacts += has_parts ? 1 : 0;
-    if (with_contacts.empty() || with_contacts.back() != pair) with_contacts.push_back(pair);
   }
-  expect_equal(with_contacts, solid, "the list of contacts");
   sights_.begun += update.begun.size(), sights_.ended += update.ended.size();
+  sights_.begun_near += update.begun_near.size();
   sights_.contacts += update.contacts.size();
   sights_.pairs_apart += update.work.pairs_apart;
   sights_.pairs_at_rest += update.work.pairs_at_rest;
 }
 
+/// Of ways that bodies went since the last update.
+void Player::check_first_contacts(const Contestant& each, const WorldUpdate& update,
+                                  const std::vector<NamedFirstContact>& truth) {
+  const std::vector<NamedFirstContact> found = each.named(update.first_contacts);
+  for (std::size_t i = 0; i < std::max(found.size(), truth.size()); ++i) {
+    const auto told = [&](const std::vector<NamedFirstContact>& list) {
+      return i < list.size() ? tests::told(list[i]) : "none";
+    };
+    const bool is_same = i < found.size() && i < truth.size() && are_equal(found[i], truth[i]);
+    expect(is_same,
+           each.title + ": a first contact is" + told(found) + ", should be" + told(truth));
+  }
+  if (&each != &all_[0]) return;
+  for (const NamedFirstContact& next : found) {
+    const bool has_parts =
+        oracle_.beings().at(next.pair.first).parts || oracle_.beings().at(next.pair.second).parts;
+    ++sights_.first_contacts;
+    sights_.later_first_contacts += next.contact.contact.low > 0;
+    sights_.part_first_contacts += has_parts ? 1 : 0;
+  }
+}
+
 /// What the world says of one body after the other.
-void Player::check_neighbours(const Contestant& each, const std::vector<NamePair>& now) {
+void Player::check_neighbours(const Contestant& each, const Oracle::Lists& now) {
   for (const auto& [name, being] : oracle_.beings()) {
     const BodyId id = each.ids.at(name);
-    std::vector<NamePair> own;
+    const std::vector<NamePair> own = pairs_with(now.touching, name);
+    const std::vector<NamePair> own_near = pairs_with(now.near, name);
     std::set<std::uint32_t> beside, found;
-    for (const NamePair& pair : now) {
-      if (pair.first != name && pair.second != name) continue;
-      own.push_back(pair);
-      beside.insert(pair.first == name ? pair.second : pair.first);
-    }
+    for (const auto& [a, b] : own)
+      beside.insert(a == name ? b : a);
     expect_equal(each.named(each.world.pairs(id)), own, "pairs() of one body");
+    expect_equal(each.named(each.world.near_pairs(id)), own_near, "near_pairs() of one body");
     const std::vector<BodyId> touching = each.world.touching(id);
     expect(std::is_sorted(touching.begin(), touching.end()), "touching() is out of order");
     for (const BodyId other : touching)
       found.insert(each.names.at(other));
     expect(found == beside && touching.size() == beside.size(), "touching() differs");
-    check_contacts(each.named(each.world.contacts(id), oracle_), own, "contacts() of one body");
+    check_contacts(each.named(each.world.contacts(id), oracle_), together(own, own_near),
+                   "contacts() of one body");
   }
 }
 

@@ -8,7 +8,15 @@
 namespace graze::tests {
 
 /// What a world that is not told of something would say: for tests of the tests.
-enum class Fault { None, DeafToFilters, DeafToShapes, DeafToSleep, DeafToParts };
+enum class Fault {
+  None,
+  DeafToFilters,
+  DeafToShapes,
+  DeafToSleep,
+  DeafToParts,
+  DeafToMargins,
+  DeafToDetection
+};
 
 struct Failure {
   std::size_t at = 0;  // the operation
@@ -19,6 +27,9 @@ struct Failure {
 struct Sights {
   std::size_t updates = 0, begun = 0, ended = 0, contacts = 0, answers = 0, restored = 0;
   std::size_t part_contacts = 0;  // of two parts, or of one and a body
+  std::size_t begun_near = 0, contacts_apart = 0, casts = 0;
+  std::size_t first_contacts = 0, later_first_contacts = 0;  // all, and those after 0
+  std::size_t part_first_contacts = 0;
   std::uint64_t pairs_apart = 0, pairs_at_rest = 0;
 };
 

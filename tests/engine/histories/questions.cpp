@@ -5,11 +5,14 @@
 #include <graze/engine/world/shape_ray.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 #include <vector>
+
+#include "tests/engine/histories/ways.h"
 
 namespace graze::tests {
 namespace {
@@ -144,6 +147,37 @@ class Asked {
     return wanted ? 1 : 0;
   }
 
+  /// To whom a shape comes: of each body the part that is first.
+  std::size_t cast(const Shape& shape, const RigidMotion& motion,
+                   const RigidContactSettings& contact) const {
+    if (is_endless(shape)) return 0;
+    std::vector<BodyCast> wanted;
+    for (const Known& body : bodies_) {
+      const RigidMotion rest(oracle_.beings().at(body.name).pose);
+      const bool has_parts = oracle_.beings().at(body.name).parts.has_value();
+      std::optional<BodyCast> first;
+      for_pieces(body.name, [&](const Piece& piece) {
+        const RigidMotion own = has_parts ? way_of_part(rest, piece.pose) : rest;
+        const auto met =
+            contact_on_way({shape, motion}, {oracle_.palette()[piece.shape], own}, contact);
+        expect(met.has_value(), "a motion is refused");
+        if (met->status != RigidStatus::Free && (!first || met->low < first->contact.low))
+          first = BodyCast{body.id, *met, piece.number};
+      });
+      if (first) wanted.push_back(*first);
+    }
+    std::sort(wanted.begin(), wanted.end(), [](const BodyCast& s, const BodyCast& t) {
+      return std::tie(s.contact.low, s.id) < std::tie(t.contact.low, t.id);
+    });
+    const std::vector<BodyCast> found = world_.cast_all(shape, motion, contact, settings_);
+    expect(found == wanted, "cast_all() differs: " + std::to_string(found.size()) +
+                                " bodies, not " + std::to_string(wanted.size()));
+    const std::optional<BodyCast> first = world_.cast(shape, motion, contact, settings_);
+    expect(first.has_value() == !wanted.empty() && (!first || *first == wanted[0]),
+           "cast() differs");
+    return wanted.size();
+  }
+
  private:
   struct Known {
     BodyId id;
@@ -214,6 +248,10 @@ std::size_t check_one(const Operation& question, const Asked& asked, const Oracl
       return asked.within(oracle.palette()[question.number], question.pose, question.values[0]);
     case Verb::AskClosest:
       return asked.closest(oracle.palette()[question.number], question.pose);
+    case Verb::AskCast:
+      return asked.cast(oracle.palette()[question.number],
+                        RigidMotion::between(question.pose, question.end),
+                        {.clearance = question.values[0], .tolerance = 0x1p-12});
     default:
       throw std::logic_error("not a question");
   }
@@ -223,6 +261,34 @@ std::size_t check_one(const Operation& question, const Asked& asked, const Oracl
 
 void expect(bool is_true, const std::string& what) {
   if (!is_true) throw std::runtime_error(what);
+}
+
+/// Islands beside a search through all pairs that touch.
+void check_islands(const World& world) {
+  const auto joins = [&](BodyId id) {
+    return world.kind(id) == BodyKind::Dynamic && world.role(id) == Role::Solid;
+  };
+  std::map<BodyId, std::vector<BodyId>> beside;
+  for (const BodyId id : world.bodies()) {
+    if (joins(id)) beside[id];
+  }
+  for (const auto& [a, b] : world.pairs()) {
+    if (joins(a) && joins(b)) beside[a].push_back(b), beside[b].push_back(a);
+  }
+  std::vector<std::vector<BodyId>> wanted;
+  std::set<BodyId> seen;
+  for (const auto& [first, unused] : beside) {
+    if (!seen.insert(first).second) continue;
+    std::vector<BodyId> island{first};
+    for (std::size_t i = 0; i < island.size(); ++i) {
+      for (const BodyId next : beside[island[i]]) {
+        if (seen.insert(next).second) island.push_back(next);
+      }
+    }
+    std::sort(island.begin(), island.end());
+    wanted.push_back(island);
+  }
+  expect(world.islands() == wanted, "islands() differs");
 }
 
 /// Once of all bodies, and once of those that a filter lets it meet.

@@ -18,4 +18,7 @@ void expect(bool is_true, const std::string& what);
 std::size_t check_answer(const Operation& question, const World& world, const Oracle& oracle,
                          const std::map<BodyId, std::uint32_t>& names);
 
+/// Throws likewise unless islands() are those of a search through all pairs that touch.
+void check_islands(const World& world);
+
 }  // namespace graze::tests

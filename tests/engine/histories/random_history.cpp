@@ -329,10 +329,71 @@ class Author {
   bool saved_once_ = false;
 };
 
+/// Puts margins, ways and casts between the operations of a history, by numbers of their own: what
+/// is there stays as it is.
+class Inserter {
+ public:
+  explicit Inserter(std::uint64_t seed) : chance_(~seed) {}
+
+  History with_ways(const History& history) {
+    History more{history.setting, {}};
+    more.operations.reserve(2 * history.operations.size());
+    const auto shape_count = static_cast<std::uint32_t>(palette_of(history.setting).size());
+    for (const Operation& operation : history.operations) {
+      more.operations.push_back(operation);
+      // Not between moves that are made in one call.
+      if (operation.verb == Verb::Move || operation.verb == Verb::MoveToo) {
+        poses_.push_back(operation.pose);
+        continue;
+      }
+      if (operation.verb == Verb::Add) {
+        poses_.push_back(operation.pose);
+        names_.push_back(operation.body);
+        if (chance_.one_in(3)) more.operations.push_back(margin(operation.body));
+        if (chance_.one_in(4)) more.operations.push_back(detection(operation.body));
+      }
+      if (names_.empty()) continue;
+      const std::uint32_t what = chance_.below(60);
+      const std::uint32_t name = names_[chance_.below(static_cast<std::uint32_t>(names_.size()))];
+      if (what == 0) more.operations.push_back(margin(name));
+      if (what == 1) more.operations.push_back(detection(name));
+      if (what == 2) more.operations.push_back(cast(shape_count));
+    }
+    return more;
+  }
+
+ private:
+  double reach() { return chance_.one_in(3) ? 0.125 * chance_.below(3) : chance_.between(0, 0.3); }
+  Operation margin(std::uint32_t name) {
+    Operation next{.verb = Verb::SetMargin, .body = name};
+    next.values[0] = reach();
+    return next;
+  }
+  Operation detection(std::uint32_t name) {
+    Operation next{.verb = Verb::SetDetection, .body = name};
+    next.settings.detection = chance_.one_in(4) ? Detection::Discrete : Detection::Continuous;
+    return next;
+  }
+  Operation cast(std::uint32_t shape_count) {
+    Operation next{.verb = Verb::AskCast, .number = chance_.below(shape_count)};
+    const auto count = static_cast<std::uint32_t>(poses_.size());
+    next.pose = poses_[chance_.below(count)];
+    next.end = poses_[chance_.below(count)];
+    if (chance_.one_in(4)) next.values[0] = reach();
+    return next;
+  }
+
+  Chance chance_;
+  std::vector<Pose> poses_;  // that bodies had
+  std::vector<std::uint32_t> names_;
+};
+
 }  // namespace
 
 History random_history(Setting setting, std::uint64_t seed, std::size_t count) {
-  return Author(setting, seed).write(count);
+  const History history = Author(setting, seed).write(count);
+  const bool has_ways = setting == Setting::Parts || setting == Setting::Terrains;
+  return has_ways ? Inserter(seed).with_ways(history) : history;
 }
 
 }  // namespace graze::tests

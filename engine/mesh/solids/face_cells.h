@@ -1,0 +1,62 @@
+#pragma once
+
+// Private to engine/mesh.
+
+#include <graze/narrowphase/ray/rational_sample.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace graze {
+
+/// A point of a plane that is projected along an axis, (u, v) / w with w > 0; or a line, on which
+/// points are whose product with it, element by element, sums up to 0.
+struct PlaneTriple {
+  narrowphase::GrowingInteger u, v, w;
+};
+
+/// Where a triangle meets a plane. If that is in one point, both ends are, and the line is zero.
+struct PlaneSection {
+  PlaneTriple from, to;
+  PlaneTriple line;
+};
+
+/// The cells into which triangles that meet it divide a triangle with area, exactly: open pieces
+/// that no section of another triangle, and no edge of one in the same plane, goes into. What is
+/// beside one point of a cell, on one side of the plane, is beside all of its points there.
+class FaceCells {
+ public:
+  using Visit = std::function<bool(const narrowphase::RationalPoint&)>;
+
+  /// Triangles without area divide nothing.
+  FaceCells(const Triangle& face, std::span<const Triangle> others);
+
+  /// Calls `visit(point)` for points inside the face, one at least of each cell, until it returns
+  /// true; false if it never does. In integers: for n triangles O(n^2), and O(n) more for each
+  /// piece of a section between two others.
+  bool any(const Visit& visit) const;
+
+ private:
+  using Point = std::array<narrowphase::GrowingInteger, 3>;
+
+  Point point_of(const Eigen::Vector3d& corner) const;
+  PlaneTriple spot_of(const Point& point, const narrowphase::GrowingInteger& weight) const;
+  narrowphase::GrowingInteger height_of(const Point& point) const;
+  void add_sections_of(const Triangle& other);
+  bool is_in_face(const PlaneTriple& spot, bool are_edges_in) const;
+  std::vector<PlaneTriple> cuts_of(const PlaneSection& section) const;
+  std::optional<PlaneTriple> next_along_u(const PlaneTriple& spot) const;
+  narrowphase::RationalPoint in_space(const PlaneTriple& spot) const;
+
+  int unit_ = 0;  ///< coordinates are counted in 2^unit
+  std::array<Point, 3> corners_;
+  Point normal_;
+  std::size_t axis_ = 0;  ///< of the projection, in which the face has area
+  std::vector<PlaneSection> sections_;
+};
+
+}  // namespace graze

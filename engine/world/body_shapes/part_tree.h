@@ -1,0 +1,45 @@
+#pragma once
+
+// A tree over the parts of a compound, in its own frame. Private to engine/world.
+
+#include <graze/engine/world/body_shapes/gap_to_parts.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace graze {
+
+/// By slots: places in the list of boxes that it is made of.
+class PartTree {
+ public:
+  /// O(n log n); up to 60 bytes for each box.
+  explicit PartTree(const std::vector<Aabb>& boxes);
+
+  /// What is told of parts: calls `look(slot)`, which says how far to look from then on.
+  using Look = std::function<double(std::uint32_t)>;
+
+  /// Calls `look` for all that may be no farther than the limit, nearer branches first; of what
+  /// lies in branches that are apart from a box, with room around them, for none. What is far is
+  /// told by the boxes of branches, and then by the gap that is measured to those.
+  void look_at_nearest(const std::optional<Aabb>& within, double room, const GapToParts& gap,
+                       double limit, const Look& look) const;
+
+ private:
+  struct Node {
+    Aabb box;
+    std::uint32_t first = 0;  ///< in `slots_`
+    std::uint32_t count = 0;
+    std::uint32_t second = 0;  ///< the one of two branches that does not follow; 0 for a leaf
+  };
+  struct Search;
+
+  std::uint32_t build(const std::vector<Aabb>& boxes, std::uint32_t first, std::uint32_t count);
+  double look_in(const Search& search, std::uint32_t node, double limit) const;
+
+  std::vector<std::uint32_t> slots_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace graze
