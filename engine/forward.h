@@ -28,6 +28,7 @@ class Mesh;
 class MeshPath;
 struct MeshInPoses;
 struct ShapeInPoses;
+struct ShapeInMotions;
 struct PlacedMesh;
 struct PlacedMeshView;
 class PairMemory;

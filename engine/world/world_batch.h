@@ -1,8 +1,10 @@
 #pragma once
 
-// Many rays at a world, or a shape in many poses in it, in one call that threads share.
+// Many rays at a world, or a shape in many poses or motions in it, in one call that threads share.
 
 #include <graze/engine/mesh/query_settings.h>
+#include <graze/engine/mesh/rigid_contact.h>
+#include <graze/engine/mesh/rigid_motion.h>
 #include <graze/engine/world/world.h>
 
 #include <optional>
@@ -22,9 +24,20 @@ struct ShapeInPoses {
   std::span<const Pose> poses;  ///< must outlive this
 };
 
-// For each ray, or for each pose, in their order, what the World's own question of that name
+/// A shape in each of many motions, likewise: `cast(world, {gripper, motions})`. One that goes
+/// straight is `RigidMotion(pose, {.shift = way})`.
+struct ShapeInMotions {
+  /// Refers to both.
+  ShapeInMotions(const Shape& of_shape, std::span<const RigidMotion> in_motions)
+      : shape(of_shape), motions(in_motions) {}
+
+  const Shape& shape;                    ///< must outlive this
+  std::span<const RigidMotion> motions;  ///< must outlive this
+};
+
+// For each ray, pose or motion, in their order, what the World's own question of that name
 // answers, bit for bit, whatever the number of threads. They throw as it does, before the first
-// answer where a ray or a pose is to blame, which the error names by its index; and as
+// answer where a ray, a pose or a motion is to blame, which the error names by its index; and as
 // BatchSettings says. Where a body has a shape of a user's own that does not allow concurrent calls
 // (BodyShape::allows_concurrent_calls()), the calling thread alone asks. No body may be changed
 // meanwhile, as during the single question.
@@ -33,6 +46,11 @@ struct ShapeInPoses {
 std::vector<std::optional<BodyRayHit>> cast_rays(const World& world, std::span<const Ray> rays,
                                                  const BodyQuerySettings& settings = {},
                                                  const BatchSettings& batch = {});
+
+/// World::cast_ray_all() for each ray.
+std::vector<std::vector<BodyRayHit>> cast_ray_all(const World& world, std::span<const Ray> rays,
+                                                  const BodyQuerySettings& settings = {},
+                                                  const BatchSettings& batch = {});
 
 /// World::find_touching() for each pose.
 std::vector<std::vector<BodyId>> find_touching(const World& world, const ShapeInPoses& shape,
@@ -49,5 +67,17 @@ std::vector<std::vector<BodyDistance>> find_within(const World& world, const Sha
 std::vector<std::optional<BodyDistance>> find_closest(const World& world, const ShapeInPoses& shape,
                                                       const BodyQuerySettings& settings = {},
                                                       const BatchSettings& batch = {});
+
+/// World::cast() for each motion.
+std::vector<std::optional<BodyCast>> cast(const World& world, const ShapeInMotions& shape,
+                                          const RigidContactSettings& contact = {},
+                                          const BodyQuerySettings& settings = {},
+                                          const BatchSettings& batch = {});
+
+/// World::cast_all() for each motion.
+std::vector<std::vector<BodyCast>> cast_all(const World& world, const ShapeInMotions& shape,
+                                            const RigidContactSettings& contact = {},
+                                            const BodyQuerySettings& settings = {},
+                                            const BatchSettings& batch = {});
 
 }  // namespace graze

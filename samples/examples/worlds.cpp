@@ -96,6 +96,8 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   // Many rays, or a shape in many poses, which threads share.
   const auto met = graze::cast_rays(world, std::vector<graze::Ray>{down, {{9, 9, 9}, {0, 0, 1}}});
   expect(met[0]->id == ball && !met[1], "the same of many rays");
+  const auto behind = graze::cast_ray_all(world, std::vector<graze::Ray>{down});
+  expect(behind[0].size() == 2, "and all that each meets");
   const graze::Shape probe = kBall;
   const std::vector<graze::Pose> poses = {at(0, 0, 1), at(0, 0, 40)};
   const graze::ShapeInPoses probes(probe, poses);
@@ -110,6 +112,12 @@ void what_is_near(graze::World& world, graze::BodyId floor, graze::BodyId ball) 
   const std::vector<graze::BodyCast> casts = world.cast_all(bullet, shot);
   expect(casts.size() == 2 && casts[1].id == floor, "and then");
   expect(casts[0].contact.low <= casts[0].contact.high, "never late, and with a witness");
+
+  // In many motions, which threads share.
+  const std::vector<graze::RigidMotion> shots = {shot, graze::RigidMotion(at(0, 0, 50))};
+  const graze::ShapeInMotions volley(bullet, shots);
+  expect(graze::cast(world, volley)[0]->id == ball, "to whom it comes first in each");
+  expect(graze::cast_all(world, volley)[1].empty(), "all to whom it comes in each");
 }
 
 /// A robot in its cell: two worlds, of which one stands in the other in a pose.

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_graze, module) {
   graze::python::add_shapes(module);
   graze::python::add_height_fields(module);
   graze::python::add_rigid_motions(module);
+  graze::python::add_motion_arrays(module);
   graze::python::add_pair_memories(module);
   graze::python::add_pair_queries(module);
   graze::python::add_distances(module);

@@ -28,6 +28,7 @@ from graze._graze import (
     MeshPath,
     PairMemory,
     RigidMotion,
+    RigidMotions,
     Shape,
     VoxelMap,
     Work,
@@ -79,6 +80,7 @@ from graze._graze import (
 )
 from graze._results import (
     BodyCast,
+    BodyCastLists,
     BodyCasts,
     BodyDistance,
     BodyDistanceLists,
@@ -87,6 +89,7 @@ from graze._results import (
     BodyLists,
     BodyPairDistance,
     BodyPairDistances,
+    BodyRayHitLists,
     BodyRayHits,
     Casts,
     FreedomCertificate,
@@ -149,6 +152,7 @@ from graze._sweep import (
 __all__ = [
     "__version__",
     "BodyCast",
+    "BodyCastLists",
     "BodyCasts",
     "BodyDistance",
     "BodyDistanceLists",
@@ -157,6 +161,7 @@ __all__ = [
     "BodyLists",
     "BodyPairDistance",
     "BodyPairDistances",
+    "BodyRayHitLists",
     "BodyRayHits",
     "Box",
     "BroadPhase",
@@ -200,6 +205,7 @@ __all__ = [
     "RigidContact",
     "RigidContacts",
     "RigidMotion",
+    "RigidMotions",
     "Separation",
     "Separations",
     "Shape",

@@ -25,8 +25,10 @@ from graze._world_results import BodyDistance as BodyDistance
 from graze._world_results import BodyDistanceLists as BodyDistanceLists
 from graze._world_results import BodyDistances as BodyDistances
 from graze._world_results import BodyLists as BodyLists
+from graze._world_results import BodyRayHitLists as BodyRayHitLists
 from graze._world_results import BodyRayHits as BodyRayHits
 from graze._world_results import BodyCast as BodyCast
+from graze._world_results import BodyCastLists as BodyCastLists
 from graze._world_results import BodyCasts as BodyCasts
 from graze._world_results import BodyPairDistance as BodyPairDistance
 from graze._world_results import BodyPairDistances as BodyPairDistances

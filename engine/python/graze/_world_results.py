@@ -156,6 +156,16 @@ class BodyRayHits(NamedTuple):
 
 
 @result
+class BodyRayHitLists(NamedTuple):
+    """Bodies that each of n rays meets."""
+
+    hits: BodyRayHits
+    """Those of all rays, one ray after the other, of each by distance."""
+    offsets: Offsets
+    """(n + 1,): those of ray i are rows offsets[i] to offsets[i + 1] of each array."""
+
+
+@result
 class BodyCast(NamedTuple):
     """A body that a shape in motion comes to, and when."""
 
@@ -177,6 +187,16 @@ class BodyCasts(NamedTuple):
     """Of n rows."""
     part: Indices
     """(n,), of a compound that which is met first; else 0."""
+
+
+@result
+class BodyCastLists(NamedTuple):
+    """Bodies that a shape comes to in each of n motions, each asked as if it were alone."""
+
+    casts: BodyCasts
+    """Those of all motions, one motion after the other, of each by time."""
+    offsets: Offsets
+    """(n + 1,): those of motion i are rows offsets[i] to offsets[i + 1] of each array."""
 
 
 @result

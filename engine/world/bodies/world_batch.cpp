@@ -2,7 +2,9 @@
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/mesh/query/batch.h>
 #include <graze/engine/mesh/query/threads.h>
+#include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/world/body_shapes/users_shape.h>
+#include <graze/engine/world/rigid/moving_shape.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/world_batch.h>
 
@@ -13,6 +15,8 @@ namespace {
 
 /// Elements of a part: enough that those that meet nothing outweigh its start.
 constexpr std::size_t kMostInAPartOfWorldBatch = 64;
+/// Motions differ a thousandfold in what they take.
+constexpr std::size_t kMostMotionsInAPart = 8;
 
 bool allows_concurrent_calls(const BodyShape& shape) {
   const bool is_users = is_users_shape(shape);
@@ -34,12 +38,23 @@ BatchSettings settings_for(const World& world, const BatchSettings& batch) {
 /// `ask(i)` for each element, in order.
 template <typename Answer, typename Ask>
 std::vector<Answer> ask_world_for_all(const World& world, std::size_t count,
-                                      const BatchSettings& batch, const Ask& ask) {
+                                      const BatchSettings& batch, const Ask& ask,
+                                      std::size_t most_in_a_part = kMostInAPartOfWorldBatch) {
   const BatchSettings settings = settings_for(world, batch);
   std::vector<Answer> answers(count);
-  for_each_in_batch(count, kMostInAPartOfWorldBatch, settings, nullptr,
+  for_each_in_batch(count, most_in_a_part, settings, nullptr,
                     [&](std::size_t i, Work&) { answers[i] = ask(i); });
   return answers;
+}
+
+/// `ask(ray)` for each, all of which are looked at first.
+template <typename Answer, typename Ask>
+std::vector<Answer> ask_world_along(const World& world, std::span<const Ray> rays,
+                                    const BatchSettings& batch, const Ask& ask) {
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    bvh::check_element("ray", i, "", [&](const char* what) { check_ray(rays[i], what); });
+  return ask_world_for_all<Answer>(world, rays.size(), batch,
+                                   [&](std::size_t i) { return ask(rays[i]); });
 }
 
 /// `ask(placed)` for the shape in each pose, all of which are looked at first, as the question
@@ -48,14 +63,35 @@ template <typename Answer, typename Ask>
 std::vector<Answer> ask_world_in_poses(const World& world, const ShapeInPoses& placed,
                                        const BatchSettings& batch, const Ask& ask) {
   for (std::size_t i = 0; i < placed.poses.size(); ++i) {
-    bvh::check_element("pose", i, "", [&](const char* what) {
-      check_pose(placed.poses[i], what);
-      static_cast<void>(bounding_aabb({placed.shape, placed.poses[i]}));
-    });
+    const PlacedShapeView shape(placed.shape, placed.poses[i]);
+    try {
+      static_cast<void>(bounding_aabb(shape));
+    } catch (const Error&) {  // to be named
+      bvh::check_element("pose", i, "", [&](const char* what) {
+        check_pose(placed.poses[i], what);
+        static_cast<void>(bounding_aabb(shape));
+      });
+    }
   }
   return ask_world_for_all<Answer>(world, placed.poses.size(), batch, [&](std::size_t i) {
     return ask(PlacedShapeView(placed.shape, placed.poses[i]));
   });
+}
+
+/// `ask(motion)` for each, all of which are looked at first, as the question itself does.
+template <typename Answer, typename Ask>
+std::vector<Answer> ask_world_in_motions(const World& world, const ShapeInMotions& moved,
+                                         const RigidContactSettings& contact,
+                                         const BatchSettings& batch, const Ask& ask) {
+  check_settings(contact);
+  for (std::size_t i = 0; i < moved.motions.size(); ++i) {
+    bvh::check_element("motion", i, "", [&](const char* what) {
+      static_cast<void>(MovingShape(moved.shape, moved.motions[i], what));
+    });
+  }
+  return ask_world_for_all<Answer>(
+      world, moved.motions.size(), batch, [&](std::size_t i) { return ask(moved.motions[i]); },
+      kMostMotionsInAPart);
 }
 
 }  // namespace
@@ -65,11 +101,18 @@ std::vector<std::optional<BodyRayHit>> cast_rays(const World& world, std::span<c
                                                  const BatchSettings& batch) {
   using FirstHit = std::optional<BodyRayHit>;
   return bvh::in_standard_arithmetic([&]() -> std::vector<FirstHit> {
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      bvh::check_element("ray", i, "", [&](const char* what) { check_ray(rays[i], what); });
-    return ask_world_for_all<FirstHit>(world, rays.size(), batch, [&](std::size_t i) {
-      return world.cast_ray(rays[i], settings);
-    });
+    return ask_world_along<FirstHit>(world, rays, batch,
+                                     [&](const Ray& ray) { return world.cast_ray(ray, settings); });
+  });
+}
+
+std::vector<std::vector<BodyRayHit>> cast_ray_all(const World& world, std::span<const Ray> rays,
+                                                  const BodyQuerySettings& settings,
+                                                  const BatchSettings& batch) {
+  using Hits = std::vector<BodyRayHit>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Hits> {
+    return ask_world_along<Hits>(world, rays, batch,
+                                 [&](const Ray& ray) { return world.cast_ray_all(ray, settings); });
   });
 }
 
@@ -104,6 +147,32 @@ std::vector<std::optional<BodyDistance>> find_closest(const World& world, const 
     return ask_world_in_poses<Closest>(world, shape, batch, [&](const PlacedShapeView& placed) {
       return world.find_closest(placed, settings);
     });
+  });
+}
+
+std::vector<std::optional<BodyCast>> cast(const World& world, const ShapeInMotions& shape,
+                                          const RigidContactSettings& contact,
+                                          const BodyQuerySettings& settings,
+                                          const BatchSettings& batch) {
+  using First = std::optional<BodyCast>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<First> {
+    return ask_world_in_motions<First>(world, shape, contact, batch,
+                                       [&](const RigidMotion& motion) {
+                                         return world.cast(shape.shape, motion, contact, settings);
+                                       });
+  });
+}
+
+std::vector<std::vector<BodyCast>> cast_all(const World& world, const ShapeInMotions& shape,
+                                            const RigidContactSettings& contact,
+                                            const BodyQuerySettings& settings,
+                                            const BatchSettings& batch) {
+  using Casts = std::vector<BodyCast>;
+  return bvh::in_standard_arithmetic([&]() -> std::vector<Casts> {
+    return ask_world_in_motions<Casts>(
+        world, shape, contact, batch, [&](const RigidMotion& motion) {
+          return world.cast_all(shape.shape, motion, contact, settings);
+        });
   });
 }
 

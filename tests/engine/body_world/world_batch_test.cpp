@@ -1,10 +1,12 @@
-// Many rays and poses in one call: the single questions bit for bit, whatever the threads.
+// Many rays, poses and motions in one call: the single questions bit for bit, whatever the threads.
 
 #include <graze/bvh/error.h>
+#include <graze/engine/world/compound.h>
 #include <graze/engine/world/world_batch.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <stop_token>
@@ -33,7 +35,8 @@ class WorldBatch : public testing::Test {
       const Shape shape = i % 3 == 0   ? torus
                           : i % 3 == 1 ? Shape(Box{{0.5, 0.75, 1}})
                                        : Shape(Sphere{{0, 0, 0}, 1});
-      ids_.push_back(world_.add({shape, at(x, y, 0.125 * i)}));
+      const BodySettings settings{.role = i % 5 == 0 ? Role::Sensor : Role::Solid};
+      ids_.push_back(world_.add({shape, at(x, y, 0.125 * i)}, settings));
     }
     world_.update();
     world_.move(ids_[7], at(3, 3, 0.5));  // which no update knows of
@@ -44,12 +47,20 @@ class WorldBatch : public testing::Test {
     }
     for (int i = 0; i < 500; ++i)
       poses_.push_back(at(source.uniform(-3, 25), source.uniform(-3, 15), source.uniform(-3, 12)));
+    for (int i = 0; i < 300; ++i) {  // across or above the bodies, every third turning
+      const Vector3d way(source.uniform(-4, 4), source.uniform(-4, 4), source.uniform(-20, 4));
+      motions_.emplace_back(poses_[i], RigidCourse{.centre = poses_[i].translation(),
+                                                   .shift = way,
+                                                   .axis = {1, 2, 3},
+                                                   .angle = i % 3 == 0 ? 1.5 : 0.0});
+    }
   }
 
   World world_{{.threads = 1}};
   std::vector<BodyId> ids_;
   std::vector<Ray> rays_;
   std::vector<Pose> poses_;
+  std::vector<RigidMotion> motions_;
 };
 
 TEST_F(WorldBatch, RaysAreTheSingleOnes) {
@@ -64,6 +75,72 @@ TEST_F(WorldBatch, RaysAreTheSingleOnes) {
   for (const int threads : kSomeThreads)
     EXPECT_EQ(cast_rays(world_, rays_, solid, {.threads = threads}), expected) << threads;
   EXPECT_TRUE(cast_rays(world_, {}).empty());
+}
+
+TEST_F(WorldBatch, AllThatRaysMeetIsAsOfSingleOnes) {
+  const BodyQuerySettings solid{.role = Role::Solid};
+  std::vector<std::vector<BodyRayHit>> expected;
+  std::size_t most = 0;
+  for (const Ray& ray : rays_) {
+    expected.push_back(world_.cast_ray_all(ray, solid));
+    most = std::max(most, expected.back().size());
+  }
+  EXPECT_GT(most, 2u);
+  for (const int threads : kSomeThreads)
+    EXPECT_EQ(cast_ray_all(world_, rays_, solid, {.threads = threads}), expected) << threads;
+  EXPECT_TRUE(cast_ray_all(world_, {}).empty());
+}
+
+TEST_F(WorldBatch, MotionsAreTheSingleOnes) {
+  Compound parts;
+  parts.add({Box{{1, 1, 0.25}}, at(0, 0, 2)});
+  parts.add({Sphere{{0, 0, 0}, 1}, at(1, 1, -1)});
+  world_.add({share(parts), at(12, 7, 1)});
+  const RigidContactSettings contact{.clearance = 0.0625, .tolerance = 1e-4};
+  const BodyQuerySettings solid{.role = Role::Solid};
+  const Shape shapes[] = {Shape(Capsule{0.25, 0.5}), Shape(tests::make_torus(0.5, 0.125, 12, 8))};
+  for (const Shape& shape : shapes) {
+    std::vector<std::optional<BodyCast>> first;
+    std::vector<std::vector<BodyCast>> all;
+    std::size_t hits = 0, most = 0;
+    for (const RigidMotion& motion : motions_) {
+      first.push_back(world_.cast(shape, motion, contact, solid));
+      all.push_back(world_.cast_all(shape, motion, contact, solid));
+      hits += first.back().has_value();
+      most = std::max(most, all.back().size());
+    }
+    EXPECT_TRUE(hits > 50 && hits < 290) << hits;
+    EXPECT_GT(most, 2u);
+    for (const int threads : kSomeThreads) {
+      const BatchSettings batch{.threads = threads};
+      EXPECT_EQ(cast(world_, {shape, motions_}, contact, solid, batch), first) << threads;
+      EXPECT_EQ(cast_all(world_, {shape, motions_}, contact, solid, batch), all) << threads;
+    }
+    EXPECT_TRUE(cast(world_, {shape, {}}).empty());
+  }
+}
+
+TEST_F(WorldBatch, ABadMotionIsNamedBeforeTheFirstAnswer) {
+  const Shape probe(Sphere{{0, 0, 0}, 1});
+  motions_[211] = RigidMotion(at(0), {.shift = {0x1p700, 0, 0}});
+  motions_[250] = motions_[211];
+  for (const int threads : kSomeThreads) {
+    std::size_t told = 0;
+    const BatchSettings batch{.threads = threads,
+                              .on_progress = [&](std::size_t, std::size_t) { ++told; }};
+    try {
+      cast(world_, {probe, motions_}, {}, {}, batch);
+      ADD_FAILURE() << "a motion that goes too far";
+    } catch (const PoseError& error) {
+      EXPECT_EQ(error.place().element, "motion");
+      EXPECT_EQ(error.place().index, 211u);
+      EXPECT_TRUE(std::string(error.what()).starts_with("motion 211")) << error.what();
+    }
+    EXPECT_THROW(cast_all(world_, {probe, motions_}, {}, {}, batch), PoseError);
+    EXPECT_EQ(told, 0u);
+  }
+  EXPECT_THROW(cast(world_, {probe, {}}, {.clearance = -1}), InputError);
+  EXPECT_THROW(cast_all(world_, {probe, {}}, {}, {}, {.threads = -1}), InputError);
 }
 
 TEST_F(WorldBatch, PosesAreTheSingleOnes) {
@@ -120,7 +197,12 @@ TEST_F(WorldBatch, BadElementsAreNamed) {
 TEST_F(WorldBatch, ItStopsAndTellsOfProgress) {
   std::stop_source stop;
   stop.request_stop();
+  const Shape probe(Sphere{{0, 0, 0}, 1});
   EXPECT_THROW(cast_rays(world_, rays_, {}, {.stop = stop.get_token()}), StoppedError);
+  EXPECT_THROW(cast_ray_all(world_, rays_, {}, {.stop = stop.get_token()}), StoppedError);
+  EXPECT_THROW(cast(world_, {probe, motions_}, {}, {}, {.stop = stop.get_token()}), StoppedError);
+  EXPECT_THROW(cast_all(world_, {probe, motions_}, {}, {}, {.stop = stop.get_token()}),
+               StoppedError);
   std::size_t last = 0;
   cast_rays(world_, rays_, {}, {.on_progress = [&](std::size_t done, std::size_t total) {
               EXPECT_GE(done, last);
@@ -128,6 +210,27 @@ TEST_F(WorldBatch, ItStopsAndTellsOfProgress) {
               last = done;
             }});
   EXPECT_EQ(last, rays_.size());
+}
+
+TEST_F(WorldBatch, MotionsAreStoppedInTheMidst) {
+  const Shape probe(tests::make_torus(0.5, 0.125, 24, 12));
+  std::vector<RigidMotion> many;
+  for (int i = 0; i < 100; ++i)
+    many.insert(many.end(), motions_.begin(), motions_.end());
+  for (const int threads : {1, 2}) {
+    std::stop_source stop;
+    std::size_t last = 0;
+    const BatchSettings batch{.threads = threads,
+                              .stop = stop.get_token(),
+                              .on_progress = [&](std::size_t done, std::size_t total) {
+                                EXPECT_EQ(total, many.size());
+                                EXPECT_GE(done, last);
+                                last = done;
+                                stop.request_stop();
+                              }};
+    EXPECT_THROW(cast(world_, {probe, many}, {}, {}, batch), StoppedError);
+    EXPECT_TRUE(last > 0 && last < many.size()) << last;
+  }
 }
 
 /// Notes whether it was asked by two threads at once, or by another than the caller.
@@ -159,6 +262,7 @@ TEST_F(WorldBatch, AUsersShapeIsAskedByTheCallerAlone) {
   cast_rays(world_, rays_, {}, {.threads = 4});
   const Shape probe(Sphere{{0, 0, 0}, 3});
   find_touching(world_, {probe, poses_}, {}, {.threads = 4});
+  cast_ray_all(world_, rays_, {}, {.threads = 4});
   EXPECT_GT(ball->questions(), 10);
   EXPECT_FALSE(ball->is_asked_elsewhere());
 }

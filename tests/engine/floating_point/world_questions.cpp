@@ -92,6 +92,17 @@ void ask_in_batches(const World& world, const Inputs& in, Words& words, int thre
       add_distance(words, each.distance);
   for (const auto& closest : find_closest(world, {ball, poses}, {}, batch))
     if (closest) add_distance(words, closest->distance);
+  for (const auto& hits : cast_ray_all(world, std::vector<Ray>(3, in.ray), {}, batch))
+    for (const BodyRayHit& hit : hits)
+      words.add(hit.hit.distance);
+  std::vector<RigidMotion> motions;
+  for (const Pose& pose : poses)
+    motions.emplace_back(pose, RigidCourse{.shift = {1, 2, -1}, .angle = 0.5});
+  for (const auto& met : cast(world, {ball, motions}, {}, {}, batch))
+    if (met) words.add(met->contact.low), words.add(met->contact.high);
+  for (const auto& casts : cast_all(world, {ball, motions}, {}, {}, batch))
+    for (const BodyCast& met : casts)
+      words.add(met.contact.low);
 }
 
 void ask_world(const Inputs& in, Words& words, int threads) {

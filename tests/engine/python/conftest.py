@@ -1,5 +1,6 @@
 """What the tests of the package share: the meshes of data/ and poses of them."""
 
+import json
 import os
 from pathlib import Path
 from typing import Any
@@ -54,3 +55,29 @@ def nut() -> Any:
 @pytest.fixture
 def unit_cube() -> Any:
     return cube()
+
+
+SWEPT = 1000
+"""Poses of sweeps."""
+
+
+@pytest.fixture(scope="session")
+def poses() -> Any:
+    return random_poses(SWEPT, 0.02, seed=40)
+
+
+@pytest.fixture(scope="session")
+def touches(bolt: Any, nut: Any) -> Any:
+    return graze.over_poses(graze.intersects, bolt, nut)
+
+
+@pytest.fixture(scope="session")
+def gaps(bolt: Any, nut: Any) -> Any:
+    return graze.over_poses(graze.distance, bolt, nut)
+
+
+def begins_in(journal: Path) -> Any:
+    """Where the chunks of a sweep begin that are done, in the order in which they were. A last line that a kill cut short
+    is none."""
+    lines = [line for line in journal.read_text().splitlines(keepends=True) if line.endswith("\n")]
+    return [row["begin"] for row in map(json.loads, lines) if "begin" in row]

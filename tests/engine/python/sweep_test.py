@@ -1,38 +1,17 @@
-"""Sweeps over more poses than are asked at once: files, reductions, kills, executors, a cluster."""
+"""Sweeps over more poses than are asked at once: files, reductions, kills, executors."""
 
 import concurrent.futures
-import json
 import os
 import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import graze
 import numpy as np
 import pytest
-from conftest import MESHES, random_poses, translation
-
-COUNT = 1000
-
-
-@pytest.fixture(scope="module")
-def poses():
-    return random_poses(COUNT, 0.02, seed=40)
-
-
-@pytest.fixture(scope="module")
-def touches():
-    bolt, nut = graze.load_mesh(MESHES / "bolt.obj"), graze.load_mesh(MESHES / "nut.stl")
-    return graze.over_poses(graze.intersects, bolt, nut)
-
-
-@pytest.fixture(scope="module")
-def gaps(touches):
-    return graze.over_poses(graze.distance, touches.a, touches.b)
-
+from conftest import MESHES, SWEPT, begins_in, translation
 
 class Counting:
     """A query that writes down which poses it is asked, by their x; and fails after so many chunks."""
@@ -69,7 +48,7 @@ def test_sources_of_poses(touches, poses, tmp_path):
         "map": np.load(tmp_path / "poses.npy", mmap_mode="r"),
         "dask": dask_array.from_array(poses, chunks=(130, 4, 4)),
         "generator": (pose for pose in poses),
-        "parts": (poses[i : i + 77] for i in range(0, COUNT, 77)),
+        "parts": (poses[i : i + 77] for i in range(0, SWEPT, 77)),
         "list": list(poses),
     }
     for name, source in sources.items():
@@ -165,7 +144,7 @@ def test_a_sweep_that_failed_goes_on(touches, poses, tmp_path, reduce):
     else:
         assert result == touches(poses).sum()
     again = graze.sweep(Counting(touches, log, most=0), poses, chunk=64, **settings)
-    assert again == result and len(asked(log)) == COUNT
+    assert again == result and len(asked(log)) == SWEPT
 
 
 def test_a_journal_of_another_sweep_is_refused(touches, gaps, poses, tmp_path):
@@ -201,7 +180,7 @@ def test_bad_sweeps(touches, poses, tmp_path):
     with pytest.raises(graze.InputError, match="query: cannot be pickled"):
         graze.sweep(lambda part: part, poses, out=tmp_path / "b.npy")
     with pytest.raises(graze.PoseError, match="pose 3 of b"):
-        graze.sweep(touches, np.where(np.arange(COUNT)[:, None, None] == 67, 2, 1) * poses, chunk=64)
+        graze.sweep(touches, np.where(np.arange(SWEPT)[:, None, None] == 67, 2, 1) * poses, chunk=64)
 
 
 def test_progress(touches, poses):
@@ -257,72 +236,5 @@ def test_a_sweep_that_was_killed_goes_on(touches, poses, tmp_path, ending):
         assert process.wait() == (-signal.SIGKILL if kill_at else 0)
     assert np.array_equal(np.load(out) if ending == "npy" else zarr.open_array(str(out), mode="r")[:], touches(poses))
     times = np.unique(asked(tmp_path / "asked"), return_counts=True)[1]
-    assert len(times) == COUNT and (times > 1).sum() <= 20  # but for the chunks that the kills met
-    journal = [json.loads(line) for line in (tmp_path / f"{out.name}.journal").read_text().splitlines()]
-    assert sorted(line["begin"] for line in journal if "begin" in line) == list(range(0, COUNT, 10))
-
-
-def kill_worker_once(path):
-    """Ends the process that it runs in, the first time."""
-    try:
-        os.close(os.open(path, os.O_CREAT | os.O_EXCL))
-    except FileExistsError:
-        return
-    os.kill(os.getpid(), signal.SIGKILL)
-
-
-class Killing:
-    def __init__(self, query, path):
-        self.query, self.path = query, str(path)
-
-    def __call__(self, poses):
-        kill_worker_once(self.path)
-        return self.query(poses)
-
-
-@pytest.mark.slow
-@pytest.mark.filterwarnings("ignore")
-def test_a_cluster_of_dask_loses_a_worker(gaps, poses, tmp_path):
-    distributed = pytest.importorskip("distributed")
-    settings = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
-    with distributed.LocalCluster(**settings) as cluster, distributed.Client(cluster) as client:
-        query = Killing(gaps, tmp_path / "killed")
-        paths = graze.sweep(query, poses, out=tmp_path / "gap.npy", chunk=50, executor=client)
-        assert (tmp_path / "killed").exists()
-        expected = gaps(poses)
-        for name, path in paths.items():
-            assert np.array_equal(np.load(path), getattr(expected, name)), name
-        least = graze.sweep(gaps, poses, chunk=50, executor=client, reduce=graze.least_distance())
-        assert least == (expected.distance.min(), int(np.argmin(expected.distance)))
-
-
-MPI = """
-import graze, numpy as np
-from mpi4py.futures import MPIPoolExecutor
-from conftest import MESHES
-
-if __name__ == "__main__":
-    bolt, nut = graze.load_mesh(MESHES / "bolt.obj"), graze.load_mesh(MESHES / "nut.stl")
-    query = graze.over_poses(graze.intersects, bolt, nut, threads=1)
-    with MPIPoolExecutor() as executor:
-        print(graze.sweep(query, "poses.npy", chunk=50, executor=executor, reduce=graze.count()))
-        graze.sweep(query, "poses.npy", out="hits.npy", chunk=50, executor=executor)
-"""
-
-
-@pytest.mark.slow
-def test_ranks_of_mpi(touches, poses, tmp_path):
-    pytest.importorskip("mpi4py")
-    if shutil.which("mpiexec") is None:
-        pytest.skip("there is no mpiexec")
-    np.save(tmp_path / "poses.npy", poses)
-    (tmp_path / "program.py").write_text(MPI)
-    paths = os.pathsep.join([str(Path(__file__).parent), str(Path(graze.__file__).parents[1])])
-    command = ["mpiexec", "--allow-run-as-root", "--oversubscribe", "-n", "3"]
-    command += [sys.executable, "-m", "mpi4py.futures", "program.py"]
-    began = time.monotonic()
-    environment = {**os.environ, "PYTHONPATH": paths}
-    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert int(done.stdout) == touches(poses).sum() and time.monotonic() - began < 300
-    assert np.array_equal(np.load(tmp_path / "hits.npy"), touches(poses))
+    assert len(times) == SWEPT and (times > 1).sum() <= 20  # but for the chunks that the kills met
+    assert sorted(begins_in(tmp_path / f"{out.name}.journal")) == list(range(0, SWEPT, 10))

@@ -8,6 +8,8 @@
 #include <graze/bvh/value/element_error.h>
 #include <graze/engine/world/world.h>
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -41,14 +43,14 @@ struct SharedWorld {
   bool is_in_batch = false;  ///< read and written with the lock
 };
 
-/// Calls `ask(world, i)` for `count` questions in a batch that has the world's lock: its threads
-/// read it, and nobody changes it meanwhile. `blame` as of run_batch().
+/// Calls `ask(world, settings)` for a batch that has the world's lock: its threads read it, and
+/// nobody changes it meanwhile. `blame` as of run_batch().
 template <typename Ask>
-void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batch, const Ask& ask,
-                       const std::function<void()>& blame) {
+void ask_world_in_batch(SharedWorld& shared, const Batch& batch, const Ask& ask,
+                        const std::function<void()>& blame = {}) {
   run_batch(
       batch, nullptr,
-      [&](const BatchSettings& settings, Work& sum) {
+      [&](const BatchSettings& settings, Work&) {
         const std::scoped_lock lock(shared.mutex);
         shared.check_free();
         const World& world = shared.world;
@@ -59,10 +61,37 @@ void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batc
           InBatch& operator=(const InBatch&) = delete;
           bool& is_so_;
         } in_batch(shared.is_in_batch);
-        for_each_in_batch(count, kMostInAPart, settings, &sum,
+        ask(world, settings);
+      },
+      blame);
+}
+
+/// Calls `ask(world, i)` for `count` questions likewise, where what they ask is read in place and
+/// what they answer is written to it.
+template <typename Ask>
+void ask_world_for_all(SharedWorld& shared, std::size_t count, const Batch& batch, const Ask& ask,
+                       const std::function<void()>& blame) {
+  ask_world_in_batch(
+      shared, batch,
+      [&](const World& world, const BatchSettings& settings) {
+        for_each_in_batch(count, kMostInAPart, settings, nullptr,
                           [&](std::size_t i, Work&) { ask(world, i); });
       },
       blame);
+}
+
+/// Where the list of each begins, and the end of the last, as an array; and all in one.
+template <typename T>
+std::pair<std::vector<T>, py::object> joined(const std::vector<std::vector<T>>& lists) {
+  std::vector<std::int64_t> offsets{0};
+  offsets.reserve(lists.size() + 1);
+  for (const std::vector<T>& list : lists)
+    offsets.push_back(offsets.back() + static_cast<std::int64_t>(list.size()));
+  std::vector<T> all;
+  all.reserve(static_cast<std::size_t>(offsets.back()));
+  for (const std::vector<T>& list : lists)
+    all.insert(all.end(), list.begin(), list.end());
+  return {std::move(all), array_over<std::int64_t>(std::move(offsets))};
 }
 
 /// Calls `ask(world, id)` for each, all or none: unknown ids are refused first.

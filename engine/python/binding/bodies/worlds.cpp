@@ -307,6 +307,7 @@ True
   add_snapshots(module);
   add_world_states(module);
   add_world_queries(module);
+  add_world_casts(module);
   add_world_pairs(module);
   add_world_drawing(module);
 }

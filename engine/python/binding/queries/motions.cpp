@@ -12,9 +12,11 @@
 
 #include <graze/bvh/value/element_error.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace graze::python {
 namespace {
@@ -208,6 +210,20 @@ py::object cast_of(py::handle a, py::handle b, py::handle displacement, py::hand
   return casts_of_shapes(pair, ways, batch, work_from(work));
 }
 
+/// An array of the words, of which numpy keeps four bytes a letter, up to zeros.
+py::array words_of(const std::vector<RigidContact>& answers) {
+  constexpr std::size_t kLetters = 5;
+  py::array words(py::dtype("U5"),
+                  std::vector<py::ssize_t>{static_cast<py::ssize_t>(answers.size())});
+  auto* at = static_cast<char32_t*>(words.mutable_data());
+  for (const RigidContact& contact : answers) {
+    const std::string_view word = word_of(contact.status);
+    std::fill_n(std::copy(word.begin(), word.end(), at), kLetters - word.size(), U'\0');
+    at += kLetters;
+  }
+  return words;
+}
+
 constexpr const char* kFirstContactText =
     R"(first_contact(a, motion_a, b, motion_b, *, clearance=0.0, tolerance=1e-06, budget=16777216, threads=0, progress=None, work=None)
 --
@@ -215,7 +231,7 @@ constexpr const char* kFirstContactText =
 When two meshes or shapes in rigid motion meet first, never late: a RigidContact. `status` is "free", which is
 proved for all times from 0 to 1, "hit", of which `high` is a witness, or "close"; there is no contact before `low`.
 
-Motions are RigidMotions, or poses of what rests. With a list of many for B the answer is RigidContacts: arrays, on
+Motions are RigidMotions, or poses of what rests. With RigidMotions or a list of many for B the answer is RigidContacts: arrays, on
 all threads. What is not further apart than `clearance`, metres, counts as a hit; what comes within `tolerance`
 beyond it is not called free.
 
@@ -231,7 +247,7 @@ constexpr const char* kIsFreeText =
     R"(is_free(a, motion_a, b, motion_b, *, clearance=0.0, tolerance=1e-06, budget=16777216, threads=0, progress=None, work=None)
 --
 
-Whether first_contact() says "free": a bool, or with a list of motions of B an array.
+Whether first_contact() says "free": a bool, or with many motions of B an array.
 
 >>> graze.is_free(bolt, np.eye(4), nut, far)
 True
@@ -242,7 +258,7 @@ constexpr const char* kLastFreeText =
 --
 
 The last time up to which two meshes are proved to stay apart, 1.0 if that is so to the end; None if they are too near at
-the start. With a list of motions of B an array, in which that is NaN.
+the start. With many motions of B an array, in which that is NaN.
 
 >>> graze.last_free(bolt, np.eye(4), nut, far)
 1.0
@@ -266,25 +282,26 @@ True
 }  // namespace
 
 Motions::Motions(py::handle argument, const char* name)
-    : is_many_(PyList_Check(argument.ptr()) != 0 || PyTuple_Check(argument.ptr()) != 0) {
+    : keeper_(py::reinterpret_borrow<py::object>(argument)),
+      array_(motions_in(argument)),
+      is_many_(array_ != nullptr || PyList_Check(argument.ptr()) != 0 ||
+               PyTuple_Check(argument.ptr()) != 0) {
+  if (array_ != nullptr) return;
   if (!is_many_) {
-    all_.push_back(motion_from(argument, name));
+    listed_.push_back(motion_from(argument, name));
     return;
   }
-  all_.reserve(py::len(argument));
+  listed_.reserve(py::len(argument));
   for (const py::handle motion : argument) {
-    const std::string place = std::string(name) + "[" + std::to_string(all_.size()) + "]";
-    all_.push_back(motion_from(motion, place.c_str()));
+    const std::string place = std::string(name) + "[" + std::to_string(listed_.size()) + "]";
+    listed_.push_back(motion_from(motion, place.c_str()));
   }
 }
 
 py::object result_of(const std::vector<RigidContact>& answers) {
   static const ResultType kMany("RigidContacts");
-  py::list words;
-  for (const RigidContact& contact : answers)
-    words.append(word_of(contact.status));
   return kMany(
-      py::module_::import("numpy").attr("array")(words, "U5"),
+      words_of(answers),
       numbers_of<double>(answers, [](const auto& contact) { return contact.low; }),
       numbers_of<double>(answers, [](const auto& contact) { return contact.high; }),
       numbers_of<bool>(answers, [](const auto& contact) { return contact.is_out_of_budget; }));

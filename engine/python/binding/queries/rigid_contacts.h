@@ -5,22 +5,26 @@
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 
+#include <span>
 #include <vector>
 
 namespace graze::python {
 
-/// One motion, or a list or a tuple of them.
+/// One motion, or RigidMotions, or a list or a tuple of motions.
 class Motions {
  public:
   /// Throws as motion_from() does, naming the element.
   Motions(py::handle argument, const char* name);
 
   bool is_many() const { return is_many_; }
-  std::size_t size() const { return all_.size(); }
-  const RigidMotion& operator[](std::size_t i) const { return all_[i]; }
+  std::span<const RigidMotion> all() const { return array_ != nullptr ? *array_ : listed_; }
+  std::size_t size() const { return all().size(); }
+  const RigidMotion& operator[](std::size_t i) const { return all()[i]; }
 
  private:
-  std::vector<RigidMotion> all_;
+  py::object keeper_;
+  const std::vector<RigidMotion>* array_;
+  std::vector<RigidMotion> listed_;
   bool is_many_;
 };
 

@@ -5,7 +5,16 @@
 #include <graze/engine/mesh/rigid_contact.h>
 #include <graze/engine/mesh/rigid_motion.h>
 
+#include <vector>
+
 namespace graze::python {
+
+/// RigidMotions of Python.
+struct MotionArray {
+  std::vector<RigidMotion> all;
+};
+/// What these hold, or nothing if the argument is none of them.
+const std::vector<RigidMotion>* motions_in(py::handle argument);
 
 /// A RigidMotion, or a pose that rests. Throws PoseError.
 RigidMotion motion_from(py::handle argument, const char* name);
