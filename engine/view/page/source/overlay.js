@@ -21,6 +21,9 @@ export class Overlay {
     /** @type {{at: THREE.Vector3, span: HTMLSpanElement}[]} */
     this.words = [];
     this.timer = 0;
+    // What is drawn of these, so that nothing is laid out anew for a picture that has the same.
+    this.scale = {width: '', text: ''};
+    this.turn = new THREE.Quaternion(0, 0, 0, 0);
     this.axes = ['x', 'y', 'z'].map((name, i) => {
       const group = document.createElementNS('http://www.w3.org/2000/svg', 'g');
       const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
@@ -87,12 +90,17 @@ export class Overlay {
     const unit = this.stage.unitsOfPixel();
     if (!(unit > 0) || !Number.isFinite(unit)) return;
     const long = roundLength(130 * unit);
-    element('scale-line').style.width = `${Math.round(long / unit)}px`;
-    element('scale-text').textContent = length(long, this.stage.page.unit);
+    const width = `${Math.round(long / unit)}px`, text = length(long, this.stage.page.unit);
+    if (width === this.scale.width && text === this.scale.text) return;
+    this.scale = {width, text};
+    element('scale-line').style.width = width;
+    element('scale-text').textContent = text;
   }
 
   placeAxes() {
     const turn = this.stage.camera.quaternion.clone().invert();
+    if (turn.equals(this.turn)) return;
+    this.turn = turn;
     for (const {line, text, axis} of this.axes) {
       const {x, y} = axis.clone().applyQuaternion(turn);
       line.setAttribute('x2', String(20 * x));
