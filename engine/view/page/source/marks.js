@@ -5,18 +5,12 @@ import * as THREE from 'three';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
 import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import {marksOf} from './frames.js';
 
 /** @typedef {import('./unpack.js').Arrays} Arrays */
-/** @typedef {import('./unpack.js').MarkData} MarkData */
 
 /** Pixels that a normal has at least, so that one sees where it points however shallow the contact. */
 const kLeastNormal = 30;
-
-/** The numbers of a frame. @param {Arrays} arrays @param {MarkData} mark @param {number} width @param {number} frame */
-export function marksOf(arrays, mark, width, frame) {
-  const starts = arrays.words(mark.starts);
-  return arrays.floats(mark.list).subarray(width * starts[frame], width * starts[frame + 1]);
-}
 
 /** Thick lines, and the same where they are hidden. */
 class Lines {
