@@ -48,7 +48,7 @@ export class Overlay {
         this.add(new THREE.Vector3((g[i] + g[i + 3]) / 2, (g[i + 1] + g[i + 4]) / 2, (g[i + 2] + g[i + 5]) / 2),
                  length(g[i + 6] * scale, page.unit), 'gap');
       }
-    if (stage.layers.has('contacts'))
+    if (stage.layers.has('contacts') && !marks.isCrowd)
       for (let i = 0; i < Math.min(kMostWords, marks.contactNumbers.length / 7); ++i)
         if (marks.contactNumbers[7 * i + 6] > 0)
           this.add(new THREE.Vector3().fromArray(marks.contactNumbers, 7 * i),
