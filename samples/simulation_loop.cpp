@@ -1,8 +1,8 @@
 // Bolts and nuts pour into a bin and come to rest, and a pellet is shot at them that would be
 // through the bin's floor within a step: a loop of a small solver around graze::World.
 // simulation_loop DATA_DIR [--bodies N] [--seconds S] [--shot M/S] [--seed K] [--gltf FILE]
-// [--picture FILE.pov] Exits with 1 if anything fell through the bin, flew out of it or gained
-// energy.
+// [--picture FILE.pov] [--record FILE] Exits with 1 if anything fell through the bin, flew out of
+// it or gained energy.
 
 #include <graze/graze.h>
 
@@ -19,6 +19,7 @@
 #include "samples/simulation/contact_solver.h"
 #include "samples/simulation/options.h"
 #include "samples/simulation/pile_files.h"
+#include "samples/simulation/pile_recorder.h"
 #include "samples/simulation/shape_mass.h"
 
 namespace {
@@ -79,8 +80,10 @@ class Simulation {
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/bolt.obj"), "bolt");
     kinds_.emplace_back(graze::load_mesh(options.data / "meshes/nut.stl"), "nut");
     bodies_.reserve(static_cast<std::size_t>(options.bodies) + 1);
-    world_.add({bin_mesh_, graze::Pose::Identity()},
-               {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed});
+    recorder_.name(
+        world_.add({bin_mesh_, graze::Pose::Identity()},
+                   {.kind = graze::BodyKind::Static, .user_data = ContactSolver::kFixed}),
+        "bin");
   }
 
   int run() {
@@ -144,6 +147,7 @@ class Simulation {
     turn.normalize();
     RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
     body.id = world_.add({kind.shape, body.pose()}, {.user_data = bodies_.size()});
+    recorder_.name(body.id, kind.name + (" " + std::to_string(bodies_.size())));
     poured_energy_ += energy_of(body);
     bodies_.push_back(body);
     seen_.push_back(body);
@@ -163,6 +167,7 @@ class Simulation {
                    .reach = kPellet};
     body.id = world_.add({pellet_shape_, body.pose()},
                          {.user_data = bodies_.size(), .detection = graze::Detection::Continuous});
+    recorder_.name(body.id, "pellet");
     poured_energy_ += energy_of(body);
     bodies_.push_back(body);
     seen_.push_back(body);
@@ -317,7 +322,8 @@ class Simulation {
   }
 
  public:
-  void write_files() const {
+  void write_files() {
+    recorder_.finish();
     const bool is_at_rest = std::ranges::all_of(bodies_, &RigidBody::is_asleep);
     graze::samples::Pile pile{.title = std::to_string(poured()) + " bolts and nuts " +
                                        (is_at_rest ? "at rest " : "") + "in a bin",
@@ -343,6 +349,7 @@ class Simulation {
   std::vector<Kind> kinds_;
   graze::Mesh bin_mesh_ = graze::samples::make_bin({});
   graze::World world_;
+  graze::samples::PileRecorder recorder_{world_, options_.record, settings_.step};
   std::vector<RigidBody> bodies_, seen_;  // as they are, and as the world has them
   std::vector<std::vector<graze::Pose>> frames_;
   std::vector<std::size_t> first_frame_;

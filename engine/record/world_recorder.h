@@ -12,12 +12,19 @@
 
 namespace graze {
 
-/// What a WorldRecorder keeps beside inputs and pairs.
+/// When an update's block is handed to the system.
+enum class RecordedWriting : std::uint8_t {
+  Behind,  ///< by a thread of the recorder's own, up to four updates later: costs the world least
+  AtOnce   ///< before update() returns: for programs that may crash
+};
+
+/// What a WorldRecorder keeps beside inputs and pairs, and how it writes.
 struct WorldRecorderSettings {
   RecordedContacts contacts = RecordedContacts::Begun;  ///< of which pairs
   bool has_work = true;                                 ///< each update's WorldWork, some 40 bytes
   double seconds_per_update = 0;  ///< for those who look at it; finite and not negative; 0: unknown
   std::string note = {};          ///< what it shows, for people
+  RecordedWriting writing = RecordedWriting::Behind;
 };
 
 /// Writes down what is done to a world and what its updates say: while this lives everything that
@@ -25,9 +32,11 @@ struct WorldRecorderSettings {
 /// shapes are kept to the last bit, so that the run can be repeated (RecordingReplay). A world that
 /// nobody records pays one look at a pointer for each change.
 ///
-/// Each update is handed to the system before update() returns. So a program that ends in whatever
-/// way leaves a file that can be read up to its last update, and one that is read while it is
-/// written. Changes after the last update are not kept.
+/// Each update is handed to the system soon after update() returned, by a thread that the recorder
+/// starts, so that the world hardly waits; with RecordedWriting::AtOnce before update() returns. So
+/// a program that ends in whatever way leaves a file that can be read up to one of its last
+/// updates, or its last one, and the file can be read while it is written. Changes after the last
+/// update are not kept.
 ///
 /// A shape is written once, however many bodies have it: those with equal numbers are one. Shapes
 /// of a user's own cannot be kept.
@@ -44,8 +53,9 @@ class WorldRecorder {
   /// O(bodies and pairs of the world).
   WorldRecorder(World& world, const std::filesystem::path& file,
                 const WorldRecorderSettings& settings = {});
-  /// Likewise, to whoever takes bytes: once now, and once at the end of each update. What it throws
-  /// ends the recording, as a full disk does.
+  /// Likewise, to whoever takes bytes: once now, and once for each update, from the recorder's own
+  /// thread unless they are written AtOnce, never two calls at a time. What it throws ends the
+  /// recording, as a full disk does.
   WorldRecorder(World& world, std::function<void(std::string_view)> sink,
                 const WorldRecorderSettings& settings = {});
   /// As finish(), but says nothing of what went wrong.
@@ -57,7 +67,7 @@ class WorldRecorder {
   /// not there.
   void name(BodyId id, std::string_view name);
 
-  /// How many updates are in it.
+  /// How many updates are in it. This and the next two wait until all are that have taken place.
   std::size_t updates() const;
   /// How many bytes it has.
   std::uint64_t bytes() const;

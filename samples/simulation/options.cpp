@@ -38,6 +38,8 @@ std::optional<SimulationOptions> simulation_options(int argc, char** argv) {
       options.gltf = value;
     } else if (name == "--picture") {
       options.picture = value;
+    } else if (name == "--record") {
+      options.record = value;
     } else {
       return std::nullopt;
     }

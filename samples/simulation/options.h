@@ -15,10 +15,11 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   std::filesystem::path gltf;  ///< empty for none
   std::filesystem::path picture;
+  std::filesystem::path record;
 
   static constexpr const char* kUsage =
       "simulation_loop DATA_DIR [--bodies N] [--seconds S] [--shot M/S] [--seed K] "
-      "[--gltf FILE] [--picture FILE.pov]";
+      "[--gltf FILE] [--picture FILE.pov] [--record FILE]";
 };
 
 /// Nothing for a name that is none of these, or a value that is no number or out of range.

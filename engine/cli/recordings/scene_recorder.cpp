@@ -10,9 +10,11 @@ SceneRecorder::SceneRecorder(const std::optional<std::string>& file, const Scene
   if (!file) return;
   recorder_.emplace(
       simulation.world(), *file,
-      WorldRecorderSettings{
-          .contacts = contacts, .seconds_per_update = simulation.time_of(1), .note = scene.note});
-  const std::vector<BodyId> ids = simulation.world().bodies();  // in the order of the scene
+      WorldRecorderSettings{.contacts = contacts,
+                            .seconds_per_update = simulation.time_of(1),
+                            .note = scene.note,
+                            .writing = RecordedWriting::AtOnce});  // who stops it has all steps
+  const std::vector<BodyId> ids = simulation.world().bodies();     // in the order of the scene
   for (std::size_t i = 0; i < ids.size(); ++i)
     recorder_->name(ids[i], scene.bodies[i].name);
 }

@@ -124,15 +124,10 @@ class PairReader {
   std::uint64_t last_ = 0;
 };
 
-void write_contacts(const WorldUpdate& update, RecordedContacts kept, ByteWriter& to) {
-  const auto is_listed = [&](const BodyContact& contact) {
-    return is_kept(contact.pair, update, kept);
-  };
-  to.number(static_cast<std::uint64_t>(
-      std::count_if(update.contacts.begin(), update.contacts.end(), is_listed)));
+void write_contacts(std::span<const BodyContact> list, ByteWriter& to) {
+  to.number(list.size());
   PairWriter pairs(to);
-  for (const BodyContact& contact : update.contacts) {
-    if (!is_listed(contact)) continue;
+  for (const BodyContact& contact : list) {
     pairs.write(contact.pair);
     write_manifold(contact.manifold, to);
   }
@@ -209,21 +204,43 @@ std::vector<BodyPair> read_pairs(ByteReader& from, const LastIds& ids) {
   return pairs;
 }
 
-bool is_kept(const BodyPair& pair, const WorldUpdate& update, RecordedContacts contacts) {
-  if (contacts != RecordedContacts::Begun) return contacts == RecordedContacts::All;
-  return std::binary_search(update.begun.begin(), update.begun.end(), pair) ||
-         std::binary_search(update.begun_near.begin(), update.begun_near.end(), pair);
+void keep_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
+                  RecordedAnswers& to) {
+  to.begun.assign(update.begun.begin(), update.begun.end());
+  to.ended.assign(update.ended.begin(), update.ended.end());
+  to.begun_near.assign(update.begun_near.begin(), update.begun_near.end());
+  to.ended_near.assign(update.ended_near.begin(), update.ended_near.end());
+  to.moved = update.moved.size(), to.all_contacts = update.contacts.size();
+  to.contacts.clear();
+  if (contacts != RecordedContacts::None) {
+    // All three lists ascend.
+    auto begun = update.begun.begin();
+    auto near = update.begun_near.begin();
+    for (const BodyContact& contact : update.contacts) {
+      const BodyPair& pair = contact.pair;
+      while (begun != update.begun.end() && *begun < pair)
+        ++begun;
+      while (near != update.begun_near.end() && *near < pair)
+        ++near;
+      if (contacts == RecordedContacts::All || (begun != update.begun.end() && *begun == pair) ||
+          (near != update.begun_near.end() && *near == pair))
+        to.contacts.push_back(contact);
+    }
+  }
+  to.first_contacts.assign(update.first_contacts.begin(), update.first_contacts.end());
+  to.work.reset();
+  if (has_work) to.work = update.work;
 }
 
-void write_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
-                   ByteWriter& to) {
-  for (const auto& list : {update.begun, update.ended, update.begun_near, update.ended_near})
-    write_pairs(list, to);
-  to.number(update.moved.size()), to.number(update.contacts.size());
-  write_contacts(update, contacts, to);
-  write_first_contacts(update.first_contacts, to);
-  if (!has_work) return;
-  for_each_counter(update.work, [&](const char*, std::uint64_t counter) { to.number(counter); });
+void write_answers(const RecordedAnswers& answers, ByteWriter& to) {
+  for (const auto* list :
+       {&answers.begun, &answers.ended, &answers.begun_near, &answers.ended_near})
+    write_pairs(*list, to);
+  to.number(answers.moved), to.number(answers.all_contacts);
+  write_contacts(answers.contacts, to);
+  write_first_contacts(answers.first_contacts, to);
+  if (!answers.work) return;
+  for_each_counter(*answers.work, [&](const char*, std::uint64_t counter) { to.number(counter); });
 }
 
 RecordedAnswers read_answers(ByteReader& from, const LastIds& ids, bool has_work) {
@@ -247,15 +264,7 @@ namespace graze {
 
 RecordedAnswers answers_of(const WorldUpdate& update, RecordedContacts contacts, bool has_work) {
   RecordedAnswers answers;
-  answers.begun.assign(update.begun.begin(), update.begun.end());
-  answers.ended.assign(update.ended.begin(), update.ended.end());
-  answers.begun_near.assign(update.begun_near.begin(), update.begun_near.end());
-  answers.ended_near.assign(update.ended_near.begin(), update.ended_near.end());
-  answers.moved = update.moved.size(), answers.all_contacts = update.contacts.size();
-  for (const BodyContact& contact : update.contacts)
-    if (record::is_kept(contact.pair, update, contacts)) answers.contacts.push_back(contact);
-  answers.first_contacts.assign(update.first_contacts.begin(), update.first_contacts.end());
-  if (has_work) answers.work = update.work;
+  record::keep_answers(update, contacts, has_work, answers);
   return answers;
 }
 

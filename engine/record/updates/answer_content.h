@@ -18,11 +18,12 @@ BodyId id_of(std::uint64_t index, const LastIds& ids, const ByteReader& from);
 void write_pairs(std::span<const BodyPair> ascending, ByteWriter& to);
 std::vector<BodyPair> read_pairs(ByteReader& from, const LastIds& ids);
 
-/// Whether the contacts of a pair are kept.
-bool is_kept(const BodyPair& pair, const WorldUpdate& update, RecordedContacts contacts);
+/// As answers_of(), in memory that is there.
+void keep_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
+                  RecordedAnswers& to);
 
-void write_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
-                   ByteWriter& to);
+/// Work, too, if it is kept.
+void write_answers(const RecordedAnswers& answers, ByteWriter& to);
 RecordedAnswers read_answers(ByteReader& from, const LastIds& ids, bool has_work);
 
 }  // namespace graze::record

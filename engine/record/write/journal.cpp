@@ -63,7 +63,9 @@ ChangeKind kind_of(BodyChange change) {
 }  // namespace
 
 WorldRecorder::Journal::Journal(Sink sink, const WorldRecorderSettings& settings)
-    : sink_(std::move(sink)), settings_(settings), shapes_([this](std::string_view content) {
+    : queue_(std::move(sink), settings.writing),
+      settings_(settings),
+      shapes_([this](std::string_view content) {
         record::append_block(BlockKind::Shape, record::packed(content), blocks_);
       }) {}
 
@@ -78,19 +80,8 @@ void WorldRecorder::Journal::keep(const Note& note) noexcept {
   }
 }
 
-void WorldRecorder::Journal::hand_over() {
-  sink_(blocks_);
-  bytes_ += blocks_.size();
-  blocks_.clear();
-}
-
 std::uint32_t WorldRecorder::Journal::number_of(const std::shared_ptr<const BodyShape>& shape) {
   return shapes_.number_of(shape);
-}
-
-record::PoseTrack& WorldRecorder::Journal::track_of(std::uint32_t body) {
-  if (body >= tracks_.size()) tracks_.resize(std::size_t{body} + 1);
-  return tracks_[body];
 }
 
 void WorldRecorder::Journal::write_contents(const WorldContents& contents, ByteWriter& to) {
@@ -99,7 +90,7 @@ void WorldRecorder::Journal::write_contents(const WorldContents& contents, ByteW
   ids_.clear();
   for (std::uint32_t index = 0; index < contents.all.bodies.size(); ++index) {
     if (!contents.all.ids.is_live(index)) continue;
-    track_of(index).begin(contents.all.bodies[index].pose);
+    queue_.notes().note_begin(index, contents.all.bodies[index].pose);
     note_id(contents.all.id(index));
   }
 }
@@ -133,7 +124,8 @@ void WorldRecorder::Journal::begin(const WorldContents& contents) {
     write_contents(contents, state);
   }
   record::append_block(BlockKind::State, state.view(), blocks_);
-  hand_over();
+  queue_.hand_over(blocks_);
+  blocks_.clear();
   if (begins_empty) note_all(contents.all);
 }
 
@@ -152,8 +144,8 @@ void WorldRecorder::Journal::note_all(const Bodies& all) {
 }
 
 void WorldRecorder::Journal::begin_change(ChangeKind kind, std::uint32_t body) {
-  changes_.byte(static_cast<std::uint8_t>(kind));
-  changes_.difference(std::int64_t{body} - std::int64_t{last_body_});
+  changes().byte(static_cast<std::uint8_t>(kind));
+  changes().difference(std::int64_t{body} - std::int64_t{last_body_});
   last_body_ = body;
 }
 
@@ -161,11 +153,11 @@ void WorldRecorder::Journal::note_added(const Bodies& all, std::uint32_t index) 
   const Bodies::Body& body = all.bodies[index];
   const std::uint32_t shape = number_of(body.shape);
   begin_change(ChangeKind::Added, index);
-  changes_.number(all.id(index).generation);
-  changes_.number(shape);
-  record::write_pose(body.pose, changes_);
-  record::write_settings(record::settings_of(body), changes_);
-  track_of(index).begin(body.pose);
+  changes().number(all.id(index).generation);
+  changes().number(shape);
+  record::write_pose(body.pose, changes());
+  record::write_settings(record::settings_of(body), changes());
+  queue_.notes().note_begin(index, body.pose);
   note_id(all.id(index));
 }
 
@@ -174,17 +166,17 @@ void WorldRecorder::Journal::note_set(ChangeKind kind, const Bodies& all, std::u
   begin_change(kind, index);
   switch (kind) {
     case ChangeKind::Filter:
-      return record::write_filter(body.filter, changes_);
+      return record::write_filter(body.filter, changes());
     case ChangeKind::Kind:
-      return changes_.byte(static_cast<std::uint8_t>(body.kind));
+      return changes().byte(static_cast<std::uint8_t>(body.kind));
     case ChangeKind::Role:
-      return changes_.byte(static_cast<std::uint8_t>(body.role));
+      return changes().byte(static_cast<std::uint8_t>(body.role));
     case ChangeKind::Margin:
-      return changes_.real(body.margin);
+      return changes().real(body.margin);
     case ChangeKind::Detection:
-      return changes_.byte(static_cast<std::uint8_t>(body.detection));
+      return changes().byte(static_cast<std::uint8_t>(body.detection));
     case ChangeKind::UserData:
-      return changes_.number(body.user_data);
+      return changes().number(body.user_data);
     case ChangeKind::Removed:
       ids_[index] = {};
       return;
@@ -201,7 +193,7 @@ void WorldRecorder::Journal::note(BodyChange change, const Bodies& all,
     if (kind != ChangeKind::Reshaped) return note_set(kind, all, body);
     const std::uint32_t shape = number_of(all.bodies[body].shape);
     begin_change(kind, body);
-    changes_.number(shape);
+    changes().number(shape);
   });
 }
 
@@ -209,47 +201,41 @@ void WorldRecorder::Journal::note(PairChange change, std::uint32_t a, std::uint3
   keep([&] {
     if (change == PairChange::Refused) return refused_.push_back(ordered_pair(a, b));
     begin_change(change == PairChange::Excluded ? ChangeKind::Excluded : ChangeKind::Included, a);
-    changes_.number(b);
+    changes().number(b);
   });
 }
 
 void WorldRecorder::Journal::note_moves(std::span<const BodyId> ids,
                                         std::span<const Pose> poses) noexcept {
   keep([&] {
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (ids[i].index == last_body_ + 1) {
-        changes_.byte(static_cast<std::uint8_t>(ChangeKind::Moved));
-        last_body_ = ids[i].index;
-      } else {
-        begin_change(ChangeKind::MovedElse, ids[i].index);
-      }
-      track_of(ids[i].index).write(poses[i], changes_);
-    }
+    if (ids.empty()) return;
+    queue_.notes().note_moves(ids, poses, last_body_);
+    last_body_ = ids.back().index;
   });
 }
 
 void WorldRecorder::Journal::note_motion(BodyId id, const RigidMotion& motion) noexcept {
   keep([&] {
     begin_change(ChangeKind::Taken, id.index);
-    record::write_pose(motion.start(), changes_);
+    record::write_pose(motion.start(), changes());
     for (const Eigen::Vector3d* v : {&motion.centre(), &motion.shift(), &motion.axis()})
-      write_vector(*v, changes_);
-    changes_.real(motion.angle());
-    track_of(id.index).begin(motion.at(1));
+      write_vector(*v, changes());
+    changes().real(motion.angle());
+    queue_.notes().note_begin(id.index, motion.at(1));
   });
 }
 
 void WorldRecorder::Journal::note_pair_filter(bool is_set) noexcept {
   keep([&] {
-    changes_.byte(
+    changes().byte(
         static_cast<std::uint8_t>(is_set ? ChangeKind::FilterSet : ChangeKind::FilterGone));
   });
 }
 
 void WorldRecorder::Journal::note_restored(const WorldContents& contents) noexcept {
   keep([&] {
-    changes_.byte(static_cast<std::uint8_t>(ChangeKind::Restored));
-    write_contents(contents, changes_);
+    changes().byte(static_cast<std::uint8_t>(ChangeKind::Restored));
+    write_contents(contents, changes());
     last_body_ = 0;
   });
 }
@@ -261,35 +247,34 @@ void WorldRecorder::Journal::name(BodyId id, std::string_view name) {
                        " and generation " + std::to_string(id.generation));
   keep([&] {
     begin_change(ChangeKind::Named, id.index);
-    changes_.text(name);
+    changes().text(name);
   });
 }
 
 void WorldRecorder::Journal::note_update(const WorldUpdate& update, bool follows_failure) noexcept {
   keep([&] {
-    changes_.byte(static_cast<std::uint8_t>(ChangeKind::End));
-    changes_.byte(follows_failure ? 1 : 0);
+    changes().byte(static_cast<std::uint8_t>(ChangeKind::End));
+    changes().byte(follows_failure ? 1 : 0);
     std::sort(refused_.begin(), refused_.end());
     refused_.erase(std::unique(refused_.begin(), refused_.end()), refused_.end());
-    changes_.number(refused_.size());
+    changes().number(refused_.size());
     for (const BoxPair& pair : refused_)
-      changes_.number(pair.a), changes_.number(pair.b);
-    record::write_answers(update, settings_.contacts, settings_.has_work, changes_);
-    record::append_block(BlockKind::Step, changes_.view(), blocks_);
-    changes_.clear(), refused_.clear();
+      changes().number(pair.a), changes().number(pair.b);
+    record::keep_answers(update, settings_.contacts, settings_.has_work, queue_.notes().answers);
+    queue_.notes().blocks.swap(blocks_);
+    refused_.clear();
     last_body_ = 0;
-    hand_over();
-    ++updates_;
+    queue_.submit();
   });
 }
 
 void WorldRecorder::Journal::finish() {
   keep([&] {
     ByteWriter end;
-    end.number(updates_);
+    end.number(queue_.updates());
     blocks_.clear();  // shapes of changes that no update followed
     record::append_block(BlockKind::End, end.view(), blocks_);
-    hand_over();
+    queue_.hand_over(blocks_);
   });
   close();
   if (const std::exception_ptr failure = std::exchange(failure_, nullptr))
@@ -298,7 +283,7 @@ void WorldRecorder::Journal::finish() {
 
 void WorldRecorder::Journal::close() noexcept {
   is_open_ = false;
-  sink_ = nullptr;
+  queue_.close();
 }
 
 }  // namespace graze

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <graze/engine/record/coding/pose_track.h>
 #include <graze/engine/record/updates/changes.h>
 #include <graze/engine/record/world_recorder.h>
 #include <graze/engine/record/write/shape_table.h>
+#include <graze/engine/record/write/step_queue.h>
 #include <graze/engine/world/bodies/world_state.h>
 
 #include <exception>
@@ -14,7 +14,7 @@
 
 namespace graze {
 
-/// Takes note of what a world is told, and writes a block at the end of each update.
+/// Takes note of what a world is told, and has a block written at the end of each update.
 class WorldRecorder::Journal final : public WorldJournal {
  public:
   using Sink = std::function<void(std::string_view)>;
@@ -29,9 +29,9 @@ class WorldRecorder::Journal final : public WorldJournal {
   /// Takes no note any more.
   void close() noexcept;
 
-  std::size_t updates() const { return updates_; }
-  std::uint64_t bytes() const { return bytes_; }
-  bool has_failed() const noexcept { return failure_ != nullptr; }
+  std::size_t updates() const { return queue_.updates(); }
+  std::uint64_t bytes() const { return queue_.bytes(); }
+  bool has_failed() const noexcept { return failure_ != nullptr || queue_.has_failed(); }
 
   bool is_open() const noexcept override { return is_open_; }
   void note(BodyChange change, const Bodies& all, std::uint32_t body) noexcept override;
@@ -51,21 +51,16 @@ class WorldRecorder::Journal final : public WorldJournal {
   void note_all(const Bodies& all);
   void write_contents(const WorldContents& contents, record::ByteWriter& to);
   std::uint32_t number_of(const std::shared_ptr<const BodyShape>& shape);
-  record::PoseTrack& track_of(std::uint32_t body);
+  record::ByteWriter& changes() { return queue_.notes().changes; }  ///< since the last update
   void note_id(BodyId id);
-  void hand_over();
 
-  Sink sink_;
+  record::StepQueue queue_;
   WorldRecorderSettings settings_;
   record::ShapeTable shapes_;
-  std::vector<record::PoseTrack> tracks_;  ///< by body
-  std::vector<BodyId> ids_;                ///< of those that are there, by index
-  record::ByteWriter changes_;             ///< since the last update
-  std::vector<BoxPair> refused_;           ///< likewise
-  std::string blocks_;                     ///< that wait for the end of the update
-  std::uint32_t last_body_ = 0;            ///< that a change was about
-  std::size_t updates_ = 0;
-  std::uint64_t bytes_ = 0;
+  std::vector<BodyId> ids_;       ///< of those that are there, by index
+  std::vector<BoxPair> refused_;  ///< since the last update
+  std::string blocks_;            ///< that wait for the end of the update
+  std::uint32_t last_body_ = 0;   ///< that a change was about
   bool is_open_ = true;
   std::exception_ptr failure_;
 };

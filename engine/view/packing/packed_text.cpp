@@ -16,7 +16,7 @@ namespace {
 class Deflater {
  public:
   Deflater() {
-    constexpr int kLevel = 7, kGzip = 15 + 16, kMemory = 9;
+    constexpr int kLevel = 9, kGzip = 15 + 16, kMemory = 9;
     if (deflateInit2(&stream_, kLevel, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
       throw std::bad_alloc();
   }

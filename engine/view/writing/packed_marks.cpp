@@ -1,8 +1,11 @@
 #include <graze/engine/view/writing/packed_marks.h>
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 namespace graze::view {
@@ -34,6 +37,56 @@ class ListsOfFrames {
   std::vector<Number> numbers_;
 };
 
+/// Contacts of frames, seven numbers each. What stays as it is from frame to frame stands there
+/// once, number by number, and frames say which they have.
+class ContactsOfFrames {
+ public:
+  void add(const Eigen::Vector3f& point, const Eigen::Vector3d& exact_normal, float depth) {
+    const Eigen::Vector3f normal = rounded(exact_normal);
+    const std::array<float, kWidth> row = {point.x(),  point.y(),  point.z(), normal.x(),
+                                           normal.y(), normal.z(), depth};
+    const auto next = static_cast<std::uint32_t>(known_.size());
+    const auto [known, is_new] = known_.try_emplace(std::bit_cast<Bits>(row), next);
+    rows_.push_back(known->second);
+    if (!is_new) return;
+    for (std::size_t k = 0; k < kWidth; ++k)
+      columns_[k].push_back(row[k]);
+  }
+  void end_frame() { starts_.push_back(static_cast<std::uint32_t>(rows_.size())); }
+
+  Json add_to(WordArrays& arrays) const {
+    std::vector<float> numbers;
+    numbers.reserve(kWidth * known_.size());
+    for (const std::vector<float>& column : columns_)
+      numbers.insert(numbers.end(), column.begin(), column.end());
+    const std::size_t starts = arrays.add(starts_, 1), rows = arrays.add(rows_, 1);
+    return {{"starts", starts}, {"rows", rows}, {"list", arrays.add(numbers, 1)}};
+  }
+
+ private:
+  static constexpr std::size_t kWidth = 7;
+  using Bits = std::array<std::uint32_t, kWidth>;
+
+  /// A normal is drawn, and no number: an eighth of a milliradian is not seen, and packs well.
+  static Eigen::Vector3f rounded(const Eigen::Vector3d& normal) {
+    constexpr double kSteps = 4096;
+    return ((normal * kSteps).array().round() / kSteps).matrix().cast<float>();
+  }
+
+  struct Hash {
+    std::size_t operator()(const Bits& bits) const {
+      std::uint64_t sum = 14695981039346656037u;  // FNV-1a, by words
+      for (const std::uint32_t word : bits)
+        sum = (sum ^ word) * 1099511628211u;
+      return static_cast<std::size_t>(sum ^ sum >> 32);
+    }
+  };
+
+  std::vector<std::uint32_t> starts_ = {0}, rows_;
+  std::array<std::vector<float>, kWidth> columns_;
+  std::unordered_map<Bits, std::uint32_t, Hash> known_;
+};
+
 /// Lines, points and the like, frame by frame.
 class FrameMarks {
  public:
@@ -45,9 +98,7 @@ class FrameMarks {
     for (const Vector3d& point : frame.points)
       points_.add(place.numbers(point));
     for (const ShownContact& contact : frame.contacts) {
-      contacts_.add(place.numbers(contact.point));
-      contacts_.add(contact.normal.cast<float>());
-      contacts_.add(place.length(contact.depth));
+      contacts_.add(place.numbers(contact.point), contact.normal, place.length(contact.depth));
     }
     for (const ShownGap& gap : frame.gaps) {
       gaps_.add(place.numbers(gap.point_a));
@@ -63,8 +114,9 @@ class FrameMarks {
       pairs_.add(a);
       pairs_.add(b);
     }
-    for (ListsOfFrames<float>* lists : {&curves_, &lines_, &points_, &contacts_, &gaps_, &planes_})
+    for (ListsOfFrames<float>* lists : {&curves_, &lines_, &points_, &gaps_, &planes_})
       lists->end_frame();
+    contacts_.end_frame();
     pairs_.end_frame();
   }
 
@@ -79,7 +131,8 @@ class FrameMarks {
   }
 
  private:
-  ListsOfFrames<float> curves_{6}, lines_{6}, points_{3}, contacts_{7}, gaps_{7}, planes_{7};
+  ListsOfFrames<float> curves_{6}, lines_{6}, points_{3}, gaps_{7}, planes_{7};
+  ContactsOfFrames contacts_;
   ListsOfFrames<std::uint32_t> pairs_{2};
 };
 

@@ -8,12 +8,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/engine/record/recorded_run.h"
 #include "tests/files/temporary_directory.h"
@@ -289,27 +293,60 @@ TEST(WorldRecorder, AnUpdateThatWasCutShortIsRepeated) {
   EXPECT_EQ(first_difference_in(run.bytes), "none");
 }
 
-TEST(WorldRecorder, AWriterThatIsKilledLeavesAllItsUpdates) {
+/// Updates that a program leaves that is killed after six of them; each is repeated to the bit.
+std::size_t left_by_killed(RecordedWriting writing) {
   const TemporaryDirectory folder;
   const std::string file = folder.path("killed.recording");
   const pid_t child = fork();
   if (child == 0) {
     World world;
-    const WorldRecorder recorder(world, std::filesystem::path(file));
+    const WorldRecorder recorder(world, std::filesystem::path(file), {.writing = writing});
     play_a_little(world, 6);
     raise(SIGKILL);
   }
   int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
   RecordingReplay replay(RecordingReader{std::filesystem::path(file)});
   std::size_t updates = 0;
   while (replay.advance()) {
     EXPECT_EQ(replay.difference(), std::nullopt);
     ++updates;
   }
-  EXPECT_EQ(updates, 6u);
   EXPECT_EQ(replay.reader().end(), RecordingEnd::CutOff);
+  return updates;
+}
+
+TEST(WorldRecorder, AWriterThatIsKilledLeavesItsUpdates) {
+  EXPECT_EQ(left_by_killed(RecordedWriting::AtOnce), 6u) << "all";
+  EXPECT_GE(left_by_killed(RecordedWriting::Behind), 2u) << "all but four";
+}
+
+TEST(WorldRecorder, AtOnceIsBeforeAnUpdateReturnsAndBehindTheSameBytesCome) {
+  RecordedRun at_once, behind;
+  World first, second;
+  WorldRecorder recorder(first, at_once.sink(), {.writing = RecordedWriting::AtOnce});
+  std::size_t before = at_once.bytes.size();
+  // A sink that is slower than the world, which waits for it then and loses nothing.
+  std::atomic<int> inside = 0, most = 0;
+  WorldRecorder slow(second, [&](std::string_view bytes) {
+    most = std::max(most.load(), ++inside);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    behind.bytes += bytes;
+    --inside;
+  });
+  for (int i = 0; i < 12; ++i) {
+    play_a_little(first, 1);
+    EXPECT_GT(at_once.bytes.size(), before);
+    before = at_once.bytes.size();
+    play_a_little(second, 1);
+  }
+  EXPECT_EQ(slow.updates(), 12u) << "waits for all";
+  EXPECT_EQ(slow.bytes(), behind.bytes.size());
+  recorder.finish(), slow.finish();
+  EXPECT_EQ(most, 1);
+  EXPECT_EQ(behind.bytes, at_once.bytes);
+  EXPECT_EQ(steps_of(behind.bytes).size(), 12u);
 }
 
 }  // namespace

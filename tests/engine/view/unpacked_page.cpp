@@ -144,6 +144,15 @@ std::vector<float> UnpackedPage::marks(const char* kind, std::size_t width,
   const nlohmann::json& mark = json_.at("marks").at(kind);
   const std::vector<std::uint32_t> starts = words(mark["starts"]);
   const std::vector<float> list = floats(mark["list"]);
+  if (mark.contains("rows")) {
+    const std::vector<std::uint32_t> rows = words(mark["rows"]);
+    std::vector<float> found;
+    found.reserve(width * (starts.at(frame + 1) - starts.at(frame)));
+    for (std::uint32_t i = starts[frame]; i < starts[frame + 1]; ++i)
+      for (std::size_t k = 0; k < width; ++k)
+        found.push_back(list.at(k * (list.size() / width) + rows.at(i)));
+    return found;
+  }
   return {list.begin() + static_cast<std::ptrdiff_t>(width * starts.at(frame)),
           list.begin() + static_cast<std::ptrdiff_t>(width * starts.at(frame + 1))};
 }

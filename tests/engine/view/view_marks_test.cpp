@@ -51,6 +51,34 @@ TEST(ViewMarks, PairsAreKeptOnceTheLowerBodyFirst) {
   EXPECT_EQ(words_of(page, "pairs", 2, 1), (std::vector<std::uint32_t>{0, 1, 1, 2}));
 }
 
+TEST(ViewMarks, ContactsThatStayStandThereOnce) {
+  View view;
+  const ViewBody body = view.add(Box{{1, 1, 1}});
+  // Of frame 1 the first of frame 0, of frame 2 both the other way round and one that is new.
+  const std::vector<std::vector<double>> depths = {{0.5, 0.25}, {0.5}, {0.25, 0.5, 0.125}};
+  for (const std::vector<double>& of_frame : depths) {
+    view.begin_frame();
+    view.place(body, Pose::Identity());
+    for (const double depth : of_frame)
+      view.add_contact({depth, 0, 1}, {1, 2, 2}, depth);
+  }
+  const UnpackedPage page(view.page());
+  EXPECT_EQ(page.words(page.json()["marks"]["contacts"]["list"]).size(), 3 * 7u);
+  const double scale = page.json()["places"][0]["scale"];
+  for (std::size_t f = 0; f < depths.size(); ++f) {
+    const std::vector<float> found = page.marks("contacts", 7, f);
+    ASSERT_EQ(found.size(), 7 * depths[f].size());
+    for (std::size_t i = 0; i < depths[f].size(); ++i) {
+      const float* contact = found.data() + 7 * i;
+      EXPECT_EQ(contact[6] * scale, depths[f][i]);
+      EXPECT_EQ(page.world(f, Vector3d(contact[0], contact[1], contact[2])).x(), depths[f][i]);
+      // A normal is drawn, and rounded for that.
+      const Vector3d normal(contact[3], contact[4], contact[5]);
+      EXPECT_LT((normal - Vector3d(1, 2, 2) / 3).norm(), 2.5e-4);
+    }
+  }
+}
+
 TEST(ViewMarks, PlanesAndPointsAreWhereTheyWerePut) {
   View view;
   view.place(view.add(Box{{1, 1, 1}}), Pose::Identity());

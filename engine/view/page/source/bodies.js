@@ -108,26 +108,27 @@ export class ShownBody {
     this.isHere = false;
     this.group = new THREE.Group();
     this.group.matrixAutoUpdate = false;
-    const offset = {polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5};
-    const look = {color, flatShading: true, clippingPlanes: cuts, ...offset};
-    this.material = new THREE.MeshLambertMaterial({...look, side: THREE.DoubleSide});
-    if (shape.isBoundless)
-      Object.assign(this.material, {transparent: true, opacity: 0.3, depthWrite: false});
-    this.surface = new THREE.Mesh(shape.surface, this.material);
-    this.sharp = new THREE.LineSegments(shape.sharp, this.lines(0.75));
-    this.flat = new THREE.LineSegments(shape.flat, this.lines(0.25));
     this.marked = new THREE.Group();
-    for (const part of [this.surface, this.sharp, this.flat]) part.frustumCulled = false;
-    this.group.add(this.surface, this.sharp, this.flat, this.marked);
+    this.group.add(this.marked);
+    /** Of what has no end, which is seen through. */
+    this.sheet = shape.isBoundless ? this.sheetOf(color) : null;
     this.color = new THREE.Color(color);
+    /** Its numbers are those of the screen. */
+    this.screenColor = new THREE.Color().setStyle(color, THREE.LinearSRGBColorSpace);
     this.isCoarse = false;
     /** @type {Cap|null} made when something is cut first */
     this.cap = null;
   }
 
-  /** @param {number} opacity */
-  lines(opacity) {
-    return new THREE.LineBasicMaterial({color: '#10202e', transparent: true, opacity, clippingPlanes: this.cuts});
+  /** @param {string} color */
+  sheetOf(color) {
+    const material = new THREE.MeshLambertMaterial({
+      color, flatShading: true, side: THREE.DoubleSide, clippingPlanes: this.cuts, transparent: true, opacity: 0.3, depthWrite: false,
+    });
+    const sheet = new THREE.Mesh(this.shape.surface, material);
+    sheet.frustumCulled = false;
+    this.group.add(sheet);
+    return sheet;
   }
 
   /** Puts it where it stands in a frame. @param {number} frame @param {number} scale of the frame's numbers */
@@ -186,21 +187,22 @@ export class ShownBody {
   /**
    * @param {{pixels: number, nearest: number, cell: number, hasEdges: boolean, hasMarks: boolean}} look `pixels` of a
    *   unit at what is looked at, and at the body's `nearest` point; `cell`: so many of them may become one, 0 none
+   * @param {import('./batches.js').Batches} batches that draw it
    */
-  dress({pixels, nearest, cell, hasEdges, hasMarks}) {
-    const scale = this.group.matrix.getMaxScaleOnAxis();
-    const size = pixels * scale * this.shape.typicalEdge;
-    const whole = this.longest(nearest);
-    const surface = this.shape.surfaceFor(cell > 0 ? levelFor(whole, cell) : kGrids.length);
-    this.isCoarse = surface !== this.shape.surface;
-    if (this.surface.geometry !== surface) this.surface.geometry = surface;
-    const isBounded = hasEdges && !this.shape.isBoundless && !(this.isCoarse && (cell > 1 || whole < kLeastForEdges));
-    this.sharp.visible = isBounded;
-    // Edges of triangles that are too small to be told apart would make the surface black.
-    this.flat.material.opacity = 0.28 * Math.min(1, Math.max(0, (size - 7) / 14));
-    this.flat.visible = isBounded && this.flat.material.opacity > 0;
-    this.sharp.material.opacity = 0.25 + 0.5 * Math.min(1, Math.max(0, (size - 1) / 6));
+  dress({pixels, nearest, cell, hasEdges, hasMarks}, batches) {
     this.marked.visible = hasMarks;
+    if (this.sheet) return;
+    const {shape, group: {matrix}} = this;
+    const whole = this.longest(nearest);
+    const surface = shape.surfaceFor(cell > 0 ? levelFor(whole, cell) : kGrids.length);
+    this.isCoarse = surface !== shape.surface;
+    batches.addSurface(surface, matrix, this.screenColor);
+    if (!hasEdges || (this.isCoarse && (cell > 1 || whole < kLeastForEdges))) return;
+    const size = pixels * matrix.getMaxScaleOnAxis() * shape.typicalEdge;
+    const part = (/** @type {number} */ from, /** @type {number} */ long) => Math.min(1, Math.max(0, (size - from) / long));
+    batches.addLines(shape.sharp, matrix, 0.25 + 0.5 * part(1, 6));
+    // Edges of triangles that are too small to be told apart would make the surface black.
+    batches.addLines(shape.flat, matrix, 0.28 * part(7, 14));
   }
 }
 

@@ -30,7 +30,10 @@ export class Chapters {
     if (here === this.here || !this.buttons[here]) return;
     this.buttons[this.here]?.removeAttribute('aria-current');
     this.buttons[here].setAttribute('aria-current', 'true');
-    this.buttons[here].scrollIntoView({block: 'nearest'});
+    // By itself: scrollIntoView() would move a page around this one, too.
+    const list = element('chapters'), {offsetTop, offsetHeight} = this.buttons[here];
+    const top = offsetTop - list.offsetTop;
+    list.scrollTop = Math.min(top, Math.max(list.scrollTop, top + offsetHeight - list.clientHeight));
     this.here = here;
   }
 }

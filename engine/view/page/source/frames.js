@@ -97,3 +97,19 @@ export function pairsOf(starts, list) {
 export function nextBegin(frames, from) {
   return frames.find((f, i) => f > from && (i === 0 || frames[i - 1] < f - 1)) ?? frames[0];
 }
+
+/**
+ * The numbers of what is marked in a frame.
+ * @param {import('./unpack.js').Arrays} arrays @param {import('./unpack.js').MarkData} mark @param {number} width
+ * @param {number} frame
+ */
+export function marksOf(arrays, mark, width, frame) {
+  const starts = arrays.words(mark.starts), list = arrays.floats(mark.list);
+  if (mark.rows === undefined) return list.subarray(width * starts[frame], width * starts[frame + 1]);
+  const rows = arrays.words(mark.rows).subarray(starts[frame], starts[frame + 1]), column = list.length / width;
+  const numbers = new Float32Array(width * rows.length);
+  rows.forEach((row, i) => {
+    for (let k = 0; k < width; ++k) numbers[width * i + k] = list[k * column + row];
+  });
+  return numbers;
+}

@@ -38,7 +38,7 @@ class Page {
     };
     this.stage.onTurned = () => this.keepLink();
     this.panel = new Panel(this.stage, () => this.changed());
-    this.player = new Player(page.frames, (frame) => this.show(frame), (word) => this.overlay.say(word));
+    this.player = new Player(page.frames, (frame) => this.show(frame), (frame) => this.tell(frame), (word) => this.overlay.say(word));
     this.pairs = new Pairs(page, arrays, {
       go: (frame) => this.player.go(frame),
       near: (bodies) => this.nearBodies(bodies),
@@ -88,8 +88,13 @@ class Page {
 
   /** @param {number} frame */
   show(frame) {
-    const data = this.page.frames[frame];
     this.stage.show(frame);
+    this.overlay?.set(frame);
+  }
+
+  /** What is said about a frame. @param {number} frame */
+  tell(frame) {
+    const data = this.page.frames[frame];
     const state = element('state');
     state.textContent = data.says || kStates[data.state];
     state.dataset.state = data.state;
@@ -106,7 +111,7 @@ class Page {
     this.panel.refresh();
     this.chapters.show(frame);
     this.pairs.show(frame);
-    this.changed();
+    this.keepLink();
   }
 
   changed() {

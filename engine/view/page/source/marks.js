@@ -5,18 +5,15 @@ import * as THREE from 'three';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
 import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import {marksOf} from './frames.js';
 
 /** @typedef {import('./unpack.js').Arrays} Arrays */
-/** @typedef {import('./unpack.js').MarkData} MarkData */
 
 /** Pixels that a normal has at least, so that one sees where it points however shallow the contact. */
 const kLeastNormal = 30;
-
-/** The numbers of a frame. @param {Arrays} arrays @param {MarkData} mark @param {number} width @param {number} frame */
-export function marksOf(arrays, mark, width, frame) {
-  const starts = arrays.words(mark.starts);
-  return arrays.floats(mark.list).subarray(width * starts[frame], width * starts[frame + 1]);
-}
+/** So many contacts are drawn as large as that; more are smaller, and those that are hidden are not seen through. */
+const kFewContacts = 60;
+const kContactDot = 9, kTip = 11;
 
 /** Thick lines, and the same where they are hidden. */
 class Lines {
@@ -134,7 +131,7 @@ export class FrameMarks {
     this.depths = new Lines(5, 0.6);
     this.normals = new Lines(2, 0.6);
     this.gaps = new Lines(3, 0.6);
-    this.contactDots = new Dots(9);
+    this.contactDots = new Dots(kContactDot);
     this.gapDots = new Dots(8);
     this.dots = new Dots(8);
     this.planes = new Planes();
@@ -150,6 +147,9 @@ export class FrameMarks {
     this.words = new THREE.Group();
     this.words.add(this.lines.group, this.dots.points);
     this.group.add(this.curves.group, this.words, this.contacts, this.gapGroup, this.planes.group);
+    /** Of the size of few contacts. */
+    this.part = 1;
+    this.isCrowd = false;
     /** @type {Float32Array} */
     this.contactNumbers = new Float32Array();
     /** @type {Float32Array} */
@@ -198,11 +198,22 @@ export class FrameMarks {
     this.gaps.set(gaps);
     this.gapDots.set(gapDots);
     const count = this.contactNumbers.length / 7;
+    this.shrink(count);
     if (this.tips.instanceMatrix.count < count) {
       this.tips.dispose();
       this.tips.instanceMatrix = new THREE.InstancedBufferAttribute(new Float32Array(16 * count), 16);
     }
     this.tips.count = count;
+  }
+
+  /** Thousands of contacts would hide what they are of. @param {number} count */
+  shrink(count) {
+    this.part = Math.min(1, Math.max(0.3, Math.sqrt(kFewContacts / Math.max(1, count))));
+    this.isCrowd = count > 4 * kFewContacts;
+    const materials = [this.contactDots.material, /** @type {THREE.MeshBasicMaterial} */ (this.tips.material)];
+    for (const material of materials) material.depthTest = this.isCrowd;
+    this.contactDots.material.size = kContactDot * this.part;
+    for (const lines of [this.depths, this.normals]) lines.behind.visible = !this.isCrowd;
   }
 
   /**
@@ -217,10 +228,10 @@ export class FrameMarks {
       at.fromArray(numbers);
       normal.fromArray(numbers, 3);
       const pixel = unitOf(at);
-      const long = Math.max(numbers[6] / 2, kLeastNormal * pixel);
+      const long = Math.max(numbers[6] / 2, kLeastNormal * this.part * pixel);
       ends.push(at.x, at.y, at.z, at.x + long * normal.x, at.y + long * normal.y, at.z + long * normal.z);
       at.addScaledVector(normal, long);
-      const size = 11 * pixel;
+      const size = kTip * this.part * pixel;
       this.tips.setMatrixAt(i / 7, new THREE.Matrix4().compose(at, new THREE.Quaternion().setFromUnitVectors(up, normal),
                                                                new THREE.Vector3(size, size, size)));
     }

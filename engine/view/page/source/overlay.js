@@ -21,6 +21,9 @@ export class Overlay {
     /** @type {{at: THREE.Vector3, span: HTMLSpanElement}[]} */
     this.words = [];
     this.timer = 0;
+    // What is drawn of these, so that nothing is laid out anew for a picture that has the same.
+    this.scale = {width: '', text: ''};
+    this.turn = new THREE.Quaternion(0, 0, 0, 0);
     this.axes = ['x', 'y', 'z'].map((name, i) => {
       const group = document.createElementNS('http://www.w3.org/2000/svg', 'g');
       const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
@@ -45,7 +48,7 @@ export class Overlay {
         this.add(new THREE.Vector3((g[i] + g[i + 3]) / 2, (g[i + 1] + g[i + 4]) / 2, (g[i + 2] + g[i + 5]) / 2),
                  length(g[i + 6] * scale, page.unit), 'gap');
       }
-    if (stage.layers.has('contacts'))
+    if (stage.layers.has('contacts') && !marks.isCrowd)
       for (let i = 0; i < Math.min(kMostWords, marks.contactNumbers.length / 7); ++i)
         if (marks.contactNumbers[7 * i + 6] > 0)
           this.add(new THREE.Vector3().fromArray(marks.contactNumbers, 7 * i),
@@ -87,12 +90,17 @@ export class Overlay {
     const unit = this.stage.unitsOfPixel();
     if (!(unit > 0) || !Number.isFinite(unit)) return;
     const long = roundLength(130 * unit);
-    element('scale-line').style.width = `${Math.round(long / unit)}px`;
-    element('scale-text').textContent = length(long, this.stage.page.unit);
+    const width = `${Math.round(long / unit)}px`, text = length(long, this.stage.page.unit);
+    if (width === this.scale.width && text === this.scale.text) return;
+    this.scale = {width, text};
+    element('scale-line').style.width = width;
+    element('scale-text').textContent = text;
   }
 
   placeAxes() {
     const turn = this.stage.camera.quaternion.clone().invert();
+    if (turn.equals(this.turn)) return;
+    this.turn = turn;
     for (const {line, text, axis} of this.axes) {
       const {x, y} = axis.clone().applyQuaternion(turn);
       line.setAttribute('x2', String(20 * x));

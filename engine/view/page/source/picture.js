@@ -6,7 +6,7 @@
  * @returns {Promise<Blob>}
  */
 export function pictureOf(stage, lines) {
-  stage.draw();
+  stage.drawFine();
   const {canvas} = stage, ratio = canvas.width / Math.max(1, canvas.clientWidth);
   const copy = document.createElement('canvas');
   copy.width = canvas.width;

@@ -8,15 +8,19 @@ const kSpeeds = [1, 2, 5, 10, 20, 30, 60];
 const kPlay = 'M7 4l13 8-13 8z', kStop = 'M6 5h4v14H6zM14 5h4v14h-4z';
 /** Seconds that all frames take at the speed that is chosen at first, about. */
 const kWhole = 6;
+/** Milliseconds after which words follow a picture while it plays: nobody reads faster, and to lay them out takes time. */
+const kWordsEvery = 120;
 
 export class Player {
   /**
-   * @param {import('./unpack.js').FrameData[]} frames @param {(frame: number) => void} onFrame
-   * @param {(word: string) => void} say
+   * @param {import('./unpack.js').FrameData[]} frames @param {(frame: number) => void} onFrame a picture is due
+   * @param {(frame: number) => void} onWords so are words about it @param {(word: string) => void} say
    */
-  constructor(frames, onFrame, say) {
+  constructor(frames, onFrame, onWords, say) {
     this.frames = frames;
     this.onFrame = onFrame;
+    this.onWords = onWords;
+    this.told = 0;
     this.say = say;
     this.frame = 0;
     this.isPlaying = false;
@@ -46,9 +50,15 @@ export class Player {
   /** @param {number} frame */
   go(frame) {
     this.frame = Math.min(this.frames.length - 1, Math.max(0, frame));
+    this.onFrame(this.frame);
+    if (!this.isPlaying || performance.now() - this.told > kWordsEvery) this.tell();
+  }
+
+  tell() {
+    this.told = performance.now();
     this.slider.value = String(this.frame);
     element('count').textContent = `${this.frame + 1} / ${this.frames.length}`;
-    this.onFrame(this.frame);
+    this.onWords(this.frame);
   }
 
   /** @param {number} by */
@@ -77,6 +87,7 @@ export class Player {
   }
 
   stop() {
+    if (this.isPlaying) this.tell();
     this.isPlaying = false;
     this.dress();
   }

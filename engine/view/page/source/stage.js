@@ -4,11 +4,13 @@
 import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {MeshShape, ShownBody, kPalette} from './bodies.js';
+import {Batches} from './batches.js';
 import {TreeBoxes} from './boxes.js';
 import {placeIn} from './frames.js';
 import {FrameMarks} from './marks.js';
 import {firstTriangle, meetsBall} from './pick.js';
 import {Quality} from './quality.js';
+import {SmoothPicture, isSoftware} from './software.js';
 
 /** @typedef {{axis: 'x'|'y'|'z', at: number, isFlipped: boolean}} Cut */
 /** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'planes'|'labels'} Layer */
@@ -37,9 +39,10 @@ export class Stage {
     this.onDrawn = () => {};
     /** @type {() => void} called when the user has turned the camera */
     this.onTurned = () => {};
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha: true, stencil: true});
+    // Where a processor draws, smooth borders cost as much as all the rest: only what stands still has them.
+    this.smooth = isSoftware() ? new SmoothPicture() : null;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !this.smooth, stencil: true});
     this.renderer.localClippingEnabled = true;
-    this.renderer.setClearColor(0, 0);
     this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -57,6 +60,8 @@ export class Stage {
     this.plane = new THREE.Plane();
     /** @type {THREE.Plane[]} shared by all materials; empty where nothing is cut */
     this.cuts = [];
+    this.batches = new Batches(this.cuts);
+    this.scene.add(this.batches.group);
     const shapes = page.meshes.map((_, m) => new MeshShape(page, arrays, m));
     this.bodies = page.bodies.map((body, b) => {
       const shown = new ShownBody(shapes[body.mesh], body.color ?? kPalette[b % kPalette.length],
@@ -77,6 +82,7 @@ export class Stage {
 
   /** @param {boolean} isDark */
   paint(isDark) {
+    this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--ground').trim());
     this.marks.paint(isDark);
     this.boxes.paint(isDark);
     this.ask();
@@ -261,7 +267,7 @@ export class Stage {
     clearTimeout(this.stillTimer);
     this.stillTimer = window.setTimeout(() => {
       this.isMoving = false;
-      if (this.isCoarse || this.quality.resolution < 1) this.ask();
+      if (this.isCoarse || this.smooth || this.quality.resolution < 1) this.ask();
     }, kStillAfter);
   }
 
@@ -280,7 +286,8 @@ export class Stage {
     });
     const cell = this.quality.cell(shown, this.isMoving);
     const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles'), cell, pixels};
-    for (const {body, nearest} of shown) body.dress({...look, nearest});
+    for (const {body, nearest} of shown) body.dress({...look, nearest}, this.batches);
+    this.batches.end(this.camera);
     this.isCoarse = shown.some(({body}) => body.isCoarse);
   }
 
@@ -289,6 +296,12 @@ export class Stage {
     const full = Math.min(2, window.devicePixelRatio || 1);
     const ratio = this.isMoving ? full * this.quality.resolution : full;
     if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+  }
+
+  /** As nothing that moves is drawn. */
+  drawFine() {
+    this.isMoving = false;
+    this.draw();
   }
 
   /** How long pictures take while something moves: from one to the next, for the card draws when it can. */
@@ -322,7 +335,8 @@ export class Stage {
     this.marks.contacts.visible = this.layers.has('contacts');
     this.marks.gapGroup.visible = this.layers.has('gaps');
     if (this.layers.has('contacts')) this.marks.point((at) => this.pixelAt(at));
-    this.renderer.render(this.scene, this.camera);
+    if (this.smooth && !this.isMoving) this.smooth.draw(this.renderer, this.scene, this.camera);
+    else this.renderer.render(this.scene, this.camera);
     this.measure();
     this.onDrawn();
   }

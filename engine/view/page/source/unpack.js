@@ -44,7 +44,9 @@ const kHeadBytes = 16;
  * @property {number} place
  *
  * @typedef {{center: number[], scale: number}} PlaceData numbers of a frame times `scale`, plus `center`, are the world's
- * @typedef {{starts: number, list: number}} MarkData arrays: those of frame f are starts[f] to starts[f + 1]
+ * @typedef {{starts: number, list: number, rows?: number}} MarkData arrays: those of frame f are starts[f] to
+ *   starts[f + 1], of the list itself, or of `rows`, which say where each stands in the list, which then has
+ *   all first numbers first, then the second ones: what stays from frame to frame stands there once
  * @typedef {{body: number, frames: number, starts: number, list: number}} TriangleMarkData of those frames alone in
  *   which there are some: those of the i-th are starts[i] to starts[i + 1]
  * @typedef {{frame: number, at: number[], text: string}} LabelData
@@ -175,7 +177,10 @@ function checkMark(count, arrays, mark, width, what) {
   const starts = arrays.words(mark.starts), list = arrays.words(mark.list);
   need(starts.length === count + 1 && starts[0] === 0, `${what} have no frames`);
   need(starts.every((start, i) => i === 0 || starts[i - 1] <= start), `${what} are in disorder`);
-  need(starts[starts.length - 1] * width === list.length, `${what} are missing`);
+  const last = starts[starts.length - 1];
+  if (mark.rows === undefined) return need(last * width === list.length, `${what} are missing`);
+  const rows = arrays.words(mark.rows);
+  need(list.length % width === 0 && last === rows.length && rows.every((row) => row * width < list.length), `${what} are missing`);
 }
 
 /** @param {PageData} page @param {Arrays} arrays */

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {gzipSync} from 'node:zlib';
+import {marksOf} from '../source/frames.js';
 import {DataError, readPage, unpack, wordsOf} from '../source/unpack.js';
 
 /** As the library writes them: difference, sign lowest, bytes of all words plane by plane. */
@@ -72,6 +73,14 @@ test('a page is read, names as they are', async () => {
   assert.deepEqual([...arrays.floats(page.meshes[0].positions)], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
 });
 
+test('marks that stay stand there once, and frames say which they have', () => {
+  const row = [1, 2, 3, 0, 0, 1, 0.5], other = [4, 5, 6, 1, 0, 0, 0.25];
+  const {page, arrays} = readPage(pageBytes(({page, out}) => {
+    page.marks.contacts = {starts: out.words([0, 3]), rows: out.words([1, 0, 1]), list: out.floats(row.flatMap((x, k) => [x, other[k]]), 1)};
+  }));
+  assert.deepEqual([...marksOf(arrays, page.marks.contacts, 7, 0)], [...other, ...row, ...other]);
+});
+
 const kDamages = {
   'another version': (p) => { p.magic = 'GRAZEVW2'; },
   'another file': (p) => { p.magic = 'PNGPNGPN'; },
@@ -84,6 +93,9 @@ const kDamages = {
   'a marked triangle that is not there': (p) => { p.page.marks.triangles[0].list = p.out.words([1]); },
   'marks of more frames': (p) => { p.page.marks.curves.starts = p.out.words([0, 0, 0]); },
   'marks in disorder': (p) => { p.page.marks.gaps.starts = p.out.words([0, 4]); },
+  'rows too few': (p) => { p.page.marks.contacts = {starts: p.out.words([0, 2]), rows: p.out.words([0]), list: p.out.floats([1, 2, 3, 4, 5, 6, 7], 7)}; },
+  'a row that is not there': (p) => { p.page.marks.contacts = {starts: p.out.words([0, 1]), rows: p.out.words([1]), list: p.out.floats([1, 2, 3, 4, 5, 6, 7], 7)}; },
+  'a row that is cut off': (p) => { p.page.marks.contacts = {starts: p.out.words([0, 1]), rows: p.out.words([0]), list: p.out.floats([1, 2, 3], 7)}; },
   'a pair of a body that is not there': (p) => {
     p.page.marks.pairs = {starts: p.out.words([0, 1]), list: p.out.words([0, 1])};
   },

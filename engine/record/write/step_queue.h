@@ -1,0 +1,65 @@
+#pragma once
+
+#include <graze/engine/record/world_recorder.h>
+#include <graze/engine/record/write/step_notes.h>
+#include <graze/engine/record/write/step_writer.h>
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace graze::record {
+
+/// Notes of updates, which wait for a thread of their own to write them, or are written at once.
+/// For one thread, but for the one that it starts.
+class StepQueue {
+ public:
+  StepQueue(StepWriter::Sink sink, RecordedWriting writing);
+  ~StepQueue();
+  StepQueue(const StepQueue&) = delete;
+  StepQueue& operator=(const StepQueue&) = delete;
+
+  /// Those that are being taken.
+  StepNotes& notes() { return *notes_; }
+
+  /// Takes them to be written, and begins with new ones; waits while many wait. Throws what went
+  /// wrong with earlier ones: none is written after that.
+  void submit();
+  /// Blocks as they are, once all that waits is written. Throws likewise.
+  void hand_over(std::string_view blocks);
+  /// Writes what waits and takes no more.
+  void close() noexcept;
+
+  /// Whether anything went wrong with what was submitted, all of which is written then.
+  bool has_failed() const noexcept;
+  std::size_t updates() const;  ///< that are written, when all are that were submitted
+  std::uint64_t bytes() const;  ///< likewise
+
+ private:
+  /// Updates that wait: a world that is quicker than its recorder waits for it.
+  static constexpr std::size_t kMostWaiting = 3;
+
+  bool start();
+  void run() noexcept;
+  void wait_until_idle(std::unique_lock<std::mutex>& lock) const;
+  void rethrow_failure() const;
+
+  StepWriter writer_;  ///< the thread's while anything waits
+  std::unique_ptr<StepNotes> notes_ = std::make_unique<StepNotes>();
+  RecordedWriting writing_;
+
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::condition_variable has_changed_;
+  std::deque<std::unique_ptr<StepNotes>> waiting_;  ///< the first is being written
+  std::vector<std::unique_ptr<StepNotes>> free_;
+  std::exception_ptr failure_;
+  bool is_closed_ = false;
+  std::thread thread_;
+};
+
+}  // namespace graze::record
