@@ -91,7 +91,7 @@ TEST_F(CliCompareShapes, EveryQuestionIsAskedOfEveryEngine) {
   for (const bool is_grazing : {false, true}) {
     options_.random = is_grazing ? 0 : 60;
     options_.grazing = is_grazing ? 30 : 0;
-    for (const std::string query : {"any", "distance", "contacts", "within"}) {
+    for (const std::string query : {"any", "distance", "contacts", "within", "separation"}) {
       SCOPED_TRACE(query + (is_grazing ? ", grazing" : ""));
       options_.clearance = query == "within" ? 0.125 : -1;
       for (const json& engine : summary(query, engines)) {

@@ -50,11 +50,11 @@ NearVector difference(const Vector3d& p, const Vector3d& q) {
   return {Near{p.x()} - Near{q.x()}, Near{p.y()} - Near{q.y()}, Near{p.z()} - Near{q.z()}};
 }
 
-NearVector cross(const NearVector& p, const NearVector& q) {
+NearVector near_cross(const NearVector& p, const NearVector& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-Near dot(const NearVector& p, const NearVector& q) {
+Near near_dot(const NearVector& p, const NearVector& q) {
   return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 }
 
@@ -66,10 +66,11 @@ Corners corners_of(const Triangle& t) {
 
 /// On which side of the plane of a triangle the corners of another surely lie.
 std::array<int, 3> sides(const Corners& plane, const Corners& corners) {
-  const NearVector normal = cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
+  const NearVector normal =
+      near_cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
   std::array<int, 3> result{};
   for (std::size_t i = 0; i < 3; ++i)
-    result[i] = dot(normal, difference(corners[i], plane[0])).sign();
+    result[i] = near_dot(normal, difference(corners[i], plane[0])).sign();
   return result;
 }
 
@@ -82,7 +83,7 @@ bool passes_within(const Vector3d& from, const Vector3d& to, const Corners& tria
     corner[i] = difference(triangle[i], from);
   int hand = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const int sign = dot(along, cross(corner[i], corner[(i + 1) % 3])).sign();
+    const int sign = near_dot(along, near_cross(corner[i], corner[(i + 1) % 3])).sign();
     if (sign == 0 || sign == -hand) return false;
     hand = sign;
   }
@@ -120,8 +121,8 @@ bool surely_parts(const Vector3d& axis, const Corners& a, const Corners& b) {
   std::array<Near, 3> in_a;
   std::array<Near, 3> in_b;
   for (std::size_t i = 0; i < 3; ++i) {
-    in_a[i] = dot(along, difference(a[i], a[0]));
-    in_b[i] = dot(along, difference(b[i], a[0]));
+    in_a[i] = near_dot(along, difference(a[i], a[0]));
+    in_b[i] = near_dot(along, difference(b[i], a[0]));
   }
   const int side = (in_b[0] - in_a[0]).sign();
   if (side == 0) return false;
