@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/engine/cli/compare_fixture.h"
@@ -90,18 +89,6 @@ TEST_F(CliCompare, JsonIsALineForEachPoseAndASummary) {
   }
   EXPECT_EQ(poses, 24u);
   EXPECT_GT(wrong, 0u);
-}
-
-TEST_F(CliCompare, SeparationsAreAlwaysJudged) {
-  options_.query = "separation";
-  options_.is_json = true;
-  options_.random = 24;
-  EXPECT_EQ(compare(graze_and(compare::make_off_engine("mine", 0.125))), ExitCode::Answered);
-  const auto summary = nlohmann::json::parse(out_.substr(out_.rfind("{\"summary\"")))["summary"];
-  EXPECT_EQ(summary[0]["answers"], 24);
-  EXPECT_EQ(summary[0]["wrong"], 0) << out_;
-  EXPECT_GT(summary[0]["right"], 12) << out_;
-  EXPECT_EQ(summary[1]["wrong"], 24) << "of another length than its translation";
 }
 
 TEST_F(CliCompare, AStoppedRunGoesOn) {

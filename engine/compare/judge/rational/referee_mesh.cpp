@@ -25,29 +25,29 @@ std::vector<Triangle> triangles_of(const Mesh& mesh) {
 class Shelf {
  public:
   std::shared_ptr<const RefereeMesh> find(const Mesh& mesh) {
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex_);
     return find_unlocked(mesh);
   }
 
   /// Two threads may have made the same one: both are right, and neither has waited.
   void add(std::shared_ptr<const RefereeMesh> mesh) {
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(mutex_);
     if (find_unlocked(mesh->mesh())) return;
-    if (kept.size() == kMostKept) kept.pop_back();
-    kept.insert(kept.begin(), std::move(mesh));
+    if (kept_.size() == kMostKept) kept_.pop_back();
+    kept_.insert(kept_.begin(), std::move(mesh));
   }
 
  private:
   std::shared_ptr<const RefereeMesh> find_unlocked(const Mesh& mesh) {
-    const auto at = std::find_if(kept.begin(), kept.end(),
+    const auto at = std::find_if(kept_.begin(), kept_.end(),
                                  [&](const auto& each) { return each->mesh() == mesh; });
-    if (at == kept.end()) return nullptr;
-    std::rotate(kept.begin(), at, at + 1);
-    return kept.front();
+    if (at == kept_.end()) return nullptr;
+    std::rotate(kept_.begin(), at, at + 1);
+    return kept_.front();
   }
 
-  std::mutex mutex;
-  std::vector<std::shared_ptr<const RefereeMesh>> kept;
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<const RefereeMesh>> kept_;
 };
 
 }  // namespace
