@@ -14,6 +14,7 @@
 #include <graze/engine/mesh/separation.h>
 #include <graze/engine/mesh/volume_query.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shape_separation.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <graze/narrowphase/triangle_intersection.h>
 #include <graze/narrowphase/triangle_ray.h>
@@ -75,6 +76,8 @@ CaseAnswer answer_of(const MeshDistance& gap);
 CaseAnswer answer_of(const MeshContacts& contacts);
 CaseAnswer answer_of(const MeshIntersection& intersection);
 CaseAnswer answer_of(const Separation& separation);
+/// As the translation of B by the depth along the normal; of two that are apart by nothing.
+CaseAnswer answer_of(const ShapeSeparation& separation);
 CaseAnswer answer_of(const TriangleDistance& gap);
 CaseAnswer answer_of(const TriangleIntersection& intersection);
 CaseAnswer answer_of(const ShapeDistance& gap);

@@ -13,16 +13,15 @@ bool is_flat(ShapeKind kind) {
   return kind == ShapeKind::HalfSpace || kind == ShapeKind::Plane;
 }
 
-/// FCL 0.7 calls a function that is not there.
 bool is_hull_and_plane(ShapeKind a, ShapeKind b) {
   return a == ShapeKind::ConvexHull && b == ShapeKind::Plane;
 }
 
-bool is_unknown(ShapeKind a, ShapeKind b) {
-  return (is_flat(a) && is_flat(b)) || is_hull_and_plane(a, b) || is_hull_and_plane(b, a);
-}
-
 }  // namespace
+
+bool fcl_knows(ShapeKind a, ShapeKind b) {
+  return !(is_flat(a) && is_flat(b)) && !is_hull_and_plane(a, b) && !is_hull_and_plane(b, a);
+}
 
 struct FclShape::Geometry {
   FclGeometry fcl;
@@ -40,7 +39,7 @@ std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, cons
                                const Pose& pose_b) {
   const FclShape::Geometry& a = *shape_a.geometry_;
   const FclShape::Geometry& b = *shape_b.geometry_;
-  if (is_unknown(a.kind, b.kind)) return std::nullopt;
+  if (!fcl_knows(a.kind, b.kind)) return std::nullopt;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
   return fcl::collide(a.fcl.geometry.get(), fcl_transform(pose_a, a.fcl.centre),
@@ -65,7 +64,7 @@ std::optional<std::vector<FclContact>> find_contacts(const FclShape& shape_a, co
                                                      const FclShape& shape_b, const Pose& pose_b) {
   const FclShape::Geometry& a = *shape_a.geometry_;
   const FclShape::Geometry& b = *shape_b.geometry_;
-  if (is_unknown(a.kind, b.kind)) return std::nullopt;
+  if (!fcl_knows(a.kind, b.kind)) return std::nullopt;
   const fcl::CollisionRequestd request(std::numeric_limits<std::size_t>::max(),
                                        /*enable_contact=*/true);
   fcl::CollisionResultd result;

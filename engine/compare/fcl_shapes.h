@@ -28,6 +28,10 @@ class FclShape {
   std::unique_ptr<const Geometry> geometry_;
 };
 
+/// Whether FCL has a function for two such shapes: none for two half-spaces or planes; for a hull
+/// and a plane it calls one that is not there.
+bool fcl_knows(ShapeKind a, ShapeKind b);
+
 /// FCL's answer, by its default solver; nothing of two half-spaces or planes, which it does not
 /// know, and of a hull and a plane, of which it crashes.
 std::optional<bool> intersects(const FclShape& shape_a, const Pose& pose_a, const FclShape& shape_b,

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/shapes/formula_meshes.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze::compare {
@@ -189,6 +190,87 @@ TEST_F(OthersContacts, PlantedFaultsAreFound) {
             std::string::npos)
       << truth;
   EXPECT_EQ(on({}).verdict, Verdict::Wrong) << "they meet";
+}
+
+/// Two boxes 0.25 m deep along x, and 1.5 m along y; B is on the side of +x.
+class Separations : public testing::Test {
+ protected:
+  Judgement on(const Eigen::Vector3d& translation, const char* engine = "other") const {
+    return on(translation, translation.norm(), engine);
+  }
+  Judgement on(const Eigen::Vector3d& translation, double length, const char* engine) const {
+    CaseAnswer answer;
+    answer.distance = length;
+    answer.translation = translation;
+    return Judge(query_).judge(answer, {engine, ""});
+  }
+  Case query_ = of_bodies(Ask::Separation, Box{{1, 1, 1}}, Box{{1, 0.5, 0.5}}, {1.75, 0, 0});
+};
+
+TEST_F(Separations, ThatPartTheTwoAndAreNoLongerThanTheyMustAreRight) {
+  const Judgement least = on({0.25, 0, 0});
+  EXPECT_EQ(least.verdict, Verdict::Right) << least.truth;
+  EXPECT_EQ(least.truth, "hit, apart after it");
+  EXPECT_EQ(on({0, 1.5, 0}).verdict, Verdict::Right) << "that it is the shortest is not asked";
+  EXPECT_EQ(on({0.25 + 1e-6, 0, 0}).verdict, Verdict::Right) << "others are granted float";
+  EXPECT_EQ(Judge(query_).judge(answer_case(query_), this_library()).verdict, Verdict::Right);
+}
+
+TEST_F(Separations, PlantedFaultsAreFound) {
+  for (const Eigen::Vector3d& wrong :
+       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0.125, 0, 0), Eigen::Vector3d(0.25 + 1e-4, 0, 0),
+        Eigen::Vector3d(-0.25, 0, 0), Eigen::Vector3d(0.15, 0.2, 0)}) {
+    const Judgement judgement = on(wrong);
+    EXPECT_EQ(judgement.verdict, Verdict::Wrong) << wrong.transpose() << ": " << judgement.truth;
+    EXPECT_EQ(judgement.error_class, ErrorClass::Real);
+  }
+  EXPECT_NEAR(on({0.125, 0, 0}).error, 0.0625, 1e-12) << "a point in the middle of what is shared";
+  EXPECT_NEAR(on({0.5, 0, 0}).error, 0.25, 1e-12);
+  EXPECT_EQ(on({0.25, 0, 0}, 0.5, "other").verdict, Verdict::Wrong) << "of another length";
+  EXPECT_EQ(on({0.25, 0, 0}, 0.25 + 1e-7, "graze").verdict, Verdict::Wrong);
+  query_ = of_bodies(Ask::Separation, Box{{1, 1, 1}}, Box{{1, 0.5, 0.5}}, {2.25, 0, 0});
+  EXPECT_EQ(on({0, 0, 0}).verdict, Verdict::Right) << "they are apart";
+  EXPECT_EQ(on({0.125, 0, 0}).verdict, Verdict::Wrong) << "there is nothing to undo";
+}
+
+TEST_F(Separations, OfSurfacesAreNotJudged) {
+  query_ = of_bodies(Ask::Separation, tests::make_box({1, 1, 1}), Box{{1, 1, 1}}, {1.75, 0, 0});
+  EXPECT_EQ(on({0.25, 0, 0}).verdict, Verdict::NotJudged);
+}
+
+TEST_F(Separations, OfOtherEnginesAreTheirDeepestContacts) {
+  for (const EngineEntry& entry : all_engines()) {
+    if (entry.engine == nullptr) continue;
+    const std::optional<CaseAnswer> answer = ask(*entry.engine, query_);
+    if (!answer) continue;
+    EXPECT_NEAR(*answer->distance, 0.25, 1e-6) << entry.name;
+    EXPECT_NEAR(answer->translation->x(), 0.25, 1e-6) << entry.name;
+    EXPECT_EQ(Judge(query_).judge(*answer, entry.engine->name()).verdict, Verdict::Right)
+        << entry.name;
+  }
+}
+
+/// Whatever the shapes are, graze's way out is one by a judge who uses only its proposals.
+TEST(ShapeAnswers, GrazeIsRightAboutWaysOut) {
+  RandomSource random(9);
+  const std::vector<Shape> shapes = {Sphere{{0, 0, 0}, 0.5}, Box{{0.5, 0.25, 0.75}},
+                                     Capsule{0.25, 0.5},     Cylinder{0.5, 0.25},
+                                     Cone{0.5, 0.5},         Ellipsoid{{0, 0, 0}, {0.5, 1, 0.25}}};
+  std::size_t ways = 0;
+  for (const Shape& a : shapes) {
+    for (const Shape& b : shapes) {
+      for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d at(random.uniform(-1, 1), random.uniform(-1, 1),
+                                 random.uniform(-1, 1));
+        const Case query = of_bodies(Ask::Separation, a, b, at);
+        const CaseAnswer answer = answer_case(query);
+        const Judgement judgement = Judge(query).judge(answer, this_library());
+        EXPECT_NE(judgement.verdict, Verdict::Wrong) << judgement.truth;
+        ways += judgement.verdict == Verdict::Right && *answer.distance > 0;
+      }
+    }
+  }
+  EXPECT_GT(ways, 36u);
 }
 
 /// What graze says of shapes at random is never wrong by the judge who uses only its proposals.

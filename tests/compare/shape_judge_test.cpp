@@ -8,6 +8,9 @@
 #include <graze/engine/scenes/read_scene.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
+#include <string>
 
 #include "tests/compare/each_record.h"
 #include "tests/shapes/formula_meshes.h"
@@ -155,6 +158,102 @@ TEST(SceneComparison, FindsWhoIsWrongAtEachStep) {
   EXPECT_GT(touching, 100u);
   EXPECT_GT(overlooked, touching * 9 / 10);
   EXPECT_LE(overlooked, touching);
+}
+
+/// Looks for pairs itself, as graze has them, but for the last one of many, which it loses.
+class LosesTheLast : public Engine {
+  class Shapes : public LoadedShapes {
+   public:
+    explicit Shapes(std::unique_ptr<LoadedShapes> inner) : inner_(std::move(inner)) {}
+    std::optional<bool> intersects(std::size_t a, const Pose& pose_a, std::size_t b,
+                                   const Pose& pose_b) const override {
+      return inner_->intersects(a, pose_a, b, pose_b);
+    }
+    ShapesAnswer intersect_all(
+        std::span<const PlacedShape> bodies,
+        std::span<const std::pair<std::size_t, std::size_t>> pairs) const override {
+      ShapesAnswer all = inner_->intersect_all(bodies, pairs);
+      if (pairs.size() > 1) all.pairs.back().says = false;
+      return all;
+    }
+
+   private:
+    std::unique_ptr<LoadedShapes> inner_;
+  };
+
+ public:
+  explicit LosesTheLast(bool answers_scenes) : answers_scenes_(answers_scenes) {}
+  CaseWitness name() const override { return {"loses", ""}; }
+  bool answers_scenes() const override { return answers_scenes_; }
+  std::unique_ptr<LoadedPair> load(const Mesh&, const Mesh&) const override { return nullptr; }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<Shapes>(make_graze_engine()->load_shapes(shapes));
+  }
+  std::unique_ptr<Engine> alone() const override {
+    return std::make_unique<LosesTheLast>(answers_scenes_);
+  }
+
+ private:
+  bool answers_scenes_;
+};
+
+/// A pair alone is another question than the pair among others: an engine that looks for pairs is
+/// asked all of them again.
+TEST(SceneComparison, WhatABroadPhaseLosesIsConfirmedAmongAll) {
+  const Scene scene = read_scene(GRAZE_DATA_DIR "/scenes/shapes.json");
+  for (const bool answers_scenes : {true, false}) {
+    std::vector<EngineEntry> engines;
+    engines.push_back({"graze", make_graze_engine()});
+    engines.push_back({"loses", std::make_unique<LosesTheLast>(answers_scenes)});
+    std::map<Verdict, std::size_t> verdicts;
+    compare_scene(scene, engines, {.steps = scene.steps}, {.end = scene.steps + 1, .threads = 2},
+                  each_record<StepRecord>([&](const StepRecord& record) {
+                    for (const SceneDifference& difference : record.differences)
+                      for (const AnswerRecord& answer : difference.answers)
+                        if (answer.engine == "loses") ++verdicts[answer.judgement.verdict];
+                  }));
+    EXPECT_GT(verdicts[answers_scenes ? Verdict::Wrong : Verdict::NotConfirmed], 0u);
+    EXPECT_EQ(verdicts[answers_scenes ? Verdict::NotConfirmed : Verdict::Wrong], 0u);
+  }
+}
+
+/// FCL's own walks over all bodies: whatever finds the pairs, the same ones meet.
+TEST(SceneComparison, FclsManagersSayWhatFclSaysOfEachPair) {
+  const Scene scene = read_scene(GRAZE_DATA_DIR "/scenes/shapes.json");
+  std::vector<EngineEntry> engines;
+  for (EngineEntry& entry : all_engines())
+    if (entry.name == "graze" || entry.name == "fcl") engines.push_back(std::move(entry));
+  for (EngineEntry& entry : scene_engines())
+    engines.push_back(std::move(entry));
+  if (engines[1].engine == nullptr) GTEST_SKIP() << "without FCL";
+  std::map<std::string, std::size_t> answers;
+  std::set<std::string> digests;
+  const auto is_of_fcl = [](const std::string& name) {
+    return name.starts_with("fcl") && !name.starts_with("fcl-tree");
+  };
+  compare_scene(scene, engines, {.steps = scene.steps}, {.end = scene.steps + 1, .threads = 2},
+                each_record<StepRecord>([&](const StepRecord& record) {
+                  digests.clear();
+                  for (const StepAnswers& each : record.engines) {
+                    answers[each.engine] += each.answers;
+                    if (is_of_fcl(each.engine)) digests.insert(each.digest);
+                  }
+                  EXPECT_EQ(digests.size(), 1u) << record.place;
+                  for (const SceneDifference& difference : record.differences)
+                    for (const AnswerRecord& answer : difference.answers)
+                      EXPECT_NE(answer.judgement.error_class, ErrorClass::EngineError)
+                          << answer.engine << ": " << answer.judgement.truth;
+                }));
+  EXPECT_EQ(answers.size(), 10u);
+  for (const auto& [engine, count] : answers) {
+    if (is_of_fcl(engine)) {
+      EXPECT_EQ(count, answers["fcl"]) << engine;
+    }
+  }
+  EXPECT_GT(answers["fcl"], 1000u);
+  EXPECT_LT(answers["fcl-tree"], answers["fcl"]) << "which takes no half-space";
+  EXPECT_GT(answers["fcl-tree"], 900u);
+  EXPECT_EQ(answers["fcl-tree-array"], answers["fcl-tree"]);
 }
 
 // Turned and at all distances: what is half a millimetre apart or deep is beyond doubt. ODE's

@@ -68,7 +68,7 @@ bool is_answerable(const Case& query) {
     case Ask::Intersection:
       return is_mesh_pair(query) || (is_triangle(a) && is_triangle(b));
     case Ask::Separation:
-      return is_mesh_pair(query);
+      return is_mesh_pair(query) || (is_body(a) && is_body(b) && !query.settings.direction);
     case Ask::Ray:
       return (is_mesh(a) || is_triangle(a) || is_body(a)) && is_ray_b;
     case Ask::RayAll:

@@ -9,6 +9,7 @@
 #include <graze/engine/version.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>
+#include <graze/engine/world/shape_separation.h>
 #include <graze/narrowphase/crossing.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/triangle_distance.h>
@@ -138,6 +139,9 @@ CaseAnswer about_bodies(const Case& query, const CaseBody& a, const CaseBody& b,
   }
   if (query.ask == Ask::Contacts) {
     return answer_of(find_contacts({a.shape, a.pose}, {b.shape, b.pose}, work));
+  }
+  if (query.ask == Ask::Separation && !query.settings.direction) {
+    return answer_of(find_separation({a.shape, a.pose}, {b.shape, b.pose}, work));
   }
   if (query.ask == Ask::Within) {  // as World::find_within() has it
     return says(distance({a.shape, a.pose}, {b.shape, b.pose}, work).distance <=

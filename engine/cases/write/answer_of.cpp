@@ -1,6 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/to_case.h>
 
+#include <algorithm>
+
 namespace graze {
 namespace {
 
@@ -43,6 +45,13 @@ CaseAnswer answer_of(const MeshContacts& contacts) {
 CaseAnswer answer_of(const MeshIntersection& intersection) {
   CaseAnswer answer;
   answer.intersection = in_parts(intersection);
+  return answer;
+}
+
+CaseAnswer answer_of(const ShapeSeparation& separation) {
+  CaseAnswer answer;
+  answer.distance = std::max(-separation.distance, 0.0);
+  answer.translation = *answer.distance * separation.normal;
   return answer;
 }
 

@@ -47,7 +47,8 @@ the referee once gave. A case that cannot be made smaller stays where it is.
 Of a scene (see graze simulate) each pair of bodies at each step is put to graze::World, to graze alone
 and to the engines that know such shapes. Two meshes, and boxes and balls with them, are the referee's;
 for other shapes a plane between them or a point in both is proof, and errors within 1e-6 of their size are
-called touching. What is not proved is not judged. Cases of such shapes hold the two bodies, their meshes
+called touching. What is not proved is not judged. FCL's managers (fcl-tree, fcl-sap, fcl-hash and so on) take part as
+engines of scenes: each gets all bodies of a step and looks for the pairs itself. Cases of such shapes hold the two bodies, their meshes
 and hulls cut down to what the error needs.
 
 With --json each pose, or case, gives one line, and the last one is
@@ -76,7 +77,8 @@ record of its own; graze merge puts them together.
 
 In place of a mesh A and B may be shapes, .json files that hold what a body of a case has ({"sphere":{"radius":1}}).
 Every question but pairs is asked about them, of every engine that knows it: FCL, Coal and Bullet know distances, within
-and contacts, ODE contacts. Of what is curved a plane that parts the two and two points of them bound a distance, and
+and contacts, ODE contacts; of all four the depth of the deepest contact along its normal is their separation, a
+translation of B that parts the two. Of meshes only graze knows separations. Of what is curved a plane that parts the two and two points of them bound a distance, and
 what is wrong names both bounds.
 
 Below the table stands what to do about each class of errors: a tolerance, poses, single precision on the way,
@@ -221,12 +223,13 @@ void add_compare_command(CLI::App& program, Action& action,
       ->required();
   command->add_option("B", options->mesh_b, "second mesh");
   command
-      ->add_option("--query", options->query,
-                   "any (default), pairs, distance, within, contacts, first_contact, free")
+      ->add_option(
+          "--query", options->query,
+          "any (default), pairs, distance, within, contacts, separation, first_contact, free")
       ->type_name("QUESTION")
-      ->check(
-          CLI::IsMember({"any", "pairs", "distance", "within", "contacts", "first_contact", "free"})
-              .description(""));
+      ->check(CLI::IsMember({"any", "pairs", "distance", "within", "contacts", "separation",
+                             "first_contact", "free"})
+                  .description(""));
   command
       ->add_option("--clearance", options->clearance,
                    "of --query within, first_contact and free, metres")

@@ -30,7 +30,7 @@ using compare::WrongAnswer;
 
 Ask ask_named(const std::string& name) {
   for (const Ask ask : {Ask::Any, Ask::Pairs, Ask::Distance, Ask::Within, Ask::Contacts,
-                        Ask::FirstContact, Ask::Free}) {
+                        Ask::Separation, Ask::FirstContact, Ask::Free}) {
     if (name == name_of(ask)) return ask;
   }
   throw UsageError("--query: there is no question " + mesh_io::quoted(name));

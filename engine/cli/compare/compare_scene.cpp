@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 
 namespace graze::cli {
@@ -147,7 +148,9 @@ std::string json_of(const Scene& scene, const Place& place) {
 ExitCode run_compare_scene(const CompareOptions& options,
                            std::span<const compare::EngineEntry> engines, Output& output) {
   check_scene_options(options);
-  const Field field(engines, options.engines);
+  const std::vector<compare::EngineEntry> with_managers =
+      with_scene_engines(engines, {.timeout = std::chrono::duration<double>(options.timeout)});
+  const Field field(with_managers, options.engines);
   check_before(options, field.engines());
   const Scene scene = read_scene(options.mesh_a, {.mesh_folder = options.mesh_folder});
   const compare::SceneComparisonSettings settings{.steps = options.steps.value_or(scene.steps),
@@ -189,7 +192,7 @@ ExitCode run_compare_scene(const CompareOptions& options,
   findings.rows = rows.text();
   findings.summaries = tally.summaries();
   findings.asked = job.head.parts;
-  return conclude(options, engines, field.engines(), findings, output);
+  return conclude(options, with_managers, field.engines(), findings, output);
 }
 
 }  // namespace graze::cli

@@ -48,6 +48,7 @@ class Borrowed : public compare::Engine {
   std::unique_ptr<compare::LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
     return engine_.load_shapes(shapes);
   }
+  bool answers_scenes() const override { return engine_.answers_scenes(); }
   std::unique_ptr<compare::Engine> alone() const override { return engine_.alone(); }
 
  private:
@@ -98,6 +99,26 @@ std::vector<EngineEntry> engines_with(const compare::PeerSettings& settings,
       refuse("calls itself " + mesh_io::quoted(name) + ", which --engines could not name");
   }
   return engines;
+}
+
+std::vector<EngineEntry> with_scene_engines(std::span<const EngineEntry> engines,
+                                            const compare::PeerSettings& settings) {
+  std::vector<EngineEntry> all;
+  all.reserve(engines.size());
+  for (const EngineEntry& entry : engines) {
+    all.push_back({entry.name, nullptr, entry.is_users_own, entry.recorded});
+    if (entry.engine) all.back().engine = std::make_unique<Borrowed>(*entry.engine);
+  }
+  for (EngineEntry& entry : compare::scene_engines(settings)) {
+    const bool is_taken = std::any_of(
+        all.begin(), all.end(), [&](const EngineEntry& each) { return each.name == entry.name; });
+    if (is_taken) {
+      throw UsageError("--engine-command: an engine calls itself " + mesh_io::quoted(entry.name) +
+                       ", as another engine does");
+    }
+    all.push_back(std::move(entry));
+  }
+  return all;
 }
 
 Field::Field(std::span<const EngineEntry> engines, std::string_view names) {

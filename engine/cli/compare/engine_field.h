@@ -15,6 +15,10 @@ namespace graze::cli {
 std::vector<compare::EngineEntry> engines_with(const compare::PeerSettings& settings,
                                                std::span<const std::string> commands);
 
+/// The same, and those that are for scenes alone. The engines must outlive the result.
+std::vector<compare::EngineEntry> with_scene_engines(std::span<const compare::EngineEntry> engines,
+                                                     const compare::PeerSettings& settings);
+
 /// The engines that take part, as if there were no others.
 class Field {
  public:

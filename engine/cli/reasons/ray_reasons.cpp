@@ -71,7 +71,12 @@ Reasons inside_reasons(const Case& query) {
   const std::string is = *truth->says ? "is inside, or on the surface" : "is outside";
   const auto* mesh = std::get_if<CaseMesh>(&query.a);
   Reasons all = {fmt::format("The point {} {}.", words_of(point), is)};
-  if (mesh == nullptr) return all;
+  if (mesh == nullptr) {
+    const compare::Judgement judgement = compare::Judge(query).judge(*truth, {"graze", ""});
+    all.push_back("In rational numbers it is " + judgement.truth +
+                  "; what lies on the surface counts.");
+    return all;
+  }
   const Ray ray{point, {1, 0, 0}};
   const std::size_t count = cast_ray_all({mesh->mesh}, ray).size();
   all.push_back(

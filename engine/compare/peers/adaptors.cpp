@@ -1,12 +1,15 @@
 #include <graze/engine/compare/peers/adaptors.h>
 #include <graze/engine/compare/peers/known_peers.h>
 
+#include <algorithm>
+
 namespace graze::compare {
 
 std::unique_ptr<Engine> make_adaptor(const std::string& name) {
 #if GRAZE_HAS_FCL
   if (name == "fcl") return make_fcl_engine();
   if (name == "fcl-advancement") return make_fcl_advancement_engine();
+  if (std::unique_ptr<Engine> manager = make_fcl_manager_engine(name)) return manager;
 #endif
 #if GRAZE_HAS_BULLET
   if (name == "bullet") return make_bullet_engine();
@@ -22,11 +25,13 @@ std::unique_ptr<Engine> make_adaptor(const std::string& name) {
 
 std::string adaptor_names() {
   std::string names;
-  for (const KnownPeer& peer : kKnownPeers) {
-    if (!peer.is_here) continue;
+  const auto add = [&](const KnownPeer& peer) {
+    if (!peer.is_here) return;
     names += names.empty() ? "" : ", ";
     names += peer.name;
-  }
+  };
+  std::for_each(kKnownPeers.begin(), kKnownPeers.end(), add);
+  std::for_each(kScenePeers.begin(), kScenePeers.end(), add);
   return names.empty() ? "none, as this was built" : names;
 }
 

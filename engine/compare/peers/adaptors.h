@@ -12,6 +12,8 @@ namespace graze::compare {
 
 std::unique_ptr<Engine> make_fcl_engine();
 std::unique_ptr<Engine> make_fcl_advancement_engine();
+/// FCL's manager of that name; null if there is none.
+std::unique_ptr<Engine> make_fcl_manager_engine(const std::string& name);
 std::unique_ptr<Engine> make_bullet_engine();
 std::unique_ptr<Engine> make_ode_engine();
 std::unique_ptr<Engine> make_coal_engine();

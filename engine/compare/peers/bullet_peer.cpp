@@ -239,6 +239,8 @@ class BulletShapes : public LoadedShapes {
     btCollisionObject* object_a = a.place(0, placed_a.pose);
     btCollisionObject* object_b = b.place(1, placed_b.pose);
     if (question.ask == Ask::Contacts) return contacts(object_a, object_b);
+    if (question.ask == Ask::Separation)
+      return answer_of_separation(*contacts(object_a, object_b).manifold);
     if (a.kind() == ShapeKind::Mesh || b.kind() == ShapeKind::Mesh) return std::nullopt;
     if (question.ask == Ask::Distance)
       return answer_of_distance(test_.distance(object_a, object_b));
@@ -269,7 +271,7 @@ class BulletEngine : public Engine {
  public:
   CaseWitness name() const override { return {"bullet", std::to_string(btGetVersion())}; }
   std::optional<std::vector<Ask>> questions() const override {
-    return {{Ask::Any, Ask::Distance, Ask::Within, Ask::Contacts}};
+    return {{Ask::Any, Ask::Distance, Ask::Within, Ask::Contacts, Ask::Separation}};
   }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<BulletPair>(mesh_a, mesh_b);

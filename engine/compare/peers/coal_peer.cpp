@@ -290,6 +290,8 @@ class CoalShapes : public LoadedShapes {
         return answer_of_within(distance(a, b), question.settings.clearance);
       case Ask::Contacts:
         return contacts(a, b);
+      case Ask::Separation:
+        return answer_of_separation(*contacts(a, b).manifold);
       default:
         return std::nullopt;
     }

@@ -121,6 +121,10 @@ class Engine {
   /// Which questions about two meshes it knows, if it says so.
   virtual std::optional<std::vector<Ask>> questions() const { return std::nullopt; }
 
+  /// Whether it is asked about all pairs of a scene in one question, because it looks for those
+  /// that may meet itself. A pair by itself is then another question than the pair among others.
+  virtual bool answers_scenes() const { return false; }
+
   /// So far off it may be by its own word, metres, if it says so. No verdict depends on it, only
   /// what is advised.
   virtual std::optional<double> tolerance() const { return std::nullopt; }
@@ -171,6 +175,9 @@ struct PeerSettings {
 /// (peers/process/README.md), which start when they are first needed. All of them may be asked from
 /// many threads.
 std::vector<EngineEntry> all_engines(const PeerSettings& settings = {});
+
+/// Those that are for scenes alone (Engine::answers_scenes()): FCL's managers.
+std::vector<EngineEntry> scene_engines(const PeerSettings& settings = {});
 
 /// In this process, from many threads.
 std::unique_ptr<Engine> make_graze_engine();

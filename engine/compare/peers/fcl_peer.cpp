@@ -79,6 +79,10 @@ class FclShapes : public LoadedShapes {
                                 question.settings.clearance);
       case Ask::Contacts:
         return contacts(shape_a, a.pose, shape_b, b.pose);
+      case Ask::Separation: {
+        const auto found = contacts(shape_a, a.pose, shape_b, b.pose);
+        return found ? std::optional(answer_of_separation(*found->manifold)) : std::nullopt;
+      }
       default:
         return motions_.answer(question, a, b);
     }

@@ -31,4 +31,14 @@ inline constexpr std::array<KnownPeer, 5> kKnownPeers = {{{"fcl", GRAZE_HAS_FCL 
                                                           {"coal", GRAZE_HAS_COAL != 0},
                                                           {"fcl-advancement", GRAZE_HAS_FCL != 0}}};
 
+/// Those that are asked about all pairs of a scene at once, and about nothing else unless they are
+/// named.
+inline constexpr std::array<KnownPeer, 7> kScenePeers = {{{"fcl-tree", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-tree-array", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-sap", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-ssap", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-interval", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-hash", GRAZE_HAS_FCL != 0},
+                                                          {"fcl-naive", GRAZE_HAS_FCL != 0}}};
+
 }  // namespace graze::compare

@@ -270,7 +270,8 @@ class OdeShapes : public LoadedShapes {
     const OdeShape& a = *shapes_[placed_a.shape];
     const OdeShape& b = *others_[placed_b.shape];
     const bool is_known = knows_[index_of(a.kind())][index_of(b.kind())];
-    if (question.ask != Ask::Contacts || !is_known) return std::nullopt;
+    const bool is_asked = question.ask == Ask::Contacts || question.ask == Ask::Separation;
+    if (!is_asked || !is_known) return std::nullopt;
     std::vector<dContactGeom> found(kMaxContacts);
     const int count = dCollide(a.place(placed_a.pose), b.place(placed_b.pose), kMaxContacts,
                                found.data(), sizeof(dContactGeom));
@@ -280,6 +281,7 @@ class OdeShapes : public LoadedShapes {
     for (const dContactGeom& c : found)
       add_contact({c.pos[0], c.pos[1], c.pos[2]}, {-c.normal[0], -c.normal[1], -c.normal[2]},
                   c.depth, *answer.manifold);
+    if (question.ask == Ask::Separation) return answer_of_separation(*answer.manifold);
     return answer;
   }
 
@@ -294,7 +296,9 @@ class OdeShapes : public LoadedShapes {
 class OdeEngine : public Engine {
  public:
   CaseWitness name() const override { return {"ode", dODE_VERSION}; }
-  std::optional<std::vector<Ask>> questions() const override { return {{Ask::Any, Ask::Contacts}}; }
+  std::optional<std::vector<Ask>> questions() const override {
+    return {{Ask::Any, Ask::Contacts, Ask::Separation}};
+  }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     start_ode();
     return std::make_unique<OdePair>(mesh_a, mesh_b);

@@ -25,6 +25,20 @@ inline std::optional<CaseAnswer> answer_of_within(const std::optional<double>& d
   return answer;
 }
 
+/// The way out that an engine's contacts show, as its users take it: B by the depth of the deepest
+/// along its normal; none of two that do not meet.
+inline CaseAnswer answer_of_separation(const std::vector<CaseShapeContact>& contacts) {
+  CaseAnswer answer;
+  answer.distance = 0;
+  answer.translation = Eigen::Vector3d(0, 0, 0);
+  for (const CaseShapeContact& contact : contacts) {
+    if (contact.depth <= *answer.distance) continue;
+    answer.distance = contact.depth;
+    answer.translation = contact.depth * contact.normal;
+  }
+  return answer;
+}
+
 /// A contact of which the engine names no features: each counts as one of its own.
 inline void add_contact(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double depth,
                         std::vector<CaseShapeContact>& contacts) {

@@ -22,8 +22,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+using IndexPairs = std::span<const std::pair<std::size_t, std::size_t>>;
+
 /// An engine that holds the shapes of a scene, and for confirming what it said a few pairs of them
-/// by themselves.
+/// by themselves, or all again if it looks for pairs itself.
 class SceneEngine {
  public:
   SceneEngine(const EngineEntry& entry, std::span<const Shape> shapes,
@@ -33,13 +35,15 @@ class SceneEngine {
   const EngineEntry& entry() const { return *entry_; }
   const LoadedShapes& loaded() const { return *loaded_; }
 
-  Utterance hear_alone(const PlacedShape& a, const PlacedShape& b) const {
+  /// What it says of one of the pairs where nothing else was asked before.
+  Utterance hear_alone(std::span<const PlacedShape> bodies, IndexPairs pairs,
+                       std::size_t place) const {
     return hear(
         [&] {
-          const std::shared_ptr<LoadedShapes> alone = load_alone(a.shape, b.shape);
           const std::optional<bool> says =
-              alone ? alone->intersects(0, a.pose, 1, b.pose)
-                    : loaded_->intersects(a.shape, a.pose, b.shape, b.pose);
+              entry_->engine->answers_scenes()
+                  ? says_of_all(bodies, pairs, place)
+                  : says_of_two(bodies[pairs[place].first], bodies[pairs[place].second]);
           std::optional<CaseAnswer> answer;
           if (says) answer.emplace().says = says;
           return TimedAnswer(std::move(answer));
@@ -48,6 +52,28 @@ class SceneEngine {
   }
 
  private:
+  std::optional<bool> says_of_two(const PlacedShape& a, const PlacedShape& b) const {
+    const std::shared_ptr<LoadedShapes> alone = load_alone(a.shape, b.shape);
+    return alone ? alone->intersects(0, a.pose, 1, b.pose)
+                 : loaded_->intersects(a.shape, a.pose, b.shape, b.pose);
+  }
+
+  std::optional<bool> says_of_all(std::span<const PlacedShape> bodies, IndexPairs pairs,
+                                  std::size_t place) const {
+    const std::shared_ptr<LoadedShapes> alone = load_all_alone();
+    const ShapesAnswer all = (alone ? *alone : *loaded_).intersect_all(bodies, pairs);
+    if (!all.pairs[place].fault.empty()) throw EngineFailure(all.pairs[place].fault);
+    return all.pairs[place].says;
+  }
+
+  std::shared_ptr<LoadedShapes> load_all_alone() const {
+    const std::lock_guard lock(alone_->mutex);
+    if (alone_->scene) return alone_->scene;
+    const std::unique_ptr<Engine> engine = entry_->engine->alone();
+    if (engine) alone_->scene = engine->load_shapes(shapes_);
+    return alone_->scene;
+  }
+
   /// Null if the engine needs no such thing.
   std::shared_ptr<LoadedShapes> load_alone(std::size_t shape_a, std::size_t shape_b) const {
     constexpr std::size_t kMostKept = 8;  // each is a process
@@ -64,6 +90,7 @@ class SceneEngine {
   struct Alone {
     std::mutex mutex;
     std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<LoadedShapes>> pairs;
+    std::shared_ptr<LoadedShapes> scene;
   };
 
   const EngineEntry* entry_;
@@ -148,12 +175,11 @@ class StepTrial {
   }
 
   void ask_all(const std::vector<ScenePair>& pairs) {
-    std::vector<std::pair<std::size_t, std::size_t>> asked;
-    asked.reserve(pairs.size());
+    asked_.reserve(pairs.size());
     for (const ScenePair& pair : pairs)
-      asked.emplace_back(pair.a, pair.b);
+      asked_.emplace_back(pair.a, pair.b);
     for (std::size_t i = 0; i < engines_.size(); ++i) {
-      answers_.push_back(engines_[i].loaded().intersect_all(bodies_, asked));
+      answers_.push_back(engines_[i].loaded().intersect_all(bodies_, asked_));
       record_.engines[i + 1].time = answers_.back().time.count();
     }
     record_.questions = pairs.size();
@@ -174,7 +200,7 @@ class StepTrial {
     });
     if (!is_disputed && !is_fault) return;
     keep(pair);
-    judge_answers(pair, is_disputed);
+    judge_answers(pair, place, is_disputed);
   }
 
   void add(const SceneEngine* engine, std::size_t place, Utterance utterance) {
@@ -207,7 +233,7 @@ class StepTrial {
   }
 
   /// All answers, or, where none is disputed, those that are none.
-  void judge_answers(const ScenePair& pair, bool is_disputed) {
+  void judge_answers(const ScenePair& pair, std::size_t place, bool is_disputed) {
     const ShapeJudge referee(body(pair.a), body(pair.b));
     const Engine* graze = nullptr;
     std::optional<bool> graze_says;
@@ -228,7 +254,7 @@ class StepTrial {
             return referee.judge(*answer.says, {name, ""},
                                  asked == nullptr ? JudgeSettings() : asking(*asked));
           },
-          [&] { return each.engine->hear_alone(bodies_[pair.a], bodies_[pair.b]); });
+          [&] { return each.engine->hear_alone(bodies_, asked_, place); });
       each.utterance = std::move(heard.said);
       answers[i].brief = brief_of(each);
       answers[i].is_agreed = false;
@@ -251,6 +277,7 @@ class StepTrial {
   std::span<const SceneEngine> engines_;
   WorldStep world_;
   std::vector<PlacedShape> bodies_;
+  std::vector<std::pair<std::size_t, std::size_t>> asked_;
   std::vector<ShapesAnswer> answers_;  // of each engine
   std::vector<std::string> said_;      // a character a question, of the world and of each engine
   StepRecord record_;

@@ -36,6 +36,7 @@ class SharingEngine : public Engine {
   std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
     return engine_.load_shapes(shapes);
   }
+  bool answers_scenes() const override { return engine_.answers_scenes(); }
   std::unique_ptr<Engine> alone() const override { return engine_.alone(); }
 
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {

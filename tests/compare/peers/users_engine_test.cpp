@@ -68,6 +68,30 @@ TEST(UsersEngine, OfBoxesAloneIsWrongInTheTorussHole) {
   EXPECT_LT(wrong, all.size());
 }
 
+/// The client in Python knows shapes, too: balls and boxes, here, and no others.
+TEST(UsersEngine, OfBoxesIsWrongWhereABallIsInACorner) {
+  const std::string command = "python3 '" + kEngines + "/boxes.py'";
+  const CaseBody box(Box{{0.5, 0.5, 0.5}}, Pose::Identity());
+  Pose corner = Pose::Identity();
+  corner.translation() = Eigen::Vector3d(0, 0.87, 0.87);  // the ball misses the edge by 0.03
+  const auto all = answers(graze_and(start_engine(command)), Ask::Any, box,
+                           CaseBody(Sphere{corner.translation(), 0.5}, Pose::Identity()));
+  std::size_t wrong = 0;
+  for (const std::vector<AnswerRecord>& answer : all) {
+    ASSERT_EQ(answer.size(), 2u);
+    EXPECT_FALSE(answer[0].is_wrong());
+    wrong += answer[1].is_wrong();
+    EXPECT_EQ(answer[1].judgement.verdict == Verdict::NotConfirmed, false);
+  }
+  EXPECT_GT(wrong, 2u);
+  EXPECT_FALSE(all.back()[1].is_wrong()) << "apart";
+  for (const auto& answer : answers(graze_and(start_engine(command)), Ask::Any, box,
+                                    CaseBody(Cone{0.5, 0.5}, Pose::Identity())))
+    EXPECT_EQ(answer.size(), 1u) << "it knows no cones";
+  for (const auto& answer : answers(graze_and(start_engine(command)), Ask::Distance, box, box))
+    EXPECT_EQ(answer.size(), 1u) << "nor distances";
+}
+
 TEST(UsersEngine, IsNotAskedWhatItDoesNotKnow) {
   const auto all =
       answers(graze_and(start_engine("python3 '" + kEngines + "/boxes.py'")), Ask::Distance);

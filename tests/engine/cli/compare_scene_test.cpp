@@ -22,6 +22,23 @@ TEST_F(CliCompareScene, GrazeIsRightAboutTheBundledShapes) {
   EXPECT_EQ(summary.at(1)["wrong"], 0);
 }
 
+/// FCL's managers are engines of scenes, and of nothing else unless they are named.
+TEST_F(CliCompareScene, BroadPhasesTakePart) {
+  const CommandResult scene =
+      graze({"compare", kScene, "--json", "--steps", "3", "--engines", "fcl,fcl-sap,fcl-hash"});
+  EXPECT_EQ(scene.exit_code, 0) << scene.err;
+  const auto summary = nlohmann::json::parse(lines_of(scene.out).back())["summary"];
+  ASSERT_EQ(summary.size(), 5u) << summary;
+  EXPECT_EQ(summary.at(3)["engine"], "fcl-sap");
+  EXPECT_EQ(summary.at(3)["answers"], summary.at(2)["answers"]);
+  EXPECT_EQ(summary.at(4)["answers"], summary.at(2)["answers"]);
+  EXPECT_EQ(summary.at(4)["wrong"], summary.at(2)["wrong"]);
+  const CommandResult meshes =
+      graze({"compare", GRAZE_DATA_DIR "/regressions", "--engines", "fcl-sap"});
+  EXPECT_EQ(meshes.exit_code, 2);
+  EXPECT_NE(meshes.err.find("there is no engine \"fcl-sap\""), std::string::npos) << meshes.err;
+}
+
 TEST_F(CliCompareScene, BadInputIsRefused) {
   expect_refusal(
       {"compare", kScene, "--random", "3"},

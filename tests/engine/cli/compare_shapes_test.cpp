@@ -91,7 +91,7 @@ TEST_F(CliCompareShapes, EveryQuestionIsAskedOfEveryEngine) {
   for (const bool is_grazing : {false, true}) {
     options_.random = is_grazing ? 0 : 60;
     options_.grazing = is_grazing ? 30 : 0;
-    for (const std::string query : {"any", "distance", "contacts", "within"}) {
+    for (const std::string query : {"any", "distance", "contacts", "within", "separation"}) {
       SCOPED_TRACE(query + (is_grazing ? ", grazing" : ""));
       options_.clearance = query == "within" ? 0.125 : -1;
       for (const json& engine : summary(query, engines)) {
@@ -107,6 +107,18 @@ TEST_F(CliCompareShapes, EveryQuestionIsAskedOfEveryEngine) {
       }
     }
   }
+}
+
+/// Of meshes, too: a number that is no length of its translation is wrong in every pose.
+TEST_F(CliCompareShapes, SeparationsOfMeshesAreAlwaysJudged) {
+  options_.mesh_a = directory_.write("a.off", off_of(tests::make_torus(1, 0.25, 10, 8)));
+  options_.mesh_b = directory_.write("b.off", off_of(tests::make_box({0.5, 0.5, 0.5})));
+  options_.random = 24;
+  const json engines = summary("separation", graze_and(compare::make_off_engine("mine", 0.125)));
+  EXPECT_EQ(engines[0]["answers"], 24);
+  EXPECT_EQ(engines[0]["wrong"], 0);
+  EXPECT_GT(engines[0]["right"], 12);
+  EXPECT_EQ(engines[1]["wrong"], 24);
 }
 
 TEST_F(CliCompareShapes, PartsOfThemAreOneRun) {

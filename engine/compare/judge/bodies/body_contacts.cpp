@@ -1,4 +1,5 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
+#include <graze/engine/compare/judge/bodies/body_parting.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 #include <graze/engine/work.h>
@@ -75,11 +76,9 @@ double extent_of(const std::vector<CaseShapeContact>& contacts) {
 Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
                        const std::vector<CaseShapeContact>& contacts, double tolerance) {
   const CaseShapeContact& deepest = contacts.front();
-  const double needed = support_along(a.shape, a.pose, deepest.normal) +
-                        support_along(b.shape, b.pose, -deepest.normal);
+  const double needed = needed_along(a, b, deepest.normal);
   if (!(needed <= deepest.depth + tolerance)) {
-    const double back = support_along(a.shape, a.pose, -deepest.normal) +
-                        support_along(b.shape, b.pose, deepest.normal);
+    const double back = needed_along(a, b, -deepest.normal);
     if (back <= deepest.depth + tolerance)
       return WitnessFault{"a normal from B to A", 2 * deepest.depth};
     return WitnessFault{"a depth that does not part the two", needed - deepest.depth};
@@ -93,23 +92,12 @@ Fault fault_of_parting(const PlacedBody& a, const PlacedBody& b,
   return std::nullopt;
 }
 
-/// How far a point that both share is below both surfaces, where the library finds one: so deep
-/// they are in each other, at least. Below 0 there is none.
-double shared_depth(const PlacedBody& a, const PlacedBody& b) {
-  const Manifold contacts = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
-  if (contacts.empty()) return -1;
-  Vector3d middle(0, 0, 0);  // of points that may lie on edges of one of the two
-  for (const ShapeContact& contact : contacts)
-    middle += contact.point / static_cast<double>(contacts.size());
-  return -std::max(outside_by(a.shape, a.pose, middle), outside_by(b.shape, b.pose, middle));
-}
-
 /// The same of another engine's contacts, of which the deepest may stand anywhere. Along its normal
 /// B may be free of A before a plane across it parts the two: both depths are right.
 Fault fault_of_others_parting(const PlacedBody& a, const PlacedBody& b,
                               const CaseShapeContact& deepest, double tolerance) {
   const Vector3d n = deepest.normal.normalized();
-  const double needed = support_along(a.shape, a.pose, n) + support_along(b.shape, b.pose, -n);
+  const double needed = needed_along(a, b, n);
   const auto beside = [&](const char* what) {
     return std::string(what) + in_metres(", which is", deepest.depth) +
            in_metres(": a plane across the normal parts them after", needed);
@@ -121,7 +109,7 @@ Fault fault_of_others_parting(const PlacedBody& a, const PlacedBody& b,
   moved.translation() += n * deepest.depth;
   const double still = shared_depth(a, {b.shape, moved});
   if (!(still > tolerance)) return std::nullopt;
-  const double back = support_along(a.shape, a.pose, -n) + support_along(b.shape, b.pose, n);
+  const double back = needed_along(a, b, -n);
   if (back <= deepest.depth + tolerance)
     return WitnessFault{"a normal from B to A", 2 * deepest.depth};
   return WitnessFault{beside("a depth after which they share a point below both surfaces"), still};
@@ -166,6 +154,25 @@ std::vector<ShapePoint> points_of(const PlacedBody& a, const PlacedBody& b,
 
 }  // namespace
 
+double needed_along(const PlacedBody& a, const PlacedBody& b, const Vector3d& n) {
+  return support_along(a.shape, a.pose, n) + support_along(b.shape, b.pose, -n);
+}
+
+double shared_depth(const PlacedBody& a, const PlacedBody& b) {
+  const Manifold contacts = find_contacts({a.shape, a.pose}, {b.shape, b.pose});
+  if (contacts.empty()) return -1;
+  Vector3d middle(0, 0, 0);  // of points that may lie on edges of one of the two
+  for (const ShapeContact& contact : contacts)
+    middle += contact.point / static_cast<double>(contacts.size());
+  return -std::max(outside_by(a.shape, a.pose, middle), outside_by(b.shape, b.pose, middle));
+}
+
+double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze) {
+  const double size = smaller_size(a, b);
+  return size * (is_graze ? kExtentTolerance + kSearchTolerance : kOthersTolerance) +
+         kTouchUlps * 0x1p-52 * (a.pose.translation().norm() + b.pose.translation().norm() + size);
+}
+
 PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
                             const std::vector<CaseShapeContact>& contacts) {
   if (contacts.empty()) return {};
@@ -193,10 +200,7 @@ PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
 PartsReview review_others_contacts(const PlacedBody& a, const PlacedBody& b,
                                    const std::vector<CaseShapeContact>& contacts) {
   if (contacts.empty()) return {};
-  const double size = smaller_size(a, b);
-  const double tolerance =
-      size * kOthersTolerance +
-      kTouchUlps * 0x1p-52 * (a.pose.translation().norm() + b.pose.translation().norm() + size);
+  const double tolerance = parting_tolerance(a, b, false);
   const CaseShapeContact* deepest = contacts.data();
   for (const CaseShapeContact& c : contacts) {
     const double off_unit = std::abs(c.normal.norm() - 1);

@@ -40,6 +40,13 @@ PartsReview review_distance(const PlacedBody& a, const PlacedBody& b, const Case
 Judgement judge_within(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
                        const Case& query, bool says, bool is_graze);
 
+/// A translation of B that parts two convex bodies: as long as is said, none of two that are apart,
+/// and not longer than a plane across it asks for; after it such a plane parts the two, or they
+/// share no point that is below both surfaces. That no shorter one does in another direction is not
+/// asked. Whether they meet is known before, if it is. All to parting_tolerance().
+Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
+                           const CaseAnswer& answer, bool is_graze);
+
 /// A ray at a body that is no mesh. How far a point is outside of a convex shape is a convex
 /// function along the ray: its least value, found by dividing the interval, says whether the ray
 /// goes in, and the hit is where it first falls to zero. All to 2^-38 of the scale, four times what

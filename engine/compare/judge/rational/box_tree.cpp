@@ -35,6 +35,27 @@ bool BoxTree::overlap(const Box& a, const Box& b) {
   return true;
 }
 
+// ((R_i0 x + R_i1 y) + R_i2 z) + t_i. Which end of a side gives the least product is for the sign
+// of its factor to say; what is not finite stays so, and overlaps everything that it might.
+BoxTree::Box BoxTree::placed(const Pose& pose, const Box& box) {
+  Box result;
+  for (int i = 0; i < 3; ++i) {
+    double min = 0;
+    double max = 0;
+    for (int j = 0; j < 3; ++j) {
+      const auto side = static_cast<std::size_t>(j);
+      const double factor = pose(i, j);
+      const double low = factor * (factor < 0 ? box.max[side] : box.min[side]);
+      const double high = factor * (factor < 0 ? box.min[side] : box.max[side]);
+      min = j == 0 ? low : min + low;
+      max = j == 0 ? high : max + high;
+    }
+    result.min[static_cast<std::size_t>(i)] = min + pose(i, 3);
+    result.max[static_cast<std::size_t>(i)] = max + pose(i, 3);
+  }
+  return result;
+}
+
 // Each operation is off by a part in 2^53, a square that underflows by less than the smallest
 // normal number; one part in 2^48 and that number are more than all of these together.
 double BoxTree::gap_below(const Box& a, const Box& b) {
@@ -118,6 +139,44 @@ struct BoxTree::OverlapWalk {
   }
 };
 
+struct BoxTree::PlacedWalk {
+  const BoxTree& a;
+  const Pose& pose_a;
+  const BoxTree& b;
+  const Pose& pose_b;
+  const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair;
+
+  bool leaf_pairs(const Node& node_a, const Node& node_b) const {
+    for (std::uint32_t i = 0; i < node_a.count; ++i) {
+      const std::uint32_t t_a = a.order_[node_a.first + i];
+      const Box box_a = placed(pose_a, a.boxes_[t_a]);
+      for (std::uint32_t j = 0; j < node_b.count; ++j) {
+        const std::uint32_t t_b = b.order_[node_b.first + j];
+        if (overlap(box_a, placed(pose_b, b.boxes_[t_b])) && !on_pair(t_a, t_b)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The boxes are those of the nodes, placed.
+  bool walk(std::uint32_t index_a, const Box& box_a, std::uint32_t index_b,
+            const Box& box_b) const {
+    if (!overlap(box_a, box_b)) return true;
+    const Node& node_a = a.nodes_[index_a];
+    const Node& node_b = b.nodes_[index_b];
+    if (node_a.is_leaf() && node_b.is_leaf()) return leaf_pairs(node_a, node_b);
+    const bool is_a_split = node_b.is_leaf() || (!node_a.is_leaf() && node_a.count >= node_b.count);
+    const std::uint32_t left = is_a_split ? a.left_of(index_a) : b.left_of(index_b);
+    for (const std::uint32_t child : {left, left + 1}) {
+      const bool goes_on = is_a_split
+                               ? walk(child, placed(pose_a, a.nodes_[child].box), index_b, box_b)
+                               : walk(index_a, box_a, child, placed(pose_b, b.nodes_[child].box));
+      if (!goes_on) return false;
+    }
+    return true;
+  }
+};
+
 struct BoxTree::NearWalk {
   const BoxTree& a;
   const BoxTree& b;
@@ -155,6 +214,18 @@ struct BoxTree::NearWalk {
       walk(child_a, child_b);
   }
 };
+
+void BoxTree::halve_all() {
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (!nodes_[i].is_leaf()) left_of(i);
+}
+
+void BoxTree::for_each_placed_overlap(
+    const BoxTree& tree_a, const Pose& pose_a, const BoxTree& tree_b, const Pose& pose_b,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair) {
+  const PlacedWalk walk{tree_a, pose_a, tree_b, pose_b, on_pair};
+  walk.walk(0, placed(pose_a, tree_a.nodes_[0].box), 0, placed(pose_b, tree_b.nodes_[0].box));
+}
 
 void BoxTree::for_each_overlap(const BoxTree& tree_a, const BoxTree& tree_b,
                                const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair) {

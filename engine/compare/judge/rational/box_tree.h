@@ -6,16 +6,30 @@
 #include <span>
 #include <vector>
 
+#include <graze/bvh/pose.h>
 #include <graze/narrowphase/triangle.h>
 
 namespace graze::compare {
 
-/// The referee's own hierarchy: boxes of the placed doubles, halved at the median. Boxes are only
-/// compared, never computed with, so that nothing is rounded. A node is halved when a walk first
-/// comes to it: most trees are walked once, and along a few ways. One thread at a time.
+/// The referee's own hierarchy: boxes of doubles, halved at the median. A node is halved when a
+/// walk first comes to it: most trees are walked once, and along a few ways. One thread at a time,
+/// unless all are halved.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Triangle> triangles);
+
+  /// From now on a walk changes nothing, and many threads may walk.
+  void halve_all();
+
+  /// Calls `on_pair(i, j)` for triangles whose boxes share a point, until it returns false. The
+  /// trees are of two frames, and the boxes are those of the placed ones: law 1's operations, each
+  /// rounded, on the ends of the box, of which each is monotone in every operand. So a box holds
+  /// each placed corner of its triangles to the bit, and no bound is needed.
+  static void for_each_placed_overlap(
+      const BoxTree& tree_a, const Pose& pose_a, const BoxTree& tree_b, const Pose& pose_b,
+      const std::function<bool(std::uint32_t, std::uint32_t)>& on_pair);
+
+  // Boxes of one frame are only compared, so that nothing is rounded.
 
   /// Calls `on_pair(i, j)` for triangles whose boxes share a point, until it returns false.
   static void for_each_overlap(const BoxTree& tree_a, const BoxTree& tree_b,
@@ -39,11 +53,13 @@ class BoxTree {
     bool is_leaf() const;
   };
   struct OverlapWalk;
+  struct PlacedWalk;
   struct NearWalk;
 
   static Box box_of(const Triangle& triangle);
   static void include(Box& box, const Box& other);
   static bool overlap(const Box& a, const Box& b);
+  static Box placed(const Pose& pose, const Box& box);
   static double gap_below(const Box& a, const Box& b);
   Node node_of(std::uint32_t first, std::uint32_t count) const;
   std::uint32_t left_of(std::uint32_t node) const;

@@ -1,18 +1,22 @@
 #pragma once
 
 #include <graze/engine/compare/judge/rational/box_tree.h>
+#include <graze/engine/compare/judge/rational/referee_mesh.h>
 #include <graze/engine/mesh/pair.h>
 #include <graze/engine/mesh/placed_mesh.h>
 #include <graze/narrowphase/touch.h>
 
 #include <gmpxx.h>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
 namespace graze::compare {
 
 /// The arbiter for two placed meshes, surfaces only: law 1 places them, all else is integers and
-/// rationals. Slow, and right.
+/// rationals, but for what rounded numbers with bounds of their errors prove (surely_intersects()).
+/// Safe from many threads.
 class MeshReferee {
  public:
   /// With Touch::Exclude a hit is a pair that crosses.
@@ -33,17 +37,35 @@ class MeshReferee {
   Gap find_gap(const std::optional<TrianglePair>& hint = std::nullopt) const;
 
   bool is_hit(const TrianglePair& pair) const;
-  const std::vector<Triangle>& triangles_a() const { return triangles_a_; }
-  const std::vector<Triangle>& triangles_b() const { return triangles_b_; }
-  const Triangle& triangle_a(std::uint32_t index) const { return triangles_a_[index]; }
-  const Triangle& triangle_b(std::uint32_t index) const { return triangles_b_[index]; }
+  const std::vector<Triangle>& triangles_a() const { return a_.triangles(); }
+  const std::vector<Triangle>& triangles_b() const { return b_.triangles(); }
+  Triangle triangle_a(std::uint32_t index) const { return a_.triangle(index); }
+  Triangle triangle_b(std::uint32_t index) const { return b_.triangle(index); }
 
  private:
+  /// A mesh where it is. Few questions need all of its triangles there.
+  class Surface {
+   public:
+    explicit Surface(const PlacedMeshView& mesh);
+    Triangle triangle(std::uint32_t index) const;
+    const std::vector<Triangle>& triangles() const;
+    const BoxTree& tree() const { return known_->tree(); }  ///< of the mesh's own frame
+    const Pose& pose() const { return pose_; }
+
+   private:
+    std::shared_ptr<const RefereeMesh> known_;
+    Pose pose_;
+    mutable std::once_flag once_;
+    mutable std::vector<Triangle> triangles_;
+  };
+
+  bool is_hit(const Triangle& a, const Triangle& b) const;
+  template <typename OnHit>
+  void for_each_hit(const OnHit& on_hit) const;
+
   Touch touch_;
-  std::vector<Triangle> triangles_a_;
-  std::vector<Triangle> triangles_b_;
-  BoxTree tree_a_;
-  BoxTree tree_b_;
+  Surface a_;
+  Surface b_;
 };
 
 /// How far a point is from the nearest of some triangles: exact, and rounded once.

@@ -54,6 +54,12 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
     judgement.error_class = judge.class_of(judgement.error);
     return judgement;
   }
+  if (query.ask == Ask::Separation && answer.distance && answer.translation) {
+    Judgement judgement = judge_separation(a, b, judge.is_hit(), answer, is_graze);
+    judgement.ulps = judgement.error / judge.ulp();
+    judgement.error_class = judge.class_of(judgement.error);
+    return judgement;
+  }
   const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
   if (!is_of_contacts && query.ask != Ask::Distance) return {};
   const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;

@@ -44,6 +44,15 @@ LoadedQuestion load_bodies(const Engine& engine, const Case& query, const BodyCa
   };
 }
 
+void add_peers(std::span<const KnownPeer> peers, const PeerSettings& settings,
+               std::vector<EngineEntry>& engines) {
+  for (const KnownPeer& peer : peers) {
+    engines.push_back({peer.name, nullptr});
+    if (peer.is_here)
+      engines.back().engine = make_process_engine(built_in_peer(peer.name, settings));
+  }
+}
+
 }  // namespace
 
 TimedAnswer LoadedPair::timed_answer(const Question& question, const Pose& pose_a,
@@ -137,11 +146,13 @@ std::optional<CaseAnswer> ask(const Engine& engine, const Case& query) {
 std::vector<EngineEntry> all_engines(const PeerSettings& settings) {
   std::vector<EngineEntry> engines;
   engines.push_back({"graze", make_graze_engine()});
-  for (const KnownPeer& peer : kKnownPeers) {
-    engines.push_back({peer.name, nullptr});
-    if (peer.is_here)
-      engines.back().engine = make_process_engine(built_in_peer(peer.name, settings));
-  }
+  add_peers(kKnownPeers, settings, engines);
+  return engines;
+}
+
+std::vector<EngineEntry> scene_engines(const PeerSettings& settings) {
+  std::vector<EngineEntry> engines;
+  add_peers(kScenePeers, settings, engines);
   return engines;
 }
 

@@ -38,8 +38,8 @@ class PeerPair : public LoadedPair {
                            const Pose& pose_b) const override {
     const bool is_asked = question.ask == Ask::Any || question.ask == Ask::Pairs ||
                           question.ask == Ask::Distance || question.ask == Ask::Within ||
-                          question.ask == Ask::Contacts || question.ask == Ask::FirstContact ||
-                          question.ask == Ask::Free;
+                          question.ask == Ask::Contacts || question.ask == Ask::Separation ||
+                          question.ask == Ask::FirstContact || question.ask == Ask::Free;
     if (!question.is_plain() || !is_asked || !hello_.may_know(question.ask)) return {};
     const Case query{.note = "",
                      .ask = question.ask,
@@ -100,17 +100,18 @@ class PeerShapes : public LoadedShapes {
     return answer.pairs.front().says;
   }
 
-  /// In lots, so that each has its time limit to itself.
+  /// In lots, so that each has its time limit to itself, unless the engine wants to see all.
   ShapesAnswer intersect_all(std::span<const PlacedShape> bodies, BodyPairs pairs) const override {
     constexpr std::size_t kLot = 64;
+    const std::size_t lot = hello_.answers_scenes ? std::max(pairs.size(), kLot) : kLot;
     ShapesAnswer all;
     if (!hello_.may_know(Ask::Any)) {
       all.pairs.resize(pairs.size());
       return all;
     }
     all.pairs.reserve(pairs.size());
-    for (std::size_t at = 0; at < pairs.size(); at += kLot)
-      add_lot(bodies, pairs.subspan(at, std::min(kLot, pairs.size() - at)), all);
+    for (std::size_t at = 0; at < pairs.size(); at += lot)
+      add_lot(bodies, pairs.subspan(at, std::min(lot, pairs.size() - at)), all);
     return all;
   }
 
@@ -202,6 +203,7 @@ class ProcessEngine : public Engine {
 
   CaseWitness name() const override { return pool_->hello().witness; }
   std::optional<double> tolerance() const override { return pool_->hello().tolerance; }
+  bool answers_scenes() const override { return pool_->hello().answers_scenes; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<PeerPair>(pool_, history_, mesh_a, mesh_b);
   }

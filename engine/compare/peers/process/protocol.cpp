@@ -53,6 +53,8 @@ std::string text_of(const Mesh& mesh) {
 std::string lengths_text(const Question& question) {
   const CaseSettings& settings = question.settings;
   const bool is_of_motion = cases::is_about_motion(question.ask);
+  if (question.ask == Ask::Separation && settings.direction)
+    return ",\"settings\":{\"direction\":" + text_of(*settings.direction) + "}";
   if (question.ask != Ask::Within && !is_of_motion) return "";
   return ",\"settings\":{\"clearance\":" + number(settings.clearance) +
          (is_of_motion ? ",\"tolerance\":" + number(settings.tolerance) : std::string()) + "}";
@@ -171,11 +173,12 @@ PeerHello read_hello(const JsonCursor& at) {
         .fail("is version " + std::to_string(version) + " of the protocol; this program speaks " +
               std::to_string(kPeerProtocol));
   }
-  at.require_keys({"graze_peer", "engine", "version", "alone", "questions", "tolerance"});
+  at.require_keys({"graze_peer", "engine", "version", "alone", "questions", "scenes", "tolerance"});
   PeerHello hello;
   hello.witness.engine = mesh_io::printable(at.member("engine").text());
   if (at.has("version")) hello.witness.version = mesh_io::printable(at.member("version").text());
   hello.can_fork = at.has("alone") && at.member("alone").boolean();
+  hello.answers_scenes = at.has("scenes") && at.member("scenes").boolean();
   if (at.has("tolerance")) {
     hello.tolerance = at.member("tolerance").number();
     if (!(*hello.tolerance >= 0)) at.member("tolerance").fail("is below 0");

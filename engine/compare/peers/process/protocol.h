@@ -27,6 +27,7 @@ struct PeerHello {
   bool can_fork = false;  ///< knows "alone": answers as if nothing had been asked since it loaded
   /// About two meshes; none: any question may be asked, and is refused.
   std::optional<std::vector<std::string>> questions = {};
+  bool answers_scenes = false;           ///< Engine::answers_scenes()
   std::optional<double> tolerance = {};  ///< Engine::tolerance()
 
   bool may_know(Ask ask) const;

@@ -64,6 +64,7 @@ class Server {
       more = ",\"questions\":" +
              cases::json_list(*known, ",", [](Ask ask) { return json_string(name_of(ask)); });
     }
+    if (engine_.answers_scenes()) more += ",\"scenes\":true";
     if (const std::optional<double> tolerance = engine_.tolerance()) {
       more += ",\"tolerance\":" + cases::json_plain_number(*tolerance);
     }
@@ -213,26 +214,26 @@ class Server {
     const JsonCursor body_list = request.member("bodies");
     for (std::size_t i = 0; i < body_list.size(); ++i)
       bodies.push_back(read_placed_shape(body_list.item(i)));
-    const auto read_body = [&](const JsonCursor& at) -> const PlacedShape& {
+    const auto read_body = [&](const JsonCursor& at) -> std::size_t {
       const std::uint32_t body = at.index(kMaxIndex);
       if (body >= bodies.size()) at.fail("there is no such body");
-      return bodies[body];
+      return body;
     };
     const JsonCursor pair_list = request.member("pairs");
-    std::vector<std::pair<const PlacedShape*, const PlacedShape*>> pairs;
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < pair_list.size(); ++i) {
       const JsonCursor pair = pair_list.item(i);
       pair.require_size(2);
-      pairs.emplace_back(&read_body(pair.item(0)), &read_body(pair.item(1)));
+      pairs.emplace_back(read_body(pair.item(0)), read_body(pair.item(1)));
     }
+    const ShapesAnswer all = shapes_->intersect_all(bodies, pairs);
     std::string answers;
-    const auto start = Clock::now();
-    for (const auto& [a, b] : pairs) {
-      const std::optional<bool> says = shapes_->intersects(a->shape, a->pose, b->shape, b->pose);
+    for (const ShapesAnswer::Pair& pair : all.pairs) {
+      if (!pair.fault.empty()) return "\"error\":" + json_string(pair.fault);
       answers += answers.empty() ? "" : ",";
-      answers += !says ? "null" : *says ? "true" : "false";
+      answers += !pair.says ? "null" : *pair.says ? "true" : "false";
     }
-    return "\"answers\":[" + answers + "],\"us\":" + microseconds(start);
+    return "\"answers\":[" + answers + "],\"us\":" + cases::json_plain_number(all.time.count());
   }
 
   const Engine& engine_;
