@@ -36,9 +36,9 @@ struct ShapeInMotions {
 };
 
 // For each ray, pose or motion, in their order, what the World's own question of that name
-// answers, bit for bit, whatever the number of threads. They throw as it does, before the first
-// answer where a ray, a pose or a motion is to blame, which the error names by its index; and as
-// BatchSettings says. Where a body has a shape of a user's own that does not allow concurrent calls
+// answers, bit for bit, whatever the number of threads. They throw as it does, and as
+// BatchSettings says; where rays, poses or motions are to blame, the error names the first of them
+// by its index. Where a body has a shape of a user's own that does not allow concurrent calls
 // (BodyShape::allows_concurrent_calls()), the calling thread alone asks. No body may be changed
 // meanwhile, as during the single question.
 
