@@ -2,9 +2,11 @@
 // every kind of hard input; and its walk over boxes that a pose turns, against all pairs.
 
 #include <graze/engine/compare/judge/rational/mesh_referee.h>
+#include <graze/engine/compare/judge/rational/rational_triangle.h>
 #include <graze/engine/compare/judge/rational/sure_pair.h>
 #include <graze/engine/compare/referee.h>
 #include <graze/engine/mesh/placement.h>
+#include <graze/narrowphase/triangle_distance.h>
 #include <gtest/gtest.h>
 #include <tests/oracle/case_text.h>
 #include <tests/oracle/category.h>
@@ -71,6 +73,29 @@ TEST(SurePair, NothingBeyondTheRangeIsSureOfAHit) {
     EXPECT_EQ(surely_intersects(flat, through), std::nullopt) << scale;
     EXPECT_TRUE(referee_intersects(flat, through));
   }
+}
+
+TEST(SurePair, WhatLiesBeyondIsFartherThanThat) {
+  RandomSource source(5);
+  std::size_t beyond = 0;
+  for (int run = 0; run < 3000; ++run) {
+    const Triangle a = tests::random_soup({.count = 1}, source).triangle(0);
+    const Triangle b = tests::random_soup({.count = 1, .centre = {1.5, 0, 0}}, source).triangle(0);
+    const mpq_class square = squared_distance(exactly(a), exactly(b));
+    const TriangleDistance nearest = distance(a, b);
+    const Eigen::Vector3d way = source.uniform(1e-3, 1e3) * (nearest.point_b - nearest.point_a);
+    const double root = rounded_root(square);
+    for (const double share : {0.5, 1 - 0x1p-40, 1 - 0x1p-52, 1.0, 1 + 0x1p-52, 2.0}) {
+      if (!lies_surely_beyond(a, b, way, share * root)) continue;
+      ++beyond;
+      EXPECT_GT(square, mpq_class(share * root) * mpq_class(share * root)) << share;
+    }
+    EXPECT_TRUE(root < 1e-6 || lies_surely_beyond(a, b, way, (1 - 0x1p-40) * root)) << run;
+  }
+  EXPECT_GT(beyond, 5000u);
+  const Triangle flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  EXPECT_FALSE(lies_surely_beyond(flat, flat, {0, 0, 0}, 0));
+  EXPECT_FALSE(lies_surely_beyond(flat, flat, {0, 0, 1}, 1));
 }
 
 /// All pairs, by the linear program alone.

@@ -26,6 +26,8 @@ TEST_F(CliCompareScene, GrazeIsRightAboutTheBundledShapes) {
 TEST_F(CliCompareScene, BroadPhasesTakePart) {
   const CommandResult scene =
       graze({"compare", kScene, "--json", "--steps", "3", "--engines", "fcl,fcl-sap,fcl-hash"});
+  if (scene.err.find("was not found when this command was built") != std::string::npos)
+    GTEST_SKIP() << "without FCL";
   EXPECT_EQ(scene.exit_code, 0) << scene.err;
   const auto summary = nlohmann::json::parse(lines_of(scene.out).back())["summary"];
   ASSERT_EQ(summary.size(), 5u) << summary;

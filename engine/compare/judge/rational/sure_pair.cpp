@@ -158,4 +158,21 @@ std::optional<bool> surely_intersects(const Triangle& triangle_a, const Triangle
   return std::nullopt;
 }
 
+bool lies_surely_beyond(const Triangle& triangle_a, const Triangle& triangle_b,
+                        const Vector3d& along, double distance) {
+  const Corners a = corners_of(triangle_a);
+  const Corners b = corners_of(triangle_b);
+  const NearVector axis = {Near{along.x()}, Near{along.y()}, Near{along.z()}};
+  // Above the product in real numbers: the root of a sum of three squares, and two products.
+  const double beyond = along.stableNorm() * distance * (1 + 0x1p-48);
+  if (!(beyond > kLeast)) return false;
+  for (const Vector3d& p : a) {
+    for (const Vector3d& q : b) {
+      const Near gap = near_dot(axis, difference(q, p)) - Near{beyond};
+      if (gap.sign() != 1) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace graze::compare

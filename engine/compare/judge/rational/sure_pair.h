@@ -15,4 +15,9 @@ namespace graze::compare {
 /// 2^-300 to 2^300. Half a microsecond, where the linear program takes ten.
 std::optional<bool> surely_intersects(const Triangle& triangle_a, const Triangle& triangle_b);
 
+/// Whether B lies surely more than so many metres beyond A along a vector of any length, and so is
+/// surely farther from it than that. Of a vector of no length it never does.
+bool lies_surely_beyond(const Triangle& triangle_a, const Triangle& triangle_b,
+                        const Eigen::Vector3d& along, double distance);
+
 }  // namespace graze::compare
