@@ -14,10 +14,10 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 // Better targets have smaller numbers.
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::FixedTag<double, 4>;
 using Half = hn::FixedTag<double, 2>;

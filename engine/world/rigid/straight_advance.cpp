@@ -8,7 +8,6 @@ namespace graze {
 namespace {
 
 using narrowphase::Core;
-using narrowphase::Vec3;
 
 // Newton's method on a convex function needs a dozen steps, and some thirty where the two hardly
 // touch in passing.

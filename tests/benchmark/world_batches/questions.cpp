@@ -29,13 +29,14 @@ Questions make_questions(std::size_t bodies, std::size_t elements) {
     const double size = source.uniform(0.25, 0.75);
     const Shape shape =
         i % 2 == 0 ? Shape(Sphere{{0, 0, 0}, size}) : Shape(Box{{size, 0.75 * size, 1.25 * size}});
-    made.bodies.emplace_back(shape, tests::random_pose(reach, source));
+    made.bodies.push_back({shape, tests::random_pose(reach, source)});
   }
   made.rays.reserve(elements), made.poses.reserve(elements), made.motions.reserve(elements);
   for (std::size_t i = 0; i < elements; ++i) {
     made.rays.push_back({in_cube(reach, source), in_cube(1, source), kSight});
     made.poses.push_back(tests::random_pose(reach, source));
-    made.motions.emplace_back(made.poses.back(), RigidCourse{.shift = in_cube(4, source)});
+    made.motions.push_back(
+        RigidMotion(made.poses.back(), RigidCourse{.shift = in_cube(4, source)}));
   }
   return made;
 }
