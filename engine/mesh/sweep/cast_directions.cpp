@@ -4,6 +4,8 @@
 // a centre is below 2, off by 2 u; its product with n by 8 u of the size of n with that, and the
 // middle and the half of two such by 4 u: 12 u. The sums of both triangles with 4 u of what is
 // between the centres go through three roundings of 5, 4 and 9: below 50 u, less than for boxes.
+// The normal of a triangle's plane is a vector like these, and what is asked along it rounds no
+// more.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
