@@ -67,7 +67,8 @@ class WorldRecorder {
   /// not there.
   void name(BodyId id, std::string_view name);
 
-  /// How many updates are in it. This and the next two wait until all are that have taken place.
+  /// How many updates are in it. This and the next two wait until all are that have taken place;
+  /// the sink, which may ask, too, gets what is written.
   std::size_t updates() const;
   /// How many bytes it has.
   std::uint64_t bytes() const;

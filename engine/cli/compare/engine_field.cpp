@@ -42,6 +42,7 @@ class Borrowed : public compare::Engine {
   explicit Borrowed(const compare::Engine& engine) : engine_(engine) {}
   CaseWitness name() const override { return engine_.name(); }
   std::optional<double> tolerance() const override { return engine_.tolerance(); }
+  std::optional<std::vector<Ask>> questions() const override { return engine_.questions(); }
   std::unique_ptr<compare::LoadedPair> load(const Mesh& a, const Mesh& b) const override {
     return engine_.load(a, b);
   }

@@ -4,8 +4,7 @@
 // a centre is below 2, off by 2 u; its product with n by 8 u of the size of n with that, and the
 // middle and the half of two such by 4 u: 12 u. The sums of both triangles with 4 u of what is
 // between the centres go through three roundings of 5, 4 and 9: below 50 u, less than for boxes.
-// The normal of a triangle's plane is a vector like these, and what is asked along it rounds no
-// more.
+// The normal of a triangle's plane is a vector like these, and less is rounded along it.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
@@ -176,7 +175,8 @@ void CastDirections::set(int at, const double (&n)[3]) {
   limits_.down[pair][lane] = limit.down;
 }
 
-void CastDirections::tell_box(Side side, const bvh::FloatBox& box, Pairs pairs, Span& span) const {
+void CastDirections::measure_box(Side side, const bvh::FloatBox& box, Pairs pairs,
+                                 Span& span) const {
   const Rows& n = side == Side::A ? local_a_ : local_b_;
   TwoLanes middle[3], half[3];
   for (int k = 0; k < 3; ++k) {
@@ -190,8 +190,8 @@ void CastDirections::tell_box(Side side, const bvh::FloatBox& box, Pairs pairs, 
   }
 }
 
-void CastDirections::tell_points(Side side, std::span<const Eigen::Vector3d* const> points,
-                                 Pairs pairs, Span& span) const {
+void CastDirections::measure_points(Side side, std::span<const Eigen::Vector3d* const> points,
+                                    Pairs pairs, Span& span) const {
   const double* centre = frame(side).centre;
   TwoLanes low[kPairs], high[kPairs];
   for (std::size_t at = 0; at < points.size(); ++at) {
@@ -254,8 +254,8 @@ double CastDirections::first_contact(const Span& a, const Span& b, double limit)
   return sign_bits(beside) != 0 || bound > limit ? kInfinity : bound;
 }
 
-void CastDirections::tell_along(Side side, const double (&n)[3], const Triangle& placed,
-                                double& low, double& high) const {
+void CastDirections::measure_along(Side side, const double (&n)[3], const Triangle& placed,
+                                   double& low, double& high) const {
   const double* centre = frame(side).centre;
   const double* corners[3] = {placed.a.data(), placed.b.data(), placed.c.data()};
   double value[3];
@@ -273,22 +273,23 @@ void CastDirections::tell_along(Side side, const double (&n)[3], const Triangle&
 CastDirections::Plane CastDirections::plane_of(Side side, const Triangle& placed) const {
   double edge[2][3];
   for (int k = 0; k < 3; ++k) {
-    edge[0][k] = (placed.b.data()[k] - placed.a.data()[k]) * per_metre_;
-    edge[1][k] = (placed.c.data()[k] - placed.a.data()[k]) * per_metre_;
+    const double from = placed.a.data()[k] * per_metre_;
+    edge[0][k] = placed.b.data()[k] * per_metre_ - from;
+    edge[1][k] = placed.c.data()[k] * per_metre_ - from;
   }
   const Vector normal = cross(edge[0], edge[1]);
   Plane plane;
   plane.limit = limit_of(normal.at);
   for (int k = 0; k < 3; ++k)
     plane.n[k] = plane.limit.sense * normal.at[k];
-  tell_along(side, plane.n, placed, plane.low, plane.high);
+  measure_along(side, plane.n, placed, plane.low, plane.high);
   return plane;
 }
 
 double CastDirections::first_contact(Side side, const Plane& plane, const Triangle& other,
                                      double limit) const {
   double low, high;
-  tell_along(side == Side::A ? Side::B : Side::A, plane.n, other, low, high);
+  measure_along(side == Side::A ? Side::B : Side::A, plane.n, other, low, high);
   const bool is_of_a = side == Side::A;
   const Limit& of_n = plane.limit;
   const double least =

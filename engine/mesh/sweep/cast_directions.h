@@ -49,22 +49,22 @@ class CastDirections {
   CastDirections(const FramedMesh& a, const Sphere& b, const SweepUnits& units,
                  const double (&direction)[3]);
 
-  /// Writes what a box is along these vectors.
-  void tell_box(Side side, const bvh::FloatBox& box, Pairs pairs, Span& span) const;
-  void tell_points(Side side, std::span<const Eigen::Vector3d* const> points, Pairs pairs,
-                   Span& span) const;
-  void tell_triangle(Side side, const Triangle& placed, Pairs pairs, Span& span) const {
+  /// What a box, points or a triangle of one mesh are along these vectors.
+  void measure_box(Side side, const bvh::FloatBox& box, Pairs pairs, Span& span) const;
+  void measure_points(Side side, std::span<const Eigen::Vector3d* const> points, Pairs pairs,
+                      Span& span) const;
+  void measure_triangle(Side side, const Triangle& placed, Pairs pairs, Span& span) const {
     const Eigen::Vector3d* const corners[3] = {&placed.a, &placed.b, &placed.c};
-    tell_points(side, corners, pairs, span);
+    measure_points(side, corners, pairs, span);
   }
   Span of_points(Side side, std::span<const Eigen::Vector3d* const> points) const {
     Span span;
-    tell_points(side, points, Pairs::All, span);
+    measure_points(side, points, Pairs::All, span);
     return span;
   }
   Span of_triangle(Side side, const Triangle& placed) const {
     Span span;
-    tell_triangle(side, placed, Pairs::All, span);
+    measure_triangle(side, placed, Pairs::All, span);
     return span;
   }
   /// Of the ball that this was made for.
@@ -76,10 +76,10 @@ class CastDirections {
   /// infinite if there is none, or none up to `limit`.
   double first_contact(const Span& a, const Span& b, double limit) const;
 
-  /// Another vector: the normal of one triangle, which knows best when its plane is reached.
+  /// A vector for one triangle alone: its normal, along which it is flat.
   struct Plane {
-    double n[3];
-    double low;  ///< of n . (its corners - the centre of its mesh's tree)
+    double n[3];  ///< times `limit.sense`
+    double low;   ///< of n . (its corners - the centre of its mesh's tree)
     double high;
     Limit limit;
   };
@@ -123,8 +123,8 @@ class CastDirections {
                  const double (&direction)[3]);
   static int first_of(Pairs pairs) { return pairs == Pairs::All ? 0 : kPairs - 1; }
   Limit limit_of(const double (&n)[3]) const;
-  void tell_along(Side side, const double (&n)[3], const Triangle& placed, double& low,
-                  double& high) const;
+  void measure_along(Side side, const double (&n)[3], const Triangle& placed, double& low,
+                     double& high) const;
   void set(int at, const double (&n)[3]);
 
   double per_metre_;

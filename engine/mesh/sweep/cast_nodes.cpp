@@ -11,7 +11,7 @@ const CastNodes::Span& CastNodes::span_of(std::uint32_t node) {
   node_normal_[at] = normal_;
   const bvh::Node& of_tree = tree_.nodes[node];
   if (!of_tree.is_leaf()) {
-    directions_.tell_box(side_, of_tree.box, pairs, span_[at]);
+    directions_.measure_box(side_, of_tree.box, pairs, span_[at]);
     return span_[at];
   }
   const Leaf& of_leaf = leaf(node);
@@ -33,7 +33,7 @@ CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {
   if (!is_kept) leaf.has_plane = 0;
   for (std::uint32_t i = 0; i < of_tree.count; ++i) {
     if (!is_kept) leaf.triangle[i] = mesh_.triangle(tree_.primitives[of_tree.first + i]);
-    directions_.tell_triangle(side_, leaf.triangle[i], pairs, leaf.span[i]);
+    directions_.measure_triangle(side_, leaf.triangle[i], pairs, leaf.span[i]);
   }
   return leaf;
 }

@@ -137,7 +137,8 @@ class CastWalk {
     nodes_b_.take_normal();
   }
 
-  /// Where surfaces face each other their planes meet later than any box around them.
+  /// Whether they meet later than the limit, or never: the plane of each triangle bounds that more
+  /// closely than boxes do where surfaces face each other.
   bool are_apart_by_planes(contacts::CastNodes::Leaf& in_a, std::uint32_t i,
                            contacts::CastNodes::Leaf& in_b, std::uint32_t k) {
     const auto is_late = [&](Side side, const contacts::CastDirections::Plane& plane,

@@ -77,6 +77,7 @@ void StepQueue::hand_over(std::string_view blocks) {
   std::unique_lock lock(mutex_);
   wait_until_idle(lock);
   rethrow_failure();
+  lock.unlock();
   writer_.hand_over(blocks);
 }
 
@@ -108,7 +109,9 @@ std::uint64_t StepQueue::bytes() const {
   return writer_.bytes();
 }
 
+/// The sink may ask, from the thread that writes: of what is written then.
 void StepQueue::wait_until_idle(std::unique_lock<std::mutex>& lock) const {
+  if (std::this_thread::get_id() == thread_.get_id()) return;
   has_changed_.wait(lock, [this] { return waiting_.empty(); });
 }
 

@@ -13,45 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "tests/shapes/cubes.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze {
 namespace {
 
-using Cell = std::array<int, 3>;
-
-/// The surface of a solid of cubes, two triangles for each square that has a cube on one side
-/// alone, counter-clockwise as seen from outside. At many edges four triangles meet.
-Mesh surface_of_cubes(const std::set<Cell>& cells) {
-  std::map<Cell, std::uint32_t> numbers;
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<TriangleIndices> triangles;
-  const auto number = [&](const Cell& at) {
-    const auto [known, is_new] = numbers.emplace(at, static_cast<std::uint32_t>(vertices.size()));
-    if (is_new) vertices.emplace_back(at[0], at[1], at[2]);
-    return known->second;
-  };
-  for (const Cell& cell : cells) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int step : {0, 1}) {
-        Cell beyond = cell;
-        beyond[axis] += step == 0 ? -1 : 1;
-        if (cells.contains(beyond)) continue;
-        std::array<std::uint32_t, 4> square;
-        for (std::size_t i = 0; i < 4; ++i) {
-          Cell corner = cell;
-          corner[axis] += step;
-          corner[(axis + 1) % 3] += i == 1 || i == 2;
-          corner[(axis + 2) % 3] += i >= 2;
-          square[step == 1 ? i : 3 - i] = number(corner);
-        }
-        triangles.push_back({square[0], square[1], square[2]});
-        triangles.push_back({square[0], square[2], square[3]});
-      }
-    }
-  }
-  return {vertices, triangles};
-}
+using tests::Cell;
 
 /// For each triangle the lowest that it hangs together with by edges of two triangles; and those
 /// lowest ones of what is not closed by itself.
@@ -103,7 +71,7 @@ TEST(InsideOutParts, BetweenEdgesOfFourTrianglesAreJudged) {
       cells.erase({1, 1, 0}), cells.insert({1, 1, 1});
     }
     if (cells.empty()) continue;
-    const Mesh outward = surface_of_cubes(cells);
+    const Mesh outward = tests::surface_of_cubes(cells).mesh();
     EXPECT_TRUE(check(outward).inside_out_parts.empty()) << n;
     std::set<std::uint32_t> cut_off;
     const std::vector<std::uint32_t> lowest = lowest_of_parts(outward, cut_off);
@@ -139,7 +107,7 @@ TEST(InsideOutParts, BetweenEdgesOfFourTrianglesAreJudged) {
 // where a surface stays open.
 TEST(InsideOutParts, WhatFacesNoSideIsNotJudged) {
   // Two rooms whose surfaces both have the wall between them.
-  const Mesh room = surface_of_cubes({{0, 0, 0}});
+  const Mesh room = tests::surface_of_cubes({{0, 0, 0}}).mesh();
   std::vector<Eigen::Vector3d> corners(room.vertices().begin(), room.vertices().end());
   std::vector<TriangleIndices> walls(room.triangles().begin(), room.triangles().end());
   for (const Eigen::Vector3d& corner : room.vertices())
@@ -152,7 +120,7 @@ TEST(InsideOutParts, WhatFacesNoSideIsNotJudged) {
   for (int i = 0; i < 9; ++i)
     cells.insert({i % 3, i / 3, 0});
   cells.erase({1, 1, 0});
-  const Mesh pile = surface_of_cubes(cells);
+  const Mesh pile = tests::surface_of_cubes(cells).mesh();
   const auto height = [&](const TriangleIndices& t) {
     return std::accumulate(t.begin(), t.end(), 0.0, [&](double sum, std::uint32_t vertex) {
       return sum + pile.vertices()[vertex].z();

@@ -181,6 +181,26 @@ TEST(Law13Meshes, LandFlatOnTheLowestPair) {
   EXPECT_FALSE(cast({floor}, {floor, at_place(-1.5, 0, 0x1p-60)}, {1, 0, 0}));
 }
 
+// Rounding alone decides which pair of parallel faces is met first; level ones meet everywhere at
+// once.
+TEST(Law13Meshes, AreExactWhereParallelSheetsLand) {
+  RandomSource source(137);
+  for (int n = 0; n < 60; ++n) {
+    const Pose turn = n % 3 == 0 ? Pose::Identity() : tests::random_pose(0, source);
+    const auto sheet = [&](std::uint32_t side) {
+      const Mesh flat = flat_sheet(side);
+      std::vector<TriangleIndices> mixed(flat.triangles().begin(), flat.triangles().end());
+      for (std::size_t i = mixed.size(); i > 1; --i)
+        std::swap(mixed[i - 1], mixed[static_cast<std::size_t>(source.integer(0, int(i) - 1))]);
+      return Mesh(flat.vertices(), mixed);
+    };
+    Pose above = turn;
+    above.translation() = turn.linear() * Eigen::Vector3d(source.uniform(-0.5, 0.5), 0.125, 0.5);
+    const Eigen::Vector3d down = turn.linear() * Eigen::Vector3d(source.uniform(-1, 1), 0, -1);
+    expect_exact({{sheet(3), turn}, {sheet(2), above}, down}, StartContact::Counts, n);
+  }
+}
+
 TEST(Law13Policy, ACubeMayLeaveAndSlideButNotSink) {
   const Mesh floor = flat_sheet(7), box = cube();
   const Pose resting = at_place(0.25, 0.25, 0);

@@ -349,5 +349,30 @@ TEST(WorldRecorder, AtOnceIsBeforeAnUpdateReturnsAndBehindTheSameBytesCome) {
   EXPECT_EQ(steps_of(behind.bytes).size(), 12u);
 }
 
+// It is called by the thread that writes, which must not wait for itself.
+TEST(WorldRecorder, ASinkMayAskWhatIsWritten) {
+  for (const RecordedWriting writing : {RecordedWriting::AtOnce, RecordedWriting::Behind}) {
+    World world;
+    WorldRecorder* asked = nullptr;
+    std::vector<std::size_t> updates;
+    std::size_t bytes = 0;
+    WorldRecorder recorder(world,
+                           [&](std::string_view block) {
+                             if (asked != nullptr) {
+                               updates.push_back(asked->updates());
+                               EXPECT_EQ(asked->bytes(), bytes);
+                               EXPECT_FALSE(asked->has_failed());
+                             }
+                             bytes += block.size();
+                           },
+                           {.writing = writing});
+    asked = &recorder;
+    play_a_little(world, 3);
+    recorder.finish();
+    EXPECT_EQ(updates, (std::vector<std::size_t>{0, 1, 2, 3}));  // the last one is the end
+    EXPECT_EQ(recorder.bytes(), bytes);
+  }
+}
+
 }  // namespace
 }  // namespace graze::tests

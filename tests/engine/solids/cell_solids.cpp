@@ -1,33 +1,10 @@
 #include "tests/engine/solids/cell_solids.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
 namespace graze::tests {
-namespace {
-
-/// Vertices by their numbers on the lattice.
-class Vertices {
- public:
-  explicit Vertices(int edge) : edge_(edge) {}
-
-  std::uint32_t number(const Cell& at) {
-    const auto [known, is_new] = numbers_.emplace(at, static_cast<std::uint32_t>(list_.size()));
-    if (is_new) list_.emplace_back(edge_ * at[0], edge_ * at[1], edge_ * at[2]);
-    return known->second;
-  }
-  const std::vector<Eigen::Vector3d>& list() const { return list_; }
-
- private:
-  int edge_;
-  std::map<Cell, std::uint32_t> numbers_;
-  std::vector<Eigen::Vector3d> list_;
-};
-
-}  // namespace
-
 std::set<Cell> CellSolid::unit_cells() const {
   std::set<Cell> units;
   for (const Cell& cell : cells) {
@@ -46,29 +23,15 @@ bool have_common_cell(const CellSolid& a, const CellSolid& b) {
 }
 
 Mesh surface_of(const CellSolid& solid, RandomSource& source) {
-  Vertices vertices(solid.edge);
-  std::vector<TriangleIndices> triangles;
-  for (const Cell& cell : solid.cells) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const int step : {0, 1}) {
-        Cell beyond = cell;
-        beyond[axis] += step == 0 ? -1 : 1;
-        if (solid.cells.contains(beyond)) continue;
-        std::array<std::uint32_t, 4> square;
-        for (std::size_t i = 0; i < 4; ++i) {
-          Cell corner = cell;
-          corner[axis] += step;
-          corner[(axis + 1) % 3] += i == 1 || i == 2;
-          corner[(axis + 2) % 3] += i >= 2;
-          square[i] = vertices.number(corner);
-        }
-        if (source.integer(0, 1) == 0)
-          std::rotate(square.begin(), square.begin() + 1, square.end());
-        triangles.push_back({square[0], square[1], square[2]});
-        triangles.push_back({square[0], square[2], square[3]});
-      }
-    }
+  CubeSurface surface = surface_of_cubes(solid.cells);
+  for (Eigen::Vector3d& vertex : surface.vertices)
+    vertex *= solid.edge;
+  for (auto& square : surface.squares) {
+    if (source.integer(0, 1) == 0) std::rotate(square.begin(), square.begin() + 1, square.end());
   }
+  const Mesh turned_alike = surface.mesh();
+  std::vector<TriangleIndices> triangles(turned_alike.triangles().begin(),
+                                         turned_alike.triangles().end());
   for (std::size_t i = triangles.size(); i > 1; --i) {
     TriangleIndices& triangle = triangles[i - 1];
     const auto other = static_cast<std::size_t>(source.integer(0, static_cast<int>(i) - 1));
@@ -77,7 +40,7 @@ Mesh surface_of(const CellSolid& solid, RandomSource& source) {
                 triangle.end());
     if (source.integer(0, 1) == 0) std::swap(triangle[0], triangle[1]);
   }
-  return {vertices.list(), triangles};
+  return {surface.vertices, triangles};
 }
 
 CellSolid block(const Cell& low, const Cell& high) {

@@ -2,14 +2,12 @@
 
 #include <graze/engine/mesh/mesh.h>
 
-#include <array>
 #include <set>
 
+#include "tests/shapes/cubes.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze::tests {
-
-using Cell = std::array<int, 3>;
 
 /// A solid of cubes of a lattice, whose interiors are known by their numbers.
 struct CellSolid {
