@@ -147,7 +147,7 @@ class Simulation {
     turn.normalize();
     RigidBody body{.id = {}, .mass = &kind.mass, .at = at, .turn = turn, .reach = kind.reach};
     body.id = world_.add({kind.shape, body.pose()}, {.user_data = bodies_.size()});
-    recorder_.name(body.id, kind.name + (" " + std::to_string(bodies_.size())));
+    recorder_.name(body.id, std::string(kind.name) + ' ' + std::to_string(bodies_.size()));
     poured_energy_ += energy_of(body);
     bodies_.push_back(body);
     seen_.push_back(body);
