@@ -24,7 +24,7 @@ struct WorldRecorderSettings {
   bool has_work = true;                                 ///< each update's WorldWork, some 40 bytes
   double seconds_per_update = 0;  ///< for those who look at it; finite and not negative; 0: unknown
   std::string note = {};          ///< what it shows, for people
-  RecordedWriting writing = RecordedWriting::Behind;
+  RecordedWriting writing = RecordedWriting::Behind;  ///< when each block is handed on
 };
 
 /// Writes down what is done to a world and what its updates say: while this lives everything that
