@@ -282,7 +282,7 @@ std::optional<BodyPairDistance> World::find_closest_pair(const WorldPairSettings
       if (!state_->is_asked_for(index, query)) continue;
       const PosedBody a = posed(index);
       state_->for_nearest(box_with_room(a), query, least(), [&](std::uint32_t other) {
-        if (other <= index || !(settings.has_filters ? all.meet(index, other) : true))
+        if (other <= index || !(settings.has_filters ? all.may_meet(index, other) : true))
           return least();
         const PosedBody b = posed(other);
         const auto found = NearestParts(a, all.id(index), b, all.id(other)).find(least());
