@@ -94,11 +94,11 @@ class NearestParts {
       return limit();
     };
     for (double width = 0x1p-6 * whole.extent();; width *= 4) {
-      seeker.reach = std::min(apart + width, most_);
-      const bool is_all = width >= widest || seeker.reach >= most_;
+      seeker.search_radius = std::min(apart + width, most_);
+      const bool is_all = width >= widest || seeker.search_radius >= most_;
       best_.reset();
       whole.visit_nearest(own.pose, seeker, std::cref(ask));
-      if (is_all || limit() <= seeker.reach) return;
+      if (is_all || limit() <= seeker.search_radius) return;
       if (best_) width = std::max(width, (limit() - apart) / 4);
     }
   }

@@ -11,13 +11,13 @@
 
 namespace graze {
 
-/// By slots: places in the list of boxes that it is made of.
+/// It knows parts by their places in the list of boxes that it is made of.
 class PartTree {
  public:
   /// O(n log n); up to 60 bytes for each box.
   explicit PartTree(const std::vector<Aabb>& boxes);
 
-  /// What is told of parts: calls `look(slot)`, which says how far to look from then on.
+  /// What is told of parts: calls `look(place)`, which says how far to look from then on.
   using Look = std::function<double(std::uint32_t)>;
 
   /// Calls `look` for all that may be no farther than the limit, nearer branches first; of what
@@ -29,7 +29,7 @@ class PartTree {
  private:
   struct Node {
     Aabb box;
-    std::uint32_t first = 0;  ///< in `slots_`
+    std::uint32_t first = 0;  ///< in `places_`
     std::uint32_t count = 0;
     std::uint32_t second = 0;  ///< the one of two branches that does not follow; 0 for a leaf
   };
@@ -38,7 +38,7 @@ class PartTree {
   std::uint32_t build(const std::vector<Aabb>& boxes, std::uint32_t first, std::uint32_t count);
   double look_in(const Search& search, std::uint32_t node, double limit) const;
 
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> places_;
   std::vector<Node> nodes_;
 };
 

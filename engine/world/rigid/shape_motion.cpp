@@ -86,10 +86,10 @@ class ShapeMotion {
   static Closing turning(const MovingShape& moving, double t, const Pose& pose,
                          const Eigen::Vector3d& along) {
     if (moving.turned == 0) return {0, 0};
-    if (moving.is_mesh()) return {moving.turned * moving.turning_reach, 0};
+    if (moving.is_mesh()) return {moving.turned * moving.turning_radius, 0};
     const Eigen::Vector3d origin = middle_of(moving.shape, pose);
     return turning_closing(moving.motion, t, core_of(moving.shape, pose, origin), origin, along,
-                           moving.turning_reach);
+                           moving.turning_radius);
   }
 
   const MovingShape& a_;
