@@ -14,4 +14,11 @@ inline double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kBias) << 52);
 }
 
+/// std::ilogb() of what is positive and finite, which reads it from the bits of a normal double.
+inline int exponent_of(double positive) {
+  constexpr int kBias = 1023;
+  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(positive) >> 52);
+  return biased == 0 ? std::ilogb(positive) : biased - kBias;
+}
+
 }  // namespace graze::bvh

@@ -23,7 +23,7 @@ static inline ScaledDirection scaled_direction(const double* direction) {
   const double largest =
       std::max(std::abs(direction[0]), std::max(std::abs(direction[1]), std::abs(direction[2])));
   ScaledDirection scaled;
-  scaled.exponent = std::ilogb(largest);
+  scaled.exponent = exponent_of(largest);
   // One product does where the power of two is a normal double, which is what nearly all rays have.
   const double power = power_of_two(-scaled.exponent);
   const bool is_normal = std::abs(scaled.exponent) < 1000;

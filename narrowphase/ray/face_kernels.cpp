@@ -1,7 +1,7 @@
 // ray_values.cpp's values in lanes of four doubles with a fused operation, for each SIMD target
 // that has both. The error of a product is exact by either way, and all else is done in the same
-// order, so that the values are the same bits but for the sign of a zero: where a component of the
-// normal is zero, and where integers would have to be asked, it answers nothing.
+// order, so that the values are the same bits but for the sign of a zero of the normal. Where
+// integers would have to be asked, it answers nothing.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "graze/narrowphase/ray/face_kernels.cpp"
@@ -133,12 +133,10 @@ bool face_values(const FaceInput& in, FaceValues& out) {
   const Pairs<Half> both = x + y + z;
   alignas(16) double sums[2];
   hn::Store(both.high, half, sums);
-  alignas(32) double normal[4];
-  hn::Store(n.high, tag, normal);
   const double size_n = largest(n.high);
   if (!(HWY_MAX(sums[0], -sums[0]) >= kWellConditioned * (size * size_w)) ||
       !(HWY_MAX(sums[1], -sums[1]) >= kWellConditioned * 2 * size) ||
-      !(size_n >= kWellConditioned * size) || normal[0] == 0 || normal[1] == 0 || normal[2] == 0)
+      !(size_n >= kWellConditioned * size))
     return false;
   out.against_normal = sums[1];
   out.scale = quotient(both);

@@ -27,7 +27,8 @@ struct FaceValues {
   alignas(32) double normal[4];
 };
 
-/// False where it leaves that to place_on_face() and unit_normal(), whose values these are.
+/// False where it leaves that to place_on_face() and unit_normal(), whose values these are but for
+/// the sign of a zero of the normal.
 bool face_values(const FaceInput& in, FaceValues& out);
 
 }  // namespace graze::narrowphase

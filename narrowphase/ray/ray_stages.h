@@ -41,6 +41,12 @@ struct RayPlace {
   Eigen::Vector3d point;
 };
 
+/// The place at that scale, rounded.
+inline RayPlace point_at(double scale, const PreparedRay& ray) {
+  const double *o = ray.ray.origin.data(), *d = ray.scaled.component;
+  return {scale, {o[0] + scale * d[0], o[1] + scale * d[1], o[2] + scale * d[2]}};
+}
+
 /// Where a ray meets a triangle that it goes through by the signs above.
 RayPlace place_on_face(const Triangle& triangle, const PreparedRay& ray);
 

@@ -172,9 +172,7 @@ RayPlace place_on_face(const Triangle& triangle, const PreparedRay& ray) {
     // The largest component of d is less than 2.
     if (std::abs(ahead.high) >= kWellConditioned * (normal.size * size_w) &&
         std::abs(along.high) >= kWellConditioned * 2 * normal.size) {
-      const double scale = (ahead / along).high;
-      const double* o = ray.ray.origin.data();
-      return {scale, {o[0] + scale * d[0], o[1] + scale * d[1], o[2] + scale * d[2]}};
+      return point_at((ahead / along).high, ray);
     }
   }
   const ExactRay exact(triangle, ray);

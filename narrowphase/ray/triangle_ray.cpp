@@ -45,6 +45,23 @@ Eigen::Vector3d against(const PreparedRay& ray) {
   return {d[0] / length, d[1] / length, d[2] / length};
 }
 
+/// The normal times 1 or -1. Zeros are positive, so that they do not tell by which way it came.
+Eigen::Vector3d turned(const double* normal, double turn) {
+  return {turn * normal[0] + 0.0, turn * normal[1] + 0.0, turn * normal[2] + 0.0};
+}
+
+std::optional<TriangleRayHit> hit_at(const RayPlace& place, const Eigen::Vector3d& normal,
+                                     const PreparedRay& ray) {
+  const double distance = place.scale * ray.scaled.length;
+  if (!(distance <= ray.ray.max_distance)) return std::nullopt;
+  return TriangleRayHit{distance, place.point, normal};
+}
+
+std::optional<TriangleRayHit> hit_on(const FaceValues& face, const PreparedRay& ray) {
+  return hit_at(point_at(face.scale, ray), turned(face.normal, face.against_normal > 0 ? -1 : 1),
+                ray);
+}
+
 }  // namespace
 
 std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedRay& ray,
@@ -52,42 +69,31 @@ std::optional<TriangleRayHit> cast_ray(const Triangle& triangle, const PreparedR
   stage = Stage::Triage;
   const Pass pass = pass_of(triangle, ray, stage);
   if (pass.passage == Passage::Beside) return std::nullopt;
-  std::optional<RayPlace> place;
   if (pass.passage == Passage::InPlane) {
     stage = Stage::Exact;
-    place = place_in_plane(triangle, ray);
-    if (!place) return std::nullopt;
-  } else {
-    // The plane is before the origin if the origin is on the side to which the ray goes.
-    const Sign side = orientation_3d(triangle.a.data(), triangle.b.data(), triangle.c.data(),
-                                     ray.ray.origin.data());
-    if (side == pass.against_normal) return std::nullopt;
-    place = side == Sign::Zero ? RayPlace{0, ray.ray.origin} : place_on_face(triangle, ray);
+    const auto place = place_in_plane(triangle, ray);
+    return place ? hit_at(*place, against(ray), ray) : std::nullopt;
   }
-  const double distance = place->scale * ray.scaled.length;
-  if (!(distance <= ray.ray.max_distance)) return std::nullopt;
-  if (pass.passage == Passage::InPlane) return TriangleRayHit{distance, place->point, against(ray)};
-  Eigen::Vector3d normal = unit_normal(triangle);
-  if (pass.against_normal == Sign::Positive) {
-    for (int k = 0; k < 3; ++k)
-      normal.data()[k] = -normal.data()[k];
-  }
-  return TriangleRayHit{distance, place->point, normal};
+  // The plane is before the origin if the origin is on the side to which the ray goes.
+  const double *a = triangle.a.data(), *b = triangle.b.data(), *c = triangle.c.data();
+  const Sign side = orientation_3d(a, b, c, ray.ray.origin.data());
+  if (side == pass.against_normal) return std::nullopt;
+  FaceValues face;
+  if (side != Sign::Zero &&
+      face_values({{a, b, c}, ray.ray.origin.data(), ray.scaled.component}, face))
+    return hit_on(face, ray);
+  const RayPlace place =
+      side == Sign::Zero ? RayPlace{0, ray.ray.origin} : place_on_face(triangle, ray);
+  const bool is_against = pass.against_normal == Sign::Positive;
+  return hit_at(place, turned(unit_normal(triangle).data(), is_against ? -1 : 1), ray);
 }
 
 std::optional<TriangleRayHit> cast_through(const double* a, const double* b, const double* c,
                                            const PreparedRay& ray) {
-  const double* d = ray.scaled.component;
-  const double* o = ray.ray.origin.data();
   FaceValues face;
-  if (!face_values({{a, b, c}, o, d}, face)) return std::nullopt;
-  const double distance = face.scale * ray.scaled.length;
-  if (!(distance <= ray.ray.max_distance)) return std::nullopt;
-  const double turn = face.against_normal > 0 ? -1 : 1;
-  return TriangleRayHit{
-      distance,
-      {o[0] + face.scale * d[0], o[1] + face.scale * d[1], o[2] + face.scale * d[2]},
-      {turn * face.normal[0], turn * face.normal[1], turn * face.normal[2]}};
+  if (!face_values({{a, b, c}, ray.ray.origin.data(), ray.scaled.component}, face))
+    return std::nullopt;
+  return hit_on(face, ray);
 }
 
 }  // namespace narrowphase

@@ -28,7 +28,8 @@ class MeshForRays {
         work_(work),
         is_at_rest_(is_identity(placed.pose)),
         rays_(rays_of(placed.mesh, &work)),
-        frame_(is_at_rest_ ? rays_.at_rest : ray_frame_of(placed, rays_.tree.frame)),
+        frame_(is_at_rest_ ? rays_.at_rest
+                           : own_frame_.emplace(ray_frame_of(placed, rays_.tree.frame))),
         vertices_(placed.mesh.vertices().data()),
         triangles_(placed.mesh.triangles().data()),
         materials_(placed.mesh.materials()) {}
@@ -149,7 +150,8 @@ class MeshForRays {
   Work& work_;
   bool is_at_rest_;
   const MeshRays& rays_;
-  bvh::RayFrame frame_;
+  std::optional<bvh::RayFrame> own_frame_;  ///< of a pose that is one
+  const bvh::RayFrame& frame_;
   const Eigen::Vector3d* vertices_;
   const TriangleIndices* triangles_;
   std::span<const std::uint16_t> materials_;

@@ -2,12 +2,18 @@
 #include <graze/narrowphase/triangle_ray.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tests/narrowphase/derived/rational_triangles.h"
+#include "tests/narrowphase/simd_targets.h"
 #include "tests/shapes/random_source.h"
 
 namespace graze {
@@ -152,6 +158,78 @@ TEST(TriangleRay, EndsAtItsLargestDistance) {
   ASSERT_TRUE(huge);
   EXPECT_EQ(huge->distance, std::numeric_limits<double>::infinity());
   EXPECT_EQ(huge->point, Vector3d(0.25, 0.25, 1e308));
+}
+
+std::uint64_t bits_of(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+/// A face across an axis, from both sides: its normal has no other component, and no zero of it a
+/// sign that would tell how it was computed.
+TEST(TriangleRay, NormalsOfFacesAcrossAxesAreTheAxes) {
+  RandomSource source(11);
+  std::size_t hits = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const int axis = n % 3;
+    Triangle t{source.lattice_point(-4, 4), source.lattice_point(-4, 4),
+               source.lattice_point(-4, 4)};
+    for (Vector3d* corner : {&t.a, &t.b, &t.c})
+      (*corner)[axis] = 1;
+    Vector3d origin = source.lattice_point(-4, 4);
+    origin[axis] = n % 2 == 0 ? 3 : -2;
+    const auto hit = cast_ray(t, {origin, (t.a + t.b + t.c) / 3 - origin});
+    if (!hit || (t.b - t.a).cross(t.c - t.a).isZero(0)) continue;
+    ++hits;
+    for (int k = 0; k < 3; ++k) {
+      const double expected = k != axis ? 0.0 : (n % 2 == 0 ? 1.0 : -1.0);
+      EXPECT_EQ(bits_of(hit->normal[k]), bits_of(expected)) << n;
+    }
+  }
+  EXPECT_GT(hits, 1000u);
+}
+
+TEST(Law8TriangleRay, ValuesAreTheSameBitsOnEachSimdTarget) {
+  std::vector<std::uint64_t> first;
+  for (const std::int64_t target : narrowphase::simd_targets()) {
+    narrowphase::force_simd_target(target);
+    RandomSource source(12);
+    std::vector<std::uint64_t> bits;
+    for (int n = 0; n < 3000; ++n) {
+      const bool is_lattice = n % 2 == 0;
+      const auto point = [&] {
+        return is_lattice ? source.lattice_point(-3, 3) : source.vector(-1, 1);
+      };
+      const Triangle t{point(), point(), point()};
+      const Vector3d origin = point();
+      const auto hit = cast_ray(t, {origin, (t.a + t.b + t.c) / 3 - origin + 1e-3 * point()});
+      if (!hit) continue;
+      bits.push_back(bits_of(hit->distance));
+      for (int k = 0; k < 3; ++k) {
+        bits.push_back(bits_of(hit->point[k]));
+        bits.push_back(bits_of(hit->normal[k]));
+      }
+    }
+    EXPECT_GT(bits.size(), 7 * 2000u);
+    if (first.empty()) first = bits;
+    EXPECT_EQ(bits, first) << hwy::TargetName(target);
+  }
+  narrowphase::force_simd_target(0);
+}
+
+/// What is no number must not pass, and what is hardly one must.
+TEST(Law10TriangleRay, TakesWhatIsHardlyARay) {
+  const Triangle t{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  const double least = 0x1p-1074, most = std::numeric_limits<double>::max();
+  EXPECT_TRUE(cast_ray(t, {{0, 0, 1}, {0, 0, -least}}));
+  EXPECT_TRUE(cast_ray(t, {{0, 0, 1}, {0, -0.0, -most}}));
+  EXPECT_TRUE(cast_ray(t, {{0, 0, 0}, {0, 0, 1}, -0.0}));
+  EXPECT_FALSE(cast_ray(t, {{0, 0, 1}, {0, 0, -1}, least}));
+  EXPECT_FALSE(cast_ray(t, {{0, 0, -most}, {0, 0, -1}, std::numeric_limits<double>::infinity()}));
+  EXPECT_THROW(cast_ray(t, {{0, 0, 1}, {0, 0, -0.0}}), InputError);
+  EXPECT_THROW(cast_ray(t, {{0, 0, 1}, {0, 0, -1}, -least}), InputError);
+  EXPECT_THROW(cast_ray(t, {{0, 0, 1}, {0, 0, -1}, -HUGE_VAL}), InputError);
+  EXPECT_THROW(cast_ray(t, {{0, 0, 1}, {0, 0, -HUGE_VAL}}), InputError);
+  EXPECT_THROW(cast_ray(t, {{0, 0, 1}, {0, 0, -std::nan("")}}), InputError);
 }
 
 TEST(Law10TriangleRay, RefusesWhatIsNoRay) {
