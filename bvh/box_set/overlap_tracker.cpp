@@ -256,7 +256,7 @@ void OverlapTracker::work_out_difference() {
   if (!is_before_grouped_) rows_before_.group(before_.pairs(), set_.store().proxy_limit());
   if (!is_grouped_) rows_.group(pairs_.pairs(), set_.store().proxy_limit());
   is_before_grouped_ = is_grouped_ = true;
-  begun_.clear(), ended_.clear();  // should it have been thrown out of
+  begun_.clear(), ended_.clear();  // an earlier call may have thrown halfway
   append_changes(rows_before_, rows_, rows_to_sort_, begun_, ended_);
   has_difference_ = true;
 }

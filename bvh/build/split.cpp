@@ -45,8 +45,8 @@ void halve(std::span<Reference> references, const Part& part, Part (&sides)[2]) 
 
 }  // namespace
 
-Verdict split(std::span<Reference> references, const Part& part, const BuildSettings& settings,
-              Part (&sides)[2]) {
+SplitResult split(std::span<Reference> references, const Part& part, const BuildSettings& settings,
+                  Part (&sides)[2]) {
   const bool is_leaf_allowed = part.size() <= settings.max_leaf_size;
   const SweepCosts costs{.measure = measure_for(part.box),
                          .leaf_size = static_cast<float>(std::max(settings.max_leaf_size, 1u)),
@@ -55,22 +55,22 @@ Verdict split(std::span<Reference> references, const Part& part, const BuildSett
     return is_leaf_allowed && !is_cheaper_than_leaf(cut, part, costs, settings.primitive_cost);
   };
   if (part.depth >= kMaxHeuristicDepth) {
-    if (is_leaf_allowed) return Verdict::Leaf;
+    if (is_leaf_allowed) return SplitResult::Leaf;
     halve(references, part, sides);
   } else if (part.size() <= kMostSorted) {
     const SortSplit sorted = find_sort_split(references.subspan(part.begin, part.size()), costs);
-    if (is_leaf(sorted.cut)) return Verdict::Leaf;
+    if (is_leaf(sorted.cut)) return SplitResult::Leaf;
     partition(references, part, sorted, sides);
   } else {
     const BinSplit binned = find_bin_split(references, part, costs);
-    if (is_leaf(binned.cut)) return Verdict::Leaf;
+    if (is_leaf(binned.cut)) return SplitResult::Leaf;
     if (binned.cut.axis < 0) {
       halve(references, part, sides);
     } else {
       partition(references, part, binned, sides);
     }
   }
-  return Verdict::Inner;
+  return SplitResult::Inner;
 }
 
 }  // namespace graze::bvh

@@ -5,14 +5,14 @@
 
 namespace graze::bvh {
 
-/// Whether a part is to be split, and how.
-enum class Verdict { Leaf, Inner };
+/// What split() makes of a part.
+enum class SplitResult { Leaf, Inner };
 
 /// Reorders the references of a part of at least two so that its two sides lie one behind the
 /// other, unless a leaf is allowed and cheaper. From a depth of 64 on the sides are halves by
 /// count, whatever the heuristic says. What comes out depends on the part, its depth and the order
 /// of its references alone.
-Verdict split(std::span<Reference> references, const Part& part, const BuildSettings& settings,
-              Part (&sides)[2]);
+SplitResult split(std::span<Reference> references, const Part& part, const BuildSettings& settings,
+                  Part (&sides)[2]);
 
 }  // namespace graze::bvh

@@ -25,7 +25,7 @@ class Builder {
       return;
     }
     Part sides[2];
-    if (part.size() == 1 || split(references_, part, settings_, sides) == Verdict::Leaf) {
+    if (part.size() == 1 || split(references_, part, settings_, sides) == SplitResult::Leaf) {
       nodes_[at].first = static_cast<std::uint32_t>(part.begin);
       nodes_[at].count = static_cast<std::uint32_t>(part.size());
       return;

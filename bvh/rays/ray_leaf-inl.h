@@ -62,9 +62,9 @@ struct SeenLeaf {
       leaned_step[i] = -static_cast<float>(ray.lean[i]) * step[2];
     }
     const float sides = HWY_MAX(extent[0], extent[1]);
-    const float reach = HWY_MAX(HWY_MAX(base[0], -base[0]), HWY_MAX(base[1], -base[1]));
+    const float farthest = HWY_MAX(HWY_MAX(base[0], -base[0]), HWY_MAX(base[1], -base[1]));
     bound = ray.leaf_slack + kHalfStep * (sides + extent[2]) +
-            kLeafRounding * (reach + sides + extent[2]);
+            kLeafRounding * (farthest + sides + extent[2]);
     const float along = static_cast<float>(ray.along);
     const float at = static_cast<float>(from[2] * ray.along);
     along_step = step[2] * along;

@@ -23,13 +23,14 @@ inline constexpr std::array kFclManagers = {
 /// "fcl-tree", "fcl-sap": what the engine is called.
 const char* name_of(FclManager manager);
 
-/// One of some shapes, somewhere.
+/// A body of a scene: one of its shapes, in a pose.
 struct FclBody {
-  std::size_t shape = 0;
+  std::size_t shape = 0;  ///< its index
   Pose pose = Pose::Identity();
 };
 
-/// Shapes for bodies that a manager holds. One thread at a time.
+/// The shapes of a scene as FCL has them, and how bodies of these shapes are asked about. One
+/// thread at a time.
 class FclScene {
  public:
   FclScene(std::span<const Shape> shapes, FclManager manager);

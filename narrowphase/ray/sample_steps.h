@@ -17,6 +17,7 @@ inline Step unit_step(int axis) {
   return {kNoStep, kUnitSteps[axis]};
 }
 
+/// The sign of the product of two numbers with these signs.
 inline Sign product(Sign s, Sign t) {
   return static_cast<Sign>(static_cast<int>(s) * static_cast<int>(t));
 }
@@ -30,6 +31,8 @@ inline Sign last_side_of_edge(Step edge, int axis) {
   return sign;
 }
 
+/// Which way a triangle turns as it is seen along an axis; zero if it is seen as a segment or a
+/// point.
 inline Sign turn_along(SampleCorners corner, int axis) {
   return orientation_2d(project(corner[0], axis), project(corner[1], axis),
                         project(corner[2], axis));

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
-struct Corners {
+struct TriangleLanes {
   Vector a, b, c;
 };
 
@@ -49,7 +49,7 @@ HWY_INLINE Lanes sum_of_sizes(Lanes a0, Lanes a1, Lanes a2, Lanes a3, Lanes b0, 
 }
 
 /// In the order of triangle_box_triage.cpp.
-HWY_INLINE Lanes sum_of_sizes(const Corners& t, const Box& box) {
+HWY_INLINE Lanes sum_of_sizes(const TriangleLanes& t, const Box& box) {
   const Lanes even = sum_of_sizes(t.a.x, t.a.z, t.b.y, t.c.x, box.low.x, box.high.x, box.low.z);
   const Lanes odd = sum_of_sizes(t.a.y, t.b.x, t.b.z, t.c.y, box.low.y, box.high.y, box.high.z);
   return hn::Add(hn::Add(even, odd), hn::Abs(t.c.z));
@@ -64,7 +64,7 @@ HWY_INLINE Mask is_apart_along(Lanes a, Lanes b, Lanes c, Lanes low, Lanes high)
   return hn::Or(hn::Gt(hn::Min(hn::Min(a, b), c), high), hn::Lt(hn::Max(hn::Max(a, b), c), low));
 }
 
-HWY_INLINE Mask is_apart_along_box_axes(const Corners& t, const Box& box) {
+HWY_INLINE Mask is_apart_along_box_axes(const TriangleLanes& t, const Box& box) {
   return hn::Or(hn::Or(is_apart_along(t.a.x, t.b.x, t.c.x, box.low.x, box.high.x),
                        is_apart_along(t.a.y, t.b.y, t.c.y, box.low.y, box.high.y)),
                 is_apart_along(t.a.z, t.b.z, t.c.z, box.low.z, box.high.z));
@@ -97,7 +97,7 @@ HWY_INLINE Lanes largest_gap(const Edge& e, const Vector& h, const Vector& half_
   return hn::Max(hn::Max(x, y), z);
 }
 
-HWY_INLINE Verdicts triage_lanes(const Corners& t, const Box& box) {
+HWY_INLINE Verdicts triage_lanes(const TriangleLanes& t, const Box& box) {
   const Tag tag;
   const Lanes size = sum_of_sizes(t, box);
   const Mask is_valid =

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::narrowphase::HWY_NAMESPACE {
 namespace {
 
-struct Corners {
+struct TriangleLanes {
   Vector a, b, c;
 };
 
@@ -27,7 +27,8 @@ struct SideMasks {
   HWY_INLINE Mask are_equal() const { return hn::Not(hn::Or(hn::Xor(a, b), hn::Xor(a, c))); }
 };
 
-HWY_INLINE SideMasks sides_of_plane(const Corners& plane, const Corners& other, Lanes bound) {
+HWY_INLINE SideMasks sides_of_plane(const TriangleLanes& plane, const TriangleLanes& other,
+                                    Lanes bound) {
   const Vector normal = cross(difference(plane.b, plane.a), difference(plane.c, plane.a));
   const Lanes a = dot(normal, difference(other.a, plane.a));
   const Lanes b = dot(normal, difference(other.b, plane.a));
@@ -49,7 +50,7 @@ struct Bound {
   Mask is_in_range;
 };
 
-HWY_INLINE Bound bound_of(const Corners& s, const Corners& t) {
+HWY_INLINE Bound bound_of(const TriangleLanes& s, const TriangleLanes& t) {
   const Tag tag;
   const Lanes x = extent(s.a.x, s.b.x, s.c.x, t.a.x, t.b.x, t.c.x);
   const Lanes y = extent(s.a.y, s.b.y, s.c.y, t.a.y, t.b.y, t.c.y);
@@ -82,8 +83,8 @@ struct Sure {
 };
 
 /// triage_intervals(), for lanes whose signs are sure and not equal.
-HWY_INLINE Sure triage_intervals(const Corners& s, const SideMasks& sides_s, const Corners& t,
-                                 const SideMasks& sides_t, Lanes bound) {
+HWY_INLINE Sure triage_intervals(const TriangleLanes& s, const SideMasks& sides_s,
+                                 const TriangleLanes& t, const SideMasks& sides_t, Lanes bound) {
   const ApexLanes apex_s = apex(sides_s);
   const ApexLanes apex_t = apex(sides_t);
   const Vector origin = chosen(apex_s.is_first, s.a, apex_s.is_second, s.b, s.c);
@@ -109,7 +110,7 @@ HWY_INLINE Verdicts bits_of(const Sure& sure) {
   return {bits_of(sure.apart), bits_of(sure.touching)};
 }
 
-HWY_INLINE Verdicts triage_lanes(const Corners& s, const Corners& t) {
+HWY_INLINE Verdicts triage_lanes(const TriangleLanes& s, const TriangleLanes& t) {
   const Bound bound = bound_of(s, t);
   const SideMasks sides_s = sides_of_plane(t, s, bound.value);
   const SideMasks sides_t = sides_of_plane(s, t, bound.value);
@@ -123,7 +124,7 @@ HWY_INLINE Verdicts triage_lanes(const Corners& s, const Corners& t) {
   return bits_of({hn::Or(apart, hn::And(is_open, sure.apart)), hn::And(is_open, sure.touching)});
 }
 
-HWY_INLINE std::uint32_t find_apart_lanes(const Corners& s, const Corners& t) {
+HWY_INLINE std::uint32_t find_apart_lanes(const TriangleLanes& s, const TriangleLanes& t) {
   const Bound bound = bound_of(s, t);
   const SideMasks sides_s = sides_of_plane(t, s, bound.value);
   const SideMasks sides_t = sides_of_plane(s, t, bound.value);
@@ -132,7 +133,7 @@ HWY_INLINE std::uint32_t find_apart_lanes(const Corners& s, const Corners& t) {
 }
 
 template <typename Rows>
-HWY_INLINE Corners load(const Rows& rows, std::size_t first) {
+HWY_INLINE TriangleLanes load(const Rows& rows, std::size_t first) {
   return {{rows.load(0, first), rows.load(1, first), rows.load(2, first)},
           {rows.load(3, first), rows.load(4, first), rows.load(5, first)},
           {rows.load(6, first), rows.load(7, first), rows.load(8, first)}};

@@ -200,7 +200,7 @@ TEST(Deform, WhatFitsIsRefittedAndNotBuilt) {
   EXPECT_EQ(work.trees_refitted + work.treelets_refitted, 0u);
 }
 
-TEST(Deform, WhatHasDecayedIsBuiltAnewWhereItIs) {
+TEST(Deform, WhatHasDegradedIsBuiltAnewWhereItIs) {
   RandomSource source(905);
   const Mesh mesh = tests::random_soup({.count = 20000, .size = 0.02}, source);
   const std::uint64_t treelets = prepared(mesh).treelets_built;

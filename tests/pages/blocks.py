@@ -5,13 +5,16 @@ import re
 # What begins a command line, or names a file of the project, within a sentence.
 COMMAND = re.compile(r"^(graze|graze_\w+|bash|cmake|ctest|build/release/\S+|tests/\S+|samples/\S+|\.ci/\S+)( |$)")
 PLACE = re.compile(r"^(bvh|narrowphase|engine|tests|samples|data|build|\.ci)/")
+# A line of a drawing that follows a call: what is called, two blanks or more, where it stands.
+STEP = re.compile(r"^ *(\S.*?)  +(\S+/\S*)(?:  +.*)?$")
 
 
 class Page:
-    """`commands` are lines, `places` names of files and folders, `programs` are (language, text)."""
+    """`commands` are lines, `places` names of files and folders, `programs` are (language, text), `steps` are (what is
+    called, place)."""
 
     def __init__(self, text):
-        self.commands, self.places, self.programs = [], [], []
+        self.commands, self.places, self.programs, self.steps = [], [], [], []
         prose = self._take_blocks(text)
         for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", prose):
             span = " ".join(span.split())
@@ -43,8 +46,10 @@ class Page:
         return "\n".join(prose)
 
     def _end_block(self, language, block):
-        if language == "text":
-            return  # a drawing
+        if language == "text":  # a drawing
+            found = [STEP.match(line) for line in block]
+            self.steps += [(step[1], step[2]) for step in found if step and PLACE.match(step[2])]
+            return
         if language:
             self.programs.append((language, "\n".join(block) + "\n"))
         else:

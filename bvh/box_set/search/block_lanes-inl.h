@@ -97,17 +97,17 @@ HWY_INLINE BroadcastBox bounds(const TreeView& tree, int level, std::uint32_t bl
 }
 
 /// Lanes of a block by what the high halves of a box say about them.
-struct Verdict {
+struct NearLanes {
   std::uint32_t near;    ///< not shown to be apart from the box
   std::uint32_t unsure;  ///< of these: high halves are equal, so that the low ones decide
 };
 
 /// As near_lanes() and sure_lanes(), by what the two have in common along each axis: along an axis
 /// on which high halves are equal that has no length.
-HWY_INLINE Verdict verdict(const Block& block, const BroadcastBox& box) {
+HWY_INLINE NearLanes near_and_unsure(const Block& block, const BroadcastBox& box) {
   const Tag tag;
   const hn::RebindToUnsigned<Tag> lengths;
-  Verdict sum = {0, 0};
+  NearLanes sum = {0, 0};
   for (std::uint32_t lane = 0; lane < kLanes; lane += static_cast<std::uint32_t>(hn::Lanes(tag))) {
     Lanes low = hn::Max(hn::Load(tag, block.row[0] + lane), box.row[0]);
     Lanes high = hn::Min(hn::Load(tag, block.row[3] + lane), box.row[3]);

@@ -101,7 +101,7 @@ class LeafBatch {
     for (const std::uint32_t* row = rows_; row != end_of_rows; ++row) {
       const Meeting& meeting = meetings_[*row / kLanes];
       const std::uint32_t lane = *row & (kLanes - 1);
-      const Verdict found = verdict(*meeting.columns, BroadcastBox(*meeting.rows, lane));
+      const NearLanes found = near_and_unsure(*meeting.columns, BroadcastBox(*meeting.rows, lane));
       // Of a triangle only the columns above the row's own: bits lane + 1 and up.
       const std::uint32_t wanted =
           meeting.near & static_cast<std::uint32_t>(meeting.triangle >> (30 - lane));

@@ -38,8 +38,8 @@ void find_overlapping(const TreeView& tree, const OrderedBox& box, std::vector<s
 struct MoverHit {
   std::uint32_t proxy;
   std::uint8_t mover;  ///< its number among those that were looked up together
-  std::uint8_t was;
-  std::uint8_t is;
+  std::uint8_t was;    ///< 1 if it overlaps the mover where that was
+  std::uint8_t is;     ///< 1 if it overlaps the mover where that is
 };
 
 /// A block that some of the movers looked up together may reach. Working memory.

@@ -94,8 +94,8 @@ template <std::size_t lanes, FrontBounds bounds>
 struct FrontPlanes;
 
 /// A pass reads thousands of these, in no order, so that they had better be few cache lines.
-/// Components of normals are so many parts of 1, rounded, of what is so much shorter that none is
-/// longer than 1.
+/// Components of normals are integers that count in kPart. A normal is shortened before it is
+/// rounded, so that none is longer than 1.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Meeting> {
   static constexpr float kPart = 0x1p-15f;
@@ -110,7 +110,8 @@ struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Meeting> {
   }
 };
 
-/// What is far apart is compared with what is nearly as far: a thousandth of it counts.
+/// The nearest pair is looked for among pairs that are nearly as far apart, so that rounding must
+/// cost far less than a thousandth of a gap: normals are floats.
 template <std::size_t lanes>
 struct alignas(4 * lanes) FrontPlanes<lanes, FrontBounds::Distance> {
   static constexpr float kPart = 1;

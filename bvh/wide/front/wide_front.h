@@ -52,7 +52,7 @@ class WideFront {
     /// As in WideDistanceWalk.
     void aim_along(const double (&direction)[3]);
 
-    Bounds bounds;
+    Bounds bounds;          ///< what the pass is to prove
     double moved = 0;       ///< the motion spent
     double slack;           ///< of both frames
     TreeTransform into[2];  ///< by the side of the tested node: of query boxes of the other tree
@@ -60,7 +60,7 @@ class WideFront {
     float direction[2][3] = {};  ///< in each tree's frame, from it to the other
     QueryDisplacement since[2];  ///< of query boxes of the other tree, since begin()
     float deviation = 1;         ///< kDeviation if a motion is predicted, else 1
-    QueryDisplacement step[2];   ///< that query boxes of the other tree are predicted to repeat,
+    QueryDisplacement step[2];   ///< that query boxes of the other tree are predicted to repeat
     float per_distance = 0;      ///< 1 over how far B comes in that step
 
    private:

@@ -53,7 +53,7 @@ struct Row {
   std::uint64_t number = 0;  ///< the bits of the distance, or how many pairs
 };
 
-Row row_of(const PairAnswer& answer) {
+Row row_of(const PoseAnswer& answer) {
   if (answer.gap) return {answer.intersects, std::bit_cast<std::uint64_t>(answer.gap->distance)};
   return {answer.intersects, answer.pairs ? answer.pairs->size() : 0};
 }
@@ -101,7 +101,7 @@ AnswerTotals write_answers(
         .on_progress = [&](std::size_t done, std::size_t) { on_progress(first + done, count); }};
     for_each_in_batch(rows.size(), kMostInAPart, batch, &totals.work,
                       [&](std::size_t i, Work& work) {
-                        const PairAnswer answer = ask(job, job.poses_b->at(first + i), 1);
+                        const PoseAnswer answer = ask(job, job.poses_b->at(first + i), 1);
                         work += answer.work;
                         rows[i] = row_of(answer);
                       });

@@ -15,7 +15,7 @@ namespace graze::cli {
 enum class PairQuery { Any, Pairs, Distance };
 
 /// What it found for one pose.
-struct PairAnswer {
+struct PoseAnswer {
   std::size_t pose = 0;  ///< counted from 0
   bool intersects = false;
   std::optional<TrianglePairs> pairs;  ///< if the query was for pairs

@@ -118,7 +118,7 @@ bool do_intersect(const PairJob& job, const Pose& pose_b, Work& work) {
   return intersects(a, b, {.volume = job.volume, .hit = hit_of(job.touch, job.interior)}, &work);
 }
 
-void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PairAnswer& answer) {
+void ask_for_pairs(const PairJob& job, const Pose& pose_b, int threads, PoseAnswer& answer) {
   answer.pairs = find_triangle_pairs({job.mesh_a, job.pose_a}, {job.mesh_b, pose_b},
                                      {.volume = job.volume, .touch = job.touch, .threads = threads},
                                      &answer.work);
@@ -154,8 +154,8 @@ PairJob read_pair_job(const PairOptions& options) {
   return job;
 }
 
-PairAnswer ask(const PairJob& job, const Pose& pose_b, int threads) {
-  PairAnswer answer;
+PoseAnswer ask(const PairJob& job, const Pose& pose_b, int threads) {
+  PoseAnswer answer;
   const auto start = std::chrono::steady_clock::now();
   if (job.query == PairQuery::Any) {
     answer.intersects = do_intersect(job, pose_b, answer.work);

@@ -29,6 +29,6 @@ struct PairJob {
 PairJob read_pair_job(const PairOptions& options);
 
 /// Asks for one pose of B, on so many threads. Can be asked by many threads at once.
-PairAnswer ask(const PairJob& job, const Pose& pose_b, int threads);
+PoseAnswer ask(const PairJob& job, const Pose& pose_b, int threads);
 
 }  // namespace graze::cli

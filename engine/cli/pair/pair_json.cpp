@@ -55,7 +55,7 @@ class JsonReport : public PairReport {
   void begin() override {}
   void end() override {}
 
-  void add(const PairAnswer& answer) override {
+  void add(const PoseAnswer& answer) override {
     std::string line =
         fmt::format("{{\"pose\":{},\"intersects\":{}", answer.pose, answer.intersects);
     if (answer.pairs) {

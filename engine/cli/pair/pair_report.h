@@ -19,7 +19,7 @@ class PairReport {
  public:
   virtual ~PairReport() = default;
   virtual void begin() = 0;
-  virtual void add(const PairAnswer& answer) = 0;
+  virtual void add(const PoseAnswer& answer) = 0;
   virtual void end() = 0;
 };
 

@@ -21,7 +21,7 @@ ExitCode report_answers(const PairJob& job, const PairOptions& options, Output& 
   try {
     report->begin();
     for (std::size_t i = 0; i < job.poses_b->size(); ++i) {
-      PairAnswer answer = ask(job, job.poses_b->at(i), job.threads);
+      PoseAnswer answer = ask(job, job.poses_b->at(i), job.threads);
       answer.pose = i;
       is_graze_wrong |= answer.fcl && answer.fcl->graze_wrong > 0;
       report->add(answer);

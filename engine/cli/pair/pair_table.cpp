@@ -37,7 +37,7 @@ class TableReport : public PairReport {
 
   void begin() override { output_.write(table_.header()); }
 
-  void add(const PairAnswer& answer) override {
+  void add(const PoseAnswer& answer) override {
     std::string text = row(answer);
     if (settings_.is_listing && answer.pairs) {
       for (const TrianglePair& pair : *answer.pairs) {
@@ -66,7 +66,7 @@ class TableReport : public PairReport {
   }
 
  private:
-  std::string row(const PairAnswer& answer) const {
+  std::string row(const PoseAnswer& answer) const {
     std::vector<std::string> values = {std::to_string(answer.pose), yes_or_no(answer.intersects)};
     if (answer.pairs) values.push_back(std::to_string(answer.pairs->size()));
     if (answer.gap) values.push_back(fmt::format("{:.6g}", answer.gap->distance));
@@ -84,7 +84,7 @@ class TableReport : public PairReport {
     return table_.row(values);
   }
 
-  void sum(const PairAnswer& answer) {
+  void sum(const PoseAnswer& answer) {
     ++poses_;
     if (answer.intersects) ++intersecting_;
     if (answer.pairs) pairs_ += answer.pairs->size();

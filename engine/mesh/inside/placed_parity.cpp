@@ -26,18 +26,19 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// A box around all points of the mesh's bounds, placed by law 1. With c and h the centre and half
 /// size of the bounds, R x + t lies within |R| h of R c + t. Law 1 rounds a placed point, and the
-/// placed centre, six times each, every time to a value of at most the reach, and the lines below
-/// round h, |R| h and the sums another ten times: 32 u of the reach, and underflow, cover all.
+/// placed centre, six times each, every time to a value of at most the largest coordinate, and the
+/// lines below round h, |R| h and the sums another ten times: 32 u of that coordinate, and
+/// underflow, cover all.
 Aabb placed_bounds(const PlacedMeshView& placed) {
   const Aabb& bounds = placed.mesh.bounds();
   const double* m = placed.pose.data();  // column-major 4x4
-  const std::array<double, 3> reach = largest_coordinates(placed.pose, bounds);
+  const std::array<double, 3> largest = largest_coordinates(placed.pose, bounds);
   const bvh::LocalFrame frame = bvh::LocalFrame::around(bounds);
   const Eigen::Vector3d centre = narrowphase::place(
       placed.pose, Eigen::Vector3d(frame.centre[0], frame.centre[1], frame.centre[2]));
   Aabb box;
   for (int i = 0; i < 3; ++i) {
-    double half = 32 * kUnitRoundoff * reach[i] + 0x1p-1060;
+    double half = 32 * kUnitRoundoff * largest[i] + 0x1p-1060;
     for (int k = 0; k < 3; ++k) {
       const double size =
           std::max(bounds.max.data()[k] - frame.centre[k], frame.centre[k] - bounds.min.data()[k]);
@@ -164,19 +165,20 @@ bool is_sample_enclosed(const PlacedMeshView& placed, const narrowphase::Rationa
   return is_enclosed_near(placed, sample.around, crossing, work);
 }
 
-// The ray is half of the flat box from -reach to reach, so that it is a box of law 3, centred.
+// The ray is half of the flat box from -half_length to half_length, so that it is a box of law 3,
+// centred.
 bool is_moved_centre_enclosed(const PlacedMeshView& placed, const Obb& box, Work& work) {
   const double* m = box.pose.data();
   const Aabb bounds = placed_bounds(placed);
-  double reach = 0;
+  double half_length = 0;
   for (int i = 0; i < 3; ++i) {
     const double offset = std::max(std::abs(bounds.min.data()[i] - m[12 + i]),
                                    std::abs(bounds.max.data()[i] - m[12 + i]));
-    reach = std::min(reach + 1.01 * offset, kLargest);
+    half_length = std::min(half_length + 1.01 * offset, kLargest);
   }
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const AxisRay direction{0, LineCrossing::Above};
-  const Eigen::Vector3d end(reach, 0, 0);
+  const Eigen::Vector3d end(half_length, 0, 0);
   const FramedRay ray({-end, end}, box.pose);
   const auto crossing_at = [&](std::uint32_t index) {
     return narrowphase::cross_axis_line(

@@ -30,7 +30,7 @@ class CachedMesh {
   std::uint64_t pose_number() const { return pose_number_; }
   double deviation() const { return error_.largest(); }
 
-  /// The door: check_placement(), unless the pose is the last one.
+  /// Takes the pose of the next query, checked by check_placement() unless it is the last one.
   void place(const Pose& pose, const char* what);
 
   /// No placed point of the mesh is further from where `before` placed it than the root of `square`

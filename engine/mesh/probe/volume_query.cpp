@@ -96,9 +96,9 @@ void check_way_into_frame(const PlacedMeshView& placed, const FramedVolume& box)
     way[i] += std::abs(m[12 + i]);
   for (int i = 0; i < 3; ++i) {
     const double* axis = m + 4 * i;
-    const double reach =
+    const double coordinate =
         (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
-    if (!std::isfinite(reach)) {
+    if (!std::isfinite(coordinate)) {
       throw PoseError(std::string("box: coordinate ") + "xyz"[i] +
                       " of the mesh in its frame could overflow");
     }

@@ -27,12 +27,12 @@ struct BodyBox {
   double radius;      ///< no point is further from the axis of the body's motion
 
   Extent along(const double (&m)[3]) const {
-    double reach = axes_error;
+    double projected = axes_error;
     for (int i = 0; i < 3; ++i) {
-      reach += std::abs(dot_product(m, axes[i])) * half[i];
+      projected += std::abs(dot_product(m, axes[i])) * half[i];
     }
     const double middle = dot_product(m, centre);
-    return {middle - reach, middle + reach};
+    return {middle - projected, middle + projected};
   }
 
   /// Half of the longest edge.

@@ -13,8 +13,8 @@
 
 namespace graze {
 
-/// A point of a plane that is projected along an axis, (u, v) / w with w > 0; or a line, on which
-/// points are whose product with it, element by element, sums up to 0.
+/// Homogeneous coordinates in a plane that is projected along an axis: of a point, (u, v) / w with
+/// w > 0, or of a line, which holds the points whose scalar product with it is 0.
 struct PlaneTriple {
   narrowphase::GrowingInteger u, v, w;
 };

@@ -87,7 +87,7 @@ class BallMover {
       return VolumeCast{0, true, at_start_->index, at.point, at.normal};
     }
     if (count_ == 0) return std::nullopt;
-    settle();
+    keep_first();
     const narrowphase::BallPlace at = place_of_meeting(first_[0]);
     return VolumeCast{first_[0].meeting->time, false, first_[0].index, at.point, at.normal};
   }
@@ -127,15 +127,15 @@ class BallMover {
     const auto is_later = [&](const MetTriangle& other) { return other.low > met.high; };
     const auto end = std::remove_if(first_.begin(), first_.begin() + count_, is_later);
     count_ = static_cast<std::uint32_t>(end - first_.begin());
-    if (count_ == kMost) settle();
+    if (count_ == kMost) keep_first();
     const bool is_sooner = count_ == 0 || met.high < limit();
     first_[count_++] = met;
     if (is_sooner) std::swap(first_[0], first_[count_ - 1]);
     return is_sooner;
   }
 
-  /// Leaves the first one.
-  void settle() {
+  /// Keeps the first one alone.
+  void keep_first() {
     find_meeting(first_[0]);
     for (std::uint32_t i = 1; i < count_; ++i) {
       if (is_earlier(first_[i], first_[0])) first_[0] = first_[i];

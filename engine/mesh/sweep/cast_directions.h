@@ -30,11 +30,11 @@ class CastDirections {
 
   /// What one vector tells of the motion.
   struct Limit {
-    double sense;    ///< the vector is taken times this: 1, -1, or 0 if it says nothing
-    double between;  ///< n . (the centre of A - the centre of B)
-    double margin;
-    double least_high;  ///< less, and they never meet
-    double most_low;    ///< more, and they never meet
+    double sense;       ///< the vector is taken times this: 1, -1, or 0 if it says nothing
+    double between;     ///< n . (the centre of A - the centre of B)
+    double margin;      ///< what rounding may cost, on either side
+    double least_high;  ///< two spans whose difference ends below it never meet
+    double most_low;    ///< two spans whose difference begins above it never meet
     double down;        ///< what `low` is multiplied by to bound s from below
   };
 

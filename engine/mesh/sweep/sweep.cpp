@@ -37,7 +37,7 @@ double quarter_of_largest(const Sphere& ball) {
 
 /// Likewise of each coordinate on the way into a frame: the sums are in the order of law 3, and
 /// rounding is monotone.
-double quarter_of_reach(const PlacedMeshView& placed, const Pose& frame) {
+double quarter_of_largest(const PlacedMeshView& placed, const Pose& frame) {
   const double* m = frame.data();  // column-major 4x4: column i is the frame's axis i
   std::array<double, 3> way = largest_coordinates(placed.pose, placed.mesh.bounds());
   double largest = 0;
@@ -47,9 +47,9 @@ double quarter_of_reach(const PlacedMeshView& placed, const Pose& frame) {
   }
   for (int i = 0; i < 3; ++i) {
     const double* axis = m + 4 * i;
-    const double reach =
+    const double coordinate =
         (std::abs(axis[0]) * way[0] + std::abs(axis[1]) * way[1]) + std::abs(axis[2]) * way[2];
-    largest = std::max(largest, reach);
+    largest = std::max(largest, coordinate);
   }
   return largest;
 }
@@ -79,7 +79,7 @@ SweepUnits::SweepUnits(const PlacedMeshView& a, const Sphere& b)
     : SweepUnits(quarter_of_largest(a) + quarter_of_largest(b)) {}
 
 SweepUnits::SweepUnits(const PlacedMeshView& a, const Obb& b)
-    : SweepUnits(quarter_of_reach(a, b.pose) +
+    : SweepUnits(quarter_of_largest(a, b.pose) +
                  quarter_of_largest(Aabb{-b.half_extents, b.half_extents})) {}
 
 SweepUnits::SweepUnits(double quarter) {

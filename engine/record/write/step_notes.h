@@ -26,8 +26,8 @@ class StepNotes {
   };
 
   ByteWriter changes;       ///< up to what the update said
-  RecordedAnswers answers;  ///< that
-  std::string blocks;       ///< of shapes, which come before
+  RecordedAnswers answers;  ///< what the update said
+  std::string blocks;       ///< of new shapes, which are written before
 
   void clear() {
     changes.clear(), blocks.clear();

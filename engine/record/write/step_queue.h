@@ -16,7 +16,7 @@
 namespace graze::record {
 
 /// Notes of updates, which wait for a thread of their own to write them, or are written at once.
-/// For one thread, but for the one that it starts.
+/// One thread may use it; it starts another.
 class StepQueue {
  public:
   StepQueue(StepWriter::Sink sink, RecordedWriting writing);
@@ -24,21 +24,21 @@ class StepQueue {
   StepQueue(const StepQueue&) = delete;
   StepQueue& operator=(const StepQueue&) = delete;
 
-  /// Those that are being taken.
+  /// The notes of what is done until the next submit().
   StepNotes& notes() { return *notes_; }
 
-  /// Takes them to be written, and begins with new ones; waits while many wait. Throws what went
-  /// wrong with earlier ones: none is written after that.
+  /// Hands the notes over to be written, and begins new ones; waits while many wait. Throws what
+  /// went wrong with earlier ones: after that nothing is written.
   void submit();
-  /// Blocks as they are, once all that waits is written. Throws likewise.
+  /// Writes blocks as they are, once all that waits is written. Throws likewise.
   void hand_over(std::string_view blocks);
   /// Writes what waits and takes no more.
   void close() noexcept;
 
-  /// Whether anything went wrong with what was submitted, all of which is written then.
-  bool has_failed() const noexcept;
-  std::size_t updates() const;  ///< that are written, when all are that were submitted
-  std::uint64_t bytes() const;  ///< likewise
+  // These wait until all that was submitted is written, unless the thread that writes asks.
+  bool has_failed() const noexcept;  ///< whether anything went wrong
+  std::size_t updates() const;       ///< that were written
+  std::uint64_t bytes() const;       ///< that were written
 
  private:
   /// Updates that wait: a world that is quicker than its recorder waits for it.

@@ -19,9 +19,9 @@ class StepWriter {
 
   explicit StepWriter(Sink sink) : sink_(std::move(sink)) {}
 
-  /// Blocks as they are. Throws what the sink does.
+  /// Hands over blocks as they are. Throws what the sink does.
   void hand_over(std::string_view blocks);
-  /// The shapes of an update, and its block. Throws likewise.
+  /// Hands over the new shapes of an update, and then its block. Throws likewise.
   void write(const StepNotes& notes);
   void close() noexcept { sink_ = nullptr; }
 

@@ -40,7 +40,7 @@ struct PairAnswer {
 struct alignas(64) PairBatch {
   std::uint32_t first = 0;  ///< its first pair
   std::uint32_t end = 0;
-  bool has_mark = false;  ///< whether a body has the mark that UnbuiltTrees speaks of
+  bool has_mark = false;  ///< whether a body has Bodies::Changes::has_unbuilt_tree
   NewsPlace place = {};
   PairNews news;
 };

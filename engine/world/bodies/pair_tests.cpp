@@ -186,7 +186,7 @@ void World::State::test_in_order(PairQuestion question, std::size_t ahead) {
     if (ahead != 0) fetch_ahead(i, ahead);
     const PairAnswer answer = answer_of(order[i], question, news.contacts);
     tell(order[i], question, answer, news);
-    settle(order[i], question, answer);
+    note_answer(order[i], question, answer);
     const BoxPair pair = candidates.list()[order[i]];
     look_for_tree(pair.a), look_for_tree(pair.b);
   }
@@ -218,11 +218,11 @@ void World::State::test_in_batches(PairQuestion question) {
     batch.has_mark |= a.has_unbuilt_tree || b.has_unbuilt_tree;
     return answer;
   });
-  batches.are_all_answered() ? settle_batches(question) : settle_in_turn(question);
+  batches.are_all_answered() ? note_answers_of_batches(question) : note_answers_in_turn(question);
 }
 
 /// Takes note of all answers, which threads share, too.
-void World::State::settle_batches(PairQuestion question) {
+void World::State::note_answers_of_batches(PairQuestion question) {
   batches.make_room_in(news);
   const std::span<PairBatch> list = batches.batches();
   constexpr std::size_t kTogether = 16;
@@ -231,7 +231,7 @@ void World::State::settle_batches(PairQuestion question) {
     for (const PairBatch& batch : list.subspan(first, std::min(kTogether, list.size() - first))) {
       put_news(batch, news);
       for (std::uint32_t i = batch.first; i < batch.end; ++i)
-        settle(order[i], question, batches.answer(i));
+        note_answer(order[i], question, batches.answer(i));
     }
   });
   for (const PairBatch& batch : list) {
@@ -249,7 +249,7 @@ void World::State::settle_batches(PairQuestion question) {
 
 /// Takes note of answers one by one. Pairs that only the caller's thread may ask are asked when
 /// their turn comes; where one throws, the world has taken note of those before it.
-void World::State::settle_in_turn(PairQuestion question) {
+void World::State::note_answers_in_turn(PairQuestion question) {
   for (PairBatch& batch : batches.batches()) {
     for (std::uint32_t i = batch.first; i < batch.end; ++i) {
       batches.check(i);
@@ -257,7 +257,7 @@ void World::State::settle_in_turn(PairQuestion question) {
       if (answer.kind == PairAnswer::Kind::ForCaller)
         answer = answer_of(order[i], question, batch.news.contacts);
       tell(order[i], question, answer, news);
-      settle(order[i], question, answer);
+      note_answer(order[i], question, answer);
       const BoxPair pair = candidates.list()[order[i]];
       look_for_tree(pair.a), look_for_tree(pair.b);
     }
@@ -274,7 +274,7 @@ PairAnswer World::State::answer_of(std::uint32_t at, PairQuestion question,
   using enum PairAnswer::Kind;
   const BoxPair pair = candidates.list()[at];
   if (!is_anyone_up(pair)) return {.kind = Asleep};
-  if (question == PairQuestion::AtRest) return {.kind = stand(pair)};
+  if (question == PairQuestion::AtRest) return {.kind = relation_of(pair)};
   PairAnswer answer{.kind = meet(pair, into)};
   if (answer.is_near()) return answer;
   answer.known_gap = candidates.known_gap(at);
@@ -331,7 +331,7 @@ void World::State::tell(std::uint32_t at, PairQuestion question, const PairAnswe
 }
 
 /// Takes note of the answer. Several threads may do so for several pairs.
-void World::State::settle(std::uint32_t at, PairQuestion question, const PairAnswer& answer) {
+void World::State::note_answer(std::uint32_t at, PairQuestion question, const PairAnswer& answer) {
   if (answer.kind == PairAnswer::Kind::Asleep) return;
   if (question == PairQuestion::Changed) candidates.known_gap(at) = answer.known_gap;
   const bool is_near = answer.is_near() && all.margin(candidates.list()[at]) > 0;

@@ -37,10 +37,10 @@ bool World::State::do_touch(BoxPair pair) const {
   return a.ask([&](const BodyShape& shape) { return shape.touches(a.pose, *b.shape, b.pose); });
 }
 
-/// How the two stand to each other, to their margin and to their sides.
-PairAnswer::Kind World::State::stand(BoxPair pair) const {
+/// Whether the two touch, are near by their margin or their sides, or are apart.
+PairAnswer::Kind World::State::relation_of(BoxPair pair) const {
   using enum PairAnswer::Kind;
-  if (all.has_parts(pair)) return stand_of_parts(pair);
+  if (all.has_parts(pair)) return relation_of_parts(pair);
   const ManifoldSettings asked = all.settings(pair);
   if (are_plain(asked)) return do_touch(pair) ? Touching : Apart;
   const Bodies::Body& a = all.bodies[pair.a];
@@ -68,7 +68,8 @@ Manifold World::State::contacts_within(BoxPair pair, const ManifoldSettings& ask
   return found;
 }
 
-/// The same. If they touch or are near, and if the settings ask for contacts, these are found, too.
+/// relation_of() a pair with a margin or sides. If they touch or are near, their contacts are
+/// added.
 PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings& asked,
                                            ContactList& into) const {
   const Bodies::Body& a = all.bodies[pair.a];
@@ -82,7 +83,7 @@ PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings&
     if (nearness != Nearness::Apart) into.add(all.id_pair(pair), found);
     return kind_of(nearness);
   }
-  const PairAnswer::Kind kind = stand(pair);
+  const PairAnswer::Kind kind = relation_of(pair);
   if (kind != PairAnswer::Kind::Apart) into.add(all.id_pair(pair), contacts_within(pair, asked));
   return kind;
 }
@@ -90,7 +91,7 @@ PairAnswer::Kind World::State::meet_within(BoxPair pair, const ManifoldSettings&
 /// Whether they touch. If so, and if the settings ask for contacts, these are found as well.
 PairAnswer::Kind World::State::meet(BoxPair pair, ContactList& into) const {
   using enum PairAnswer::Kind;
-  if (!settings.contacts || !all.are_solid(pair.a, pair.b)) return stand(pair);
+  if (!settings.contacts || !all.are_solid(pair.a, pair.b)) return relation_of(pair);
   if (all.has_parts(pair)) return meet_by_parts(pair, into);
   if (const ManifoldSettings asked = all.settings(pair); !are_plain(asked))
     return meet_within(pair, asked, into);

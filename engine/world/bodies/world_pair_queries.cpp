@@ -94,11 +94,11 @@ class NearestParts {
       return limit();
     };
     for (double width = 0x1p-6 * whole.extent();; width *= 4) {
-      seeker.reach = std::min(apart + width, most_);
-      const bool is_all = width >= widest || seeker.reach >= most_;
+      seeker.search_radius = std::min(apart + width, most_);
+      const bool is_all = width >= widest || seeker.search_radius >= most_;
       best_.reset();
       whole.visit_nearest(own.pose, seeker, std::cref(ask));
-      if (is_all || limit() <= seeker.reach) return;
+      if (is_all || limit() <= seeker.search_radius) return;
       if (best_) width = std::max(width, (limit() - apart) / 4);
     }
   }
@@ -282,7 +282,7 @@ std::optional<BodyPairDistance> World::find_closest_pair(const WorldPairSettings
       if (!state_->is_asked_for(index, query)) continue;
       const PosedBody a = posed(index);
       state_->for_nearest(box_with_room(a), query, least(), [&](std::uint32_t other) {
-        if (other <= index || !(settings.has_filters ? all.meet(index, other) : true))
+        if (other <= index || !(settings.has_filters ? all.may_meet(index, other) : true))
           return least();
         const PosedBody b = posed(other);
         const auto found = NearestParts(a, all.id(index), b, all.id(other)).find(least());

@@ -18,7 +18,7 @@ void World::State::for_parts_of(BoxPair pair, const Visit& visit) const {
   for_part_pairs(posed(pair.a), posed(pair.b), visit);
 }
 
-PairAnswer::Kind World::State::stand_of_parts(BoxPair pair) const {
+PairAnswer::Kind World::State::relation_of_parts(BoxPair pair) const {
   const ManifoldSettings asked = all.settings(pair);
   PairAnswer::Kind nearest = PairAnswer::Kind::Apart;
   for_parts_of(pair, [&](const PlacedPart& s, const PlacedPart& t) {
@@ -28,7 +28,7 @@ PairAnswer::Kind World::State::stand_of_parts(BoxPair pair) const {
   return nearest;
 }
 
-/// How the nearest two parts stand, and the contacts of all.
+/// The relation of the two nearest parts, and the contacts of all.
 PairAnswer::Kind World::State::meet_by_parts(BoxPair pair, ContactList& into) const {
   const ManifoldSettings asked = all.settings(pair);
   const BodyPair ids = all.id_pair(pair);

@@ -61,7 +61,7 @@ struct Bodies {
     bool has_changed = false;
     bool has_other_filter = false;  ///< whether its filter, kind or exclusions changed
     bool has_other_shape = false;   ///< whether known gaps of its pairs no longer hold
-    bool has_unbuilt_tree = false;  ///< the mark that UnbuiltTrees speaks of
+    bool has_unbuilt_tree = false;  ///< whether UnbuiltTrees counts it: the mark of a body there
     bool is_mesh = false;           ///< whether the shape stands for a mesh
     bool is_for_caller = false;     ///< whether only the caller's thread may ask the shape
   };
@@ -82,9 +82,10 @@ struct Bodies {
     return {index, (ids.is_live(index) ? generation : generation - 1) | number_bits};
   }
   BodyPair id_pair(BoxPair pair) const { return {id(pair.a), id(pair.b)}; }
-  bool meet(std::uint32_t a, std::uint32_t b) const;
-  /// Whether it is awake and changed or can move. A pair of which a body changed is looked at if
-  /// this is true of one of the two.
+  /// Whether kinds, roles and filters let them form a pair.
+  bool may_meet(std::uint32_t a, std::uint32_t b) const;
+  /// Whether it is awake, and has changed or is not static. A pair in which a body has changed is
+  /// tested if this is true of one of the two.
   bool is_up(std::uint32_t index) const {
     return bodies[index].is_awake && (changes[index].has_changed || !bodies[index].is_static());
   }
@@ -325,11 +326,11 @@ struct World::State {
   void test_in_order(PairQuestion question, std::size_t ahead);
   bool are_worth_sharing();
   void test_in_batches(PairQuestion question);
-  void settle_batches(PairQuestion question);
-  void settle_in_turn(PairQuestion question);
+  void note_answers_of_batches(PairQuestion question);
+  void note_answers_in_turn(PairQuestion question);
   PairAnswer answer_of(std::uint32_t at, PairQuestion question, ContactList& into) const;
   void tell(std::uint32_t at, PairQuestion question, const PairAnswer& answer, PairNews& to) const;
-  void settle(std::uint32_t at, PairQuestion question, const PairAnswer& answer);
+  void note_answer(std::uint32_t at, PairQuestion question, const PairAnswer& answer);
   bool learn_gap(BoxPair pair, KnownGap& known) const;
   void list_partners(std::uint32_t index);
   void end(std::uint32_t at);
@@ -362,13 +363,13 @@ struct World::State {
   std::vector<BodyContact> contacts_of(std::span<const BodyPair> pairs) const;
   void add_contacts(const BodyPair& pair, std::vector<BodyContact>& list) const;
   bool do_touch(BoxPair pair) const;
-  PairAnswer::Kind stand(BoxPair pair) const;
+  PairAnswer::Kind relation_of(BoxPair pair) const;
   PairAnswer::Kind meet(BoxPair pair, ContactList& into) const;
   PairAnswer::Kind meet_within(BoxPair pair, const ManifoldSettings& asked,
                                ContactList& into) const;
   template <typename Visit>
   void for_parts_of(BoxPair pair, const Visit& visit) const;
-  PairAnswer::Kind stand_of_parts(BoxPair pair) const;
+  PairAnswer::Kind relation_of_parts(BoxPair pair) const;
   PairAnswer::Kind meet_by_parts(BoxPair pair, ContactList& into) const;
   void add_contacts_of_parts(const BodyPair& pair, std::vector<BodyContact>& list) const;
   Manifold contacts_within(BoxPair pair, const ManifoldSettings& asked) const;

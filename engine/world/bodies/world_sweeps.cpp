@@ -208,7 +208,7 @@ void World::State::list_swept_pairs(double others_way) {
   }
   std::sort(swept_pairs.begin(), swept_pairs.end());
   std::erase_if(swept_pairs, [&](const BoxPair& pair) {
-    if (candidates.position(pair) != CandidatePairs::kNowhere || all.meet(pair.a, pair.b))
+    if (candidates.position(pair) != CandidatePairs::kNowhere || all.may_meet(pair.a, pair.b))
       return false;
     if (all.pair_filter) journal.tell(PairChange::Refused, pair.a, pair.b);
     return true;

@@ -60,7 +60,7 @@ void cancel_common(std::vector<BodyPair>& s, std::vector<BodyPair>& t) {
 
 }  // namespace
 
-bool Bodies::meet(std::uint32_t a, std::uint32_t b) const {
+bool Bodies::may_meet(std::uint32_t a, std::uint32_t b) const {
   const Body& s = bodies[a];
   const Body& t = bodies[b];
   if (!can_meet(s, t) || !lets_pass(s.filter, t.filter)) return false;
@@ -106,7 +106,7 @@ void World::State::begin_pairs() {
     const BoxPair pair = ordered_pair(body_of_box[boxes.a], body_of_box[boxes.b]);
     // Where a filter changed, too, filter_again() adds the pair.
     if (all.changes[pair.a].has_other_filter || all.changes[pair.b].has_other_filter) continue;
-    if (all.meet(pair.a, pair.b)) {
+    if (all.may_meet(pair.a, pair.b)) {
       candidates.add(pair);
     } else {
       ++news.work.pairs_filtered;
@@ -133,11 +133,11 @@ void World::State::filter_again(std::uint32_t index) {
     if (all.changes[partner].has_other_filter && partner < index) continue;
     const BoxPair pair = ordered_pair(index, partner);
     const std::uint32_t at = candidates.position(pair);
-    const bool do_meet = all.meet(index, partner);
-    if (do_meet && at == CandidatePairs::kNowhere) candidates.add(pair);
-    if (!do_meet && at != CandidatePairs::kNowhere) end(at);
-    news.work.pairs_filtered += !do_meet;
-    if (!do_meet && all.pair_filter) journal.tell(PairChange::Refused, pair.a, pair.b);
+    const bool may_meet = all.may_meet(index, partner);
+    if (may_meet && at == CandidatePairs::kNowhere) candidates.add(pair);
+    if (!may_meet && at != CandidatePairs::kNowhere) end(at);
+    news.work.pairs_filtered += !may_meet;
+    if (!may_meet && all.pair_filter) journal.tell(PairChange::Refused, pair.a, pair.b);
   }
 }
 

@@ -56,11 +56,11 @@ std::vector<std::uint32_t> CompoundBody::parts_near(const Aabb& own_box) const {
   if (boxes_) {
     boxes_->find_overlapping(own_box, near);
     std::sort(near.begin(), near.end());
-    for (std::uint32_t& slot : near)
-      slot = numbers_[slot];
+    for (std::uint32_t& place : near)
+      place = numbers_[place];
   }
-  for (std::size_t slot = 0; slot < few_boxes_.size(); ++slot) {
-    if (share_a_point(few_boxes_[slot], own_box)) near.push_back(numbers_[slot]);
+  for (std::size_t place = 0; place < few_boxes_.size(); ++place) {
+    if (share_a_point(few_boxes_[place], own_box)) near.push_back(numbers_[place]);
   }
   return near;
 }
@@ -75,7 +75,7 @@ void CompoundBody::look_at_nearest(const std::optional<Aabb>& own_box, const Gap
       boxes.push_back(bounding_aabb(compound_.part(number)));
     tree_ = std::make_unique<const PartTree>(boxes);
   });
-  const auto look_at = [&](std::uint32_t slot) { return look(numbers_[slot]); };
+  const auto look_at = [&](std::uint32_t place) { return look(numbers_[place]); };
   tree_->look_at_nearest(own_box, index_room(), gap, limit, std::cref(look_at));
 }
 
@@ -85,7 +85,7 @@ void CompoundBody::visit_along(const Ray& own_ray, const Look& look) const {
       look(number);
     return;
   }
-  const auto look_at = [&](std::uint32_t slot) { return look(numbers_[slot]); };
+  const auto look_at = [&](std::uint32_t place) { return look(numbers_[place]); };
   boxes_->visit_along(own_ray, std::cref(look_at));  // a reference: nothing is allocated
 }
 

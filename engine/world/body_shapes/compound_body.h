@@ -32,11 +32,11 @@ class CompoundBody final : public PartsBody {
   void check_parts(const Pose& pose) const override;
 
   Compound compound_;
-  std::vector<std::uint32_t> numbers_;  ///< ascending; a place among them is a slot
+  std::vector<std::uint32_t> numbers_;  ///< ascending; parts go by their places in it
   std::vector<std::shared_ptr<const BodyShape>> shapes_;  ///< by number
   // Boxes of the parts in the compound's frame, with room: a few in a list, more looked up.
-  std::vector<Aabb> few_boxes_;        ///< by slot
-  std::unique_ptr<BroadPhase> boxes_;  ///< by slot
+  std::vector<Aabb> few_boxes_;        ///< by place
+  std::unique_ptr<BroadPhase> boxes_;  ///< by place
   // Of many, without room, from when the nearest of them is asked for.
   mutable std::once_flag tree_flag_;
   mutable std::unique_ptr<const PartTree> tree_;

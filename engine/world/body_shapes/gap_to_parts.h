@@ -21,7 +21,7 @@ struct BoxPlacing {
 /// What the nearest part of a body is looked for to.
 struct PartSeeker {
   const Aabb& box;                         ///< in the world, around all of it
-  double reach;                            ///< metres: parts farther from the box are of no use
+  double search_radius;                    ///< metres: parts farther from the box are of no use
   double limit;                            ///< likewise parts that are farther from it
   const PlacedShapeView* shape = nullptr;  ///< if it is one
   /// If it has parts itself: none is nearer to a box than this says, if that is no more than the

@@ -26,11 +26,11 @@ RigidMotion part_motion(const RigidMotion& body, const Pose& start) {
 /// No point that is at most `radius` from the body's origin is ever farther from where it was at
 /// the start, metres.
 double longest_way(const RigidMotion& motion, double radius) {
-  const double reach = length_of(motion.start().translation() - motion.centre()) + radius;
-  const double way = length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * reach;
+  const double farthest = length_of(motion.start().translation() - motion.centre()) + radius;
+  const double way = length_of(motion.shift()) + std::min(std::abs(motion.angle()), 2.0) * farthest;
   // What poses deviate from rotations and places are rounded by, at most (MovingShape::kStretch).
-  return way * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : reach) +
-         0x1p-40 * (reach + length_of(motion.centre()));
+  return way * (1 + 0x1p-16) + 0x1p-16 * (motion.angle() == 0 ? 0 : farthest) +
+         0x1p-40 * (farthest + length_of(motion.centre()));
 }
 
 }  // namespace

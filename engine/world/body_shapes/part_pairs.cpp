@@ -144,11 +144,11 @@ void look_around(const PlacedShapeView& shape, const PartsBody& whole, const Pos
   };
   for (double width = 0x1p-6 * whole.extent();; width *= 4) {
     const bool is_all = width >= widest || apart + width >= most;
-    const double reach = std::min(apart + width, most);
+    const double search_radius = std::min(apart + width, most);
     nearest.reset();
-    whole.visit_nearest(pose, {own, reach, most, &shape}, std::cref(ask));
+    whole.visit_nearest(pose, {own, search_radius, most, &shape}, std::cref(ask));
     const double limit = nearest.limit();
-    if (is_all || (limit < most && limit <= reach)) return;
+    if (is_all || (limit < most && limit <= search_radius)) return;
     if (limit < most) width = std::max(width, (limit - apart) / 4);
   }
 }

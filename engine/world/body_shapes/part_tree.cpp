@@ -11,11 +11,11 @@ namespace {
 // So few parts are asked about one by one, which costs less than a gap that is measured.
 constexpr std::uint32_t kLeaf = 4;
 
-Aabb around(const std::vector<Aabb>& boxes, const std::vector<std::uint32_t>& slots,
+Aabb around(const std::vector<Aabb>& boxes, const std::vector<std::uint32_t>& places,
             std::uint32_t first, std::uint32_t count) {
-  Aabb box = boxes[slots[first]];
+  Aabb box = boxes[places[first]];
   for (std::uint32_t i = first + 1; i < first + count; ++i) {
-    const Aabb& next = boxes[slots[i]];
+    const Aabb& next = boxes[places[i]];
     box = {box.min.cwiseMin(next.min), box.max.cwiseMax(next.max)};
   }
   return box;
@@ -34,26 +34,26 @@ struct PartTree::Search {
   }
 };
 
-PartTree::PartTree(const std::vector<Aabb>& boxes) : slots_(boxes.size()) {
-  std::iota(slots_.begin(), slots_.end(), 0u);
+PartTree::PartTree(const std::vector<Aabb>& boxes) : places_(boxes.size()) {
+  std::iota(places_.begin(), places_.end(), 0u);
   nodes_.reserve(boxes.size());
   build(boxes, 0, static_cast<std::uint32_t>(boxes.size()));
   nodes_.shrink_to_fit();
 }
 
-/// Halves by the middles of boxes along the longest side; of equals by slots.
+/// Halves by the middles of boxes along the longest side; of equals by places.
 std::uint32_t PartTree::build(const std::vector<Aabb>& boxes, std::uint32_t first,
                               std::uint32_t count) {
   const auto own = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({around(boxes, slots_, first, count), first, count});
+  nodes_.push_back({around(boxes, places_, first, count), first, count});
   if (count <= kLeaf) return own;
   Eigen::Index axis = 0;
   (nodes_[own].box.max - nodes_[own].box.min).maxCoeff(&axis);
-  const auto middle = [&](std::uint32_t slot) {
-    return boxes[slot].min[axis] / 2 + boxes[slot].max[axis] / 2;
+  const auto middle = [&](std::uint32_t place) {
+    return boxes[place].min[axis] / 2 + boxes[place].max[axis] / 2;
   };
   const std::uint32_t half = count / 2;
-  const auto begin = slots_.begin() + first;
+  const auto begin = places_.begin() + first;
   std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t s, std::uint32_t t) {
     return std::pair(middle(s), s) < std::pair(middle(t), t);
   });
@@ -74,7 +74,7 @@ double PartTree::look_in(const Search& search, std::uint32_t node, double limit)
   const Node& here = nodes_[node];
   if (here.second == 0) {
     for (std::uint32_t i = here.first; i < here.first + here.count; ++i)
-      limit = search.look(slots_[i]);
+      limit = search.look(places_[i]);
     return limit;
   }
   std::pair<double, std::uint32_t> near[2] = {

@@ -11,25 +11,25 @@
 
 namespace graze {
 
-/// By slots: places in the list of boxes that it is made of.
+/// It knows parts by their places in the list of boxes that it is made of.
 class PartTree {
  public:
   /// O(n log n); up to 60 bytes for each box.
   explicit PartTree(const std::vector<Aabb>& boxes);
 
-  /// What is told of parts: calls `look(slot)`, which says how far to look from then on.
+  /// Is told of a part by its place; returns how far to look from then on, metres.
   using Look = std::function<double(std::uint32_t)>;
 
-  /// Calls `look` for all that may be no farther than the limit, nearer branches first; of what
-  /// lies in branches that are apart from a box, with room around them, for none. What is far is
-  /// told by the boxes of branches, and then by the gap that is measured to those.
+  /// Calls `look` for all parts that may be no farther than the limit, nearer branches first, but
+  /// not for those in branches that, with room around them, are apart from the box `within`. How
+  /// far a branch is its box tells first, and then the gap that is measured to that box.
   void look_at_nearest(const std::optional<Aabb>& within, double room, const GapToParts& gap,
                        double limit, const Look& look) const;
 
  private:
   struct Node {
     Aabb box;
-    std::uint32_t first = 0;  ///< in `slots_`
+    std::uint32_t first = 0;  ///< in `places_`
     std::uint32_t count = 0;
     std::uint32_t second = 0;  ///< the one of two branches that does not follow; 0 for a leaf
   };
@@ -38,7 +38,7 @@ class PartTree {
   std::uint32_t build(const std::vector<Aabb>& boxes, std::uint32_t first, std::uint32_t count);
   double look_in(const Search& search, std::uint32_t node, double limit) const;
 
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> places_;
   std::vector<Node> nodes_;
 };
 

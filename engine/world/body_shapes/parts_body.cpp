@@ -72,12 +72,12 @@ Aabb taken_back(const Pose& pose, const Eigen::Vector3d& about, const Aabb& box)
   const Eigen::Vector3d away = box.min / 2 + box.max / 2 - placed_point(pose, about);
   const Eigen::Vector3d middle = about + turned_back(pose, away);
   const Eigen::Vector3d half = box.max / 2 - box.min / 2;
-  Eigen::Vector3d reach;
+  Eigen::Vector3d half_there;
   for (int i = 0; i < 3; ++i) {
-    reach.data()[i] = (std::abs(m[4 * i]) * half.x() + std::abs(m[4 * i + 1]) * half.y()) +
-                      std::abs(m[4 * i + 2]) * half.z();
+    half_there.data()[i] = (std::abs(m[4 * i]) * half.x() + std::abs(m[4 * i + 1]) * half.y()) +
+                           std::abs(m[4 * i + 2]) * half.z();
   }
-  return {middle - reach, middle + reach};
+  return {middle - half_there, middle + half_there};
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ bool PartsBody::visit_near(const Pose& pose, const Aabb& box, double room,
 
 void PartsBody::visit_nearest(const Pose& pose, const PartSeeker& seeker,
                               const std::function<double(const PlacedPart&)>& visit) const {
-  const Aabb around = grown(seeker.box, seeker.reach);
+  const Aabb around = grown(seeker.box, seeker.search_radius);
   const Aabb whole = bounds(pose);
   if (!share_a_point(around, whole)) return;
   const GapToParts gap(seeker, placing(pose, rotation_deviation(pose)), 2 * extent_);

@@ -4,9 +4,9 @@
 #include <graze/engine/world/contacts/contact_materials.h>
 #include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/manifold.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 
@@ -149,7 +149,7 @@ void contacts_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work&
                        Manifold& found) {
   found.clear();
   if (has_plane(a, b)) {
-    const PlaneSides by(a, b, work);
+    const HalfSpacePair by(a, b, work);
     if (!by.is_divided()) contacts_in_boxes(by.a(), by.b(), work, found);
     return add_materials(a, b, found, work);
   }
@@ -174,7 +174,7 @@ Manifold find_contacts(const PlacedShapeView& a, const PlacedShapeView& b, Work*
     CountedWork counted(work);
     Manifold found;
     if (has_plane(a, b)) {
-      const PlaneSides by(a, b, counted.work());
+      const HalfSpacePair by(a, b, counted.work());
       if (!by.is_divided()) found = find_contacts<void>(by.a(), by.b(), &counted.work());
     } else if (has_field(a, b)) {
       ask_contacts(a, b, {.aside = kContactAside},

@@ -2,7 +2,7 @@
 #include <graze/engine/mesh/distance.h>
 #include <graze/engine/world/fields/field_cell.h>
 #include <graze/engine/world/fields/field_patch.h>
-#include <graze/engine/world/fields/field_reach.h>
+#include <graze/engine/world/fields/field_query.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,14 @@ namespace graze {
 std::uint8_t material_near(const HeightField& field, const Pose& pose,
                            const Eigen::Vector3d& point) {
   const HeightFieldData& data = HeightFieldAccess::data(field);
-  FieldReach reach(data, pose, Aabb{point, point});
-  const CellSquare square = nearest_square(data, reach);
+  FieldQuery query(data, pose, Aabb{point, point});
+  const CellSquare square = nearest_square(data, query);
   const CellRect cells = data.cells_of(square);
   const Mesh mesh = kept_patch_of(data, cells);
-  reach.grow(nearest_point({mesh, pose}, point).distance);
+  query.grow(nearest_point({mesh, pose}, point).distance);
   std::uint32_t nearest = 0xffffffffu;
   double least = 0;
-  for (const CellSquare& each : squares_met(data, reach)) {
+  for (const CellSquare& each : squares_met(data, query)) {
     const Mesh patch = kept_patch_of(data, data.cells_of(each));
     const NearestPoint found = nearest_point({patch, pose}, point);
     const std::uint32_t number = numbers_of(patch).triangle(found.triangle);

@@ -71,21 +71,21 @@ StandIn::StandIn(const PlacedShapeView& field, const PlacedShapeView& other, con
     : shape_(field.shape), pose_(field.pose) {
   const auto* as_field = field.shape.as<HeightField>();
   if (as_field == nullptr) return;
-  FieldReach reach(HeightFieldAccess::data(*as_field), field.pose, other);
-  reach.grow(need.room);
-  take(reach, {.aside = need.aside > 0 ? need.aside * (size_of(other) + need.room) : 0,
+  FieldQuery query(HeightFieldAccess::data(*as_field), field.pose, other);
+  query.grow(need.room);
+  take(query, {.aside = need.aside > 0 ? need.aside * (size_of(other) + need.room) : 0,
                .rings = need.rings,
                .is_kept = keeps_patches(other)});
 }
 
-StandIn::StandIn(const PlacedShapeView& field, const FieldReach& reach, const PatchNeed& need)
+StandIn::StandIn(const PlacedShapeView& field, const FieldQuery& query, const PatchNeed& need)
     : shape_(field.shape), pose_(field.pose) {
-  if (field.shape.kind() == ShapeKind::HeightField) take(reach, need);
+  if (field.shape.kind() == ShapeKind::HeightField) take(query, need);
 }
 
-void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
+void StandIn::take(const FieldQuery& query, const PatchNeed& need) {
   const HeightFieldData& field = HeightFieldAccess::data(*shape_.as<HeightField>());
-  is_near_ = is_any_met(field, reach);
+  is_near_ = is_any_met(field, query);
   if (!is_near_) {
     CellSquare any = field.root();
     while (any.level > 0) {
@@ -98,8 +98,8 @@ void StandIn::take(const FieldReach& reach, const PatchNeed& need) {
     mesh_ = square_patch(field, any, need);
     return;
   }
-  FieldReach wide = reach;
-  CellRect around = reach.columns_of_cells(field);
+  FieldQuery wide = query;
+  CellRect around = query.columns_of_cells(field);
   if (need.aside > 0) {
     // A flat face leads aside by as much as it leans. Neighbours have a say, too: around what is
     // near there is a ring of cells already.

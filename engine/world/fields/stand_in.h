@@ -3,7 +3,7 @@
 // Meshes that stand for height fields in one question. Private to engine/world.
 
 #include <graze/engine/mesh/data/patch_rim.h>
-#include <graze/engine/world/fields/field_reach.h>
+#include <graze/engine/world/fields/field_query.h>
 #include <graze/engine/world/placed_shape.h>
 
 #include <algorithm>
@@ -49,8 +49,8 @@ inline bool has_field(const PlacedShapeView& a, const PlacedShapeView& b) {
 class StandIn {
  public:
   StandIn(const PlacedShapeView& field, const PlacedShapeView& other, const FieldNeed& need);
-  /// Of what comes to the reach.
-  StandIn(const PlacedShapeView& field, const FieldReach& reach, const PatchNeed& need);
+  /// Of the cells that the query may come to.
+  StandIn(const PlacedShapeView& field, const FieldQuery& query, const PatchNeed& need);
 
   /// False if no cell is near.
   bool is_near() const { return is_near_; }
@@ -59,7 +59,7 @@ class StandIn {
   const Shape& shape() const { return mesh_ ? *mesh_ : shape_; }
 
  private:
-  void take(const FieldReach& reach, const PatchNeed& need);
+  void take(const FieldQuery& query, const PatchNeed& need);
 
   const Shape& shape_;
   const Pose& pose_;
@@ -107,13 +107,13 @@ template <typename DistanceTo>
 StandIn nearest_stand_in(const PlacedShapeView& field, const PlacedShapeView& other,
                          const DistanceTo& distance_to) {
   const HeightFieldData& data = HeightFieldAccess::data(*field.shape.as<HeightField>());
-  FieldReach reach(data, field.pose, other);
-  const CellSquare square = nearest_square(data, reach);
+  FieldQuery query(data, field.pose, other);
+  const CellSquare square = nearest_square(data, query);
   // A search that fails may say that they touch: the square stays.
-  const double to_box = reach.distance(data.box_of(data.cells_of(square), data.range_of(square)));
+  const double to_box = query.distance(data.box_of(data.cells_of(square), data.range_of(square)));
   const PatchNeed need{.is_kept = keeps_patches(other)};
-  reach.grow(std::max(distance_to(square_patch(data, square, need)), to_box));
-  return StandIn(field, reach, need);
+  query.grow(std::max(distance_to(square_patch(data, square, need)), to_box));
+  return StandIn(field, query, need);
 }
 
 }  // namespace graze

@@ -12,10 +12,10 @@ constexpr double kLeastTolerance = 0x1p-28;
 
 /// How far turning moves a point of the shape, metres, at most, where the other one can be.
 double turning_way_of(const MovingShape& moving, const MovingShape& other) {
-  if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_reach;
+  if (!moving.is_half_space() || moving.turned == 0) return moving.turned * moving.turning_radius;
   const double apart = length_of(moving.motion.centre() - other.motion.centre());
   const double shifts = length_of(moving.motion.shift()) + length_of(other.motion.shift());
-  return moving.turned * ((apart + shifts) + other.reach) * MovingShape::kStretch;
+  return moving.turned * ((apart + shifts) + other.radius) * MovingShape::kStretch;
 }
 
 }  // namespace
@@ -40,14 +40,15 @@ Approach Approach::mirrored() const {
 
 // Each product rounds by less than 2^-50 of the sizes of its factors.
 Closing turning_closing(const RigidMotion& motion, double time, const narrowphase::Core& core,
-                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double reach) {
+                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along,
+                        double radius) {
   const double angle = motion.angle();
   if (angle == 0) return {0, 0};
   const narrowphase::Vec3 w = cross(to_vec3(along), to_vec3(motion.axis())) * angle;
   const Eigen::Vector3d centre = motion.centre() + time * motion.shift();
   const narrowphase::Vec3 arm = narrowphase::support(core, w) + (to_vec3(origin) - to_vec3(centre));
-  const double size = std::abs(angle) * (length_of(origin - centre) + reach);
-  return {dot(w, arm) + 0x1p-46 * size, angle * angle * reach};
+  const double size = std::abs(angle) * (length_of(origin - centre) + radius);
+  return {dot(w, arm) + 0x1p-46 * size, angle * angle * radius};
 }
 
 // A unit vector is off by less than 2^-50.

@@ -16,12 +16,12 @@ struct Closing {
 };
 
 /// What turning adds to how a convex set moves along a unit vector from a time on: its core, as it
-/// is then relative to `origin`, of which no point is further than `reach` from the centre of the
+/// is then relative to `origin`, of which no point is further than `radius` from the centre of the
 /// motion. With w the angle along the axis, a point x moves at w x (x - centre), which along n is
 /// (n x w) . (x - centre), most at a support point; and its way bends by angle^2 times its distance
 /// from the centre.
 Closing turning_closing(const RigidMotion& motion, double time, const narrowphase::Core& core,
-                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double reach);
+                        const Eigen::Vector3d& origin, const Eigen::Vector3d& along, double radius);
 
 /// How two shapes in motion near each other, all in metres, and the times at which they are asked.
 struct Approach {

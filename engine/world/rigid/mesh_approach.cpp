@@ -32,7 +32,7 @@ Core core_in_all_directions(const MovingShape& moving, const Eigen::Vector3d& or
   if (moving.turned == 0) return core_of(moving.shape, moving.motion.start(), origin);
   Core ball;
   ball.at = to_vec3(moving.motion.centre()) - to_vec3(origin);
-  ball.radius = moving.reach;
+  ball.radius = moving.radius;
   return ball;
 }
 
@@ -81,7 +81,7 @@ std::uint64_t MeshApproach::find_low(std::uint64_t budget, const std::optional<S
   const Eigen::Vector3d origin = middle_of(convex_.shape, relative_.start());
   const Core core = core_in_all_directions(convex_, origin);
   const MeshDescent descent(placed, core, origin, work_);
-  const double turning = mesh_.turned * mesh_.reach * MovingShape::kStretch;
+  const double turning = mesh_.turned * mesh_.radius * MovingShape::kStretch;
   const TreeSweep sweep(descent, placed, relative_.shift(),
                         (approach_.limit + approach_.rounding) + turning);
   bvh::traverse_nearest(descent.tree(), TimesOfNodes{*this, sweep}, [&](const bvh::Node& leaf) {
@@ -124,13 +124,14 @@ MeshApproach::Gap MeshApproach::gap_at(std::uint64_t k, std::uint32_t triangle) 
   const SetGap gap = gap_of_sets(core, met);
   work_.convex_failures += gap.status == PairStatus::NotConverged;
   const Eigen::Vector3d normal = to_eigen(gap.normal);
-  Closing turning = turning_closing(convex_.motion, t, core, origin, normal, convex_.turning_reach);
+  Closing turning =
+      turning_closing(convex_.motion, t, core, origin, normal, convex_.turning_radius);
   if (mesh_.turned != 0) {
     const Eigen::Vector3d centre = mesh_.motion.centre() + t * mesh_.motion.shift();
-    const double reach = std::max({length_of(placed.a - centre), length_of(placed.b - centre),
-                                   length_of(placed.c - centre)}) *
-                         MovingShape::kStretch;
-    const Closing of_mesh = turning_closing(mesh_.motion, t, met, origin, -normal, reach);
+    const double radius = std::max({length_of(placed.a - centre), length_of(placed.b - centre),
+                                    length_of(placed.c - centre)}) *
+                          MovingShape::kStretch;
+    const Closing of_mesh = turning_closing(mesh_.motion, t, met, origin, -normal, radius);
     turning.rate += of_mesh.rate, turning.bend += of_mesh.bend;
   }
   return {gap.lower, approach_.closing(normal, turning)};
@@ -158,7 +159,8 @@ bool MeshApproach::slides_along(std::uint32_t triangle) const {
   const double side = from.x() * across.x() + from.y() * across.y() + from.z() * across.z();
   if (!(area > 0) || side == 0) return false;
   const Eigen::Vector3d normal = across / (side > 0 ? area : -area);
-  const double sagitta = convex_.turning_reach * std::min(convex_.turned * convex_.turned / 8, 2.0);
+  const double sagitta =
+      convex_.turning_radius * std::min(convex_.turned * convex_.turned / 8, 2.0);
   const double depth =
       std::max(depth_behind(placed, 0, normal), depth_behind(placed, 1, normal)) + sagitta;
   return depth <= rule_->depth;

@@ -48,10 +48,10 @@ MovingShape::MovingShape(const Shape& of_shape, const RigidMotion& in_motion, co
   const double apart = length_of(middle - motion.centre());
   const Eigen::Vector3d half = bounds.max / 2 - bounds.min / 2;
   const Eigen::Vector3d rounded = Eigen::Vector3d::Constant(rounded_by(shape));
-  reach = (apart + length_of(half)) * kStretch;
+  radius = (apart + length_of(half)) * kStretch;
   // What boxes round is a share of `lengths`, for which those who use this leave room.
-  turning_reach = (apart + length_of((half - rounded).cwiseMax(0))) * kStretch;
-  lengths += reach;
+  turning_radius = (apart + length_of((half - rounded).cwiseMax(0))) * kStretch;
+  lengths += radius;
 }
 
 Aabb swept_bounds(const MovingShape& moving) {
@@ -64,13 +64,13 @@ Aabb swept_bounds(const MovingShape& moving) {
     first = bounding_aabb({moving.shape, motion.start()});
     last = {first.min + motion.shift(), first.max + motion.shift()};
   } else {
-    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(moving.reach);
-    first = {motion.centre() - reach, motion.centre() + reach};
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(moving.radius);
+    first = {motion.centre() - half, motion.centre() + half};
     last = {first.min + motion.shift(), first.max + motion.shift()};
   }
   // What poses are off by where they are rounded, as ShapeMotion has it, and these sums.
   const Eigen::Vector3d rounding =
-      Eigen::Vector3d::Constant(0x1p-40 * moving.lengths + 0x1p-50 * moving.turned * moving.reach);
+      Eigen::Vector3d::Constant(0x1p-40 * moving.lengths + 0x1p-50 * moving.turned * moving.radius);
   return {first.min.cwiseMin(last.min) - rounding, first.max.cwiseMax(last.max) + rounding};
 }
 

@@ -16,12 +16,12 @@ struct MovingShape {
 
   const Shape& shape;
   const RigidMotion& motion;
-  double turned;
-  double lengths;  ///< all that it is made of
+  double turned;   ///< the angle of the motion, radians, at least 0
+  double lengths;  ///< all that shape and motion are made of, added up, metres
   /// No point is further from the centre of the motion; 0 of what has no end.
-  double reach = 0;
+  double radius = 0;
   /// Likewise no point of what turning moves: of a ball its centre, of a capsule its segment.
-  double turning_reach = 0;
+  double turning_radius = 0;
 
   /// Both must outlive it. Throws PoseError, which begins with `what`.
   MovingShape(const Shape& of_shape, const RigidMotion& in_motion, const char* what);

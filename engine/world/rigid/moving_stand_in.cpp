@@ -27,22 +27,22 @@ StandIn moving_stand_in(const MovingShape& field, const MovingShape& other,
   if (as_field == nullptr) return StandIn(placed, placed, {});
   const HeightFieldData& data = HeightFieldAccess::data(*as_field);
   if (other.is_half_space()) {
-    FieldReach all(data, motion.start(), PlacedShapeView{other.shape, other.motion.start()});
+    FieldQuery all(data, motion.start(), PlacedShapeView{other.shape, other.motion.start()});
     all.grow(0x1p10 * kLargestLength);
     return StandIn(placed, all, {});
   }
-  FieldReach reach(data, motion.start(), swept_bounds(other));
+  FieldQuery query(data, motion.start(), swept_bounds(other));
   double room = settings.clearance + settings.tolerance +
                 kMotionRoom * (field.lengths + other.lengths + settings.clearance) +
-                kWayRoom * (field.turned * field.reach + other.turned * other.reach);
+                kWayRoom * (field.turned * field.radius + other.turned * other.radius);
   if (field.turned > 0) {
-    room += std::min(field.turned, 2.0) * field.reach + length_of(motion.shift());
+    room += std::min(field.turned, 2.0) * field.radius + length_of(motion.shift());
   } else {
-    reach.move(motion.start(), -motion.shift());
+    query.move(motion.start(), -motion.shift());
   }
-  reach.grow(room);
-  return StandIn(placed, reach,
-                 {.aside = aside * (2 * other.reach + settings.clearance),
+  query.grow(room);
+  return StandIn(placed, query,
+                 {.aside = aside * (2 * other.radius + settings.clearance),
                   .is_kept = keeps_patches({other.shape, other.motion.start()})});
 }
 
@@ -51,12 +51,12 @@ StandIn cast_stand_in(const PlacedShapeView& field, const PlacedShapeView& other
   const auto* as_field = field.shape.as<HeightField>();
   if (as_field == nullptr) return StandIn(field, other, {});
   const HeightFieldData& data = HeightFieldAccess::data(*as_field);
-  FieldReach reach(data, field.pose, other);
-  reach.move(field.pose, way);
+  FieldQuery query(data, field.pose, other);
+  query.move(field.pose, way);
   const Aabb own = bounding_aabb(field), box = bounding_aabb(other);
-  reach.grow(kMotionRoom *
+  query.grow(kMotionRoom *
              (sum_of(own.min) + sum_of(own.max) + sum_of(box.min) + sum_of(box.max) + sum_of(way)));
-  return StandIn(field, reach, {.is_kept = keeps_patches(other)});
+  return StandIn(field, query, {.is_kept = keeps_patches(other)});
 }
 
 }  // namespace graze

@@ -12,9 +12,9 @@
 #include <graze/engine/world/rigid/tree_sweep.h>
 #include <graze/engine/world/shape_cast.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/translation/displacement.h>
 
 #include <algorithm>
@@ -268,7 +268,7 @@ std::optional<ShapeCast> cast_of_field(const PlacedShapeView& a, const PlacedSha
 /// Of which one is a plane, or both.
 std::optional<ShapeCast> cast_of_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                        const Eigen::Vector3d& displacement, Work& work) {
-  const PlaneSides by(a, b, work);
+  const HalfSpacePair by(a, b, work);
   const auto met = cast(by.a(), by.b(), displacement, &work);
   if (!by.is_divided()) return met;
   const auto behind = cast(by.a(1), by.b(1), displacement, &work);

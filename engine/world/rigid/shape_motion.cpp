@@ -10,8 +10,8 @@
 #include <graze/engine/world/rigid/moving_stand_in.h>
 #include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <optional>
@@ -86,10 +86,10 @@ class ShapeMotion {
   static Closing turning(const MovingShape& moving, double t, const Pose& pose,
                          const Eigen::Vector3d& along) {
     if (moving.turned == 0) return {0, 0};
-    if (moving.is_mesh()) return {moving.turned * moving.turning_reach, 0};
+    if (moving.is_mesh()) return {moving.turned * moving.turning_radius, 0};
     const Eigen::Vector3d origin = middle_of(moving.shape, pose);
     return turning_closing(moving.motion, t, core_of(moving.shape, pose, origin), origin, along,
-                           moving.turning_reach);
+                           moving.turning_radius);
   }
 
   const MovingShape& a_;
@@ -149,7 +149,8 @@ RigidContact contact_of_plane(const Shape& shape_a, const RigidMotion& motion_a,
   return bvh::in_standard_arithmetic([&]() -> RigidContact {
     CountedWork counted(work);
     check_settings(settings);
-    const PlaneSides by({shape_a, motion_a.start()}, {shape_b, motion_b.start()}, counted.work());
+    const HalfSpacePair by({shape_a, motion_a.start()}, {shape_b, motion_b.start()},
+                           counted.work());
     const auto ask = [&](std::size_t i) {
       return first_contact(by.a(i).shape, motion_a, by.b(i).shape, motion_b, settings,
                            &counted.work());

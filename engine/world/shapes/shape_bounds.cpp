@@ -2,9 +2,9 @@
 #include <graze/bvh/value/checks.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/next_double.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/pair_functions.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/triangle_box.h>
 #include <graze/narrowphase/volumes/sphere_box.h>
 #include <graze/narrowphase/volumes/sphere_overlap.h>
@@ -216,7 +216,7 @@ ShapeDistance distance_in_boxes(const PlacedShapeView& a, const PlacedShapeView&
 
 /// Of which one is a plane, or both.
 ShapeDistance distance_of_plane(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
-  const PlaneSides by(a, b, work);
+  const HalfSpacePair by(a, b, work);
   ShapeDistance found = distance(by.a(), by.b(), &work);
   if (found.distance == 0) {
     // In the half-space, but perhaps not in the plane.
@@ -248,7 +248,7 @@ PairMethod pair_method(ShapeKind kind_a, ShapeKind kind_b) {
 
 bool intersect_in_boxes(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {
   if (has_plane(a, b)) {
-    const PlaneSides by(a, b, work);
+    const HalfSpacePair by(a, b, work);
     return !by.is_divided() && intersect_in_boxes(by.a(), by.b(), work);
   }
   if (has_field(a, b)) {
@@ -264,7 +264,7 @@ bool intersects(const PlacedShapeView& shape_a, const PlacedShapeView& shape_b, 
     check_poses(shape_a.pose, shape_b.pose);
     CountedWork counted(work);
     if (has_plane(shape_a, shape_b)) {
-      const PlaneSides by(shape_a, shape_b, counted.work());
+      const HalfSpacePair by(shape_a, shape_b, counted.work());
       return !by.is_divided() && intersects(by.a(), by.b(), &counted.work());
     }
     if (!has_field(shape_a, shape_b)) return intersect_placed(shape_a, shape_b, counted.work());

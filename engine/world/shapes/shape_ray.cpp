@@ -4,8 +4,8 @@
 #include <graze/engine/world/fields/field_ray.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_ray.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 #include <graze/narrowphase/convex/core/core_ray.h>
 
 #include <cmath>

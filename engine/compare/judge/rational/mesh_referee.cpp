@@ -96,7 +96,7 @@ MeshReferee::Gap MeshReferee::find_gap(const std::optional<TrianglePair>& hint) 
   const auto square_of = [&](std::uint32_t a, std::uint32_t b) {
     return squared_distance(exactly(triangle_a(a)), exactly(triangle_b(b)));
   };
-  // A bound above the root, so that no nearer pair is passed over.
+  // A bound above the root, so that no nearer pair is skipped.
   const auto bound_of = [](const mpq_class& square) {
     return rounded_root(square) * (1 + 0x1p-50);
   };

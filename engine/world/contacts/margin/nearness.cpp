@@ -7,9 +7,9 @@
 #include <graze/engine/world/contacts/sides/enclosure.h>
 #include <graze/engine/world/fields/stand_in.h>
 #include <graze/engine/world/shape_bounds.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/pair_input.h>
 #include <graze/engine/world/shapes/placed_core.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,7 +115,7 @@ bool are_plain(const ManifoldSettings& settings) {
 Nearness nearness(const PlacedShapeView& a, const PlacedShapeView& b,
                   const ManifoldSettings& settings, Work& work) {
   if (has_plane(a, b)) {
-    const PlaneSides by(a, b, work);
+    const HalfSpacePair by(a, b, work);
     const Nearness first = nearness(by.a(), by.b(), settings, work);
     if (!by.is_divided() || first != Nearness::Apart) return first;
     return nearness(by.a(1), by.b(1), settings, work);
@@ -162,7 +162,7 @@ double deepest_in(const Manifold& found) {
 /// Of which one is a plane, or both.
 Nearness contacts_beside_plane(const PlacedShapeView& a, const PlacedShapeView& b,
                                const ManifoldSettings& settings, Work& work, Manifold& found) {
-  const PlaneSides by(a, b, work);
+  const HalfSpacePair by(a, b, work);
   const Nearness first = contacts_within(by.a(), by.b(), settings, work, found);
   if (!by.is_divided()) return first;
   Manifold behind;

@@ -7,10 +7,10 @@ namespace graze {
 using narrowphase::Vec3;
 
 void LocalPart::start(const InnerSurface& surface, const PieceIndex& index, std::uint32_t piece,
-                      std::uint32_t triangle, InnerSide side, double reach) {
+                      std::uint32_t triangle, InnerSide side, double most_rise) {
   surface_ = &surface, index_ = &index;
   is_of_a_ = side == InnerSide::OfA;
-  reach_ = reach, goes_on_ = false;
+  most_rise_ = most_rise, goes_on_ = false;
   part_.clear(), curve_point_.clear();
   part_.at = surface.part(piece).at;
   ++round_;
@@ -117,7 +117,7 @@ bool LocalPart::rises_outside(std::size_t point, const Vec3& direction) const {
 std::size_t LocalPart::grow(const Vec3& direction) {
   std::size_t best = part_.farthest(direction);
   double most = dot(part_.points[best], direction);
-  const double end = most + reach_;
+  const double end = most + most_rise_;
   for (;;) {
     const std::size_t before = part_.points.size(), last = best;
     go_on_inside(best, direction);

@@ -19,15 +19,15 @@ namespace graze {
 class LocalPart {
  public:
   /// About a triangle that crosses in the index's piece; `surface` is the other mesh's. All must
-  /// outlive it. The surface is followed as far as it rises by `reach`.
+  /// outlive it. The surface is followed as far as it rises by `most_rise`.
   void start(const InnerSurface& surface, const PieceIndex& index, std::uint32_t piece,
-             std::uint32_t triangle, InnerSide side, double reach);
+             std::uint32_t triangle, InnerSide side, double most_rise);
 
   /// Adds the points to which the surface rises inside without a stop. The number of the farthest
   /// point.
   std::size_t grow(const narrowphase::Vec3& direction);
 
-  /// Whether in some direction the surface rose beyond the reach, or went on outside around the
+  /// Whether in some direction the surface rose farther than that, or went on outside around the
   /// other mesh: then it has no end near the triangle.
   bool goes_on() const { return goes_on_; }
 
@@ -45,7 +45,7 @@ class LocalPart {
   const InnerSurface* surface_ = nullptr;
   const PieceIndex* index_ = nullptr;
   bool is_of_a_ = false;  ///< whose surface it is
-  double reach_ = 0;
+  double most_rise_ = 0;
   bool goes_on_ = false;
   InnerPart part_;
   std::vector<std::uint32_t> curve_point_;  ///< of each point of the part that has no vertex

@@ -15,20 +15,20 @@ struct Interval {
 /// The vertex alone on its side is the one that both crossing edges share.
 template <typename Real>
 Interval<Real> crossing(const Real (&at)[3], const Real (&d)[3]) {
-  int lone = 0;
+  int apex = 0;
   if (d[0] * d[1] > 0) {
-    lone = 2;
+    apex = 2;
   } else if (d[0] * d[2] > 0) {
-    lone = 1;
+    apex = 1;
   } else if (d[1] * d[2] > 0 || d[0] != 0) {
-    lone = 0;
+    apex = 0;
   } else {
-    lone = d[1] != 0 ? 1 : 2;
+    apex = d[1] != 0 ? 1 : 2;
   }
-  const int one = (lone + 1) % 3;
-  const int two = (lone + 2) % 3;
-  const Real s = at[lone] + (at[one] - at[lone]) * d[lone] / (d[lone] - d[one]);
-  const Real t = at[lone] + (at[two] - at[lone]) * d[lone] / (d[lone] - d[two]);
+  const int one = (apex + 1) % 3;
+  const int two = (apex + 2) % 3;
+  const Real s = at[apex] + (at[one] - at[apex]) * d[apex] / (d[apex] - d[one]);
+  const Real t = at[apex] + (at[two] - at[apex]) * d[apex] / (d[apex] - d[two]);
   return {std::min(s, t), std::max(s, t)};
 }
 

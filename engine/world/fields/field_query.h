@@ -12,12 +12,12 @@ namespace graze {
 
 /// Something beside a field, in the field's frame: a box around it, which may go straight, or a
 /// half-space. Outward: what the placed triangles of a square may come to, the square's box does.
-class FieldReach {
+class FieldQuery {
  public:
   /// A box in the world.
-  FieldReach(const HeightFieldData& field, const Pose& pose, const Aabb& box);
+  FieldQuery(const HeightFieldData& field, const Pose& pose, const Aabb& box);
   /// The box around a placed shape, or a half-space.
-  FieldReach(const HeightFieldData& field, const Pose& pose, const PlacedShapeView& other);
+  FieldQuery(const HeightFieldData& field, const Pose& pose, const PlacedShapeView& other);
 
   /// All that is so far away counts as well, metres.
   void grow(double room);
@@ -49,12 +49,12 @@ class FieldReach {
 };
 
 /// Whether any cell that is no hole is in a square that it meets.
-bool is_any_met(const HeightFieldData& field, const FieldReach& reach);
+bool is_any_met(const HeightFieldData& field, const FieldQuery& query);
 
 /// The squares of level 0 with a cell that it meets, row by row.
-std::vector<CellSquare> squares_met(const HeightFieldData& field, const FieldReach& reach);
+std::vector<CellSquare> squares_met(const HeightFieldData& field, const FieldQuery& query);
 
 /// The square of level 0 that is nearest to it; never one of holes alone.
-CellSquare nearest_square(const HeightFieldData& field, const FieldReach& reach);
+CellSquare nearest_square(const HeightFieldData& field, const FieldQuery& query);
 
 }  // namespace graze

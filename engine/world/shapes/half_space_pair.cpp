@@ -4,8 +4,8 @@
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shapes/field_heights.h>
+#include <graze/engine/world/shapes/half_space_pair.h>
 #include <graze/engine/world/shapes/mesh_heights.h>
-#include <graze/engine/world/shapes/plane_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ HalfSpace back_of(const graze::Plane& plane) {
   return {-plane.normal, -plane.offset};
 }
 
-PlaneSides::PlaneSides(const PlacedShapeView& a, const PlacedShapeView& b, Work& work)
+HalfSpacePair::HalfSpacePair(const PlacedShapeView& a, const PlacedShapeView& b, Work& work)
     : a_{a}, b_{b} {
   if (is_plane(a)) choose(a_, b_, work);
   if (is_plane(b)) choose(b_, a_, work);
@@ -80,7 +80,7 @@ PlaneSides::PlaneSides(const PlacedShapeView& a, const PlacedShapeView& b, Work&
 
 // Beside a plane, or a half-space, only those may be apart whose normals are opposite, and then of
 // all ways to choose one alone is.
-void PlaneSides::choose(Side& plane, Side& other, Work& work) {
+void HalfSpacePair::choose(Side& plane, Side& other, Work& work) {
   const graze::Plane& as_plane = *plane.own.shape.as<graze::Plane>();
   const Shape front = front_of(as_plane), back = back_of(as_plane);
   const Pose& pose = plane.own.pose;
@@ -105,8 +105,8 @@ void PlaneSides::choose(Side& plane, Side& other, Work& work) {
   }
 }
 
-void PlaneSides::choose_beside_field(Side& plane, Side& other, const Shape& front,
-                                     const Shape& back, Work& work) {
+void HalfSpacePair::choose_beside_field(Side& plane, Side& other, const Shape& front,
+                                        const Shape& back, Work& work) {
   const Pose& pose = plane.own.pose;
   const PlacedShapeView& by = other.own;
   const bool is_above = !intersects({front, pose}, by, &work);
@@ -125,8 +125,8 @@ void PlaneSides::choose_beside_field(Side& plane, Side& other, const Shape& fron
   if (lowest(front) < lowest(back)) plane.by[0] = back;
 }
 
-void PlaneSides::choose_beside_mesh(Side& plane, Side& other, const Shape& front, const Shape& back,
-                                    Work& work) {
+void HalfSpacePair::choose_beside_mesh(Side& plane, Side& other, const Shape& front,
+                                       const Shape& back, Work& work) {
   const Mesh& mesh = *other.own.shape.as<Mesh>();
   const PlacedMeshView placed{mesh, other.own.pose};
   const double* m = placed.pose.data();

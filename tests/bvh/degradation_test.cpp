@@ -33,7 +33,7 @@ std::vector<Aabb> with_a_scrambled_corner(std::vector<Aabb> boxes) {
   return boxes;
 }
 
-TEST(Decay, CostsOfAKnownTree) {
+TEST(Degradation, CostsOfAKnownTree) {
   Tree tree;
   tree.frame = LocalFrame::around({Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()});
   tree.nodes = {{{{0, 0, 0}, {2, 1, 1}}, 1, 0},
@@ -47,7 +47,7 @@ TEST(Decay, CostsOfAKnownTree) {
   EXPECT_FLOAT_EQ(costs[2], 1.5f);
 }
 
-TEST(Decay, NothingIsBuiltWhereNothingDecays) {
+TEST(Degradation, NothingIsBuiltWhereNothingDegrades) {
   std::vector<Aabb> boxes = random_boxes(Distribution::Uniform, 3000, 1);
   Tree tree = build(boxes);
   const Tree before = tree;
@@ -62,7 +62,7 @@ TEST(Decay, NothingIsBuiltWhereNothingDecays) {
   EXPECT_EQ(tree.primitives, before.primitives);
 }
 
-TEST(Decay, RepairsACornerWhereItIs) {
+TEST(Degradation, RepairsACornerWhereItIs) {
   const std::vector<Aabb> before = random_boxes(Distribution::Uniform, 20000, 2);
   const std::vector<Aabb> after = with_a_scrambled_corner(before);
   Tree tree = build(before);
@@ -80,7 +80,7 @@ TEST(Decay, RepairsACornerWhereItIs) {
   EXPECT_EQ(refit_and_rebuild(tree, costs, after), 0u);
 }
 
-TEST(Decay, AScrambleOfAllIsBuiltAnew) {
+TEST(Degradation, AScrambleOfAllIsBuiltAnew) {
   const std::vector<Aabb> after = random_boxes(Distribution::Uniform, 5000, 4);
   Tree tree = build(random_boxes(Distribution::Uniform, 5000, 3));
   std::vector<float> costs = subtree_costs(tree, kPrimitiveCost);
@@ -91,7 +91,7 @@ TEST(Decay, AScrambleOfAllIsBuiltAnew) {
   EXPECT_EQ(costs, subtree_costs(tree, kPrimitiveCost));
 }
 
-TEST(Decay, AnyMotionKeepsTheInvariants) {
+TEST(Degradation, AnyMotionKeepsTheInvariants) {
   Tree tree = build(random_boxes(Distribution::Grid, 2000, 1));
   std::vector<float> costs = subtree_costs(tree, kPrimitiveCost);
   for (float tolerated : {1.01f, 1.5f, 4.f}) {
@@ -104,7 +104,7 @@ TEST(Decay, AnyMotionKeepsTheInvariants) {
   }
 }
 
-TEST(Decay, IsTheSameForAnyNumberOfThreads) {
+TEST(Degradation, IsTheSameForAnyNumberOfThreads) {
   const std::vector<Aabb> before = random_boxes(Distribution::Uniform, 20000, 5);
   const std::vector<Aabb> after = with_a_scrambled_corner(before);
   const auto repaired_on = [&](std::size_t threads) {
@@ -117,7 +117,7 @@ TEST(Decay, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(is_same(repaired_on(1), repaired_on(3)));
 }
 
-TEST(Decay, RefusesWhatItCannotRepair) {
+TEST(Degradation, RefusesWhatItCannotRepair) {
   const std::vector<Aabb> boxes = random_boxes(Distribution::Uniform, 50, 1);
   Tree tree = build(boxes);
   const Tree before = tree;

@@ -27,11 +27,11 @@ inline bool has_plane(const PlacedShapeView& a, const PlacedShapeView& b) {
 /// A mesh with pieces on both sides, none of which crosses the plane, is divided: then there are
 /// two pairs, which are apart, the pieces on either side and the half-space behind the plane as
 /// seen from there. Patches of the mesh, they have its bounds and numbers.
-class PlaneSides {
+class HalfSpacePair {
  public:
   /// Both must outlive this. Throws UnsupportedPairError for a height field with holes that reaches
   /// to both sides: whether it is in pieces nothing tells short of a mesh of all its cells.
-  PlaneSides(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
+  HalfSpacePair(const PlacedShapeView& a, const PlacedShapeView& b, Work& work);
 
   /// 1, or 2 where a mesh is divided.
   std::size_t count() const { return is_divided_ ? 2 : 1; }

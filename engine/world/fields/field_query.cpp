@@ -1,6 +1,6 @@
 #include <graze/bvh/value/ray_slabs.h>
 #include <graze/engine/mesh/placement.h>
-#include <graze/engine/world/fields/field_reach.h>
+#include <graze/engine/world/fields/field_query.h>
 #include <graze/engine/world/shape_bounds.h>
 #include <graze/engine/world/shape_pairs.h>
 
@@ -38,7 +38,7 @@ double pad_of(const HeightFieldData& field, const Pose& pose, double others) {
 
 }  // namespace
 
-FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose, const Aabb& box) {
+FieldQuery::FieldQuery(const HeightFieldData& field, const Pose& pose, const Aabb& box) {
   const double* m = pose.data();
   const Vector3d half = box.max / 2 - box.min / 2;
   const Vector3d middle = box.min / 2 + box.max / 2 - Vector3d(m[12], m[13], m[14]);
@@ -53,11 +53,11 @@ FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose, const Aab
   inner_ = box_;
 }
 
-FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose,
+FieldQuery::FieldQuery(const HeightFieldData& field, const Pose& pose,
                        const PlacedShapeView& other) {
   const auto* half_space = other.shape.as<HalfSpace>();
   if (half_space == nullptr) {
-    *this = FieldReach(field, pose, bounding_aabb(other));
+    *this = FieldQuery(field, pose, bounding_aabb(other));
     return;
   }
   is_plane_ = true;
@@ -78,7 +78,7 @@ FieldReach::FieldReach(const HeightFieldData& field, const Pose& pose,
   offset_ += pad_;
 }
 
-void FieldReach::grow(double room) {
+void FieldQuery::grow(double room) {
   const double wider = room * (1 + 0x1p-20);
   offset_ += wider;
   room_ += wider;
@@ -87,7 +87,7 @@ void FieldReach::grow(double room) {
   box_.max += each;
 }
 
-void FieldReach::grow_aside(double room) {
+void FieldQuery::grow_aside(double room) {
   const Vector3d aside(room, room, room);
   box_.min -= aside;
   box_.max += aside;
@@ -95,7 +95,7 @@ void FieldReach::grow_aside(double room) {
   inner_.max += aside;
 }
 
-void FieldReach::move(const Pose& pose, const Vector3d& way) {
+void FieldQuery::move(const Pose& pose, const Vector3d& way) {
   for (int k = 0; k < 3; ++k)
     way_.data()[k] = along(pose, k, way);
   const Vector3d each = Vector3d::Constant((16 * rotation_deviation(pose) + 0x1p-40) * sum(way));
@@ -107,7 +107,7 @@ void FieldReach::move(const Pose& pose, const Vector3d& way) {
 }
 
 /// Of its lowest corner.
-double FieldReach::height_above(const Aabb& box) const {
+double FieldQuery::height_above(const Aabb& box) const {
   double low = -offset_;
   for (int k = 0; k < 3; ++k) {
     low += std::min(normal_.data()[k] * box.min.data()[k], normal_.data()[k] * box.max.data()[k]);
@@ -116,7 +116,7 @@ double FieldReach::height_above(const Aabb& box) const {
 }
 
 // A box that goes meets another if its corner's way enters the other, grown by its sides.
-bool FieldReach::meets(const Aabb& box) const {
+bool FieldQuery::meets(const Aabb& box) const {
   if (is_plane_) return !(height_above(box) > 0);
   double enter = 0, exit = 1;
   for (int k = 0; k < 3; ++k) {
@@ -136,11 +136,11 @@ bool FieldReach::meets(const Aabb& box) const {
   return enter <= exit + 0x1p-40;
 }
 
-double FieldReach::distance(const Aabb& box) const {
+double FieldQuery::distance(const Aabb& box) const {
   return is_plane_ ? std::max(height_above(box), 0.0) : std::max(gap_to(box) - room_, 0.0);
 }
 
-double FieldReach::gap_to(const Aabb& box) const {
+double FieldQuery::gap_to(const Aabb& box) const {
   double square = 0;
   for (int k = 0; k < 3; ++k) {
     const double gap = std::max(box.min.data()[k] - inner_.max.data()[k],
@@ -163,7 +163,7 @@ void cut(double low, double high, double spacing, std::uint32_t& first, std::uin
 
 }  // namespace
 
-CellRect FieldReach::columns_of_cells(const HeightFieldData& field) const {
+CellRect FieldQuery::columns_of_cells(const HeightFieldData& field) const {
   CellRect cells = field.cells();
   if (is_plane_) return cells;
   const double x = way_.x(), y = way_.y();
@@ -180,8 +180,8 @@ namespace {
 /// `visit(square)` returns false.
 class SquareWalk {
  public:
-  SquareWalk(const HeightFieldData& field, const FieldReach& reach)
-      : field_(field), reach_(reach), within_(reach.columns_of_cells(field)) {}
+  SquareWalk(const HeightFieldData& field, const FieldQuery& query)
+      : field_(field), query_(query), within_(query.columns_of_cells(field)) {}
 
   template <typename Visit>
   bool down(const CellSquare& square, const Visit& visit) const {
@@ -190,7 +190,7 @@ class SquareWalk {
         cells.first_row >= within_.last_row || cells.last_row <= within_.first_row)
       return true;
     const HeightRange range = field_.range_of(square);
-    if (range.is_empty() || !reach_.meets(field_.box_of(cells, range))) return true;
+    if (range.is_empty() || !query_.meets(field_.box_of(cells, range))) return true;
     if (square.level == 0) return visit(square);
     bool goes_on = true;
     field_.for_children(square,
@@ -215,19 +215,19 @@ class SquareWalk {
 
  private:
   const HeightFieldData& field_;
-  const FieldReach& reach_;
+  const FieldQuery& query_;
   CellRect within_;
 };
 
 }  // namespace
 
-bool is_any_met(const HeightFieldData& field, const FieldReach& reach) {
-  return !SquareWalk(field, reach).all([](const CellSquare&) { return false; });
+bool is_any_met(const HeightFieldData& field, const FieldQuery& query) {
+  return !SquareWalk(field, query).all([](const CellSquare&) { return false; });
 }
 
-std::vector<CellSquare> squares_met(const HeightFieldData& field, const FieldReach& reach) {
+std::vector<CellSquare> squares_met(const HeightFieldData& field, const FieldQuery& query) {
   std::vector<CellSquare> found;
-  SquareWalk(field, reach).all([&](const CellSquare& square) {
+  SquareWalk(field, query).all([&](const CellSquare& square) {
     found.push_back(square);
     return true;
   });
@@ -237,7 +237,7 @@ std::vector<CellSquare> squares_met(const HeightFieldData& field, const FieldRea
   return found;
 }
 
-CellSquare nearest_square(const HeightFieldData& field, const FieldReach& reach) {
+CellSquare nearest_square(const HeightFieldData& field, const FieldQuery& query) {
   struct Waiting {
     double distance;
     CellSquare square;
@@ -251,7 +251,7 @@ CellSquare nearest_square(const HeightFieldData& field, const FieldReach& reach)
     field.for_children(square, [&](const CellSquare& child) {
       const HeightRange range = field.range_of(child);
       if (range.is_empty()) return;
-      waiting.push({reach.distance(field.box_of(field.cells_of(child), range)), child});
+      waiting.push({query.distance(field.box_of(field.cells_of(child), range)), child});
     });
   }
   return waiting.top().square;
