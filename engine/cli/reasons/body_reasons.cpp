@@ -1,3 +1,4 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/cli/reasons/reasons.h>
 #include <graze/engine/compare/judge/bodies/distance_bounds.h>
 #include <graze/engine/compare/judge/bodies/least_parting.h>
@@ -173,6 +174,26 @@ Reasons place_reasons(const Case& query) {
     add_common_point(a, b, found, all);
     add_way_out(a, b, all);
   }
+  return all;
+}
+
+/// Where the two stand, and where they do once B has moved.
+Reasons separation_reasons(const Case& query, const compare::Judgement& judgement) {
+  Reasons all = place_reasons(query);
+  const compare::MeshCase meshes = *compare::as_meshes(query);
+  const Vector3d& by = *query.answer->translation;
+  all.push_back(fmt::format("The answer says that B is apart {:.12g} m away, moved by {}.",
+                            *query.answer->distance, words_of(by)));
+  Pose moved = meshes.b.pose;
+  moved.translation() += by;
+  try {
+    Reasons there;
+    add_meshes({meshes.a.mesh, meshes.a.pose}, {meshes.b.mesh, moved}, there);
+    all.push_back("Moved like that: " + there.front());
+  } catch (const Error&) {
+    all.push_back("Moved like that, B is out of the range of double.");
+  }
+  if (judgement.verdict == compare::Verdict::Wrong) all.push_back(words_of_error(judgement));
   return all;
 }
 

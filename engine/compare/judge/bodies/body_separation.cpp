@@ -2,6 +2,7 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/body_parting.h>
 #include <graze/engine/compare/judge/bodies/least_parting.h>
+#include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 
 #include <algorithm>
@@ -30,13 +31,20 @@ PartsReview fault(const char* what, double error) {
   return {.fault = WitnessFault{what, error}};
 }
 
+/// How deep the two are in each other, at least: of a half-space or a plane exactly so much.
+double depth_of(const PlacedBody& a, const PlacedBody& b) {
+  if (!flat_of(a.shape) && !flat_of(b.shape)) return shared_depth(a, b);
+  const std::optional<LeastParting> out = least_parting(a, b, Eigen::Vector3d::UnitX(), 0);
+  return out ? out->most : shared_depth(a, b);
+}
+
 /// Of two that meet, or may.
 PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                           double tolerance) {
   const double length = by.norm();
   const PlacedBody there{b.shape, b.pose};
   if (length <= tolerance) {
-    const double still = shared_depth(a, there);
+    const double still = depth_of(a, there);
     return still > tolerance ? fault("still a hit after it", still) : PartsReview{};
   }
   const Eigen::Vector3d n = by / length;
@@ -46,7 +54,7 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
   if (needed <= length + tolerance) return {};
   Pose moved = b.pose;
   moved.translation() += by;
-  const double still = shared_depth(a, {b.shape, moved});
+  const double still = depth_of(a, {b.shape, moved});
   if (still > tolerance) return fault("still a hit after it", still);
   return {.unjudged = "that they are apart after it" +
                       in_metres(": a plane across it parts them after", needed)};
