@@ -2,7 +2,6 @@
 #include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/body_parting.h>
 #include <graze/engine/compare/judge/bodies/least_parting.h>
-#include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 
 #include <algorithm>
@@ -19,6 +18,9 @@ constexpr double kOurLength = 0x1p-46;
 /// by less, so that contacts do not change with each step.
 constexpr double kBoxGrant = 0.05;
 
+/// So near, of what is granted, the bounds of a shortest way are looked for.
+constexpr double kShareOfTolerance = 0.25;
+
 bool is_surface(const PlacedBody& body) {
   return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
 }
@@ -31,33 +33,32 @@ PartsReview fault(const char* what, double error) {
   return {.fault = WitnessFault{what, error}};
 }
 
-/// How deep the two are in each other, at least: of a half-space or a plane exactly so much.
-double depth_of(const PlacedBody& a, const PlacedBody& b) {
-  if (!flat_of(a.shape) && !flat_of(b.shape)) return shared_depth(a, b);
-  const std::optional<LeastParting> out = least_parting(a, b, Eigen::Vector3d::UnitX(), 0);
-  return out ? out->most : shared_depth(a, b);
+/// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
+/// shortest way out is from there.
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
+                          double tolerance) {
+  Pose moved = b.pose;
+  moved.translation() += by;
+  const std::optional<LeastParting> left =
+      least_parting(a, {b.shape, moved}, by, kShareOfTolerance * tolerance);
+  if (!left) return {.unjudged = "that they are apart after it"};
+  if (left->least > tolerance) return fault("still a hit after it", left->least);
+  if (left->most <= tolerance) return {};
+  return {.unjudged = "that they are apart after it" +
+                      in_metres(": a plane parts them after another", left->most)};
 }
 
 /// Of two that meet, or may.
 PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                           double tolerance) {
   const double length = by.norm();
-  const PlacedBody there{b.shape, b.pose};
-  if (length <= tolerance) {
-    const double still = depth_of(a, there);
-    return still > tolerance ? fault("still a hit after it", still) : PartsReview{};
+  if (length > tolerance) {
+    const double needed = needed_along(a, b, by / length);
+    if (length > std::max(needed, 0.0) + tolerance)
+      return fault("longer than it must be along its own way", length - needed);
+    if (needed <= length + tolerance) return {};
   }
-  const Eigen::Vector3d n = by / length;
-  const double needed = needed_along(a, b, n);
-  if (length > std::max(needed, 0.0) + tolerance)
-    return fault("longer than it must be along its own way", length - needed);
-  if (needed <= length + tolerance) return {};
-  Pose moved = b.pose;
-  moved.translation() += by;
-  const double still = depth_of(a, {b.shape, moved});
-  if (still > tolerance) return fault("still a hit after it", still);
-  return {.unjudged = "that they are apart after it" +
-                      in_metres(": a plane across it parts them after", needed)};
+  return review_parted(a, b, by, tolerance);
 }
 
 /// Whether another direction would do sooner. What parts the hulls of surfaces parts the surfaces;
@@ -65,7 +66,8 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
 PartsReview review_shortest(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                             double tolerance, std::string& truth) {
   const double length = by.norm();
-  const std::optional<LeastParting> shortest = least_parting(a, b, by, tolerance / 4);
+  const std::optional<LeastParting> shortest =
+      least_parting(a, b, by, kShareOfTolerance * tolerance);
   if (!shortest) return {.unjudged = "whether a shorter one does"};
   const bool are_bodies = !is_surface(a) && !is_surface(b);
   const double granted = tolerance + (is_box(a) && is_box(b) ? kBoxGrant * length : 0);
