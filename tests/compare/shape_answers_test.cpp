@@ -207,11 +207,11 @@ class Separations : public testing::Test {
   Case query_ = of_bodies(Ask::Separation, Box{{1, 1, 1}}, Box{{1, 0.5, 0.5}}, {1.75, 0, 0});
 };
 
-TEST_F(Separations, ThatPartTheTwoAndAreNoLongerThanTheyMustAreRight) {
+TEST_F(Separations, ThatPartTheTwoAndAreTheShortestAreRight) {
   const Judgement least = on({0.25, 0, 0});
   EXPECT_EQ(least.verdict, Verdict::Right) << least.truth;
-  EXPECT_EQ(least.truth, "hit, apart after it");
-  EXPECT_EQ(on({0, 1.5, 0}).verdict, Verdict::Right) << "that it is the shortest is not asked";
+  EXPECT_EQ(least.truth,
+            "hit, apart after it; a plane parts them after 0.25 m, and none before 0.25 m");
   EXPECT_EQ(on({0.25 + 1e-6, 0, 0}).verdict, Verdict::Right) << "others are granted float";
   EXPECT_EQ(Judge(query_).judge(answer_case(query_), this_library()).verdict, Verdict::Right);
 }
@@ -224,8 +224,14 @@ TEST_F(Separations, PlantedFaultsAreFound) {
     EXPECT_EQ(judgement.verdict, Verdict::Wrong) << wrong.transpose() << ": " << judgement.truth;
     EXPECT_EQ(judgement.error_class, ErrorClass::Real);
   }
-  EXPECT_NEAR(on({0.125, 0, 0}).error, 0.0625, 1e-12) << "a point in the middle of what is shared";
+  EXPECT_NEAR(on({0.125, 0, 0}).error, 0.125, 1e-6) << "as far as it still has to go";
   EXPECT_NEAR(on({0.5, 0, 0}).error, 0.25, 1e-12);
+  const Judgement other_way = on({0, 1.5, 0});
+  EXPECT_EQ(other_way.verdict, Verdict::Wrong) << "it parts them, but another is shorter";
+  EXPECT_NEAR(other_way.error, 1.25, 1e-12);
+  EXPECT_NE(other_way.truth.find("a shorter one does: a plane parts them after 0.25 m"),
+            std::string::npos)
+      << other_way.truth;
   EXPECT_EQ(on({0.25, 0, 0}, 0.5, "other").verdict, Verdict::Wrong) << "of another length";
   EXPECT_EQ(on({0.25, 0, 0}, 0.25 + 1e-7, "graze").verdict, Verdict::Wrong);
   query_ = of_bodies(Ask::Separation, Box{{1, 1, 1}}, Box{{1, 0.5, 0.5}}, {2.25, 0, 0});
@@ -233,9 +239,30 @@ TEST_F(Separations, PlantedFaultsAreFound) {
   EXPECT_EQ(on({0.125, 0, 0}).verdict, Verdict::Wrong) << "there is nothing to undo";
 }
 
-TEST_F(Separations, OfSurfacesAreNotJudged) {
+/// A surface may be left to the inside, too, so that a shorter way may be there: the bound is
+/// named.
+TEST_F(Separations, OfSurfacesMustPartThemAndBeNoLongerThanOfTheirHulls) {
   query_ = of_bodies(Ask::Separation, tests::make_box({1, 1, 1}), Box{{1, 1, 1}}, {1.75, 0, 0});
+  const Judgement out = on({0.25, 0, 0});
+  EXPECT_EQ(out.verdict, Verdict::NotJudged);
+  EXPECT_EQ(out.truth,
+            "hit, apart after it; a plane parts them after 0.25 m; not judged: whether a shorter "
+            "one does");
+  EXPECT_EQ(on({0.125, 0, 0}).verdict, Verdict::Wrong) << "still a hit";
+  EXPECT_EQ(on({0.5, 0, 0}).verdict, Verdict::Wrong) << "a plane parts them sooner";
+  query_ = of_bodies(Ask::Separation, tests::make_box({1, 1, 1}), tests::make_box({1, 1, 1}),
+                     {1.75, 0, 0});
   EXPECT_EQ(on({0.25, 0, 0}).verdict, Verdict::NotJudged);
+  EXPECT_EQ(on({0.125, 0, 0}).verdict, Verdict::Wrong);
+  EXPECT_EQ(on({0.5, 0, 0}).verdict, Verdict::Wrong);
+  EXPECT_EQ(on({0, 0, 0}).verdict, Verdict::Wrong);
+}
+
+TEST_F(Separations, OfAPlaneAreTheShorterOfItsTwoSides) {
+  query_ = of_bodies(Ask::Separation, Plane{{1, 0, 0}, 1}, Box{{1, 1, 1}}, {1.75, 0, 0});
+  EXPECT_EQ(on({0.25, 0, 0}).verdict, Verdict::Right) << on({0.25, 0, 0}).truth;
+  EXPECT_EQ(on({-1.75, 0, 0}).verdict, Verdict::Wrong) << "the longer way";
+  EXPECT_EQ(on({0.125, 0, 0}).verdict, Verdict::Wrong) << on({0.125, 0, 0}).truth;
 }
 
 TEST_F(Separations, OfOtherEnginesAreTheirDeepestContacts) {

@@ -14,7 +14,7 @@ JsonCursor::JsonCursor(const JsonCursor& parent, std::string_view key)
     : value_(*parent.find(key)), file_(parent.file_), parent_(&parent), key_(key) {}
 
 JsonCursor::JsonCursor(const JsonCursor& parent, std::size_t index)
-    : value_(parent.value_.items[index]), file_(parent.file_), parent_(&parent), index_(index) {}
+    : value_(parent.value_.items()[index]), file_(parent.file_), parent_(&parent), index_(index) {}
 
 std::string JsonCursor::pointer() const {
   if (parent_ == nullptr) return "";
@@ -37,19 +37,22 @@ void JsonCursor::require(JsonKind kind) const {
 
 const JsonValue* JsonCursor::find(std::string_view key) const {
   require(JsonKind::Object);
-  const auto at = std::find(value_.keys.begin(), value_.keys.end(), key);
-  if (at == value_.keys.end()) return nullptr;
-  return &value_.items[static_cast<std::size_t>(at - value_.keys.begin())];
+  const JsonValue::Members& members =
+      *std::get<std::unique_ptr<JsonValue::Members>>(value_.content);
+  const auto at = std::find(members.keys.begin(), members.keys.end(), key);
+  if (at == members.keys.end()) return nullptr;
+  return &members.values[static_cast<std::size_t>(at - members.keys.begin())];
 }
 
 void JsonCursor::require_keys(std::initializer_list<std::string_view> known) const {
   require(JsonKind::Object);
-  for (std::size_t i = 0; i < value_.keys.size(); ++i) {
-    if (std::find(known.begin(), known.end(), value_.keys[i]) != known.end()) continue;
+  for (const std::string& stands :
+       std::get<std::unique_ptr<JsonValue::Members>>(value_.content)->keys) {
+    if (std::find(known.begin(), known.end(), stands) != known.end()) continue;
     std::string list;
     for (const std::string_view key : known)
       list += (list.empty() ? "" : ", ") + std::string(key);
-    fail("unknown key " + mesh_io::quoted(value_.keys[i]) + "; there are " + list);
+    fail("unknown key " + mesh_io::quoted(stands) + "; there are " + list);
   }
 }
 
@@ -60,7 +63,7 @@ JsonCursor JsonCursor::member(std::string_view key) const {
 
 std::size_t JsonCursor::size() const {
   require(JsonKind::Array);
-  return value_.items.size();
+  return value_.items().size();
 }
 
 void JsonCursor::require_size(std::size_t wanted) const {
@@ -70,12 +73,12 @@ void JsonCursor::require_size(std::size_t wanted) const {
 
 bool JsonCursor::boolean() const {
   require(JsonKind::Boolean);
-  return value_.boolean;
+  return std::get<bool>(value_.content);
 }
 
 const std::string& JsonCursor::text() const {
   require(JsonKind::String);
-  return value_.text;
+  return std::get<std::string>(value_.content);
 }
 
 std::uint64_t JsonCursor::bits() const {
@@ -97,28 +100,29 @@ std::uint32_t JsonCursor::index(std::uint32_t max) const {
 // The tree keeps whole numbers as doubles: exact to 2^53, which is beyond every range asked for.
 std::int64_t JsonCursor::whole(std::int64_t min, std::int64_t max) const {
   require(JsonKind::Number);
-  if (!value_.is_whole || value_.number < static_cast<double>(min) ||
-      value_.number > static_cast<double>(max)) {
+  const double value = std::get<double>(value_.content);
+  if (!value_.is_whole || value < static_cast<double>(min) || value > static_cast<double>(max)) {
     fail("is not a whole number from " + std::to_string(min) + " to " + std::to_string(max));
   }
-  return static_cast<std::int64_t>(value_.number);
+  return static_cast<std::int64_t>(value);
 }
 
 double JsonCursor::number() const {
-  if (value_.kind == JsonKind::Number) return value_.number;
+  if (value_.kind == JsonKind::Number) return std::get<double>(value_.content);
   if (value_.kind != JsonKind::String) {
     fail(std::string("is ") + name_of(value_.kind) + ", not a number");
   }
-  const std::optional<double> value = parse_hex_float(value_.text);
+  const std::string& digits = std::get<std::string>(value_.content);
+  const std::optional<double> value = parse_hex_float(digits);
   if (!value) {
-    fail(mesh_io::quoted(value_.text) +
-         " is not a finite double as a hex float, such as \"0x1.8p+1\"");
+    fail(mesh_io::quoted(digits) + " is not a finite double as a hex float, such as \"0x1.8p+1\"");
   }
   return *value;
 }
 
 double JsonCursor::number_or_infinite() const {
-  const bool is_infinite = value_.kind == JsonKind::String && value_.text == kInfinite;
+  const bool is_infinite =
+      value_.kind == JsonKind::String && std::get<std::string>(value_.content) == kInfinite;
   return is_infinite ? std::numeric_limits<double>::infinity() : number();
 }
 

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <limits>
+#include <utility>
 
 namespace graze::cases {
 namespace {
@@ -71,28 +74,34 @@ class Builder {
 
   bool null() { return add(JsonKind::Null), true; }
   bool boolean(bool value) {
-    add(JsonKind::Boolean).boolean = value;
+    add(JsonKind::Boolean).content = value;
     return true;
   }
   bool number_integer(std::int64_t value) { return add_whole(static_cast<double>(value)); }
   bool number_unsigned(std::uint64_t value) { return add_whole(static_cast<double>(value)); }
   bool number_float(double value, const std::string& text) {
     if (!std::isfinite(value)) fail_here(mesh_io::quoted(text) + " is not finite");
-    add(JsonKind::Number).number = value;
+    add(JsonKind::Number).content = value;
     return true;
   }
   bool string(std::string& value) {
-    add(JsonKind::String).text = std::move(value);
+    add(JsonKind::String).content = std::move(value);
     return true;
   }
   bool binary(std::vector<std::uint8_t>&) { return false; }  // no such thing in a text
-  bool start_object(std::size_t) { return open(JsonKind::Object); }
-  bool start_array(std::size_t) { return open(JsonKind::Array); }
+  bool start_object(std::size_t) {
+    open(JsonKind::Object).content = std::make_unique<JsonValue::Members>();
+    return true;
+  }
+  bool start_array(std::size_t) {
+    open(JsonKind::Array).content = std::vector<JsonValue>();
+    return true;
+  }
   bool end_object() { return open_.pop_back(), true; }
   bool end_array() { return open_.pop_back(), true; }
 
   bool key(std::string& key) {
-    std::vector<std::string>& keys = open_.back()->keys;
+    std::vector<std::string>& keys = keys_of(*open_.back());
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
       fail("the key " + mesh_io::quoted(key) + " stands twice in one object");
     }
@@ -115,18 +124,22 @@ class Builder {
   }
 
  private:
+  static std::vector<std::string>& keys_of(const JsonValue& object) {
+    return std::get<std::unique_ptr<JsonValue::Members>>(object.content)->keys;
+  }
+
   /// The JSON pointer of the value that is being read; empty where none is.
   std::string place() const {
     std::string place;
     for (const JsonValue* each : open_) {
       const bool is_innermost = each == open_.back();
-      const std::size_t read = each->items.size();
+      const std::size_t read = each->items().size();
       if (each->kind == JsonKind::Array) {
         place += '/';
         place += std::to_string(is_innermost ? read : read - 1);
-      } else if (!is_innermost || each->keys.size() > read) {
+      } else if (!is_innermost || keys_of(*each).size() > read) {
         place += '/';
-        place += each->keys.back();
+        place += keys_of(*each).back();
       }
     }
     return place;
@@ -146,26 +159,27 @@ class Builder {
     if (++values_ > limits_.values) {
       fail("more than " + std::to_string(limits_.values) + " values");
     }
-    JsonValue& value = open_.empty() ? root_ : open_.back()->items.emplace_back();
+    JsonValue& value = open_.empty() ? root_ : open_.back()->items().emplace_back();
     value.kind = kind;
-    value.line = reading_.line_now();
+    constexpr std::size_t kMostLines = std::numeric_limits<std::uint32_t>::max();
+    value.line = static_cast<std::uint32_t>(std::min(reading_.line_now(), kMostLines));
     return value;
   }
 
   bool add_whole(double number) {
     JsonValue& value = add(JsonKind::Number);
-    value.number = number;
+    value.content = number;
     value.is_whole = true;
     return true;
   }
 
-  bool open(JsonKind kind) {
+  JsonValue& open(JsonKind kind) {
     if (open_.size() == limits_.depth) {
       fail("nested deeper than " + std::to_string(limits_.depth) + " levels");
     }
     // A value stays where it is while it is open: only the innermost list grows.
     open_.push_back(&add(kind));
-    return true;
+    return *open_.back();
   }
 
   Reading& reading_;

@@ -1,25 +1,46 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace graze::cases {
 
-enum class JsonKind { Null, Boolean, Number, String, Array, Object };
+enum class JsonKind : std::uint8_t { Null, Boolean, Number, String, Array, Object };
 
-/// A JSON value that knows the line on which it stands.
+/// A JSON value that knows the line on which it stands. Of a mesh there are a dozen for each
+/// triangle, so that it holds what its kind needs and no more.
 struct JsonValue {
+  struct Members;
+
   JsonKind kind = JsonKind::Null;
-  bool boolean = false;
-  bool is_whole = false;  ///< a number written without fraction and exponent
-  std::size_t line = 0;   ///< counted from 1
-  double number = 0;
-  std::string text;               ///< of a string
-  std::vector<std::string> keys;  ///< of an object, in the order of the file
-  std::vector<JsonValue> items;   ///< of an array, or the values of the keys
+  bool is_whole = false;   ///< a number written without fraction and exponent
+  std::uint32_t line = 0;  ///< counted from 1, up to the largest there is
+  std::variant<double, bool, std::string, std::vector<JsonValue>, std::unique_ptr<Members>> content;
+
+  /// Of an array, or the values of an object's keys.
+  const std::vector<JsonValue>& items() const;
+  std::vector<JsonValue>& items();
 };
+
+struct JsonValue::Members {
+  std::vector<std::string> keys;  ///< in the order of the file
+  std::vector<JsonValue> values;
+};
+
+inline const std::vector<JsonValue>& JsonValue::items() const {
+  if (kind == JsonKind::Object) return std::get<std::unique_ptr<Members>>(content)->values;
+  return std::get<std::vector<JsonValue>>(content);
+}
+
+inline std::vector<JsonValue>& JsonValue::items() {
+  if (kind == JsonKind::Object) return std::get<std::unique_ptr<Members>>(content)->values;
+  return std::get<std::vector<JsonValue>>(content);
+}
 
 /// Files that ask for more than this are refused before they cost memory.
 struct JsonLimits {

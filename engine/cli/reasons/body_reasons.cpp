@@ -1,5 +1,7 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/cli/reasons/reasons.h>
 #include <graze/engine/compare/judge/bodies/distance_bounds.h>
+#include <graze/engine/compare/judge/bodies/least_parting.h>
 #include <graze/engine/compare/judge/bodies/shape_bodies.h>
 #include <graze/engine/compare/peers/engine.h>
 #include <graze/engine/mesh/distance.h>
@@ -16,6 +18,13 @@ namespace {
 
 using compare::PlacedBody;
 using Eigen::Vector3d;
+
+/// So near, of the largest coordinate, both bounds of a shortest way are looked for.
+constexpr double kNearEnough = 1e-9;
+
+bool is_surface(const PlacedBody& body) {
+  return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
+}
 
 /// The direction across which a plane parts the two most: that of the nearest points, or an axis of
 /// one of them.
@@ -114,6 +123,37 @@ void add_claimed_depth(const PlacedBody& a, const PlacedBody& b, const CaseAnswe
       deepest.depth, words_of(deepest.normal), needed));
 }
 
+/// How far B must go the way of the answer, and how far the shortest way, by planes.
+void add_claimed_way(const PlacedBody& a, const PlacedBody& b, const CaseAnswer& answer,
+                     Reasons& all) {
+  const double length = answer.translation->norm();
+  if (length > 0) {
+    const Vector3d n = *answer.translation / length;
+    const double needed =
+        compare::support_along(a.shape, a.pose, n) + compare::support_along(b.shape, b.pose, -n);
+    all.push_back(fmt::format("The answer moves B by {:.12g} m along {}.", length, words_of(n)));
+    if (std::isfinite(needed) && needed >= 0)
+      all.push_back(fmt::format(
+          "A plane across that direction parts them once B has gone {:.12g} m.", needed));
+  } else {
+    all.push_back("The answer moves B not at all.");
+  }
+  const double size = std::max(compare::largest_of(a), compare::largest_of(b));
+  const auto shortest = compare::least_parting(a, b, *answer.translation, kNearEnough * size);
+  if (!shortest || !(shortest->most >= 0)) return;
+  all.push_back(fmt::format(
+      "Of all directions that were tried {} is the shortest: a plane across it parts them after "
+      "{:.12g} m.",
+      words_of(shortest->direction), shortest->most));
+  if (is_surface(a) || is_surface(b)) {
+    all.push_back("A surface may also be left to its inside, so that no plane proves a least way.");
+  } else {
+    all.push_back(
+        fmt::format("Planes across all other directions prove that none is shorter than {:.12g} m.",
+                    std::max(shortest->least, 0.0)));
+  }
+}
+
 }  // namespace
 
 Reasons place_reasons(const Case& query) {
@@ -137,6 +177,26 @@ Reasons place_reasons(const Case& query) {
   return all;
 }
 
+/// Where the two stand, and where they do once B has moved.
+Reasons separation_reasons(const Case& query, const compare::Judgement& judgement) {
+  Reasons all = place_reasons(query);
+  const compare::MeshCase meshes = *compare::as_meshes(query);
+  const Vector3d& by = *query.answer->translation;
+  all.push_back(fmt::format("The answer says that B is apart {:.12g} m away, moved by {}.",
+                            *query.answer->distance, words_of(by)));
+  Pose moved = meshes.b.pose;
+  moved.translation() += by;
+  try {
+    Reasons there;
+    add_meshes({meshes.a.mesh, meshes.a.pose}, {meshes.b.mesh, moved}, there);
+    all.push_back("Moved like that: " + there.front());
+  } catch (const Error&) {
+    all.push_back("Moved like that, B is out of the range of double.");
+  }
+  if (judgement.verdict == compare::Verdict::Wrong) all.push_back(words_of_error(judgement));
+  return all;
+}
+
 Reasons body_reasons(const Case& query, const compare::Judgement& judgement) {
   Reasons all = place_reasons(query);
   const CaseAnswer& answer = *query.answer;
@@ -149,6 +209,10 @@ Reasons body_reasons(const Case& query, const compare::Judgement& judgement) {
     const compare::BodyCase bodies = *compare::as_bodies(query);
     add_claimed_depth({bodies.a.shape, bodies.a.pose}, {bodies.b.shape, bodies.b.pose}, answer,
                       all);
+  }
+  if (query.ask == Ask::Separation && answer.translation) {
+    const compare::BodyCase bodies = *compare::as_bodies(query);
+    add_claimed_way({bodies.a.shape, bodies.a.pose}, {bodies.b.shape, bodies.b.pose}, answer, all);
   }
   if (judgement.verdict == compare::Verdict::Wrong) all.push_back(words_of_error(judgement));
   return all;

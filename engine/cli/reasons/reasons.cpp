@@ -12,6 +12,8 @@ std::optional<Reasons> reasons_of(const Case& query, const compare::Judgement& j
   if (query.ask == Ask::Ray || query.ask == Ask::RayAll) return ray_reasons(query, judgement);
   if (query.ask == Ask::Contains) return inside_reasons(query);
   if (compare::as_bodies(query)) return body_reasons(query, judgement);
+  if (query.ask == Ask::Separation && compare::as_meshes(query))
+    return separation_reasons(query, judgement);
   return std::nullopt;
 }
 

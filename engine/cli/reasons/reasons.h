@@ -13,8 +13,9 @@ namespace graze::cli {
 /// the other.
 using Reasons = std::vector<std::string>;
 
-/// Of two bodies that rest, two in motion, a ray or a point inside, which must have an answer, with
-/// what the judge says of it. Nothing of questions that are gone through elsewhere, or not at all.
+/// Of two bodies that rest, two in motion, a ray, a point inside or a translation that parts two
+/// meshes, which must have an answer, with what the judge says of it. Nothing of questions that are
+/// gone through elsewhere, or not at all.
 std::optional<Reasons> reasons_of(const Case& query, const compare::Judgement& judgement);
 
 // Of each kind of case.
@@ -22,6 +23,7 @@ Reasons body_reasons(const Case& query, const compare::Judgement& judgement);
 Reasons motion_reasons(const Case& query, const compare::Judgement& judgement);
 Reasons ray_reasons(const Case& query, const compare::Judgement& judgement);
 Reasons inside_reasons(const Case& query);
+Reasons separation_reasons(const Case& query, const compare::Judgement& judgement);  ///< of meshes
 
 /// Two meshes or bodies where they stand, with no word of an answer: the triangles that meet, or
 /// the plane and the points that tell them apart.

@@ -2,10 +2,12 @@
 // "any" alone, and reads of a request no more than its number.
 
 #include <unistd.h>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -23,6 +25,10 @@ void say(const std::string& line) {
   std::signal(SIGSEGV, SIG_DFL);
   std::raise(SIGSEGV);
   _exit(1);
+}
+
+void sleep_ms(int count) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(count));
 }
 
 std::string number_of(const std::string& request) {
@@ -49,6 +55,10 @@ class PlantedPeer {
   void load(const std::string& request) {
     if (fault_ == "dies loading") crash();
     if (fault_ == "hangs loading") hang();
+    if (fault_ == "loads slowly") sleep_ms(300);
+    const std::string without = "dies loading without ";
+    if (fault_.rfind(without, 0) == 0 && access(fault_.c_str() + without.size(), F_OK) != 0)
+      crash();
     if (fault_ == "refuses") return say(reply(request, "\"unsupported\":\"too hard\""));
     say(reply(request, "\"loaded\":true"));
   }
@@ -57,6 +67,7 @@ class PlantedPeer {
     ++questions_;
     if (fault_ == "dies") crash();
     if (fault_ == "hangs") hang();
+    if (fault_ == "answers slowly") sleep_ms(30);
     if (fault_ == "ends") end_with(3);
     if (fault_ == "closes") close_and_hang();
     if (fault_ == "garbage") return say("the answer is no");

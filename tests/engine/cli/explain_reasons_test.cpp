@@ -131,19 +131,62 @@ TEST(CliExplainReasons, OfRaysAndPointsItSaysWhatTheyMeet) {
   expect_in(reasons_in(e), "along x meets the closed surface 1 time:");
 }
 
-TEST(CliExplainReasons, WhatIsNotExplainedIsSaid) {
+TEST(CliExplainReasons, WaysOutOfMeshesAreGone) {
   Case query{.note = "",
              .ask = Ask::Separation,
              .settings = {},
              .a = CaseMesh(tests::make_box({1, 1, 1}), Pose::Identity()),
-             .b = CaseMesh(tests::make_box({1, 1, 1}), Pose(Eigen::Translation3d(1, 0, 0))),
+             .b = CaseMesh(tests::make_box({1, 1, 1}), Pose(Eigen::Translation3d(1.5, 0, 0))),
+             .answer = CaseAnswer(),
+             .answered_by = {"mine", ""}};
+  query.answer->distance = 0.25;
+  query.answer->translation = Eigen::Vector3d(0.25, 0, 0);
+  CaseExplanation e = explain_case(query);
+  EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
+  expect_in(reasons_in(e), "The answer says that B is apart 0.25 m away, moved by (0.25, 0, 0).");
+  expect_in(reasons_in(e), "Moved like that: Triangle ");
+  expect_in(reasons_in(e), "The answer is off by 0.25 m.");
+  query.answer = answer_case(query);
+  e = explain_case(query);
+  EXPECT_EQ(e.judgement.verdict, compare::Verdict::Right) << e.judgement.truth;
+  expect_in(reasons_in(e), "Moved like that: The nearest triangles are ");
+}
+
+TEST(CliExplainReasons, WaysOutOfBodiesHaveTheShortestBesideThem) {
+  Case query{.note = "",
+             .ask = Ask::Separation,
+             .settings = {},
+             .a = CaseBody(Box{{1, 1, 1}}, Pose::Identity()),
+             .b = CaseBody(Box{{1, 0.5, 0.5}}, Pose(Eigen::Translation3d(1.75, 0, 0))),
+             .answer = CaseAnswer(),
+             .answered_by = {"mine", ""}};
+  query.answer->distance = 1.5;
+  query.answer->translation = Eigen::Vector3d(0, 1.5, 0);
+  const CaseExplanation e = explain_case(query);
+  EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
+  expect_in(reasons_in(e), "The answer moves B by 1.5 m along (0, 1, 0).");
+  expect_in(reasons_in(e), "A plane across that direction parts them once B has gone 1.5 m.");
+  expect_in(reasons_in(e),
+            "Of all directions that were tried (1, 0, 0) is the shortest: a plane "
+            "across it parts them after 0.25 m.");
+  expect_in(reasons_in(e),
+            "Planes across all other directions prove that none is shorter than 0.25 m.");
+  expect_in(reasons_in(e), "The answer is off by 1.25 m.");
+}
+
+TEST(CliExplainReasons, WhatIsNotExplainedIsSaid) {
+  Case query{.note = "",
+             .ask = Ask::Intersection,
+             .settings = {},
+             .a = CaseMesh(tests::make_box({1, 1, 1}), Pose::Identity()),
+             .b = CaseMesh(tests::make_box({1, 1, 1}), Pose(Eigen::Translation3d(1, 0.5, 0.25))),
              .answer = std::nullopt,
              .answered_by = {"mine", ""}};
   query.answer = answer_case(query);
-  query.answer->translation->y() = 7;
+  query.answer->intersection->points.front().position.y() += 7;
   const CaseExplanation e = explain_case(query);
   EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
-  expect_in(e.why, "An answer to \"separation\" about these is judged");
+  expect_in(e.why, "An answer to \"intersection\" about these is judged");
   expect_in(e.why, "but not explained");
 }
 

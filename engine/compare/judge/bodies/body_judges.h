@@ -41,9 +41,11 @@ Judgement judge_within(const PlacedBody& a, const PlacedBody& b, std::optional<b
                        const Case& query, bool says, bool is_graze);
 
 /// A translation of B that parts two convex bodies: as long as is said, none of two that are apart,
-/// and not longer than a plane across it asks for; after it such a plane parts the two, or they
-/// share no point that is below both surfaces. That no shorter one does in another direction is not
-/// asked. Whether they meet is known before, if it is. All to parting_tolerance().
+/// not longer than a plane across it asks for; after it the two are apart, and no shorter one does,
+/// both by least_parting(). Of two boxes a twentieth more is granted. Of meshes and height fields
+/// the referee says that they are apart after it, and it is no longer than what parts their hulls;
+/// that a shorter one does is not judged. Whether they meet is known before, if it is. All to
+/// parting_tolerance().
 Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
                            const CaseAnswer& answer, bool is_graze);
 

@@ -1,7 +1,10 @@
+#include <graze/bvh/error.h>
 #include <graze/engine/compare/judge/bodies/body_judges.h>
 #include <graze/engine/compare/judge/bodies/body_parting.h>
+#include <graze/engine/compare/judge/bodies/least_parting.h>
 #include <graze/engine/compare/judge/rational/in_metres.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace graze::compare {
@@ -11,34 +14,96 @@ namespace {
 /// to single precision.
 constexpr double kOurLength = 0x1p-46;
 
+/// Of two boxes all grant themselves a twentieth: a face is taken where two edges would be nearer
+/// by less, so that contacts do not change with each step.
+constexpr double kBoxGrant = 0.05;
+
+/// So near, of what is granted, the bounds of a shortest way are looked for.
+constexpr double kShareOfTolerance = 0.25;
+
 bool is_surface(const PlacedBody& body) {
-  return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::Plane;
+  return body.shape.kind() == ShapeKind::Mesh || body.shape.kind() == ShapeKind::HeightField;
+}
+
+bool is_box(const PlacedBody& body) {
+  return body.shape.kind() == ShapeKind::Box;
 }
 
 PartsReview fault(const char* what, double error) {
   return {.fault = WitnessFault{what, error}};
 }
 
+/// Whether the two are apart, or merely touch, where B has gone: if not, they must go as far as the
+/// shortest way out is from there.
+PartsReview review_parted(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
+                          double tolerance) {
+  Pose moved = b.pose;
+  moved.translation() += by;
+  const std::optional<LeastParting> left =
+      least_parting(a, {b.shape, moved}, by, kShareOfTolerance * tolerance);
+  if (!left) return {.unjudged = "that they are apart after it"};
+  if (left->least > tolerance) return fault("still a hit after it", left->least);
+  if (left->most <= tolerance) return {};
+  return {.unjudged = "that they are apart after it" +
+                      in_metres(": a plane parts them after another", left->most)};
+}
+
 /// Of two that meet, or may.
 PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
                           double tolerance) {
   const double length = by.norm();
-  const PlacedBody there{b.shape, b.pose};
-  if (length <= tolerance) {
-    const double still = shared_depth(a, there);
-    return still > tolerance ? fault("still a hit after it", still) : PartsReview{};
+  if (length > tolerance) {
+    const double needed = needed_along(a, b, by / length);
+    if (length > std::max(needed, 0.0) + tolerance)
+      return fault("longer than it must be along its own way", length - needed);
+    if (needed <= length + tolerance) return {};
   }
-  const Eigen::Vector3d n = by / length;
-  const double needed = needed_along(a, b, n);
-  if (length > std::max(needed, 0.0) + tolerance)
-    return fault("longer than it must be along its own way", length - needed);
-  if (needed <= length + tolerance) return {};
+  return review_parted(a, b, by, tolerance);
+}
+
+/// Whether another direction would do sooner. What parts the hulls of surfaces parts the surfaces;
+/// that nothing does sooner it does not prove.
+PartsReview review_shortest(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
+                            double tolerance, std::string& truth) {
+  const double length = by.norm();
+  const std::optional<LeastParting> shortest =
+      least_parting(a, b, by, kShareOfTolerance * tolerance);
+  if (!shortest) return {.unjudged = "whether a shorter one does"};
+  const bool are_bodies = !is_surface(a) && !is_surface(b);
+  const double granted = tolerance + (is_box(a) && is_box(b) ? kBoxGrant * length : 0);
+  const double most = std::max(shortest->most, 0.0);
+  const double least = are_bodies ? std::max(shortest->least, 0.0) : 0;
+  if (length > most + granted)
+    return {.fault =
+                WitnessFault{"a shorter one does" + in_metres(": a plane parts them after", most),
+                             length - most}};
+  truth += in_metres("; a plane parts them after", most);
+  if (are_bodies) truth += in_metres(", and none before", least);
+  if (length <= least + granted) return {};
+  return {.unjudged = "whether a shorter one does"};
+}
+
+/// A surface that is led out of another is apart by the referee, or by a proof.
+PartsReview review_surfaces(const PlacedBody& a, const PlacedBody& b, const Eigen::Vector3d& by,
+                            double tolerance) {
+  const double length = by.norm();
   Pose moved = b.pose;
-  moved.translation() += by;
-  const double still = shared_depth(a, {b.shape, moved});
-  if (still > tolerance) return fault("still a hit after it", still);
-  return {.unjudged = "that they are apart after it" +
-                      in_metres(": a plane across it parts them after", needed)};
+  moved.translation() += length > 0 ? Eigen::Vector3d((1 + tolerance / length) * by) : by;
+  try {
+    const Judgement apart = ShapeJudge(a, {b.shape, moved}).judge(false, {"referee", ""});
+    if (apart.verdict == Verdict::Right) return {};
+    if (apart.verdict == Verdict::Wrong && apart.error > tolerance)
+      return fault("still a hit after it", apart.error);
+  } catch (const Error&) {  // B is taken out of the range of double
+  }
+  return {.unjudged = "that they are apart after it"};
+}
+
+/// Of two meshes the shapes' judge leaves it to the meshes'.
+std::optional<bool> known_hit(const PlacedBody& a, const PlacedBody& b) {
+  const bool are_meshes = a.shape.kind() == ShapeKind::Mesh && b.shape.kind() == ShapeKind::Mesh;
+  if (!are_meshes) return std::nullopt;
+  return ShapeJudge(a, b).judge(true, {"referee", ""}).verdict == Verdict::Right;
 }
 
 }  // namespace
@@ -46,7 +111,8 @@ PartsReview review_length(const PlacedBody& a, const PlacedBody& b, const Eigen:
 Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::optional<bool> is_hit,
                            const CaseAnswer& answer, bool is_graze) {
   Judgement judgement;
-  if (is_surface(a) || is_surface(b) || !is_hit) return judgement;
+  if (!is_hit) is_hit = known_hit(a, b);
+  if (!is_hit) return judgement;
   const double length = *answer.distance;
   const double tolerance = parting_tolerance(a, b, is_graze);
   judgement.truth = *is_hit ? "hit" : "apart";
@@ -60,8 +126,13 @@ Judgement judge_separation(const PlacedBody& a, const PlacedBody& b, std::option
   } else if (!*is_hit && length > tolerance) {
     review = fault("there is nothing to undo", length);
   } else if (*is_hit) {
-    review = review_length(a, b, *answer.translation, tolerance);
-    if (!review.fault) judgement.truth += ", apart after it";
+    const bool are_bodies = !is_surface(a) && !is_surface(b);
+    review = are_bodies ? review_length(a, b, *answer.translation, tolerance)
+                        : review_surfaces(a, b, *answer.translation, tolerance);
+    if (!review.fault && review.unjudged.empty()) {
+      judgement.truth += ", apart after it";
+      review = review_shortest(a, b, *answer.translation, tolerance, judgement.truth);
+    }
   }
   add_review(judgement, review, 1);
   return judgement;

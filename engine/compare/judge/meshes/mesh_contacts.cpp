@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace graze::compare {
 namespace {
@@ -40,15 +41,6 @@ enum class ContactConvention {
   Unknown,
 };
 
-/// Engines that give contacts for each pair of triangles, without the pair: the same contact may
-/// come once for each, and its normal and depth are those of two triangles.
-ContactConvention convention_of(const std::string& engine) {
-  if (engine == "graze") return ContactConvention::Graze;
-  const bool is_of_pairs =
-      engine == "fcl" || engine == "bullet" || engine == "ode" || engine == "coal";
-  return is_of_pairs ? ContactConvention::TrianglePairs : ContactConvention::Unknown;
-}
-
 bool is_convex(const Mesh& mesh) {
   if (!mesh.topology().is_closed) return false;
   if (mesh.vertices().size() * mesh.triangles().size() > kMostTests) return false;
@@ -68,6 +60,24 @@ std::array<double, 13> numbers_of(const CaseContact& c) {
   return {c.point.x(),   c.point.y(),   c.point.z(),   c.point_a.x(), c.point_a.y(),
           c.point_a.z(), c.point_b.x(), c.point_b.y(), c.point_b.z(), c.normal.x(),
           c.normal.y(),  c.normal.z(),  c.depth};
+}
+
+bool has_repeats(const std::vector<CaseContact>& contacts) {
+  std::set<std::array<double, 13>> known;
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const CaseContact& c) { return !known.insert(numbers_of(c)).second; });
+}
+
+/// Engines that give contacts for each pair of triangles, without the pair: the same contact may
+/// come once for each, and its normal and depth are those of two triangles. A wrapper of one of
+/// them has another name; that it repeats itself tells it.
+ContactConvention convention_of(const std::string& engine,
+                                const std::vector<CaseContact>& contacts) {
+  if (engine == "graze") return ContactConvention::Graze;
+  const bool is_of_pairs =
+      engine == "fcl" || engine == "bullet" || engine == "ode" || engine == "coal";
+  return is_of_pairs || has_repeats(contacts) ? ContactConvention::TrianglePairs
+                                              : ContactConvention::Unknown;
 }
 
 double off_bounds(std::initializer_list<Triangle> triangles, const Vector3d& p) {
@@ -197,7 +207,7 @@ class ContactReview {
 PartsReview review_contacts(const MeshReferee& referee, const std::vector<TrianglePair>& hits,
                             const MeshCase& meshes, const std::vector<CaseContact>& contacts,
                             const std::string& engine) {
-  const ContactConvention convention = convention_of(engine);
+  const ContactConvention convention = convention_of(engine, contacts);
   const ContactReview review(referee, hits, meshes, convention);
   for (const CaseContact& c : contacts) {
     if (Fault fault = review.fault_of(c)) return {.fault = fault};

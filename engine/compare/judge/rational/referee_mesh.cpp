@@ -7,8 +7,10 @@
 namespace graze::compare {
 namespace {
 
-/// Both of two pairs that take turns. A mesh of a million triangles takes some 250 MB here.
-constexpr std::size_t kMostKept = 4;
+/// Both of two pairs that take turns, however large: a mesh of a million triangles takes some
+/// 250 MB here. More, as of a scene, while all together have no more than so many triangles.
+constexpr std::size_t kKeptOfAnySize = 4;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 17;
 
 /// Smaller ones are made again sooner than they are looked for.
 constexpr std::size_t kWorthKeeping = 64;
@@ -33,8 +35,12 @@ class Shelf {
   void add(std::shared_ptr<const RefereeMesh> mesh) {
     const std::lock_guard lock(mutex_);
     if (find_unlocked(mesh->mesh())) return;
-    if (kept_.size() == kMostKept) kept_.pop_back();
     kept_.insert(kept_.begin(), std::move(mesh));
+    std::size_t triangles = 0;
+    for (const auto& each : kept_)
+      triangles += each->mesh().triangles().size();
+    for (; kept_.size() > kKeptOfAnySize && triangles > kMostTriangles; kept_.pop_back())
+      triangles -= kept_.back()->mesh().triangles().size();
   }
 
  private:

@@ -3,6 +3,12 @@
 #include <utility>
 
 namespace graze::compare {
+namespace {
+
+/// So many times as long as a load took that failed nobody tries again.
+constexpr int kTimesAsLong = 10;
+
+}  // namespace
 
 std::unique_ptr<PeerSession> PeerPool::take() {
   {
@@ -50,25 +56,83 @@ bool PeerLoad::request(std::string member,
   const bool is_alone = history_ == PeerHistory::None;
   const bool can_fork = session->hello().can_fork;
   if (is_alone && can_fork) member += ",\"alone\":true";
-  const bool is_answered = session->request(member, on_reply);
-  if (is_alone && !can_fork) return is_answered;  // its history has begun
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(session));
-  return is_answered;
+  // It comes back, unless it has failed, or its history has begun.
+  const auto give_back = [&](std::unique_ptr<PeerSession> used) {
+    const std::lock_guard lock(mutex_);
+    --busy_;
+    if (!used) return has_changed_.notify_all();
+    idle_.push_back(std::move(used));
+    has_changed_.notify_one();
+  };
+  try {
+    const bool is_answered = session->request(member, on_reply);
+    give_back(is_alone && !can_fork ? nullptr : std::move(session));
+    return is_answered;
+  } catch (...) {
+    give_back(nullptr);
+    throw;
+  }
 }
 
 /// Null if the engine refuses.
 std::unique_ptr<PeerSession> PeerLoad::take_loaded() {
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    if (failure_ && Clock::now() >= next_try_) failure_.reset();
+    wait_for_one(lock);
     if (is_refused_) return nullptr;
-    if (failure_) throw EngineFailure(*failure_);
     if (!idle_.empty()) {
       std::unique_ptr<PeerSession> session = std::move(idle_.back());
       idle_.pop_back();
+      ++busy_;
       return session;
     }
+    if (failure_) throw EngineFailure(*failure_);
+    ++busy_;
+    is_loading_ = true;
   }
+  const auto start = Clock::now();
+  const auto ended = [&](std::size_t gone) {
+    const std::lock_guard lock(mutex_);
+    const auto now = Clock::now();
+    if (failure_) next_try_ = now + kTimesAsLong * (now - start);
+    is_loading_ = false;
+    busy_ -= gone;
+    has_changed_.notify_all();
+  };
+  try {
+    std::unique_ptr<PeerSession> session = load_one();
+    {
+      const std::lock_guard lock(mutex_);
+      load_time_ = Clock::now() - start;
+      waited_ = Clock::duration(0);
+    }
+    ended(session ? 0 : 1);
+    return session;
+  } catch (...) {
+    ended(1);
+    throw;
+  }
+}
+
+/// Until one is idle, or known not to come, or until it is time to load another, which is never if
+/// that has failed. Of an engine whose every question takes a process of its own none comes back.
+void PeerLoad::wait_for_one(std::unique_lock<std::mutex>& lock) {
+  if (history_ == PeerHistory::None && !pool_->hello().can_fork) return;
+  while (idle_.empty() && !is_refused_) {
+    if (!is_loading_ && busy_ == 0) return;
+    if (is_loading_ || failure_) {
+      has_changed_.wait(lock);
+      continue;
+    }
+    if (waited_ >= load_time_) return;
+    const auto start = Clock::now();
+    has_changed_.wait_for(lock, load_time_ - waited_);
+    waited_ += Clock::now() - start;
+  }
+}
+
+std::unique_ptr<PeerSession> PeerLoad::load_one() {
   if (history_ == PeerHistory::Shared) {
     try {
       return loaded(pool_->take());

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,8 +42,11 @@ enum class PeerHistory {
   None,    ///< in processes that have loaded nothing else, as if nothing had been asked before
 };
 
-/// What one engine has loaded, in as many processes as there are threads that ask at once. Safe to
-/// use from many threads.
+/// What one engine has loaded, in one process and, if that is not enough, in more, one for each
+/// thread that asks at once. A thread that finds all of them busy waits: only when threads have
+/// waited together for as long as one load has taken, another process is loaded. So quick questions
+/// need one process, slow ones soon as many as there are threads, and no run takes twice as long as
+/// with the better of the two. Safe to use from many threads.
 class PeerLoad {
  public:
   /// `member` is the load's text (protocol.h).
@@ -50,21 +56,31 @@ class PeerLoad {
   PeerLoad& operator=(const PeerLoad&) = delete;
 
   /// As PeerSession::request(); false also if the engine refuses what is to be loaded. That it
-  /// fails to load is tried twice, and then remembered: each hanging load would cost the time limit
-  /// again.
+  /// fails to load is tried twice, and then told without trying until ten times as long has passed:
+  /// what failed for want of memory may go well later, and what hangs takes a tenth of the time.
   bool request(std::string member, const std::function<void(const cases::JsonCursor&)>& on_reply);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::unique_ptr<PeerSession> take_loaded();
+  void wait_for_one(std::unique_lock<std::mutex>& lock);
+  std::unique_ptr<PeerSession> load_one();
   std::unique_ptr<PeerSession> loaded(std::unique_ptr<PeerSession> session);
 
   std::shared_ptr<PeerPool> pool_;
   std::string member_;
   PeerHistory history_;
   std::mutex mutex_;
+  std::condition_variable has_changed_;
   std::vector<std::unique_ptr<PeerSession>> idle_;
+  std::size_t busy_ = 0;     ///< those that threads have, and will bring back or lose
+  bool is_loading_ = false;  ///< one more, at this moment
+  Clock::duration load_time_{0};
+  Clock::duration waited_{0};  ///< by all threads together, since the last load
   bool is_refused_ = false;
   std::optional<std::string> failure_;  ///< why nothing could be loaded
+  Clock::time_point next_try_;          ///< when that is tried again
 };
 
 }  // namespace graze::compare

@@ -7,6 +7,7 @@
 #include <graze/engine/compare/peers/process/serve_engine.h>
 #include <graze/engine/files/source.h>
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,7 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
 constexpr cases::JsonLimits kLimits = {.values = std::size_t{1} << 28};  // meshes of any size
-constexpr int kHasReplied = 42;  // no code that an engine would end with
+constexpr std::size_t kLongLine = std::size_t{1} << 16;  // bytes: no question is as long
+constexpr int kHasReplied = 42;                          // no code that an engine would end with
 
 /// The engine refuses, or knows no such question.
 class Unsupported : public std::runtime_error {
@@ -250,8 +252,14 @@ class Server {
 void serve_engine(const Engine& engine, std::istream& requests, int replies) {
   Server server(engine, replies);
   server.greet();
-  for (std::string line; std::getline(requests, line);)
+  for (std::string line; std::getline(requests, line);) {
     server.answer(line);
+    if (line.size() < kLongLine) continue;
+    // What was loaded is held by the engine now: its text and the tree of it are given back, so
+    // that the copies of this process and those beside it have room.
+    line = {};
+    malloc_trim(0);
+  }
 }
 
 }  // namespace graze::compare
