@@ -120,7 +120,6 @@ class Shape {
   }
 
  private:
-  friend struct ShapeAccess;
   Value value_;
 };
 

@@ -1,7 +1,6 @@
 #include <graze/engine/record/shapes/shape_content.h>
 
 #include <graze/bvh/error.h>
-#include <graze/engine/record/shapes/shape_access.h>
 #include <graze/engine/world/fields/field_data.h>
 #include <graze/engine/world/shapes/hull_data.h>
 
@@ -185,6 +184,14 @@ HeightField read_height_field(ByteReader& from) {
                                        : read_field<std::uint16_t>(from, columns, rows, settings);
 }
 
+/// A half-space or a plane with the numbers that a shape has had: those it leaves as they are.
+template <typename Flat>
+Shape as_it_was(const Flat& flat, const ByteReader& from) {
+  Shape shape(flat);
+  if (shape.as<Flat>()->normal != flat.normal) from.fail("a normal that is not of length 1");
+  return shape;
+}
+
 }  // namespace
 
 void write_shape(const Shape& shape, ByteWriter& to) {
@@ -210,13 +217,13 @@ Shape read_shape(std::uint8_t kind, ByteReader& from) {
     case ShapeKind::ConvexHull:
       return ConvexHull(read_points(from));
     case ShapeKind::HalfSpace:
-      return ShapeAccess::as_it_was(HalfSpace{read_vector(from), from.real()});
+      return as_it_was(HalfSpace{read_vector(from), from.real()}, from);
     case ShapeKind::Mesh:
       return read_mesh(from);
     case ShapeKind::HeightField:
       return read_height_field(from);
     case ShapeKind::Plane:
-      return ShapeAccess::as_it_was(Plane{read_vector(from), from.real()});
+      return as_it_was(Plane{read_vector(from), from.real()}, from);
   }
   from.fail("a shape of an unknown kind");
 }

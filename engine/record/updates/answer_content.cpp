@@ -3,6 +3,8 @@
 #include <graze/engine/record/updates/answer_content.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 namespace graze::record {
 namespace {
@@ -71,13 +73,6 @@ ShapeContact read_contact(ContactNumbers& before, ByteReader& from) {
   return contact;
 }
 
-void write_manifold(const Manifold& manifold, ByteWriter& to) {
-  to.number(manifold.part_a()), to.number(manifold.part_b()), to.number(manifold.size());
-  ContactNumbers before{};
-  for (const ShapeContact& contact : manifold)
-    write_contact(contact, before, to);
-}
-
 Manifold read_manifold(ByteReader& from) {
   Manifold manifold;
   const std::uint32_t part_a = from.number_up_to(0xffffffff, "part");
@@ -124,12 +119,16 @@ class PairReader {
   std::uint64_t last_ = 0;
 };
 
-void write_contacts(std::span<const BodyContact> list, ByteWriter& to) {
-  to.number(list.size());
+void write_contacts(const KeptAnswers& answers, ByteWriter& to) {
+  to.number(answers.manifolds.size());
   PairWriter pairs(to);
-  for (const BodyContact& contact : list) {
-    pairs.write(contact.pair);
-    write_manifold(contact.manifold, to);
+  auto contact = answers.contacts.begin();
+  for (const KeptManifold& manifold : answers.manifolds) {
+    pairs.write(manifold.pair);
+    to.number(manifold.part_a), to.number(manifold.part_b), to.number(manifold.contacts);
+    ContactNumbers before{};
+    for (const auto end = contact + manifold.contacts; contact != end; ++contact)
+      write_contact(*contact, before, to);
   }
 }
 
@@ -181,6 +180,92 @@ std::vector<BodyFirstContact> read_first_contacts(ByteReader& from, const LastId
   return list;
 }
 
+/// Pairs of bodies that are there, by a number that ascends as they do: of each index there is one.
+std::uint64_t place_of(const BodyPair& pair) {
+  return std::uint64_t{pair.a.index} << 32 | pair.b.index;
+}
+
+/// Manifolds that come from memory while others are copied, and the bytes of each that has one
+/// contact, as most have.
+constexpr std::size_t kContactsAhead = 12, kBytesAhead = 192, kLine = 64;
+
+/// The manifolds of an update, which take more than a cache holds, from the first to the last.
+class ContactSearch {
+ public:
+  explicit ContactSearch(std::span<const BodyContact> all) : all_(all) {}
+
+  /// Those of a pair, of parts several; none is asked for a lower pair than the one before. O(log
+  /// of how far away they are).
+  std::span<const BodyContact> of(const BodyPair& pair) {
+    const std::uint64_t place = place_of(pair);
+    fetch();
+    std::size_t step = 1;
+    for (; at_ < all_.size() && place_at(at_) < place; step *= 2)
+      at_ += step;
+    // The last step led too far, perhaps.
+    if (step > 2) {
+      const std::size_t low = at_ - step / 2 + 1;
+      const auto first = all_.begin() + static_cast<std::ptrdiff_t>(low);
+      const auto last = all_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, all_.size()));
+      at_ = low +
+            static_cast<std::size_t>(std::partition_point(first, last,
+                                                          [place](const BodyContact& contact) {
+                                                            return place_of(contact.pair) < place;
+                                                          }) -
+                                     first);
+    }
+    const std::size_t first = at_;
+    while (at_ < all_.size() && place_at(at_) == place)
+      ++at_;
+    return all_.subspan(first, at_ - first);
+  }
+
+ private:
+  std::uint64_t place_at(std::size_t index) const { return place_of(all_[index].pair); }
+
+  void fetch() {
+    static_assert(kBytesAhead <= sizeof(BodyContact));
+    const std::size_t end = std::min(all_.size(), at_ + kContactsAhead);
+    for (fetched_ = std::max(fetched_, at_); fetched_ < end; ++fetched_) {
+      const auto* bytes = reinterpret_cast<const char*>(&all_[fetched_]);
+      for (std::size_t byte = 0; byte < kBytesAhead; byte += kLine)
+        __builtin_prefetch(bytes + byte);
+    }
+  }
+
+  std::span<const BodyContact> all_;
+  std::size_t at_ = 0;       ///< behind what was found last
+  std::size_t fetched_ = 0;  ///< up to here they are in a cache, or on their way
+};
+
+/// Of the update's contacts those that are kept. O(those, and the log of the others).
+template <typename Take>
+void for_each_kept(const WorldUpdate& update, RecordedContacts which, const Take& take) {
+  if (which == RecordedContacts::All)
+    std::for_each(update.contacts.begin(), update.contacts.end(), take);
+  if (which != RecordedContacts::Begun) return;
+  ContactSearch search(update.contacts);
+  // Both lists ascend, as the contacts do.
+  auto begun = update.begun.begin(), near = update.begun_near.begin();
+  while (begun != update.begun.end() || near != update.begun_near.end()) {
+    const bool is_near =
+        begun == update.begun.end() || (near != update.begun_near.end() && *near < *begun);
+    for (const BodyContact& contact : search.of(is_near ? *near++ : *begun++))
+      take(contact);
+  }
+}
+
+void keep_all_but_contacts(const WorldUpdate& update, bool has_work, RecordedAnswers& to) {
+  to.begun.assign(update.begun.begin(), update.begun.end());
+  to.ended.assign(update.ended.begin(), update.ended.end());
+  to.begun_near.assign(update.begun_near.begin(), update.begun_near.end());
+  to.ended_near.assign(update.ended_near.begin(), update.ended_near.end());
+  to.moved = update.moved.size(), to.all_contacts = update.contacts.size();
+  to.first_contacts.assign(update.first_contacts.begin(), update.first_contacts.end());
+  to.work.reset();
+  if (has_work) to.work = update.work;
+}
+
 }  // namespace
 
 BodyId id_of(std::uint64_t index, const LastIds& ids, const ByteReader& from) {
@@ -205,42 +290,29 @@ std::vector<BodyPair> read_pairs(ByteReader& from, const LastIds& ids) {
 }
 
 void keep_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
-                  RecordedAnswers& to) {
-  to.begun.assign(update.begun.begin(), update.begun.end());
-  to.ended.assign(update.ended.begin(), update.ended.end());
-  to.begun_near.assign(update.begun_near.begin(), update.begun_near.end());
-  to.ended_near.assign(update.ended_near.begin(), update.ended_near.end());
-  to.moved = update.moved.size(), to.all_contacts = update.contacts.size();
-  to.contacts.clear();
-  if (contacts != RecordedContacts::None) {
-    // All three lists ascend.
-    auto begun = update.begun.begin();
-    auto near = update.begun_near.begin();
-    for (const BodyContact& contact : update.contacts) {
-      const BodyPair& pair = contact.pair;
-      while (begun != update.begun.end() && *begun < pair)
-        ++begun;
-      while (near != update.begun_near.end() && *near < pair)
-        ++near;
-      if (contacts == RecordedContacts::All || (begun != update.begun.end() && *begun == pair) ||
-          (near != update.begun_near.end() && *near == pair))
-        to.contacts.push_back(contact);
-    }
-  }
-  to.first_contacts.assign(update.first_contacts.begin(), update.first_contacts.end());
-  to.work.reset();
-  if (has_work) to.work = update.work;
+                  KeptAnswers& to) {
+  keep_all_but_contacts(update, has_work, to.others);
+  to.manifolds.clear(), to.contacts.clear();
+  for_each_kept(update, contacts, [&](const BodyContact& contact) {
+    const Manifold& manifold = contact.manifold;
+    to.manifolds.push_back({.pair = contact.pair,
+                            .part_a = manifold.part_a(),
+                            .part_b = manifold.part_b(),
+                            .contacts = static_cast<std::uint32_t>(manifold.size())});
+    for (const ShapeContact& each : manifold)
+      to.contacts.push_back(each);
+  });
 }
 
-void write_answers(const RecordedAnswers& answers, ByteWriter& to) {
-  for (const auto* list :
-       {&answers.begun, &answers.ended, &answers.begun_near, &answers.ended_near})
+void write_answers(const KeptAnswers& answers, ByteWriter& to) {
+  const RecordedAnswers& others = answers.others;
+  for (const auto* list : {&others.begun, &others.ended, &others.begun_near, &others.ended_near})
     write_pairs(*list, to);
-  to.number(answers.moved), to.number(answers.all_contacts);
-  write_contacts(answers.contacts, to);
-  write_first_contacts(answers.first_contacts, to);
-  if (!answers.work) return;
-  for_each_counter(*answers.work, [&](const char*, std::uint64_t counter) { to.number(counter); });
+  to.number(others.moved), to.number(others.all_contacts);
+  write_contacts(answers, to);
+  write_first_contacts(others.first_contacts, to);
+  if (!others.work) return;
+  for_each_counter(*others.work, [&](const char*, std::uint64_t counter) { to.number(counter); });
 }
 
 RecordedAnswers read_answers(ByteReader& from, const LastIds& ids, bool has_work) {
@@ -264,7 +336,9 @@ namespace graze {
 
 RecordedAnswers answers_of(const WorldUpdate& update, RecordedContacts contacts, bool has_work) {
   RecordedAnswers answers;
-  record::keep_answers(update, contacts, has_work, answers);
+  record::keep_all_but_contacts(update, has_work, answers);
+  record::for_each_kept(update, contacts,
+                        [&](const BodyContact& contact) { answers.contacts.push_back(contact); });
   return answers;
 }
 

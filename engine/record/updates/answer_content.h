@@ -4,6 +4,7 @@
 #include <graze/engine/record/coding/byte_writer.h>
 #include <graze/engine/record/recording.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,12 +19,28 @@ BodyId id_of(std::uint64_t index, const LastIds& ids, const ByteReader& from);
 void write_pairs(std::span<const BodyPair> ascending, ByteWriter& to);
 std::vector<BodyPair> read_pairs(ByteReader& from, const LastIds& ids);
 
-/// As answers_of(), in memory that is there.
+/// A manifold of those of an update, without its contacts.
+struct KeptManifold {
+  BodyPair pair;
+  std::uint32_t part_a;
+  std::uint32_t part_b;
+  std::uint32_t contacts;  ///< how many there are
+};
+
+/// What an update said, as it waits to be written: contacts one behind the other, for a manifold
+/// has room for four and mostly one or two.
+struct KeptAnswers {
+  RecordedAnswers others = {};  ///< all but contacts
+  std::vector<KeptManifold> manifolds = {};
+  std::vector<ShapeContact> contacts = {};  ///< of all manifolds, in order
+};
+
+/// What answers_of() keeps, in memory that is there.
 void keep_answers(const WorldUpdate& update, RecordedContacts contacts, bool has_work,
-                  RecordedAnswers& to);
+                  KeptAnswers& to);
 
 /// Work, too, if it is kept.
-void write_answers(const RecordedAnswers& answers, ByteWriter& to);
+void write_answers(const KeptAnswers& answers, ByteWriter& to);
 RecordedAnswers read_answers(ByteReader& from, const LastIds& ids, bool has_work);
 
 }  // namespace graze::record

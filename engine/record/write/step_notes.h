@@ -2,7 +2,7 @@
 
 #include <graze/bvh/pose.h>
 #include <graze/engine/record/coding/byte_writer.h>
-#include <graze/engine/record/recording.h>
+#include <graze/engine/record/updates/answer_content.h>
 #include <graze/engine/world/ids.h>
 
 #include <cstddef>
@@ -25,9 +25,9 @@ class StepNotes {
     std::uint32_t before = 0;  ///< the body that the change before was about
   };
 
-  ByteWriter changes;       ///< up to what the update said
-  RecordedAnswers answers;  ///< what the update said
-  std::string blocks;       ///< of new shapes, which are written before
+  ByteWriter changes;   ///< up to what the update said
+  KeptAnswers answers;  ///< what the update said
+  std::string blocks;   ///< of new shapes, which are written before
 
   void clear() {
     changes.clear(), blocks.clear();

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <set>
 
 #include "tests/engine/histories/contestant.h"
 #include "tests/engine/record/recorded_run.h"
@@ -138,6 +140,57 @@ TEST(Recording, BeginsInTheMiddleOfARun) {
   EXPECT_EQ(reader.head().world.number, 3u);
   EXPECT_TRUE(reader.head().world.islands);
   EXPECT_EQ(first_difference_in(run.bytes, {.threads = 2, .has_work = true}), "none");
+}
+
+/// Balls in a lattice, some with a margin, and benches of two parts that lie across them; in each
+/// update a share of all is moved.
+struct Shaken {
+  Shaken() : world({.contacts = true}) {
+    Compound bench;
+    bench.add({Sphere{{0, 0, 0}, 0.5}, at(0, 0, 0)});
+    bench.add({Sphere{{0, 0, 0}, 0.5}, at(0.3, 0, 0)});
+    const auto parts = share(bench), ball = share(Sphere{{0, 0, 0}, 0.5});
+    for (int i = 0; i < 216; ++i) {
+      homes.emplace_back(i % 6, i / 6 % 6, i / 36);
+      bodies.push_back(world.add({i % 5 == 0 ? parts : ball, at(i % 6, i / 6 % 6, i / 36)},
+                                 {.margin = i % 3 == 0 ? 0.01 : 0}));
+    }
+  }
+
+  void move(double share, std::mt19937_64& random) {
+    std::uniform_real_distribution<double> one(0, 1), off(-0.02, 0.02);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (one(random) >= share) continue;
+      const Vector3d place = homes[i] + Vector3d(off(random), off(random), off(random));
+      world.move(bodies[i], at(place.x(), place.y(), place.z()));
+    }
+  }
+
+  World world;
+  std::vector<Vector3d> homes;
+  std::vector<BodyId> bodies;
+};
+
+TEST(Recording, KeepsTheContactsOfPairsThatBegin) {
+  Shaken shaken;
+  std::mt19937_64 random(5);
+  std::size_t kept = 0, others = 0, of_parts = 0;
+  for (int step = 0; step < 60; ++step) {
+    shaken.move(step % 3 == 0 ? 1 : (step % 3 == 1 ? 0.3 : 0.02), random);
+    const WorldUpdate& update = shaken.world.update();
+    std::set<BodyPair> named(update.begun.begin(), update.begun.end());
+    named.insert(update.begun_near.begin(), update.begun_near.end());
+    std::vector<BodyContact> expected;
+    for (const BodyContact& contact : update.contacts)
+      if (named.contains(contact.pair)) expected.push_back(contact);
+    EXPECT_EQ(answers_of(update, RecordedContacts::Begun, false).contacts, expected) << step;
+    kept += expected.size(), others += update.contacts.size() - expected.size();
+    for (std::size_t i = 1; i < expected.size(); ++i)
+      of_parts += expected[i].pair == expected[i - 1].pair ? 1 : 0;
+  }
+  EXPECT_GT(kept, 1000U);
+  EXPECT_GT(others, 1000U);
+  EXPECT_GT(of_parts, 10U);
 }
 
 /// A ball that goes to and fro through a plate, swept; parts, voxels, and shapes that change.

@@ -3,91 +3,11 @@
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {tmpdir} from 'node:os';
-import {join, resolve} from 'node:path';
-import {inflateSync} from 'node:zlib';
-import {chromium} from 'playwright-core';
+import {readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
 import {crowd} from './crowd.mjs';
-
-const [graze, data] = process.argv.slice(2).map((path) => resolve(path));
-const folder = mkdtempSync(join(tmpdir(), 'graze-view-'));
-const found = ['chromium', 'chromium-browser', 'google-chrome'].map((name) => {
-  try {
-    return execFileSync('sh', ['-c', `command -v ${name}`], {encoding: 'utf8'}).trim();
-  } catch {
-    return '';
-  }
-}).find(Boolean);
-if (!found) throw new Error('no Chromium; .ci/setup view installs it');
-
-const kMarked = (r, g, b) => r > 150 && g < 90 && b < 110;
-const kBlue = (r, g, b) => b > r + 25 && b > 90 && g > r;
-const kSand = (r, g, b) => r > b + 30 && g > b + 15 && r > 100;
-const kGap = (r, g, b) => g > r + 60 && b > r + 40 && r < 60;
-
-/** Rows of RGBA of a PNG as Chromium writes them: 8 bits, RGB or RGBA, not interlaced. */
-function pixelsOf(png) {
-  const width = png.readUInt32BE(16), height = png.readUInt32BE(20), channels = png[25] === 6 ? 4 : 3;
-  const parts = [];
-  for (let at = 8; at < png.length;) {
-    const length = png.readUInt32BE(at);
-    if (png.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(png.subarray(at + 8, at + 8 + length));
-    at += length + 12;
-  }
-  const raw = inflateSync(Buffer.concat(parts)), stride = width * channels;
-  const out = new Uint8Array(height * stride);
-  for (let y = 0; y < height; ++y) {
-    const filter = raw[y * (stride + 1)];
-    for (let x = 0; x < stride; ++x) {
-      const a = x < channels ? 0 : out[y * stride + x - channels], b = y === 0 ? 0 : out[(y - 1) * stride + x];
-      const c = x < channels || y === 0 ? 0 : out[(y - 1) * stride + x - channels];
-      const p = a + b - c, pa = Math.abs(p - a), pb = Math.abs(p - b), pc = Math.abs(p - c);
-      const paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-      out[y * stride + x] = raw[y * (stride + 1) + 1 + x] + [0, a, b, a + b >> 1, paeth][filter];
-    }
-  }
-  return {out, channels};
-}
-
-/** The picture alone, without the words over it. */
-async function picture(page) {
-  return pixelsOf(await page.locator('#canvas').screenshot({style: '#stage > :not(#canvas) {visibility: hidden !important}'}));
-}
-
-async function count(page, isIt) {
-  const {out, channels} = await picture(page);
-  let found = 0;
-  for (let i = 0; i < out.length; i += channels) if (isIt(out[i], out[i + 1], out[i + 2])) ++found;
-  return found;
-}
-
-function view(name, ...words) {
-  const file = join(folder, `${name}.html`);
-  execFileSync(graze, ['view', ...words, '-o', file], {cwd: data, stdio: ['ignore', 'ignore', 'inherit']});
-  return file;
-}
-
-const browser = await chromium.launch({
-  executablePath: found,
-  args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-});
-
-/** Opens a page; whatever it says on the console, asks of a network, or throws is in `said`. */
-async function open(file, {width = 1400, height = 860, hash = '', args = {}, isReport = false} = {}) {
-  const context = await browser.newContext({viewport: {width, height}, acceptDownloads: true, ...args});
-  const page = await context.newPage(), said = [];
-  page.on('console', (message) => { if (!/GPU stall|GL Driver/.test(message.text())) said.push(message.text()); });
-  page.on('pageerror', (error) => said.push(String(error.stack)));
-  page.on('request', (request) => { if (!/^(file|blob|about):/.test(request.url())) said.push(`asks for ${request.url()}`); });
-  await page.goto(`file://${file}${hash}`);
-  if (!isReport) await page.waitForFunction(() => document.documentElement.dataset.ready || document.querySelector('.refusal'), null,
-                             {timeout: 60000});
-  return {page, said, close: () => context.close()};
-}
-
-/** Two pictures later: what was asked for is drawn. */
-const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
+import {keyboard} from './keyboard.mjs';
+import {browser, count, data, folder, graze, kBlue, kGap, kMarked, kSand, open, picture, settle, view} from './pages.mjs';
 
 const tests = {
   async 'intersecting triangles are red, and can be switched off'() {
@@ -163,7 +83,7 @@ const tests = {
     const apart = await open(join(folder, 'apart.html'));
     await apart.page.getByLabel('nearest points').uncheck();
     await settle(apart.page);
-    const kPlane = (r, g, b) => g > r + 12 && g > b + 2 && g > 180;
+    const kPlane = (r, g, b) => g > r + 12 && Math.abs(g - b) < 8 && g > 180;
     assert.ok(await count(apart.page, kPlane) > 5000, 'the plane');
     await apart.page.getByLabel('separating planes').uncheck();
     await settle(apart.page);
@@ -317,6 +237,8 @@ const tests = {
     assert.equal((await firsts()).length, given.length, 'and all lines');
     assert.deepEqual(said, []);
     await page.emulateMedia({media: 'screen'});
+    await page.setViewportSize({width: 400, height: 800});
+    assert.ok(await page.evaluate(() => { scrollTo(500, 0); return scrollX; }) === 0, 'a narrow screen need not be moved sideways');
     await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
     await page.reload();
     await viewer.locator('.refusal').waitFor();
@@ -367,6 +289,26 @@ const tests = {
     await close();
   },
 
+  async 'what holds others is seen through'() {
+    const scene = join(folder, 'held.json');
+    writeFileSync(scene, JSON.stringify({
+      graze_scene: 1, units: {length: 'm', angle: 'turn'}, step: 1, steps: 1,
+      shapes: [{name: 'crate', box: {half_extents: [2, 2, 2]}}, {name: 'ball', sphere: {radius: 1}},
+               {name: 'pebble', sphere: {radius: 0.2}}],
+      bodies: [['crate', [0, 0, 0]], ['ball', [0, 0, 0]], ['pebble', [1.5, 0, 0]], ['pebble', [0, 1.5, 0]]]
+                  .map(([shape, position], i) => ({name: `${shape} ${i}`, shape, pose: {position}})),
+    }));
+    const {page, said, close} = await open(view('held', scene));
+    await settle(page);
+    const seen = await count(page, kSand);
+    assert.ok(seen > 2000, `${seen}: the balls, or some`);
+    await page.getByLabel('see into containers').uncheck();
+    await settle(page);
+    assert.ok(await count(page, kSand) < seen / 10, 'not within an opaque box');
+    assert.deepEqual(said, []);
+    await close();
+  },
+
   async 'without WebGL there is a word'() {
     const {page, close} = await open(join(folder, 'deep.html'), {hash: ''});
     await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
@@ -378,7 +320,8 @@ const tests = {
 };
 
 let failed = 0;
-for (const [name, run] of Object.entries(tests)) {
+const all = {...tests, ...keyboard};
+for (const [name, run] of Object.entries(all)) {
   const began = Date.now();
   try {
     await run();
@@ -390,5 +333,5 @@ for (const [name, run] of Object.entries(tests)) {
 }
 await browser.close();
 rmSync(folder, {recursive: true, force: true});
-console.log(`${Object.keys(tests).length - failed} passed, ${failed} failed`);
+console.log(`${Object.keys(all).length - failed} passed, ${failed} failed`);
 process.exitCode = failed > 0 ? 1 : 0;

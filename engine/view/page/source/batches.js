@@ -2,6 +2,7 @@
 // Surfaces and edges as they are drawn: bodies that have the same triangles make one call, however many they are.
 
 import * as THREE from 'three';
+import {kBrightness} from './colors.js';
 import {surfaceMaterial} from './shading.js';
 
 /** Lines have this many opacities between none and full: each is a call. */
@@ -81,6 +82,11 @@ export class Batches {
     this.surfaces = new Map();
     /** @type {Map<THREE.BufferGeometry, Batch>[]} by opacity */
     this.lines = [];
+  }
+
+  /** @param {boolean} isDark */
+  paint(isDark) {
+    this.material.uniforms.brightness.value = kBrightness[isDark ? 'dark' : 'light'];
   }
 
   /** @param {THREE.BufferGeometry} geometry @param {THREE.Matrix4} matrix @param {THREE.Color} color as the screen has it */

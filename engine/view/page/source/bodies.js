@@ -4,15 +4,12 @@
 
 import * as THREE from 'three';
 import {clustered, kGrids, levelFor} from './coarse.js';
+import {kMarked} from './colors.js';
 import {meshEdges, typicalEdge} from './edges.js';
 import {placeIn} from './frames.js';
 
 /** @typedef {import('./unpack.js').PageData} PageData */
 /** @typedef {import('./unpack.js').Arrays} Arrays */
-
-/** Light, so that red triangles and dark curves stand out; told apart by lightness where not by hue. */
-export const kPalette = ['#93b4d4', '#e6c583', '#a3cdb5', '#cfabc9', '#c4c7cc', '#b9a68d'];
-const kMarked = '#d3203c';
 
 /** Pixels that a coarse body has at least if its edges are drawn. */
 const kLeastForEdges = 160;
@@ -112,12 +109,21 @@ export class ShownBody {
     this.group.add(this.marked);
     /** Of what has no end, which is seen through. */
     this.sheet = shape.isBoundless ? this.sheetOf(color) : null;
+    /** Whether others lie in it, as in a bin. */
+    this.isHolder = false;
     this.color = new THREE.Color(color);
     /** Its numbers are those of the screen. */
     this.screenColor = new THREE.Color().setStyle(color, THREE.LinearSRGBColorSpace);
     this.isCoarse = false;
     /** @type {Cap|null} made when something is cut first */
     this.cap = null;
+  }
+
+  /** Others lie in it: it is seen through, so that they are seen. */
+  hold() {
+    if (this.sheet) return;
+    this.isHolder = true;
+    this.sheet = this.sheetOf(`#${this.color.getHexString()}`);
   }
 
   /** @param {string} color */
@@ -179,20 +185,32 @@ export class ShownBody {
     if (isFilled) this.cap?.lay(plane, box);
   }
 
+  /** The point of its bounding ball that is nearest to the eye. @param {THREE.Vector3} eye */
+  nearestTo(eye) {
+    const ball = this.shape.surface.boundingSphere?.clone().applyMatrix4(this.group.matrix) ?? new THREE.Sphere();
+    const sight = eye.clone().sub(ball.center);
+    return ball.center.addScaledVector(sight.normalize(), Math.min(ball.radius, sight.length()));
+  }
+
   /** Pixels of the longest side of the mesh's box, where a unit has some. @param {number} pixels */
   longest(pixels) {
     return pixels * this.group.matrix.getMaxScaleOnAxis() * this.shape.longest;
   }
 
   /**
-   * @param {{pixels: number, nearest: number, cell: number, hasEdges: boolean, hasMarks: boolean}} look `pixels` of a
+   * @param {{pixels: number, nearest: number, cell: number, hasEdges: boolean, hasMarks: boolean, hasGlass: boolean}} look `pixels` of a
    *   unit at what is looked at, and at the body's `nearest` point; `cell`: so many of them may become one, 0 none
    * @param {import('./batches.js').Batches} batches that draw it
    */
-  dress({pixels, nearest, cell, hasEdges, hasMarks}, batches) {
+  dress({pixels, nearest, cell, hasEdges, hasMarks, hasGlass}, batches) {
     this.marked.visible = hasMarks;
-    if (this.sheet) return;
     const {shape, group: {matrix}} = this;
+    if (this.sheet) this.sheet.visible = hasGlass || !this.isHolder;
+    if (this.sheet?.visible) {
+      this.isCoarse = false;
+      if (this.isHolder && hasEdges) batches.addLines(shape.sharp, matrix, 0.6);
+      return;
+    }
     const whole = this.longest(nearest);
     const surface = shape.surfaceFor(cell > 0 ? levelFor(whole, cell) : kGrids.length);
     this.isCoarse = surface !== shape.surface;

@@ -2,6 +2,7 @@
 // Boxes around parts of bodies, a level of a tree at a time: lines that go with the body.
 
 import * as THREE from 'three';
+import {kMarks} from './colors.js';
 import {boxEdges} from './edges.js';
 
 export class TreeBoxes {
@@ -27,7 +28,7 @@ export class TreeBoxes {
 
   /** @param {boolean} isDark */
   paint(isDark) {
-    this.material.color.set(isDark ? '#ffb454' : '#a04a00');
+    this.material.color.set(kMarks[isDark ? 'dark' : 'light'].box);
   }
 
   /** @param {number|null} level */

@@ -5,7 +5,7 @@
  * @typedef {object} Commands
  * @property {(side: number, up: number, nearer: number) => void} turn
  * @property {(right: number, up: number) => void} slide
- * @property {Record<string, () => void>} plain by the key's letter
+ * @property {Record<string, () => void>} plain by the key; of a letter the capital, where it means something else
  * @property {(body: number, isAlone: boolean) => void} body
  */
 
@@ -19,6 +19,8 @@ export function listenToKeys(commands) {
     const isField = target.tagName === 'SELECT' || (target instanceof HTMLInputElement && target.type === 'range');
     const isButton = target.tagName === 'BUTTON' || target.tagName === 'SUMMARY' || target instanceof HTMLInputElement;
     if (isField && /^(Arrow|Home|End|Page)/.test(event.key)) return;
+    // Where one chooses by letters and digits.
+    if (target.tagName === 'SELECT' && event.key.length === 1) return;
     if (isButton && (event.key === ' ' || event.key === 'Enter')) return;
     if (handle(event, commands)) event.preventDefault();
   });
@@ -40,7 +42,7 @@ function handle(event, commands) {
   if (event.key === '+' || event.key === '=') commands.turn(0, 0, 0.85);
   else if (event.key === '-') commands.turn(0, 0, 1 / 0.85);
   else {
-    const command = commands.plain[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const command = commands.plain[event.key] ?? commands.plain[event.key.toLowerCase()];
     if (!command) return false;
     command();
   }

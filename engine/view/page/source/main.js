@@ -37,7 +37,8 @@ class Page {
       this.overlay.place();
     };
     this.stage.onTurned = () => this.keepLink();
-    this.panel = new Panel(this.stage, () => this.changed());
+    this.stage.covered = () => this.covered();
+    this.panel = new Panel(this.stage, () => this.changed(), (body) => this.nearBodies([body]));
     this.player = new Player(page.frames, (frame) => this.show(frame), (frame) => this.tell(frame), (word) => this.overlay.say(word));
     this.pairs = new Pairs(page, arrays, {
       go: (frame) => this.player.go(frame),
@@ -177,6 +178,15 @@ class Page {
     this.player.drawStrip();
   }
 
+  /** On a narrow screen words stand above the picture and tools below it, not beside it. */
+  covered() {
+    const head = element('head'), tools = element('tools'), {clientWidth, clientHeight} = element('stage');
+    const isNarrow = head.offsetWidth + tools.offsetWidth + 2 * head.offsetLeft > 0.8 * clientWidth;
+    if (!isNarrow) return {top: 0, bottom: 0};
+    const isBelow = tools.offsetTop > clientHeight / 2;
+    return {top: head.offsetTop + head.offsetHeight, bottom: isBelow ? clientHeight - tools.offsetTop : 0};
+  }
+
   async savePicture() {
     const frame = this.page.frames[this.player.frame];
     const lines = [element('title').textContent ?? '', element('state').textContent ?? ''];
@@ -189,8 +199,17 @@ class Page {
     this.overlay.say('picture saved');
   }
 
+  showKeys() {
+    const keys = /** @type {HTMLDetailsElement} */ (element('keys'));
+    if (!element('panel').classList.contains('is-open') && element('panel').offsetParent === null) this.toggleMore();
+    keys.open = !keys.open;
+    keys.scrollIntoView({block: 'nearest'});
+    keys.querySelector('summary')?.focus();
+  }
+
   toggleMore() {
     const isOpen = element('panel').classList.toggle('is-open');
+    element('view').classList.toggle('has-lists', isOpen);
     element('open').setAttribute('aria-expanded', String(isOpen));
   }
 
@@ -252,10 +271,18 @@ class Page {
         End: () => player.go(this.page.frames.length - 1),
         f: () => this.fit(),
         c: () => this.near(),
+        s: () => player.nextSpeed(1),
+        S: () => player.nextSpeed(-1),
+        o: () => player.turnLoop(),
         x: () => panel.nextCut('x'),
         y: () => panel.nextCut('y'),
         z: () => panel.nextCut('z'),
+        PageUp: () => panel.moveCut(0.02),
+        PageDown: () => panel.moveCut(-0.02),
         b: () => panel.nextLevel(),
+        i: () => this.pickMiddle(),
+        Escape: () => element('canvas').focus(),
+        '?': () => this.showKeys(),
         h: () => this.turnHex(),
         t: () => this.turnTheme(),
         p: () => this.savePicture(),
@@ -303,6 +330,15 @@ class Page {
     const {clientWidth, clientHeight} = element('stage');
     tip.style.left = `${Math.min(x + 14, clientWidth - tip.offsetWidth - 6)}px`;
     tip.style.top = `${Math.min(y + 14, clientHeight - tip.offsetHeight - 6)}px`;
+  }
+
+  /** For who has no pointer. */
+  pickMiddle() {
+    const {clientWidth, clientHeight} = element('canvas'), {top, bottom} = this.covered();
+    const x = clientWidth / 2, y = (top + clientHeight - bottom) / 2;
+    this.tip(x, y);
+    this.keepPick(x, y);
+    if (this.picked === null) this.overlay.say('nothing is in the middle of the picture');
   }
 
   /** @param {number} x @param {number} y */

@@ -5,6 +5,7 @@ import * as THREE from 'three';
 import {LineMaterial} from 'three/examples/jsm/lines/LineMaterial.js';
 import {LineSegments2} from 'three/examples/jsm/lines/LineSegments2.js';
 import {LineSegmentsGeometry} from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import {kMarks} from './colors.js';
 import {marksOf} from './frames.js';
 
 /** @typedef {import('./unpack.js').Arrays} Arrays */
@@ -158,12 +159,11 @@ export class FrameMarks {
 
   /** @param {boolean} isDark */
   paint(isDark) {
-    this.curves.paint(isDark ? '#ffffff' : '#14141c');
-    const line = isDark ? '#9fb3c8' : '#44566a';
+    const {curve, contact, gap, line} = kMarks[isDark ? 'dark' : 'light'];
+    this.curves.paint(curve);
     this.lines.paint(line);
     this.dots.material.color.set(line);
-    this.planes.paint(isDark ? '#35d0a0' : '#00755a');
-    const contact = isDark ? '#c8a2ff' : '#5b2a96', gap = isDark ? '#35d0a0' : '#00755a';
+    this.planes.paint(gap);
     this.depths.paint(contact);
     this.normals.paint(contact);
     /** @type {THREE.MeshBasicMaterial} */ (this.tips.material).color.set(contact);
@@ -204,6 +204,19 @@ export class FrameMarks {
       this.tips.instanceMatrix = new THREE.InstancedBufferAttribute(new Float32Array(16 * count), 16);
     }
     this.tips.count = count;
+  }
+
+  /**
+   * Around curves, contacts and gaps of a frame.
+   * @param {Arrays} arrays @param {import('./unpack.js').PageData['marks']} marks @param {number} frame
+   */
+  bounds(arrays, marks, frame) {
+    const box = new THREE.Box3(), at = new THREE.Vector3(), ends = marksOf(arrays, marks.curves, 6, frame);
+    for (let i = 0; i < ends.length; i += 3) box.expandByPoint(at.fromArray(ends, i));
+    for (let i = 0; i < this.contactNumbers.length; i += 7) box.expandByPoint(at.fromArray(this.contactNumbers, i));
+    for (let i = 0; i < this.gapNumbers.length; i += 7)
+      for (const end of [0, 3]) box.expandByPoint(at.fromArray(this.gapNumbers, i + end));
+    return box;
   }
 
   /** Thousands of contacts would hide what they are of. @param {number} count */

@@ -2,7 +2,7 @@
 // The list of bodies, the layers and the cut.
 
 import {element} from './overlay.js';
-import {kPalette} from './bodies.js';
+import {kPalette} from './colors.js';
 
 /** @typedef {import('./stage.js').Layer} Layer */
 
@@ -10,10 +10,11 @@ import {kPalette} from './bodies.js';
 const kLayers = [
   ['triangles', 'intersecting triangles', '<path d="M4 12 11 2l7 10z" fill="#d3203c" stroke="none"/>'],
   ['curves', 'curves of intersection', '<path d="M2 10C8-2 13 16 20 4" stroke-width="2.500"/>'],
-  ['contacts', 'contacts, normals, depths', '<path d="M4 11 15 4M15 4l-5 .5M15 4l-2 4.500" stroke="#7a45bd"/>'],
-  ['gaps', 'nearest points, gap', '<path d="M3 7h16" stroke="#00876a"/><path d="M3 3v8M19 3v8" stroke="#00876a"/>'],
+  ['contacts', 'contacts, normals, depths', '<path d="M4 11 15 4M15 4l-5 .5M15 4l-2 4.500" style="stroke:var(--contact)"/>'],
+  ['gaps', 'nearest points, gap', '<path d="M3 7h16M3 3v8M19 3v8" style="stroke:var(--gap)"/>'],
   ['edges', 'edges', '<path d="M3 11 8 2l11 3-5 7z" stroke-width="1.300"/>'],
-  ['planes', 'separating planes', '<path d="M4 10 9 3h10l-5 7z" fill="#00755a" fill-opacity=".25" stroke="#00755a"/>'],
+  ['glass', 'see into containers', '<path d="M3 2h16l-3 10H6z" fill="currentColor" fill-opacity=".15" stroke-width="1.300"/>'],
+  ['planes', 'separating planes', '<path d="M4 10 9 3h10l-5 7z" style="stroke:var(--gap);fill:var(--gap);fill-opacity:.25"/>'],
   ['labels', 'lines, points, words', '<path d="M4 3h13M10.500 3v9"/>'],
 ];
 
@@ -21,16 +22,21 @@ const kLayers = [
  * Whether any frame has some of it.
  * @param {Layer} layer @param {import('./stage.js').Stage} stage
  */
-function isEver(layer, {page: {marks}, arrays}) {
+function isEver(layer, {page: {marks}, arrays, bodies}) {
+  if (layer === 'glass') return bodies.some(({isHolder}) => isHolder);
   if (layer === 'triangles') return marks.triangles.length > 0;
   if (layer === 'labels') return marks.labels.length > 0 || [marks.lines, marks.points].some(({list}) => arrays.words(list).length > 0);
   return layer === 'edges' || arrays.words(marks[layer].list).length > 0;
 }
 
 export class Panel {
-  /** @param {import('./stage.js').Stage} stage @param {() => void} onChange */
-  constructor(stage, onChange) {
+  /**
+   * @param {import('./stage.js').Stage} stage @param {() => void} onChange
+   * @param {(body: number) => void} goTo
+   */
+  constructor(stage, onChange, goTo) {
     this.stage = stage;
+    this.goTo = goTo;
     this.onChange = onChange;
     this.rows = stage.page.bodies.map((body, b) => this.row(body, b));
     this.boxes = new Map(kLayers.map(([layer, name, icon]) => [layer, this.layer(layer, name, icon)]));
@@ -54,24 +60,28 @@ export class Panel {
     const box = document.createElement('input');
     box.type = 'checkbox';
     box.checked = true;
-    box.id = `body-${b}`;
+    box.setAttribute('aria-label', `Show ${body.name}`);
     const swatch = document.createElement('span');
     swatch.className = 'swatch';
     swatch.style.background = body.color ?? kPalette[b % kPalette.length];
-    const label = document.createElement('label');
-    label.htmlFor = box.id;
-    label.textContent = body.name;
-    label.title = body.name;
+    const name = document.createElement('button');
+    name.className = 'name';
+    name.textContent = body.name;
+    name.title = `${body.name}: go near`;
+    name.addEventListener('click', () => {
+      if (this.stage.bodies[b].isHidden) this.hide(b, false);
+      this.goTo(b);
+    });
     const size = document.createElement('small');
     const triangles = this.stage.bodies[b].shape.triangles.length / 3;
     size.textContent = `${triangles.toLocaleString('en')} triangle${triangles === 1 ? '' : 's'}`;
-    label.append(size);
+    name.append(size);
     const only = document.createElement('button');
     only.textContent = 'only';
     only.title = `Only ${body.name}; again: all`;
     box.addEventListener('change', () => this.hide(b, !box.checked));
     only.addEventListener('click', () => this.isolate([b]));
-    item.append(box, swatch, label, only);
+    item.append(box, swatch, name, only);
     element('bodies').append(item);
     return {item, box, isHere: true};
   }
@@ -166,6 +176,12 @@ export class Panel {
     if (cut?.axis !== axis) this.showCut({axis, at: 0.5, isFlipped: false});
     else if (!cut.isFlipped) this.flip();
     else this.setCut('');
+  }
+
+  /** @param {number} by parts of what is there */
+  moveCut(by) {
+    const {cut} = this.stage;
+    if (cut) this.showCut({...cut, at: Math.min(1, Math.max(0, cut.at + by))});
   }
 
   flip() {

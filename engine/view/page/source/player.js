@@ -75,6 +75,18 @@ export class Player {
     else this.go(next);
   }
 
+  /** The next one of the list; behind the last the first. @param {1|-1} by */
+  nextSpeed(by) {
+    const {speed} = this, count = speed.options.length;
+    speed.selectedIndex = (speed.selectedIndex + by + count) % count;
+    this.say(`${speed.value} frames a second`);
+  }
+
+  turnLoop() {
+    this.loop.checked = !this.loop.checked;
+    this.say(this.loop.checked ? 'plays again and again' : 'plays once');
+  }
+
   toggle() {
     if (this.frames.length < 2) return;
     if (this.isPlaying) return this.stop();

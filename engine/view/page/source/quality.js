@@ -4,9 +4,15 @@
 
 import {kGrids, levelFor} from './coarse.js';
 
-/** Milliseconds that a picture should take, and between which nothing is changed. */
-const kGoal = 33, kQuick = 22, kSlow = 45;
+/** Milliseconds that a picture should take, and between which nothing is changed: 30 a second, and a little more. */
+const kGoal = 27, kQuick = 20, kSlow = 35;
 const kLeastBudget = 20000, kFirstBudget = 400000, kMostBudget = 8e6;
+/** With fewer triangles shapes suffer more than by fewer pixels, which come first. */
+const kPlainBudget = 100000;
+/** Of the pixels of the screen along each side. */
+const kResolutions = [1, 0.75, 0.5];
+/** Of what stands still so many triangles are drawn by any machine, though it take a second. */
+const kStillBudget = 1.5e6;
 /** Pixels that may become one: at least this while something moves, at most this while nothing does. */
 const kMovingCell = 2, kStillCell = 1;
 /** Beyond that bodies are hardly known again. */
@@ -16,24 +22,26 @@ export class Quality {
   constructor() {
     /** Triangles of a picture while something moves. */
     this.budget = kFirstBudget;
-    /** Of the pixels of the screen along each side while something moves: 1 or 0.5. */
-    this.resolution = 1;
+    this.step = 0;
+  }
+
+  /** Of the pixels of the screen along each side while something moves. */
+  get resolution() {
+    return kResolutions[this.step];
   }
 
   /** After each picture of a motion. @param {number} milliseconds */
   took(milliseconds) {
+    const isPlain = this.budget >= kPlainBudget;
     if (milliseconds > kSlow) {
-      if (this.budget === kLeastBudget) this.resolution = 0.5;
-      this.budget = Math.max(kLeastBudget, this.budget * Math.max(0.25, kGoal / milliseconds));
+      const less = this.budget * Math.max(0.25, kGoal / milliseconds);
+      if (this.budget > kPlainBudget) this.budget = Math.max(kPlainBudget, less);
+      else if (this.step + 1 < kResolutions.length) ++this.step;
+      else this.budget = Math.max(kLeastBudget, less);
     } else if (milliseconds < kQuick) {
-      if (this.resolution < 1) this.resolution = 1;
-      else this.budget = Math.min(kMostBudget, this.budget * 1.5);
+      if (isPlain && this.step > 0) --this.step;
+      else this.budget = Math.min(isPlain ? kMostBudget : kPlainBudget, this.budget * 1.5);
     }
-  }
-
-  /** Whether this machine draws quickly enough to show all once nothing moves. @param {number} triangles of all */
-  drawsAll(triangles) {
-    return triangles <= 8 * this.budget;
   }
 
   /**
@@ -45,12 +53,11 @@ export class Quality {
   cell(bodies, isMoving) {
     const all = bodies.reduce((sum, body) => sum + body.countAt(kGrids.length), 0);
     if (all <= Math.min(this.budget, kFirstBudget)) return 0;
-    if (!isMoving && this.drawsAll(all)) return kStillCell;
+    const countOf = (/** @type {number} */ of) => bodies.reduce((sum, {pixels, countAt}) => sum + countAt(levelFor(pixels, of)), 0);
     // For a picture that stays one waits a little.
-    const budget = isMoving ? this.budget : Math.max(kFirstBudget, this.budget);
-    let cell = kMovingCell;
-    while (cell < kMostCell && bodies.reduce((sum, {pixels, countAt}) => sum + countAt(levelFor(pixels, cell)), 0) > budget)
-      cell *= 1.5;
+    const budget = isMoving ? this.budget : Math.max(kStillBudget, 8 * this.budget);
+    let cell = isMoving ? kMovingCell : kStillCell;
+    while (cell < kMostCell && countOf(cell) > budget) cell *= 1.5;
     return cell;
   }
 }

@@ -18,6 +18,7 @@ void main() {
 
 const kFragment = `
 uniform vec3 up;
+uniform float brightness;
 varying vec3 vEye;
 varying vec3 vColor;
 #include <clipping_planes_pars_fragment>
@@ -29,12 +30,12 @@ void main() {
   float sky = 0.375 + 0.1 * dot(normal, up);
   float light = sky + 0.668 * max(dot(normal, kLamp), 0.0);
   // Colours are as a screen has them, light is not.
-  gl_FragColor = vec4(vColor * pow(light, 0.4545), 1.0);
+  gl_FragColor = vec4(brightness * vColor * pow(light, 0.4545), 1.0);
 }`;
 
 /** @param {THREE.Plane[]} cuts @param {THREE.Vector3} up what is above, in the eye's own axes */
 export function surfaceMaterial(cuts, up) {
   return new THREE.ShaderMaterial(
-      {vertexShader: kVertex, fragmentShader: kFragment, uniforms: {up: {value: up}}, side: THREE.DoubleSide, clipping: true,
+      {vertexShader: kVertex, fragmentShader: kFragment, uniforms: {up: {value: up}, brightness: {value: 1}}, side: THREE.DoubleSide, clipping: true,
        clippingPlanes: cuts, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5});
 }

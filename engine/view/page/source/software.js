@@ -14,6 +14,16 @@ export function isSoftware() {
   return kNames.test(String(name));
 }
 
+/**
+ * Nothing of the page is seen through the picture: to blend the two takes a processor as long as to draw a few bodies.
+ * @param {HTMLCanvasElement} canvas @param {boolean} isSmooth
+ */
+export function contextOf(canvas, isSmooth) {
+  const context = canvas.getContext('webgl2', {alpha: false, depth: true, stencil: true, antialias: isSmooth});
+  if (!context) throw new Error('no WebGL');
+  return context;
+}
+
 /** Draws with four samples for each pixel, on a canvas that has one. */
 export class SmoothPicture {
   constructor() {

@@ -3,17 +3,19 @@
 
 import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
-import {MeshShape, ShownBody, kPalette} from './bodies.js';
+import {MeshShape, ShownBody} from './bodies.js';
 import {Batches} from './batches.js';
 import {TreeBoxes} from './boxes.js';
+import {kPalette} from './colors.js';
 import {placeIn} from './frames.js';
+import {findHolders} from './holders.js';
 import {FrameMarks} from './marks.js';
 import {firstTriangle, meetsBall} from './pick.js';
 import {Quality} from './quality.js';
-import {SmoothPicture, isSoftware} from './software.js';
+import {SmoothPicture, contextOf, isSoftware} from './software.js';
 
 /** @typedef {{axis: 'x'|'y'|'z', at: number, isFlipped: boolean}} Cut */
-/** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'planes'|'labels'} Layer */
+/** @typedef {'edges'|'triangles'|'curves'|'contacts'|'gaps'|'planes'|'labels'|'glass'} Layer */
 
 const kAxes = /** @type {const} */ (['x', 'y', 'z']);
 /** Milliseconds without a motion after which it is finer. */
@@ -32,16 +34,18 @@ export class Stage {
     this.arrays = arrays;
     this.frame = 0;
     /** @type {Set<Layer>} */
-    this.layers = new Set(['edges', 'triangles', 'curves', 'contacts', 'gaps', 'planes', 'labels']);
+    this.layers = new Set(['edges', 'triangles', 'curves', 'contacts', 'gaps', 'planes', 'labels', 'glass']);
     /** @type {Cut|null} */
     this.cut = null;
     /** @type {() => void} called after each picture */
     this.onDrawn = () => {};
+    /** @type {() => {top: number, bottom: number}} pixels of the canvas that words cover from side to side */
+    this.covered = () => ({top: 0, bottom: 0});
     /** @type {() => void} called when the user has turned the camera */
     this.onTurned = () => {};
     // Where a processor draws, smooth borders cost as much as all the rest: only what stands still has them.
     this.smooth = isSoftware() ? new SmoothPicture() : null;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !this.smooth, stencil: true});
+    this.renderer = new THREE.WebGLRenderer({canvas, context: contextOf(canvas, !this.smooth)});
     this.renderer.localClippingEnabled = true;
     this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
@@ -69,6 +73,7 @@ export class Stage {
       this.scene.add(shown.group);
       return shown;
     });
+    findHolders(this.bodies, page);
     this.marks = new FrameMarks();
     this.scene.add(this.marks.group);
     this.boxes = new TreeBoxes(page, arrays, this.bodies);
@@ -83,6 +88,7 @@ export class Stage {
   /** @param {boolean} isDark */
   paint(isDark) {
     this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--ground').trim());
+    this.batches.paint(isDark);
     this.marks.paint(isDark);
     this.boxes.paint(isDark);
     this.ask();
@@ -157,7 +163,7 @@ export class Stage {
   /** @param {THREE.Box3} box */
   frameBox(box) {
     const ball = box.getBoundingSphere(new THREE.Sphere());
-    const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
+    const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)) * Math.min(this.center(), this.camera.aspect);
     const away = Math.max(ball.radius, 1e-6) / Math.sin(Math.atan(half)) * 1.02;
     const sight = this.camera.position.clone().sub(this.controls.target);
     if (sight.lengthSq() === 0) sight.copy(kFirstSight);
@@ -165,6 +171,15 @@ export class Stage {
     this.camera.position.copy(ball.center).addScaledVector(sight.normalize(), away);
     this.controls.update();
     this.ask();
+  }
+
+  /** Puts what is looked at into the middle of what no words cover. The part of the height that this is. */
+  center() {
+    const {clientWidth, clientHeight} = this.canvas, {top, bottom} = this.covered();
+    const height = Math.max(1, clientHeight), isCovered = top + bottom > 0 && top + bottom < 0.6 * height;
+    if (isCovered) this.camera.setViewOffset(clientWidth, height, 0, (bottom - top) / 2, clientWidth, height);
+    else this.camera.clearViewOffset();
+    return isCovered ? 1 - (top + bottom) / height : 1;
   }
 
   /** Looks at some bodies. @param {number[]} which */
@@ -180,14 +195,7 @@ export class Stage {
 
   /** Goes near what is marked in this frame. Whether there is anything. */
   fitMarks() {
-    const box = new THREE.Box3(), at = new THREE.Vector3();
-    const {curves} = this.page.marks;
-    const from = this.arrays.words(curves.starts), ends = this.arrays.floats(curves.list);
-    for (let i = 6 * from[this.frame]; i < 6 * from[this.frame + 1]; i += 3) box.expandByPoint(at.fromArray(ends, i));
-    const {contactNumbers, gapNumbers} = this.marks;
-    for (let i = 0; i < contactNumbers.length; i += 7) box.expandByPoint(at.fromArray(contactNumbers, i));
-    for (let i = 0; i < gapNumbers.length; i += 7)
-      for (const end of [0, 3]) box.expandByPoint(at.fromArray(gapNumbers, i + end));
+    const box = this.marks.bounds(this.arrays, this.page.marks, this.frame);
     if (box.isEmpty()) return false;
     const whole = this.bounds(() => true).getBoundingSphere(new THREE.Sphere()).radius;
     const size = box.getBoundingSphere(new THREE.Sphere()).radius;
@@ -225,6 +233,7 @@ export class Stage {
 
   /** @param {number[]|undefined} sight */
   look(sight) {
+    this.center();
     if (sight) {
       this.camera.position.fromArray(sight);
       this.controls.target.fromArray(sight, 3);
@@ -242,7 +251,7 @@ export class Stage {
     this.setResolution();
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
-    this.camera.updateProjectionMatrix();
+    this.center();
     this.draw();
   }
 
@@ -271,21 +280,17 @@ export class Stage {
     }, kStillAfter);
   }
 
-  /** The point of a body's bounding ball that is nearest to the eye. @param {ShownBody} body */
-  nearestOf(body) {
-    const ball = body.shape.surface.boundingSphere?.clone().applyMatrix4(body.group.matrix) ?? new THREE.Sphere();
-    const sight = this.camera.position.clone().sub(ball.center);
-    return ball.center.addScaledVector(sight.normalize(), Math.min(ball.radius, sight.length()));
-  }
-
   /** @param {number} pixels of a unit at what is looked at */
   dressBodies(pixels) {
     const shown = this.bodies.filter((body) => body.group.visible).map((body) => {
-      const nearest = 1 / this.pixelAt(this.nearestOf(body));
+      const nearest = 1 / this.pixelAt(body.nearestTo(this.camera.position));
       return {body, nearest, pixels: body.longest(nearest), countAt: (/** @type {number} */ level) => body.shape.countAt(level)};
     });
+    // What is near first: what it covers then takes no time.
+    shown.sort((a, b) => b.nearest - a.nearest);
     const cell = this.quality.cell(shown, this.isMoving);
-    const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles'), cell, pixels};
+    const look = {hasEdges: this.layers.has('edges'), hasMarks: this.layers.has('triangles'), hasGlass: this.layers.has('glass'),
+                  cell, pixels};
     for (const {body, nearest} of shown) body.dress({...look, nearest}, this.batches);
     this.batches.end(this.camera);
     this.isCoarse = shown.some(({body}) => body.isCoarse);
@@ -355,7 +360,7 @@ export class Stage {
     const toOwn = new THREE.Matrix4(), from = new THREE.Vector3(), along = new THREE.Vector3();
     for (const [b, body] of this.bodies.entries()) {
       const ball = body.shape.surface.boundingSphere;
-      if (!body.group.visible || !ball || body.shape.isBoundless) continue;
+      if (!body.group.visible || !ball || body.sheet?.visible) continue;
       toOwn.copy(body.group.matrix).invert();
       from.copy(eye).applyMatrix4(toOwn);
       along.copy(direction).add(eye).applyMatrix4(toOwn).sub(from);

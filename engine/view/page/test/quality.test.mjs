@@ -19,26 +19,33 @@ test('a heavy one is coarser while it moves, and hardly when it stands', () => {
   assert.ok(moving >= 2 && still === 1, `${moving} ${still}`);
 });
 
-test('a slow machine draws less and less, down to a bound, and a quick one more again', () => {
+test('a slow machine draws fewer triangles, then fewer pixels, then still fewer triangles, and more again when it is quick', () => {
   const quality = new Quality();
-  const cells = [];
-  for (let i = 0; i < 10; ++i) {
+  const cells = [], resolutions = [];
+  for (let i = 0; i < 12; ++i) {
     cells.push(quality.cell(bodies(200, 100), true));
+    resolutions.push(quality.resolution);
+    if (quality.resolution < 1) assert.ok(quality.budget <= 100000, `${quality.budget}`);
+    if (quality.budget < 100000) assert.equal(quality.resolution, 0.5);
     quality.took(500);
   }
   assert.ok(cells.every((cell, i) => i === 0 || cell >= cells[i - 1]), cells.join());
-  assert.ok(cells[9] > 2 * cells[0] && cells[9] <= 36);
-  assert.equal(quality.resolution, 0.5);
-  assert.ok(!quality.drawsAll(3e6), 'nor all once nothing moves');
-  assert.ok(quality.cell(bodies(200, 100), false) < cells[9], 'but more than while it moved');
+  assert.ok(cells[11] > 2 * cells[0] && cells[11] <= 36);
+  assert.ok(resolutions.includes(0.75) && resolutions[11] === 0.5, resolutions.join());
+  assert.equal(quality.cell(bodies(80, 100), false), 1, 'all that can be seen, once nothing moves');
+  assert.ok(quality.cell(bodies(2000, 1000), false) > 1, 'but not of 30 million triangles');
   for (let i = 0; i < 40; ++i) quality.took(10);
   assert.equal(quality.resolution, 1);
   assert.equal(quality.cell(bodies(200, 100), true), 2);
-  assert.ok(quality.drawsAll(3e6));
 });
 
-test('what takes as long as it should changes nothing', () => {
+test('thirty pictures a second are quick enough, and fewer are not', () => {
+  for (const milliseconds of [21, 25, 33]) {
+    const quality = new Quality();
+    for (let i = 0; i < 100; ++i) quality.took(milliseconds);
+    assert.deepEqual([quality.budget, quality.resolution], [new Quality().budget, 1]);
+  }
   const quality = new Quality();
-  for (let i = 0; i < 100; ++i) quality.took(33);
-  assert.equal(quality.budget, new Quality().budget);
+  quality.took(36);
+  assert.ok(quality.budget < new Quality().budget);
 });
