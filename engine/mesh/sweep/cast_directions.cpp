@@ -1,10 +1,13 @@
 // The margin, u = 2^-53, in units in which all placed coordinates are below 1: that of boxes is
 // derived in swept_nodes.cpp, of which what law 1 rounds of a moved B, 16 u, is not needed: here B
-// moves in real arithmetic. Corners of triangles are where they are placed. One of them relative to
-// a centre is below 2, off by 2 u; its product with n by 8 u of the size of n with that, and the
-// middle and the half of two such by 4 u: 12 u. The sums of both triangles with 4 u of what is
-// between the centres go through three roundings of 5, 4 and 9: below 50 u, less than for boxes.
-// The normal of a triangle's plane is a vector like these, and less is rounded along it.
+// moves in real arithmetic; 140 u. A k-DOP ends along a vector where three of its slabs say. Each
+// of their weights is off by 2 u of the vector's largest component in the tree's frame; with slabs
+// up to 4, of both meshes together in units of at most 1.74, that is 42 u more. The sums are those
+// of boxes: twice the sum of the components' sizes, of each mesh. Corners of triangles are where
+// they are placed. One of them relative to a centre is below 2, off by 2 u; its product with n by 8
+// u of the size of n with that: 10 u. The sums of both triangles with 4 u of what is between the
+// centres go through three roundings of 4, 6 and 9: below 50 u, less than for k-DOPs. The normal of
+// a triangle's plane is a vector like these, and less is rounded along it.
 
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
@@ -18,23 +21,25 @@
 namespace graze::contacts {
 namespace {
 
-using narrowphase::are_greater;
 using narrowphase::both;
-using narrowphase::either_of;
 using narrowphase::larger;
-using narrowphase::magnitude;
-using narrowphase::sign_bits;
 using narrowphase::smaller;
 using narrowphase::TwoLanes;
 
-constexpr double kMargin = 160 * kUnitRoundoff;
+constexpr double kMargin = 192 * kUnitRoundoff;
 
 // In the frame of a box what law 1 rounds of a mesh, 44 u in each coordinate, is up to 1.74 times
 // as much; law 3 rounds 1 u of a difference, times 1.74, and 4 u in products and sums, of a vertex
 // and of the tree's centre; an axis of the mesh in that frame is off by 3 u, which is 31 u in its
-// products with n and local coordinates: 203 u in all.
+// products with n and local coordinates: 245 u in all.
 constexpr double kFramedMargin = 256 * kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr int kSlabs = KDop<18>::kSlabs;
+
+// What lies beyond margins across d, by whatever, times that is beyond any limit; or so little
+// beyond that it need not be told.
+constexpr double kSurelyLate = 0x1p1000;
 
 // Of two unit vectors: 4 degrees.
 constexpr double kNearlyAlike = 0.9976;
@@ -126,18 +131,18 @@ CastDirections::CastDirections(const Frame& a, const Frame& b, const SweepUnits&
     across = {{1, 0, 0}};
     other = {{0, 1, 0}};
   }
-  set(0, direction);
-  set(1, across.at);
-  set(2, other.at);
-  set(3, sum(across, other, 1).at);
-  set(4, sum(across, other, -1).at);
+  set(0, across.at);
+  set(1, other.at);
+  set(2, sum(across, other, 1).at);
+  set(3, sum(across, other, -1).at);
+  set(4, direction);
   set(5, cross(across.at, other.at).at);
 }
 
 /// A vector of size 0 says nothing: nothing is beside it, and all is from 0 on.
 CastDirections::Limit CastDirections::limit_of(const double (&n)[3]) const {
   const double size = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-  if (!says_something(size)) return {0, 0, 0, -kInfinity, kInfinity, 0};
+  if (!says_something(size)) return {0, 0, 0, 0, kInfinity, 0};
   const double along = dot(n, direction_);
   const double sense = along < 0 ? -1 : 1;
   const double between[3] = {a_.centre[0] - b_.centre[0], a_.centre[1] - b_.centre[1],
@@ -156,58 +161,71 @@ CastDirections::Limit CastDirections::limit_of(const double (&n)[3]) const {
 void CastDirections::set(int at, const double (&n)[3]) {
   const int pair = at / 2, lane = at % 2;
   const Limit limit = limit_of(n);
-  const auto set_rows = [&](Rows& rows, double x, double y, double z) {
-    rows.x[pair][lane] = limit.sense * x;
-    rows.y[pair][lane] = limit.sense * y;
-    rows.z[pair][lane] = limit.sense * z;
+  vectors_.x[pair][lane] = limit.sense * n[0];
+  vectors_.y[pair][lane] = limit.sense * n[1];
+  vectors_.z[pair][lane] = limit.sense * n[2];
+  const auto set_local = [&](Slabs& slabs, const Frame& frame) {
+    double local[3];
+    for (int k = 0; k < 3; ++k)
+      local[k] = limit.sense * dot(n, frame.axis[k]) * frame.unit;
+    const bvh::KDopCombination made_of = bvh::combination_of(local);
+    for (int term = 0; term < 3; ++term) {
+      const bool is_against = made_of.against[term] < 0;
+      slabs.low[term] = made_of.slab[term] + (is_against ? kSlabs : 0);
+      slabs.high[term] = made_of.slab[term] + (is_against ? 0 : kSlabs);
+      slabs.weight[term] = made_of.along[term] + made_of.against[term];
+    }
   };
-  set_rows(vectors_, n[0], n[1], n[2]);
-  const auto set_local = [&](Rows& rows, const Frame& frame) {
-    set_rows(rows, dot(n, frame.axis[0]) * frame.unit, dot(n, frame.axis[1]) * frame.unit,
-             dot(n, frame.axis[2]) * frame.unit);
-  };
-  set_local(local_a_, a_);
-  set_local(local_b_, b_);
-  limits_.between[pair][lane] = limit.between;
-  limits_.margin[pair][lane] = limit.margin;
-  limits_.least_high[pair][lane] = limit.least_high;
-  limits_.most_low[pair][lane] = limit.most_low;
-  limits_.down[pair][lane] = limit.down;
+  set_local(slabs_a_[at], a_);
+  set_local(slabs_b_[at], b_);
+  const bool is_last = pair == kPairs - 1, is_across = limit.most_low < kInfinity;
+  shifts_.high[pair][lane] = limit.between + (limit.margin - limit.least_high);
+  // Across d the motion changes nothing: what is beyond that is never met. Along it that says no
+  // more than by when.
+  shifts_.low[pair][lane] = limit.between - (limit.margin + (is_across ? limit.most_low : 0));
+  if (is_last) {
+    down_[lane] = is_across ? kSurelyLate : limit.down;
+  } else if (!is_across) {
+    shifts_.low[pair][lane] = -kInfinity;
+  }
 }
 
-void CastDirections::measure_box(Side side, const bvh::FloatBox& box, Pairs pairs,
-                                 Span& span) const {
-  const Rows& n = side == Side::A ? local_a_ : local_b_;
-  TwoLanes middle[3], half[3];
-  for (int k = 0; k < 3; ++k) {
-    middle[k] = both(0.5 * (double{box.max[k]} + box.min[k]));
-    half[k] = both(0.5 * (double{box.max[k]} - box.min[k]));
+void CastDirections::measure_kdop(Side side, const bvh::FloatKDop& kdop, Pairs pairs,
+                                  Span& span) const {
+  double bounds[2 * kSlabs];
+  for (int i = 0; i < kSlabs; ++i) {
+    bounds[i] = double{kdop.min[i]};
+    bounds[kSlabs + i] = double{kdop.max[i]};
   }
+  const Slabs* slabs = side == Side::A ? slabs_a_ : slabs_b_;
   for (int i = first_of(pairs); i < kPairs; ++i) {
-    span.middle[i] = (n.x[i] * middle[0] + n.y[i] * middle[1]) + n.z[i] * middle[2];
-    span.half[i] =
-        (magnitude(n.x[i]) * half[0] + magnitude(n.y[i]) * half[1]) + magnitude(n.z[i]) * half[2];
+    const Slabs &one = slabs[2 * i], &other = slabs[2 * i + 1];
+    TwoLanes low = both(0), high = both(0);
+    for (int term = 0; term < 3; ++term) {
+      const TwoLanes weight{one.weight[term], other.weight[term]};
+      low += weight * TwoLanes{bounds[one.low[term]], bounds[other.low[term]]};
+      high += weight * TwoLanes{bounds[one.high[term]], bounds[other.high[term]]};
+    }
+    span.low[i] = low;
+    span.high[i] = high;
   }
+  shift(side, pairs, span);
 }
 
 void CastDirections::measure_points(Side side, std::span<const Eigen::Vector3d* const> points,
                                     Pairs pairs, Span& span) const {
   const double* centre = frame(side).centre;
-  TwoLanes low[kPairs], high[kPairs];
   for (std::size_t at = 0; at < points.size(); ++at) {
     TwoLanes p[3];
     for (int k = 0; k < 3; ++k)
       p[k] = both(points[at]->data()[k] * per_metre_ - centre[k]);
     for (int i = first_of(pairs); i < kPairs; ++i) {
       const TwoLanes value = (vectors_.x[i] * p[0] + vectors_.y[i] * p[1]) + vectors_.z[i] * p[2];
-      low[i] = at == 0 ? value : smaller(low[i], value);
-      high[i] = at == 0 ? value : larger(high[i], value);
+      span.low[i] = at == 0 ? value : smaller(span.low[i], value);
+      span.high[i] = at == 0 ? value : larger(span.high[i], value);
     }
   }
-  for (int i = first_of(pairs); i < kPairs; ++i) {
-    span.middle[i] = both(0.5) * (low[i] + high[i]);
-    span.half[i] = both(0.5) * (high[i] - low[i]);
-  }
+  shift(side, pairs, span);
 }
 
 // Relative to its own centre. The square of n is off by 3 u of itself, for those of what says
@@ -218,10 +236,10 @@ CastDirections::Span CastDirections::of_ball(const Sphere& ball) const {
   const double radius = ball.radius * per_metre_ * kBallGrowth;
   Span span;
   for (int i = 0; i < kPairs; ++i) {
-    span.middle[i] = both(0);
     for (int lane = 0; lane < 2; ++lane) {
       const double n[3] = {vectors_.x[i][lane], vectors_.y[i][lane], vectors_.z[i][lane]};
-      span.half[i][lane] = std::sqrt(dot(n, n)) * radius;
+      span.high[i][lane] = std::sqrt(dot(n, n)) * radius;
+      span.low[i][lane] = -span.high[i][lane];
     }
   }
   return span;
@@ -230,28 +248,10 @@ CastDirections::Span CastDirections::of_ball(const Sphere& ball) const {
 CastDirections::Span CastDirections::around(const Span& s, const Span& t) {
   Span span;
   for (int i = 0; i < kPairs; ++i) {
-    const TwoLanes low = smaller(s.middle[i] - s.half[i], t.middle[i] - t.half[i]);
-    const TwoLanes high = larger(s.middle[i] + s.half[i], t.middle[i] + t.half[i]);
-    span.middle[i] = both(0.5) * (low + high);
-    span.half[i] = both(0.5) * (high - low);
+    span.low[i] = smaller(s.low[i], t.low[i]);
+    span.high[i] = larger(s.high[i], t.high[i]);
   }
   return span;
-}
-
-double CastDirections::first_contact(const Span& a, const Span& b, double limit) const {
-  TwoLanes lower = both(0);
-  TwoLanes beside = both(0);
-  for (int i = 0; i < kPairs; ++i) {
-    const TwoLanes middle = (a.middle[i] - b.middle[i]) + limits_.between[i];
-    const TwoLanes half = (a.half[i] + b.half[i]) + limits_.margin[i];
-    const TwoLanes low = middle - half;
-    const TwoLanes high = middle + half;
-    beside = either_of(beside, either_of(are_greater(limits_.least_high[i], high),
-                                         are_greater(low, limits_.most_low[i])));
-    lower = larger(lower, low * limits_.down[i]);
-  }
-  const double bound = std::max(lower[0], lower[1]);
-  return sign_bits(beside) != 0 || bound > limit ? kInfinity : bound;
 }
 
 void CastDirections::measure_along(Side side, const double (&n)[3], const Triangle& placed,

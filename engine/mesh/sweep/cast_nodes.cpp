@@ -2,23 +2,21 @@
 
 namespace graze::contacts {
 
-const CastNodes::Span& CastNodes::span_of(std::uint32_t node) {
+const CastNodes::Span& CastNodes::measured(std::uint32_t node) {
   const std::uint32_t at = node % kNodes;
-  const bool is_kept = node_at_[at] == node;
-  if (is_kept && node_normal_[at] == normal_) return span_[at];
-  const CastDirections::Pairs pairs = is_kept ? Pairs::WithNormal : Pairs::All;
-  node_at_[at] = node;
-  node_normal_[at] = normal_;
+  const Pairs pairs = kept_[at].node == node ? Pairs::WithNormal : Pairs::All;
+  kept_[at] = {node, normal_};
+  Span& span = span_[at];
   const bvh::Node& of_tree = tree_.nodes[node];
   if (!of_tree.is_leaf()) {
-    directions_.measure_box(side_, of_tree.box, pairs, span_[at]);
-    return span_[at];
+    directions_.measure_kdop(side_, kdops_[node], pairs, span);
+    return span;
   }
   const Leaf& of_leaf = leaf(node);
-  span_[at] = of_leaf.span[0];
+  span = of_leaf.span[0];
   for (std::uint32_t i = 1; i < of_tree.count; ++i)
-    span_[at] = CastDirections::around(span_[at], of_leaf.span[i]);
-  return span_[at];
+    span = CastDirections::around(span, of_leaf.span[i]);
+  return span;
 }
 
 CastNodes::Leaf& CastNodes::leaf(std::uint32_t node) {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <graze/bvh/tree/tree.h>
+#include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/sweep/cast_directions.h>
+#include <graze/engine/work.h>
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace graze::contacts {
 
@@ -25,14 +28,23 @@ class CastNodes {
   };
 
   CastNodes(Side side, const FramedMesh& mesh, const bvh::Tree& tree,
-            const CastDirections& directions)
-      : side_(side), mesh_(mesh), tree_(tree), directions_(directions) {
-    node_at_.fill(kNone);
+            const CastDirections& directions, Work& work)
+      : side_(side),
+        mesh_(mesh),
+        tree_(tree),
+        kdops_(kdop_skin_of(mesh.placed.mesh, &work)),
+        directions_(directions) {
+    for (Kept& kept : kept_)
+      kept.node = kNone;
     leaf_at_.fill(kNone);
   }
 
-  /// Around the box of a node, or the triangles of a leaf.
-  const Span& span_of(std::uint32_t node);
+  /// Around the k-DOP of a node, or the triangles of a leaf; until the next call.
+  const Span& span_of(std::uint32_t node) {
+    const std::uint32_t at = node % kNodes;
+    const Kept& kept = kept_[at];
+    return kept.node == node && kept.normal == normal_ ? span_[at] : measured(node);
+  }
   /// Of a leaf; until the next call.
   Leaf& leaf(std::uint32_t node);
   /// Of a triangle of that leaf.
@@ -46,15 +58,21 @@ class CastNodes {
   static constexpr std::uint32_t kNodes = 512;
   static constexpr std::uint32_t kLeaves = 128;
 
+  struct Kept {
+    std::uint32_t node;
+    std::uint32_t normal;  ///< which of the normals it was measured along
+  };
+  const Span& measured(std::uint32_t node);
+
   Side side_;
   FramedMesh mesh_;
   const bvh::Tree& tree_;
+  std::span<const bvh::FloatKDop> kdops_;
   const CastDirections& directions_;
   std::uint32_t normal_ = 0;  ///< how many there were
-  std::array<std::uint32_t, kNodes> node_at_;
-  std::array<std::uint32_t, kNodes> node_normal_;
   std::array<std::uint32_t, kLeaves> leaf_at_;
   std::array<std::uint32_t, kLeaves> leaf_normal_;
+  std::array<Kept, kNodes> kept_;  ///< apart from the spans, so that little has to be cleared
   std::array<Span, kNodes> span_;
   std::array<Leaf, kLeaves> leaf_;
 };

@@ -57,11 +57,11 @@ class CastWalk {
         unit_a_(tree_a_.frame.unit() * units.per_metre),
         unit_b_(tree_b_.frame.unit() * units.per_metre),
         directions_({a}, {b}, units, way.direction),
-        nodes_a_(Side::A, {a}, tree_a_, directions_),
-        nodes_b_(Side::B, {b}, tree_b_, directions_) {}
+        nodes_a_(Side::A, {a}, tree_a_, directions_, work),
+        nodes_b_(Side::B, {b}, tree_b_, directions_, work) {}
 
   void run() {
-    const Waiting root = waiting(0, 0);
+    const Waiting root = waiting(0, 0, nodes_a_.span_of(0), nodes_b_.span_of(0));
     if (root.bound != kNever) open_.push(root);
     while (!open_.empty()) {
       const Waiting pair = open_.pop();
@@ -71,15 +71,22 @@ class CastWalk {
         ask_leaves(pair.a, pair.b);
       } else if (b.is_leaf() ||
                  (!a.is_leaf() && half_size(a.box) * unit_a_ >= half_size(b.box) * unit_b_)) {
-        open(waiting(a.first, pair.b), waiting(a.first + 1, pair.b));
+        const Span& of_b = nodes_b_.span_of(pair.b);
+        const std::uint32_t one = a.first, other = a.first + 1;
+        open(waiting(one, pair.b, nodes_a_.span_of(one), of_b),
+             waiting(other, pair.b, nodes_a_.span_of(other), of_b));
       } else {
-        open(waiting(pair.a, b.first), waiting(pair.a, b.first + 1));
+        const Span& of_a = nodes_a_.span_of(pair.a);
+        const std::uint32_t one = b.first, other = b.first + 1;
+        open(waiting(pair.a, one, of_a, nodes_b_.span_of(one)),
+             waiting(pair.a, other, of_a, nodes_b_.span_of(other)));
       }
     }
   }
 
  private:
   using Side = contacts::CastDirections::Side;
+  using Span = contacts::CastDirections::Span;
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   /// Two nodes, and no more than the translation at which something in them meets first.
@@ -96,10 +103,9 @@ class CastWalk {
     return size;
   }
 
-  Waiting waiting(std::uint32_t a, std::uint32_t b) {
+  Waiting waiting(std::uint32_t a, std::uint32_t b, const Span& of_a, const Span& of_b) {
     ++work_.volume_tests;
-    const double bound =
-        directions_.first_contact(nodes_a_.span_of(a), nodes_b_.span_of(b), limit_);
+    const double bound = directions_.first_contact(of_a, of_b, limit_);
     work_.volume_rejections += bound == kNever;
     return {a, b, bound};
   }
