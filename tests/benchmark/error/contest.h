@@ -30,6 +30,7 @@ struct Sizes {
   std::size_t refereed = 400;    ///< of these, checked by the exact referee
   std::size_t distances = 1000;  ///< of each category of distances
   std::size_t boxes = 4000;      ///< of each category of oriented boxes
+  std::size_t motions = 1000;    ///< of each category of straight paths
 };
 
 /// How one contestant did in one category.

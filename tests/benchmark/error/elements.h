@@ -7,6 +7,7 @@
 #include "tests/benchmark/error/contestant.h"
 #include "tests/benchmark/error/mesh_contestant.h"
 #include "tests/benchmark/error/mesh_distance_contestant.h"
+#include "tests/benchmark/motion_queries/queries.h"
 
 namespace graze::benchmark {
 
@@ -42,6 +43,8 @@ struct Field {
   Contestants<SpherePair> sphere_pairs;
   Contestants<ObbPair> obb_pairs;
   Contestants<KDopPair> kdop_pairs;
+  Contestants<MotionQuery> moving_points;  ///< and triangles, on straight paths
+  Contestants<MotionQuery> moving_edges;   ///< pairs of them
   MeshContestants meshes;
   Contestants<TrianglePair, double> distances;  ///< of triangles, metres
   MeshDistanceContestants mesh_distances;

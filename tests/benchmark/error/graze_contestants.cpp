@@ -112,6 +112,7 @@ void add_graze(Field& field) {
   field.triangle_boxes.push_back(std::make_unique<BoxesInRows>());
   add_graze_spheres(field);
   add_graze_volumes(field);
+  add_graze_motions(field);
   add_graze_distances(field);
   add_graze_meshes(field.meshes);
 }

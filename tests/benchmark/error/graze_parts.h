@@ -25,6 +25,9 @@ void add_graze_spheres(Field& field);
 /// Likewise of oriented boxes and k-DOPs, of which only "apart" is sure.
 void add_graze_volumes(Field& field);
 
+/// Likewise of features on straight paths.
+void add_graze_motions(Field& field);
+
 /// Likewise its distances, of triangles and of meshes.
 void add_graze_distances(Field& field);
 

@@ -19,6 +19,7 @@
 #include "tests/benchmark/error/distances/distance_contest.h"
 #include "tests/benchmark/error/graze_contestants.h"
 #include "tests/benchmark/error/mesh_contest.h"
+#include "tests/benchmark/error/motions/motion_categories.h"
 #include "tests/benchmark/error/peers/peers.h"
 #include "tests/benchmark/error/report.h"
 #include "tests/benchmark/error/sphere_categories.h"
@@ -119,6 +120,10 @@ void run(const Options& options) {
            options));
   keep(ask("sphere and sphere", field.sphere_pairs, sphere_category_count(), sphere_pair_category,
            options));
+  keep(ask("point and triangle, moving", field.moving_points, motion_category_count(),
+           moving_point_category, options));
+  keep(ask("edge and edge, moving", field.moving_edges, motion_category_count(),
+           moving_edge_category, options));
   for (QuestionResult result :
        {ask("box and box, oriented", field.obb_pairs, obb_category_count(), obb_category, options),
         ask("k-DOP and k-DOP", field.kdop_pairs, kdop_category_count(), kdop_category, options)}) {
@@ -160,6 +165,10 @@ int main(int argc, char** argv) {
       .add_option("--boxes", options.sizes.boxes,
                   "of each category of oriented boxes and k-DOPs (default 4000)")
       ->check(CLI::Range(1, 10000000));
+  program
+      .add_option("--motions", options.sizes.motions,
+                  "of each category of straight paths (default 1000)")
+      ->check(CLI::Range(1, 1000000));
   program
       .add_option("--distance-poses", options.distance_poses,
                   "of meshes, from each file, for distances (default 3)")

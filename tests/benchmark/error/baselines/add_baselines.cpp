@@ -5,6 +5,7 @@
 #include "tests/benchmark/error/baselines/akenine_moeller.h"
 #include "tests/benchmark/error/baselines/guigue_devillers.h"
 #include "tests/benchmark/error/baselines/moeller.h"
+#include "tests/benchmark/error/baselines/path_tests.h"
 #include "tests/benchmark/error/baselines/segment_distance.h"
 #include "tests/benchmark/error/baselines/sphere_tests.h"
 #include "tests/benchmark/error/baselines/volume_tests.h"
@@ -119,6 +120,41 @@ void add_volumes(Field& field) {
 }
 
 template <typename Real>
+PlainPaths<Real> plain_paths(const MotionQuery& query) {
+  const PointPath paths[4] = {query.edge_a.a, query.edge_a.b, query.edge_b.a, query.edge_b.b};
+  PlainPaths<Real> plain;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      plain.start[i][k] = static_cast<Real>(paths[i].start.data()[k]);
+      plain.end[i][k] = static_cast<Real>(paths[i].end.data()[k]);
+    }
+  }
+  return plain;
+}
+
+template <typename Real>
+void add_cubics(Field& field) {
+  const auto to_paths = [](const MotionQuery& query) { return plain_paths<Real>(query); };
+  add_family<Real>(field.moving_points, "cubic", to_paths, [](auto snap) {
+    return [epsilon = static_cast<Real>(epsilon_of(snap))](const PlainPaths<Real>& paths) {
+      return cubic_point(paths, epsilon);
+    };
+  });
+  add_family<Real>(field.moving_edges, "cubic", to_paths, [](auto snap) {
+    return [epsilon = static_cast<Real>(epsilon_of(snap))](const PlainPaths<Real>& paths) {
+      return cubic_edges(paths, epsilon);
+    };
+  });
+}
+
+void add_inclusion(Field& field) {
+  const Label label{"inclusion to 1e-6", Origin::Baseline, "double", std::nullopt};
+  const auto to_paths = [](const MotionQuery& query) { return plain_paths<double>(query); };
+  add(field.moving_points, label, to_paths, inclusion_point);
+  add(field.moving_edges, label, to_paths, inclusion_edges);
+}
+
+template <typename Real>
 void add_in_precision(Field& field) {
   const auto to_pair = [](const TrianglePair& pair) {
     return PlainPair<Real>{to_plain<Real>(pair.a), to_plain<Real>(pair.b)};
@@ -156,6 +192,9 @@ void add_baselines(Field& field) {
   add_spheres<float>(field);
   add_volumes<double>(field);
   add_volumes<float>(field);
+  add_cubics<double>(field);
+  add_cubics<float>(field);
+  add_inclusion(field);
 }
 
 }  // namespace graze::benchmark
