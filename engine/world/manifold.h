@@ -152,9 +152,13 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 /// of each meets, the two are where the shapes touch once they are parted: to 2^-17 of the smaller
 /// one's size, or 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth
 /// is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing if
-/// Work::penetration_failures counts the pair. Of two meshes the one of the two points that a
-/// corner or an edge has is on its surface; the other is on the plane of the face that it is
-/// behind, which where a surface is curved leaves it by the height of a facet's neighbours. Of a
+/// Work::penetration_failures counts the pair. Of two meshes, up to the depths for
+/// which law 15 holds, one of the two points is on its surface, to 1e-9 of the scale. The other is
+/// as near to the plane of a face that its mesh has there, or, where a corner or an edge is left,
+/// to the plane through that at right angles to the normal: so it may be beside its surface, by the
+/// height of a facet's neighbours where that is curved, and as far as the first body reaches where
+/// faces lie in each other but for rounding, which tells in and out there. Deeper, which points of
+/// two meshes are on surfaces is not promised; and where they only touch both points are one. Of a
 /// hit that a search left open (PairStatus::NotConverged) no distance of points is promised.
 ///
 /// Of all that a region offers four remain: the deepest, and those that are far from all that
