@@ -146,16 +146,16 @@ inline Manifold& Manifold::operator=(Manifold&& other) noexcept {
 ///
 /// **Points.** Each point_a is on A's surface and each point_b on B's, however deep the two are, to
 /// 2^-32 of the scale of the pair (their sizes and the distance of their middles) and the rounding
-/// of world coordinates. point_a - point_b is depth times normal: along the normal A ends at
-/// point_a, depth beyond point_b, where B begins. Where faces, or edges that lie
-/// along each other, meet, and above a half-space that holds to the same tolerance. Where one point
-/// of each meets, the two are where the shapes touch once they are parted: to 2^-17 of the smaller
-/// one's size, or 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth
-/// is the least, which of a box and a box or a mesh is to a twentieth of it, and nothing if
-/// Work::penetration_failures counts the pair. Of two meshes the one of the two points that a
-/// corner or an edge has is on its surface; the other is on the plane of the face that it is
-/// behind, which where a surface is curved leaves it by the height of a facet's neighbours. Of a
-/// hit that a search left open (PairStatus::NotConverged) no distance of points is promised.
+/// of world coordinates. point_a - point_b is depth times normal, where faces, or edges along each
+/// other, meet, and above a half-space, to the same tolerance. Where one point of each meets, the
+/// two are where the shapes touch once they are parted: to 2^-17 of the smaller one's size, or
+/// 2^-16 of the scale if one is a sphere or a capsule; and no better than the depth is the least,
+/// which of a box and a box or a mesh is to a twentieth of it, and nothing if
+/// Work::penetration_failures counts the pair. Of two meshes, up to the depths of law 15, one of
+/// the points is on its surface, to 1e-9 of the scale; the other as near to the plane of a face
+/// there, or across the normal where a corner or an edge is left: beside its surface where that is
+/// curved, and where faces lie in each other but for rounding as far as the first body reaches.
+/// Deeper, and of a hit that a search left open (PairStatus::NotConverged), no surface is promised.
 ///
 /// Of all that a region offers four remain: the deepest, and those that are far from all that
 /// remain. So that features persist, edges of two faces that are within a 256th of the smaller

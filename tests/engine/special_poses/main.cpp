@@ -54,12 +54,12 @@ int hunt(const Draw& draw) {
   std::printf(
       "%zu pairs, %zu with a mesh, %zu hits, %zu depths held against the least, %zu unproved, %zu "
       "distances "
-      "open\nworst depth %.3g, worst distance %.3g, worst contact point %.3g of what is "
-      "promised\n"
+      "open\nworst depth %.3g, worst distance %.3g, worst contact point %.3g, of two "
+      "meshes %.3g, of what is promised\n"
       "worst unproved depth %.3g of the smaller size, worst open distance %.3g of the scale\n",
       counts.pairs, counts.surfaces, counts.hits, counts.depths, counts.unproved,
       counts.unconverged, counts.worst_depth, counts.worst_distance, counts.worst_point,
-      counts.worst_unproved, counts.worst_open);
+      counts.worst_mesh_point, counts.worst_unproved, counts.worst_open);
   for (const auto& [kinds, times] : open)
     std::printf("%zu %s\n", times, kinds.c_str());
   for (const auto& [law, times] : broken)

@@ -1,14 +1,19 @@
 // Shapes that are apart by less than a search can tell, and have the distance that they have.
 
+#include <graze/engine/world/manifold.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/narrowphase/triangle_distance.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <sstream>
 #include <vector>
 
 #include "tests/engine/special_poses/least_width.h"
+#include "tests/engine/special_poses/pair_text.h"
+#include "tests/engine/world/surface_distance.h"
 #include "tests/shapes/pose_at.h"
 #include "tests/shapes/random_meshes.h"
 
@@ -92,6 +97,37 @@ TEST(NearlyTouching, BallsThatAllButTouchAMeshHaveADistance) {
     EXPECT_NEAR(found.distance, gap, 0x1p-40 * gap);
     EXPECT_NEAR(found.lower_bound, gap, 0x1p-30 * gap);
   }
+}
+
+// Where faces lie in each other but for rounding, which corners are inside is rounding, too: some
+// were offered that stood beside the other mesh.
+TEST(NearlyTouching, FlushFacesOfMeshesMeetWhereBothAre) {
+  std::istringstream text(
+      "mesh 0.25 0.5 1\n"
+      "at 0.9332013593952806 0.10179052909102781 -0.3446359107959715 0 -0.001687463285173177 "
+      "0.9602739138246276 0.27905405013293183 0 0.35934993431258816 -0.2598320584825904 "
+      "0.8963006895535885 0\n"
+      "mesh 0.5 0.5 1\n"
+      "at 0.9332013593952806 0.10179052909102781 -0.3446359107959715 0 -0.001687463285173177 "
+      "0.9602739138246276 0.27905405013293183 0 0.35934993431258816 -0.2598320584825904 "
+      "0.8963006895535885 0\n"
+      "mesh 1 1 1\n"
+      "at 1 0 0 0 0 1 0 0 0 0 1 0\n"
+      "mesh 1 1 1\n"
+      "at 5.528326378428897e-14 1 -3.967534927697555e-14 0.17320508075688773 3.31919488507279e-14 "
+      "3.967534927697555e-14 1 0 1 -5.528326378428897e-14 -3.31919488507279e-14 0\n");
+  int shallow = 0;
+  while (const std::optional<PlacedPair> pair = tests::read_pair(text)) {
+    const tests::Surface of_a(pair->a), of_b(pair->b);
+    for (const ShapeContact& contact :
+         find_contacts({pair->a, pair->pose_a}, {pair->b, pair->pose_b})) {
+      if (contact.depth > 1e-9) continue;
+      ++shallow;
+      EXPECT_LT(of_a.distance(pair->pose_a, contact.point_a), 1e-9);
+      EXPECT_LT(of_b.distance(pair->pose_b, contact.point_b), 1e-9);
+    }
+  }
+  EXPECT_GT(shallow, 1);
 }
 
 }  // namespace

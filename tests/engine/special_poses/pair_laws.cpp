@@ -25,6 +25,8 @@ namespace {
 constexpr double kDepthTolerance = 1e-6;
 constexpr double kBoxEdgeShare = 1 / 0.95;
 constexpr double kContactPoints = 0x1p-32;
+constexpr double kMeshContactPoints = 1e-9;
+constexpr double kShallow = 0.1;  // of the smaller size: so deep law 15 says the ways of meshes
 
 std::string numbers(std::initializer_list<double> values) {
   std::string text;
@@ -200,11 +202,10 @@ class Laws {
   }
 
   /// Each point of a contact is on the surface that it names, unless a search left the hit open.
-  /// Not asked of two meshes, where faces that lie in each other but for rounding cross in segments
-  /// that nobody knows in plain doubles.
   std::string points() {
-    const bool are_meshes = pair_.a.kind() == ShapeKind::Mesh && pair_.b.kind() == ShapeKind::Mesh;
-    if (!is_hit_ || are_meshes) return {};
+    if (!is_hit_) return {};
+    if (pair_.a.kind() == ShapeKind::Mesh && pair_.b.kind() == ShapeKind::Mesh)
+      return points_of_meshes();
     const Surface of_a(pair_.a), of_b(pair_.b);
     const double most = kContactPoints * scale_ + rounding_;
     for (const ShapeContact& contact : manifold_) {
@@ -222,6 +223,43 @@ class Laws {
         return "a contact beside its way:" + numbers({aside, contact.depth, scale_});
     }
     return {};
+  }
+
+  /// Of two meshes, as far as depths go for which ways out are promised: one point is on its
+  /// surface, and the other on a plane that its mesh has there.
+  std::string points_of_meshes() {
+    const Surface of_a(pair_.a), of_b(pair_.b);
+    const double most = kMeshContactPoints * scale_ + rounding_;
+    for (const ShapeContact& contact : manifold_) {
+      if (contact.depth > kShallow * smaller_size(pair_)) continue;
+      const double on_a = of_a.distance(pair_.pose_a, contact.point_a);
+      const double on_b = of_b.distance(pair_.pose_b, contact.point_b);
+      const double plane_a = off_planes(pair_.a, pair_.pose_a, contact.point_a, contact.normal);
+      const double plane_b = off_planes(pair_.b, pair_.pose_b, contact.point_b, contact.normal);
+      const double off = std::min(std::max(on_a, plane_b), std::max(on_b, plane_a));
+      counts_.worst_mesh_point = std::max(counts_.worst_mesh_point, off / most);
+      if (!(off <= most)) return "a contact of meshes beside both:" + numbers({off, scale_});
+      const double aside =
+          (contact.point_a - contact.point_b - contact.depth * contact.normal).norm();
+      if (!(aside <= most))
+        return "a contact of meshes beside its way:" + numbers({aside, contact.depth, scale_});
+    }
+    return {};
+  }
+
+  /// How far a point is from the nearest plane of a box's face, or at right angles to the normal
+  /// through one of its corners.
+  static double off_planes(const Shape& mesh, const Pose& pose, const Vector3d& point,
+                           const Vector3d& normal) {
+    const Vector3d half = mesh.as<Mesh>()->bounds().max;
+    const Vector3d own = pose.linear().transpose() * (point - pose.translation());
+    double least = (own.cwiseAbs() - half).cwiseAbs().minCoeff();
+    for (int i = 0; i < 8; ++i) {
+      const Vector3d corner =
+          half.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
+      least = std::min(least, std::abs(normal.dot(pose.linear() * (own - corner))));
+    }
+    return least;
   }
 
   /// How far point_a may be from where the normal leads from point_b; without end where that is no

@@ -27,6 +27,7 @@ struct PairLawCounts {
   double worst_unproved = 0;    ///< more than the least width, as a share of the smaller size
   double worst_distance = 0;    ///< more than a lower bound, likewise
   double worst_point = 0;       ///< of a contact off its surface, in units of what is promised
+  double worst_mesh_point = 0;  ///< of contacts of two meshes, likewise
   double worst_open = 0;  ///< of what a search left open: how far bounds, or the points of a hit,
                           ///< are apart, as a share of the scale. Nothing is promised of that
 };

@@ -187,10 +187,19 @@ class RegionPoints {
     double most = -std::numeric_limits<double>::infinity();
     for (const Vec3& point : inner.points)
       most = std::max(most, dot(point, out));
+    const double least = most - kNegligible * size_;
+    // What is no deeper than rounding is all of a flush face, beyond the other mesh as well: points
+    // of the curves alone are on both surfaces.
+    const auto is_on_curve = [&](std::size_t i) {
+      return inner.vertex[i] == InnerPart::kNoVertex && dot(inner.points[i], out) >= least;
+    };
+    bool is_of_curves = false;
+    for (std::size_t i = 0; depth_ <= kNegligible * size_ && i < inner.points.size(); ++i)
+      is_of_curves |= is_on_curve(i);
     std::size_t first = inner.points.size(), last = 0;
     double farthest = -1;
     for (std::size_t i = 0; i < inner.points.size(); ++i) {
-      if (dot(inner.points[i], out) < most - kNegligible * size_) continue;
+      if (dot(inner.points[i], out) < least || (is_of_curves && !is_on_curve(i))) continue;
       if (first == inner.points.size()) first = i;
       const double away = length(inner.points[i] - inner.points[first]);
       if (away > farthest) farthest = away, last = i;
