@@ -1,6 +1,9 @@
 #include <graze/bvh/error.h>
 #include <graze/bvh/wide/tree/wide_tree.h>
+#include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
+#include <graze/engine/mesh/mesh_cast.h>
+#include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/pose_batch.h>
 #include <graze/engine/mesh/prepare.h>
 #include <gtest/gtest.h>
@@ -48,6 +51,19 @@ TEST(Prepare, BuildsAllAtOnceAndChangesNoAnswer) {
   }
   EXPECT_EQ(again.trees_built + again.treelets_built, 0u);
   EXPECT_EQ(asked.trees_built + asked.treelets_built, 0u);
+}
+
+TEST(Prepare, ForAllQueriesLeavesNothingToBuild) {
+  const Mesh mesh = tests::make_sphere(1, 40, 40);
+  prepare(mesh, {.queries = PreparedFor::All});
+  EXPECT_TRUE(MeshAccess::data(mesh).are_rays_made);
+  Pose pose = Pose::Identity();
+  pose.translation().x() = 3;
+  Work asked;
+  EXPECT_TRUE(intersects(mesh, Ray{{3, 0, 0}, {-1, 0, 0}}, &asked));
+  EXPECT_TRUE(cast({mesh}, {mesh, pose}, {-2, 0, 0}, {}, &asked));
+  EXPECT_FALSE(intersects({mesh}, {mesh, pose}, {}, &asked));
+  EXPECT_EQ(asked.trees_built + asked.treelets_built + asked.skins_built, 0u);
 }
 
 TEST(Prepare, FromManyThreadsBesideQueriesBuildsOnce) {
