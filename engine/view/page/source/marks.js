@@ -207,12 +207,14 @@ export class FrameMarks {
   }
 
   /**
-   * Around curves, contacts and gaps of a frame.
+   * Around curves, points, contacts and gaps of a frame.
    * @param {Arrays} arrays @param {import('./unpack.js').PageData['marks']} marks @param {number} frame
    */
   bounds(arrays, marks, frame) {
     const box = new THREE.Box3(), at = new THREE.Vector3(), ends = marksOf(arrays, marks.curves, 6, frame);
     for (let i = 0; i < ends.length; i += 3) box.expandByPoint(at.fromArray(ends, i));
+    const points = marksOf(arrays, marks.points, 3, frame);
+    for (let i = 0; i < points.length; i += 3) box.expandByPoint(at.fromArray(points, i));
     for (let i = 0; i < this.contactNumbers.length; i += 7) box.expandByPoint(at.fromArray(this.contactNumbers, i));
     for (let i = 0; i < this.gapNumbers.length; i += 7)
       for (const end of [0, 3]) box.expandByPoint(at.fromArray(this.gapNumbers, i + end));
