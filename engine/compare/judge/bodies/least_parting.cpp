@@ -130,7 +130,7 @@ class Search {
 
  private:
   Look look(const Vector3d& n) {
-    const Look seen{n, far_point(a_, n) - far_point(b_, -n)};
+    Look seen{n, far_point(a_, n) - far_point(b_, -n)};
     if (best_.n.isZero() || seen.way() < best_.way()) best_ = seen;
     return seen;
   }
