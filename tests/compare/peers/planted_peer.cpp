@@ -55,7 +55,7 @@ class PlantedPeer {
   void load(const std::string& request) {
     if (fault_ == "dies loading") crash();
     if (fault_ == "hangs loading") hang();
-    if (fault_ == "loads slowly") sleep_ms(300);
+    if (fault_ == "loads slowly") sleep_ms(1500);
     const std::string without = "dies loading without ";
     if (fault_.rfind(without, 0) == 0 && access(fault_.c_str() + without.size(), F_OK) != 0)
       crash();

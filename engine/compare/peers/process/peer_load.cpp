@@ -8,6 +8,10 @@ namespace {
 /// So many times as long as a load took that failed nobody tries again.
 constexpr int kTimesAsLong = 10;
 
+/// As many loads as threads wait for, all together, before another process is loaded. Less would
+/// have short runs begin a process of which they have no more use.
+constexpr int kLoadsToWait = 2;
+
 }  // namespace
 
 std::unique_ptr<PeerSession> PeerPool::take() {
@@ -125,9 +129,9 @@ void PeerLoad::wait_for_one(std::unique_lock<std::mutex>& lock) {
       has_changed_.wait(lock);
       continue;
     }
-    if (waited_ >= load_time_) return;
+    if (waited_ >= kLoadsToWait * load_time_) return;
     const auto start = Clock::now();
-    has_changed_.wait_for(lock, load_time_ - waited_);
+    has_changed_.wait_for(lock, kLoadsToWait * load_time_ - waited_);
     waited_ += Clock::now() - start;
   }
 }

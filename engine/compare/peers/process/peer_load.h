@@ -44,9 +44,9 @@ enum class PeerHistory {
 
 /// What one engine has loaded, in one process and, if that is not enough, in more, one for each
 /// thread that asks at once. A thread that finds all of them busy waits: only when threads have
-/// waited together for as long as one load has taken, another process is loaded. So quick questions
-/// need one process, slow ones soon as many as there are threads, and no run takes twice as long as
-/// with the better of the two. Safe to use from many threads.
+/// waited together for as long as two loads take, another process is loaded. So quick questions
+/// need one process, slow ones soon as many as there are threads, and waiting costs no run more
+/// than two loads for each process. Safe to use from many threads.
 class PeerLoad {
  public:
   /// `member` is the load's text (protocol.h).
