@@ -84,7 +84,7 @@ Meshes deformed_in_part() {
 Meshes built() {
   const Meshes meshes = fresh();
   for (const Mesh& mesh : {meshes.a, meshes.b})
-    prepare(mesh), tree_of(mesh);
+    prepare(mesh, {.queries = PreparedFor::All}), obb_skin_of(mesh);
   return meshes;
 }
 
