@@ -41,7 +41,7 @@ Division pseudo_division(const LongPolynomial& f, const LongPolynomial& g) {
     for (GrowingInteger& each : rest)
       each = each * g.leading();
     for (int i = 0; i < g.degree(); ++i) {
-      GrowingInteger& each = rest[static_cast<std::size_t>(i + k)];
+      GrowingInteger& each = rest[static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
       each = each - highest * g[i];
     }
   }
@@ -89,7 +89,7 @@ LongPolynomial operator*(const LongPolynomial& f, const LongPolynomial& g) {
   Coefficients all(static_cast<std::size_t>(f.degree() + g.degree() + 1));
   for (int i = 0; i <= f.degree(); ++i) {
     for (int k = 0; k <= g.degree(); ++k) {
-      GrowingInteger& each = all[static_cast<std::size_t>(i + k)];
+      GrowingInteger& each = all[static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
       each = each + f[i] * g[k];
     }
   }

@@ -6,12 +6,14 @@
 #include <graze/narrowphase/motion/paths.h>
 #include <graze/narrowphase/predicates/exact_vector.h>
 
+#include <array>
+
 namespace graze::narrowphase {
 
 /// Of degree three at most. The highest coefficient is not zero; the zero polynomial has degree -1.
 template <typename Integer>
 struct IntegerPolynomial {
-  Integer coefficient[4];  ///< that of t^i at place i; those above the degree are zero
+  std::array<Integer, 4> coefficient;  ///< that of t^i at place i; those above the degree are zero
   int degree = -1;
 
   /// Makes `count` coefficients, of which the highest may be zero, those of the polynomial.

@@ -131,16 +131,24 @@ TEST(CliExplainReasons, OfRaysAndPointsItSaysWhatTheyMeet) {
   expect_in(reasons_in(e), "along x meets the closed surface 1 time:");
 }
 
-TEST(CliExplainReasons, WaysOutOfMeshesAreGone) {
+/// Of two that meet, with the claim that this translation parts them.
+Case moved_out(const CaseShape& a, const CaseShape& b, const Eigen::Vector3d& by) {
   Case query{.note = "",
              .ask = Ask::Separation,
              .settings = {},
-             .a = CaseMesh(tests::make_box({1, 1, 1}), Pose::Identity()),
-             .b = CaseMesh(tests::make_box({1, 1, 1}), Pose(Eigen::Translation3d(1.5, 0, 0))),
+             .a = a,
+             .b = b,
              .answer = CaseAnswer(),
              .answered_by = {"mine", ""}};
-  query.answer->distance = 0.25;
-  query.answer->translation = Eigen::Vector3d(0.25, 0, 0);
+  query.answer->distance = by.norm();
+  query.answer->translation = by;
+  return query;
+}
+
+TEST(CliExplainReasons, WaysOutOfMeshesAreGone) {
+  Case query = moved_out(
+      CaseMesh(tests::make_box({1, 1, 1}), Pose::Identity()),
+      CaseMesh(tests::make_box({1, 1, 1}), Pose(Eigen::Translation3d(1.5, 0, 0))), {0.25, 0, 0});
   CaseExplanation e = explain_case(query);
   EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
   expect_in(reasons_in(e), "The answer says that B is apart 0.25 m away, moved by (0.25, 0, 0).");
@@ -153,15 +161,9 @@ TEST(CliExplainReasons, WaysOutOfMeshesAreGone) {
 }
 
 TEST(CliExplainReasons, WaysOutOfBodiesHaveTheShortestBesideThem) {
-  Case query{.note = "",
-             .ask = Ask::Separation,
-             .settings = {},
-             .a = CaseBody(Box{{1, 1, 1}}, Pose::Identity()),
-             .b = CaseBody(Box{{1, 0.5, 0.5}}, Pose(Eigen::Translation3d(1.75, 0, 0))),
-             .answer = CaseAnswer(),
-             .answered_by = {"mine", ""}};
-  query.answer->distance = 1.5;
-  query.answer->translation = Eigen::Vector3d(0, 1.5, 0);
+  const Case query =
+      moved_out(CaseBody(Box{{1, 1, 1}}, Pose::Identity()),
+                CaseBody(Box{{1, 0.5, 0.5}}, Pose(Eigen::Translation3d(1.75, 0, 0))), {0, 1.5, 0});
   const CaseExplanation e = explain_case(query);
   EXPECT_EQ(e.judgement.verdict, compare::Verdict::Wrong);
   expect_in(reasons_in(e), "The answer moves B by 1.5 m along (0, 1, 0).");
