@@ -49,8 +49,9 @@ double smaller_size(const PlacedBody& a, const PlacedBody& b) {
   return std::min(size_of(a), size_of(b));
 }
 
-Fault fault_of_list(const std::vector<CaseShapeContact>& contacts) {
-  if (contacts.size() > 4) return WitnessFault{"more than four contacts", 0};
+/// Two convex bodies have one region, with up to four contacts.
+Fault fault_of_list(const std::vector<CaseShapeContact>& contacts, bool are_convex) {
+  if (are_convex && contacts.size() > 4) return WitnessFault{"more than four contacts", 0};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const CaseShapeContact& c = contacts[i];
     const double off_unit = std::abs(c.normal.norm() - 1);
@@ -176,8 +177,8 @@ double parting_tolerance(const PlacedBody& a, const PlacedBody& b, bool is_graze
 PartsReview review_manifold(const PlacedBody& a, const PlacedBody& b,
                             const std::vector<CaseShapeContact>& contacts) {
   if (contacts.empty()) return {};
-  if (Fault fault = fault_of_list(contacts)) return {.fault = fault};
   const bool has_mesh = is(a, ShapeKind::Mesh) || is(b, ShapeKind::Mesh);
+  if (Fault fault = fault_of_list(contacts, !has_mesh)) return {.fault = fault};
   const double size = smaller_size(a, b);
   const double slack =
       size * kSearchTolerance +
