@@ -17,6 +17,18 @@
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "compile this file without -march or -mavx flags");
 
 namespace graze::compare {
+/// A shape as FCL has it.
+struct ShapeOfScene {
+  FclGeometry fcl;
+  ShapeKind kind;
+};
+
+/// What a callback knows of a body.
+struct BodyTag {
+  std::size_t body;
+  ShapeKind kind;
+};
+
 namespace {
 
 using Manager = fcl::BroadPhaseCollisionManagerd;
@@ -71,23 +83,12 @@ bool takes(FclManager manager, ShapeKind kind) {
   return !is_tree || !is_endless(kind);
 }
 
-struct HeldShape {
-  FclGeometry fcl;
-  ShapeKind kind;
-};
-
-/// What a callback knows of a body.
-struct Tag {
-  std::size_t body;
-  ShapeKind kind;
-};
-
 using Found = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// FCL's callback: true would end the walk.
 bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* found) {
-  const auto* tag_a = static_cast<const Tag*>(a->getUserData());
-  const auto* tag_b = static_cast<const Tag*>(b->getUserData());
+  const auto* tag_a = static_cast<const BodyTag*>(a->getUserData());
+  const auto* tag_b = static_cast<const BodyTag*>(b->getUserData());
   if (!fcl_knows(tag_a->kind, tag_b->kind)) return false;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
@@ -100,12 +101,12 @@ bool add_if_colliding(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* 
 
 struct FclScene::Held {
   FclManager manager;
-  std::vector<HeldShape> shapes;
+  std::vector<ShapeOfScene> shapes;
   // As long as the bodies are the same ones, whatever their poses: FCL measures a mesh when an
   // object is made of it.
   std::vector<std::size_t> known;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects;
-  std::vector<Tag> tags;
+  std::vector<BodyTag> tags;
 
   void place(std::span<const FclBody> bodies) {
     const bool are_known = known.size() == bodies.size() &&
@@ -127,7 +128,7 @@ struct FclScene::Held {
     tags.clear();
     tags.reserve(bodies.size());  // objects point at them
     for (const FclBody& body : bodies) {
-      const HeldShape& shape = shapes[body.shape];
+      const ShapeOfScene& shape = shapes[body.shape];
       known.push_back(body.shape);
       objects.push_back(std::make_unique<fcl::CollisionObjectd>(shape.fcl.geometry));
       tags.push_back({tags.size(), shape.kind});

@@ -16,8 +16,8 @@ namespace {
 // A coefficient in the middle of the volume has 18 monomials. Each is off by 9.01 u X Y Z from
 // three offsets, and by seven roundings at most: two products, the cross product's difference, the
 // sum of two of them, two sums of the dot product, the sum of two of these. 18 * 16.01 u, and X Y Z
-// as it is computed is less than the exact product by 5 u: 288.3 u. Coefficients at the ends have 6
-// monomials.
+// as it is computed is less than the exact product by 5 u: 288.3 u. CoefficientSigns at the ends
+// have 6 monomials.
 constexpr double kVolumeBound = 300 * 0x1p-53;
 
 // The areas of a projection have two monomials at the ends and four in the middle, each off by
@@ -71,17 +71,18 @@ bool is_in_range(double extent) {
   return extent >= kSmallestExtent && extent <= kLargestExtent;
 }
 
-enum class Coefficients { AllPositive, AllNegative, Mixed };
+enum class CoefficientSigns { AllPositive, AllNegative, Mixed };
 
 /// A polynomial of degree two: its coefficients at the ends, and twice that in the middle.
 struct AreaLanes {
   TwoLanes ends;
   double middle;
 
-  Coefficients signs(double bound) const {
-    if (ends[0] > bound && ends[1] > bound && middle > bound) return Coefficients::AllPositive;
-    if (ends[0] < -bound && ends[1] < -bound && middle < -bound) return Coefficients::AllNegative;
-    return Coefficients::Mixed;
+  CoefficientSigns signs(double bound) const {
+    if (ends[0] > bound && ends[1] > bound && middle > bound) return CoefficientSigns::AllPositive;
+    if (ends[0] < -bound && ends[1] < -bound && middle < -bound)
+      return CoefficientSigns::AllNegative;
+    return CoefficientSigns::Mixed;
   }
 };
 
@@ -187,10 +188,10 @@ class Search {
     const TwoLanes v1 = component(o.v, next), v2 = component(o.v, last);
     const TwoLanes w1 = component(o.w, next), w2 = component(o.w, last);
     AreaLanes whole = area(u1, u2, v1, v2);
-    const Coefficients turn = whole.signs(bound);
-    if (turn == Coefficients::Mixed) return Place::Unsure;
+    const CoefficientSigns turn = whole.signs(bound);
+    if (turn == CoefficientSigns::Mixed) return Place::Unsure;
     AreaLanes along_u = area(w1, w2, v1, v2), along_v = area(u1, u2, w1, w2);
-    if (turn == Coefficients::AllNegative) {
+    if (turn == CoefficientSigns::AllNegative) {
       whole = negated(whole);
       along_u = negated(along_u);
       along_v = negated(along_v);
@@ -200,18 +201,18 @@ class Search {
     along_v = negated(along_v);
     const Place place = common(along_u, whole - along_u, along_v, bound);
     if (place == Place::Outside) return place;
-    const Coefficients rest = (whole - along_v).signs(bound);
-    if (rest == Coefficients::AllNegative) return Place::Outside;
-    return rest == Coefficients::AllPositive ? place : Place::Unsure;
+    const CoefficientSigns rest = (whole - along_v).signs(bound);
+    if (rest == CoefficientSigns::AllNegative) return Place::Outside;
+    return rest == CoefficientSigns::AllPositive ? place : Place::Unsure;
   }
 
   static Place common(const AreaLanes& a, const AreaLanes& b, const AreaLanes& c, double bound) {
-    const Coefficients of_a = a.signs(bound), of_b = b.signs(bound), of_c = c.signs(bound);
-    if (of_a == Coefficients::AllNegative || of_b == Coefficients::AllNegative ||
-        of_c == Coefficients::AllNegative)
+    const CoefficientSigns of_a = a.signs(bound), of_b = b.signs(bound), of_c = c.signs(bound);
+    if (of_a == CoefficientSigns::AllNegative || of_b == CoefficientSigns::AllNegative ||
+        of_c == CoefficientSigns::AllNegative)
       return Place::Outside;
-    return of_a == Coefficients::AllPositive && of_b == of_a && of_c == of_a ? Place::Inside
-                                                                             : Place::Unsure;
+    return of_a == CoefficientSigns::AllPositive && of_b == of_a && of_c == of_a ? Place::Inside
+                                                                                 : Place::Unsure;
   }
 
   OffsetLanes between(double low, double high) const {

@@ -134,7 +134,7 @@ template <typename Integer>
   return order;
 }
 
-bool are_equal(const double* p, const double* q) {
+bool are_one_point(const double* p, const double* q) {
   return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
@@ -145,10 +145,10 @@ bool are_one_feature(const TriangleMeeting& s, const TriangleMeeting& t) {
   const auto point = [](const TriangleMeeting& of, int next) {
     return of.triangle.point[(of.meeting.feature.place + next) % 3];
   };
-  const bool are_from_equal = are_equal(point(s, 0), point(t, 0));
+  const bool are_from_equal = are_one_point(point(s, 0), point(t, 0));
   if (of_s.kind == BallFeature::Kind::Vertex) return are_from_equal;
-  return (are_from_equal && are_equal(point(s, 1), point(t, 1))) ||
-         (are_equal(point(s, 0), point(t, 1)) && are_equal(point(s, 1), point(t, 0)));
+  return (are_from_equal && are_one_point(point(s, 1), point(t, 1))) ||
+         (are_one_point(point(s, 0), point(t, 1)) && are_one_point(point(s, 1), point(t, 0)));
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace graze::render {
 namespace {
 
-constexpr double kMillimetres = 1e3;
-
 // Overlaps are drawn in front of the caps by this part of the panel's height.
 constexpr double kOverlapOffset = 1e-5;
 

@@ -7,8 +7,6 @@
 namespace graze::render {
 namespace {
 
-constexpr double kMillimetres = 1e3;
-
 std::string skin_texture(const Colour& colour) {
   return "texture { pigment { " + srgb(colour) +
          " } finish { ambient 0.28 diffuse 0.62 specular 0.12 roughness 0.05 } }";

@@ -9,6 +9,9 @@
 
 namespace graze::render {
 
+/// In a metre: scenes are drawn in these.
+inline constexpr double kMillimetres = 1e3;
+
 /// A number with nine digits, independent of the locale.
 std::string number(double value);
 

@@ -26,9 +26,9 @@ struct HalfSpace {
 using HalfSpaces = std::array<HalfSpace, 2 * kSlabs>;
 
 /// Convex, but for what rounding does to slivers.
-class Polygon {
+class FacePolygon {
  public:
-  explicit Polygon(const HalfSpace& face) {
+  explicit FacePolygon(const HalfSpace& face) {
     const Eigen::Vector3d normal = face.normal.normalized();
     const Eigen::Vector3d middle = face.normal * (face.bound / face.normal.squaredNorm());
     const Eigen::Vector3d u = normal.unitOrthogonal();
@@ -97,7 +97,7 @@ KDopFaces faces_in_range(const KDop<18>& kdop) {
   }
   KDopFaces result{frame.unit(), {}};
   for (int i = 0; i < 2 * kSlabs; ++i) {
-    Polygon polygon(half_spaces[i]);
+    FacePolygon polygon(half_spaces[i]);
     for (int j = 0; j < 2 * kSlabs && !polygon.is_empty(); ++j) {
       // Not by the other bound of its own slab, which it satisfies, however flat the slab.
       if (j / 2 != i / 2) polygon.clip(half_spaces[j]);

@@ -1,4 +1,5 @@
 #include <graze/bvh/fit/methods/moments.h>
+#include <graze/bvh/value/dot.h>
 #include <graze/bvh/wide/tree/node_axes.h>
 
 #include <algorithm>
@@ -24,10 +25,6 @@ struct Covariance {
       product[i] = value[i][0] * v[0] + value[i][1] * v[1] + value[i][2] * v[2];
   }
 };
-
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 void cross(const double* a, const double* b, double* product) {
   for (int k = 0; k < 3; ++k)

@@ -1,3 +1,4 @@
+#include <graze/bvh/value/dot.h>
 #include <graze/bvh/value/local_frame.h>
 #include <graze/bvh/wide/tree/wide_bounds.h>
 #include <graze/bvh/wide/walk/aligned_boxes.h>
@@ -6,10 +7,6 @@
 
 namespace graze::bvh {
 namespace {
-
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// Axes at right angles, the first along a direction; false if that is too short or long to be one.
 bool set_axes(double (&axes)[3][3], const double (&direction)[3]) {

@@ -2,7 +2,7 @@
 #include <graze/engine/cases/case_mesh_file.h>
 #include <graze/engine/cases/case_meshes.h>
 #include <graze/engine/cases/text/inside_folder.h>
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/load_mesh.h>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 std::string hash_of(const fs::path& file, const std::string& name) {
   mesh_io::require_regular_file(file, name);
-  return cases::sha256_of(mesh_io::read_file(file, name));
+  return files::sha256_of(mesh_io::read_file(file, name));
 }
 
 void require_hash(const CaseMeshFile& file, const std::string& hash) {

@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/files/case_folder.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::string case_file_name(const std::string& name, const std::string& error_cla
   bare.note.clear();
   bare.answer.reset();
   const CaseWitness& witness = question.answered_by;
-  const std::string sum = cases::sha256_of(to_json(bare) + witness.engine + "\n" + witness.version);
+  const std::string sum = files::sha256_of(to_json(bare) + witness.engine + "\n" + witness.version);
   return name + "-" + name_part(error_class) + "-" + sum.substr(0, kDigestCharacters) + ".json";
 }
 

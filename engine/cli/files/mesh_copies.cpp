@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cli/files/case_folder.h>
 #include <graze/engine/cli/files/mesh_copies.h>
 #include <graze/engine/files/output_file.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 
 namespace graze::cli {
@@ -28,7 +28,7 @@ void MeshCopies::refer(CaseShape& shape, const std::string& file) const {
   try {
     const fs::path source(file);
     const std::string bytes = mesh_io::read_file(file, file);
-    const std::string sum = cases::sha256_of(bytes);
+    const std::string sum = files::sha256_of(bytes);
     const std::string name = name_part(source.stem().string()) + "-" + sum.substr(0, kDigits) +
                              source.extension().string();
     const fs::path target = folder_ / kFolder / name;

@@ -1,8 +1,8 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/job_key.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@ namespace graze::compare {
 namespace {
 
 using cases::json_number;
-using cases::sha256_of;
+using files::sha256_of;
 
 /// SHA-256 of a mesh's vertices and triangles, with `before` in front.
 std::string digest_of(const Mesh& mesh, const std::string& before) {

@@ -1,8 +1,8 @@
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/scene_comparison.h>
 #include <graze/engine/compare/run/trial.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <algorithm>
@@ -153,7 +153,7 @@ class StepTrial {
       blame_world("filtered");
     }
     for (std::size_t i = 0; i < said_.size(); ++i)
-      record_.engines[i].digest = cases::sha256_of(said_[i]);
+      record_.engines[i].digest = files::sha256_of(said_[i]);
     for (StepAnswers& each : record_.engines)
       each.time = recorded_time(each.time);
     return std::move(record_);

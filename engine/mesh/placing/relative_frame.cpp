@@ -26,6 +26,7 @@
 // frame. The rounding of the separating axis test itself, with |T| = tau in common units, in which
 // boxes are at most 2 in size and 4 across, is below 128 u (tau + 16).
 
+#include <graze/bvh/value/dot.h>
 #include <graze/bvh/value/power_of_two.h>
 #include <graze/engine/mesh/placing/relative_frame.h>
 
@@ -41,9 +42,7 @@ double largest_component(const double* v) {
   return std::max(std::abs(v[0]), std::max(std::abs(v[1]), std::abs(v[2])));
 }
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using bvh::dot;
 
 /// All but the rotation.
 inline void place(bvh::RelativeFrame& relative, const PlacedFrame& side_a,

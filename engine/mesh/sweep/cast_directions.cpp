@@ -10,6 +10,7 @@
 // a triangle's plane is a vector like these, and less is rounded along it.
 
 #include <graze/bvh/tree/tree.h>
+#include <graze/bvh/value/dot.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/cast_directions.h>
@@ -44,9 +45,7 @@ constexpr double kSurelyLate = 0x1p1000;
 // Of two unit vectors: 4 degrees.
 constexpr double kNearlyAlike = 0.9976;
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using bvh::dot;
 
 struct Vector {
   double at[3];

@@ -7,6 +7,7 @@
 // are below 8 of the size of n: 64 u. With the 16 u of law 1's rounding of a moved B these are 156
 // u.
 
+#include <graze/bvh/value/dot.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
 #include <graze/engine/mesh/placement.h>
 #include <graze/engine/mesh/sweep/swept_nodes.h>
@@ -18,11 +19,9 @@
 namespace graze::contacts {
 namespace {
 
-constexpr double kMargin = 160 * kUnitRoundoff;
+constexpr double kNodeMargin = 160 * kUnitRoundoff;
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using bvh::dot;
 
 double half_size(const bvh::FloatBox& box) {
   double size = 0;
@@ -52,7 +51,7 @@ void SweptNodes::add(const double (&n)[3], const double (&d)[3], const Frame& a,
   const double between[3] = {a.centre[0] - b.centre[0], a.centre[1] - b.centre[1],
                              a.centre[2] - b.centre[2]};
   const SweepScale scale(sense * dot(n, d), size);
-  directions_[count_] = {sense * dot(n, between), kMargin * size, scale.across, scale.up,
+  directions_[count_] = {sense * dot(n, between), kNodeMargin * size, scale.across, scale.up,
                          scale.down};
   for (int k = 0; k < 3; ++k) {
     scale_a_[count_][k] = sense * (dot(n, a.axis[k]) * a.unit);

@@ -9,6 +9,7 @@
 // Each difference of coordinates is off by u of 2; a product with n by 4 u of 2: together 26 u of
 // the size of n, and what underflows is less than another.
 
+#include <graze/bvh/value/dot.h>
 #include <graze/engine/mesh/sweep/sweep.h>
 #include <graze/engine/mesh/sweep/swept_triangles.h>
 
@@ -20,9 +21,7 @@ namespace {
 
 constexpr double kMargin = 32 * kUnitRoundoff;
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using bvh::dot;
 
 struct Vector {
   double at[3];

@@ -1,4 +1,4 @@
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/record/shapes/shape_content.h>
 #include <graze/engine/record/write/shape_table.h>
 
@@ -21,7 +21,7 @@ std::uint32_t ShapeTable::number_of(const std::shared_ptr<const BodyShape>& shap
 
 std::uint32_t ShapeTable::number_of_content(const ByteWriter& content) {
   const auto next = static_cast<std::uint32_t>(by_digest_.size());
-  const auto [known, is_new] = by_digest_.try_emplace(cases::sha256_of(content.view()), next);
+  const auto [known, is_new] = by_digest_.try_emplace(files::sha256_of(content.view()), next);
   if (is_new) on_shape_(content.view());
   return known->second;
 }

@@ -1,7 +1,7 @@
 #include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/cases/text/inside_folder.h>
 #include <graze/engine/cases/text/json_cursor.h>
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 #include <graze/engine/mesh/load_mesh.h>
@@ -30,7 +30,7 @@ Mesh in_metres(const Mesh& mesh, const LengthUnit& unit) {
 
 std::string hash_of(const std::filesystem::path& path, const std::string& name) {
   mesh_io::require_regular_file(path, name);
-  return cases::sha256_of(mesh_io::read_file(path, name));
+  return files::sha256_of(mesh_io::read_file(path, name));
 }
 
 }  // namespace

@@ -10,15 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <tuple>
 
 namespace graze {
 namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool is_nearer(const BodyPairDistance& s, const BodyPairDistance& t) {
   return std::tie(s.distance.distance, s.a, s.b) < std::tie(t.distance.distance, t.a, t.b);
@@ -58,7 +54,7 @@ class NearestParts {
   // One of the two is gone through, nearest parts first, and the other is asked which of its own is
   // nearest to each; before that, which is nearest to a branch of the one or a block of voxels.
   std::optional<BodyPairDistance> find(double most) {
-    most_ = std::min(most, kLargest);
+    most_ = std::min(most, kLargestDistance);
     const bool is_a_gone_through = whole_b_ == nullptr || voxel_map_of(a_.shape) != nullptr ||
                                    voxel_map_of(b_.shape) == nullptr;
     if (whole_a_ == nullptr) {
@@ -155,7 +151,7 @@ class NearestParts {
   const PartsBody* whole_b_;
   BodyId id_a_;
   BodyId id_b_;
-  double most_ = kLargest;
+  double most_ = kLargestDistance;
   std::optional<BodyPairDistance> best_;
 };
 
@@ -224,7 +220,7 @@ std::vector<WorldBodyPair> World::find_touching(const PlacedWorldView& other,
 std::vector<BodyPairDistance> World::find_within(const PlacedWorldView& other, double clearance,
                                                  const WorldPairSettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyPairDistance> {
-    if (!(clearance >= 0 && clearance <= kLargest))
+    if (!(clearance >= 0 && clearance <= kLargestDistance))
       throw InputError("find_within: the clearance is not finite or negative");
     std::vector<BodyPairDistance> near;
     const OtherBodies bodies(*state_, other, settings);
@@ -248,7 +244,7 @@ std::optional<BodyPairDistance> World::find_closest(const PlacedWorldView& other
                                                     const WorldPairSettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyPairDistance> {
     std::optional<BodyPairDistance> best;
-    const auto least = [&] { return best ? best->distance.distance : kNever; };
+    const auto least = [&] { return best ? best->distance.distance : kBeyondAll; };
     const OtherBodies bodies(*state_, other, settings);
     bodies.for_each([&](std::uint32_t index, const PosedBody& posed, const Aabb& box,
                         const BodyQuerySettings& query) {
@@ -269,7 +265,7 @@ std::optional<BodyPairDistance> World::find_closest_pair(const WorldPairSettings
   return bvh::in_standard_arithmetic([&]() -> std::optional<BodyPairDistance> {
     const Bodies& all = state_->all;
     std::optional<BodyPairDistance> best;
-    const auto least = [&] { return best ? best->distance.distance : kNever; };
+    const auto least = [&] { return best ? best->distance.distance : kBeyondAll; };
     const auto posed = [&](std::uint32_t index) {
       const Bodies::Body& body = all.bodies[index];
       std::optional<Filter> filter;

@@ -10,14 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace graze {
 namespace {
-
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 bool do_touch_any_part(const PosedBody& a, const PosedBody& b) {
   bool do_touch = false;
@@ -119,7 +115,7 @@ std::vector<BodyDistance> World::find_within(const PlacedShapeView& placed, doub
                                              const BodyQuerySettings& settings) const {
   return bvh::in_standard_arithmetic([&]() -> std::vector<BodyDistance> {
     const auto& [shape, pose] = placed;
-    if (!(clearance >= 0 && clearance <= kLargest))
+    if (!(clearance >= 0 && clearance <= kLargestDistance))
       throw InputError("find_within: the clearance is not finite or negative");
     const State& state = *state_;
     std::vector<BodyDistance> near;
@@ -138,10 +134,10 @@ std::optional<BodyDistance> World::find_closest(const PlacedShapeView& placed,
     const Aabb own = bounding_aabb(placed);
     std::optional<BodyDistance> best;
     if (!state_->asks_for_any(settings)) return best;
-    state_->for_nearest(own, settings, kNever, [&](std::uint32_t index) {
-      const auto next = state_->distance_to(index, placed, settings, kLargest);
+    state_->for_nearest(own, settings, kBeyondAll, [&](std::uint32_t index) {
+      const auto next = state_->distance_to(index, placed, settings, kLargestDistance);
       if (next && (!best || is_nearer(*next, *best))) best = next;
-      return best ? best->distance.distance : kNever;
+      return best ? best->distance.distance : kBeyondAll;
     });
     return best;
   });

@@ -33,9 +33,9 @@ LocalParting LocalPartings::of(std::uint32_t index, const Core& triangle) const 
 
 LocalParting LocalPartings::of(std::uint32_t index, const Core& triangle, const Vec3& normal,
                                const Vec3& deepest) const {
-  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-  return below(kNoLimit, index, triangle, normal, deepest)
-      .value_or(LocalParting{index, {normal, kNoLimit}});
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  return below(kUnbounded, index, triangle, normal, deepest)
+      .value_or(LocalParting{index, {normal, kUnbounded}});
 }
 
 std::optional<LocalParting> LocalPartings::below(double limit, std::uint32_t index,

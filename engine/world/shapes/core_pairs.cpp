@@ -20,10 +20,6 @@ Cores cores_of(const PlacedShapeView& a, const PlacedShapeView& b) {
   return {origin, core_of(a.shape, a.pose, origin), core_of(b.shape, b.pose, origin)};
 }
 
-Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
-  return to_eigen(point + to_vec3(origin));
-}
-
 }  // namespace
 
 bool intersect_cores(const PlacedShapeView& a, const PlacedShapeView& b, Work& work) {

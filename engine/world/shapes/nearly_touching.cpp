@@ -134,10 +134,6 @@ namespace {
 constexpr double kRoundingOfAxes = 0x200p-53;
 constexpr double kDeviationOfAxes = 32;
 
-Obb placed_box(const PlacedShapeView& s) {
-  return {s.pose, s.shape.as<Box>()->half_extents};
-}
-
 /// Whether edges of the two are at an angle of less than that sine.
 bool have_parallel_edges(const Pose& pose_a, const Pose& pose_b, double sine) {
   const double* m = pose_a.data();  // column-major 4x4

@@ -2,6 +2,7 @@
 
 // A placed shape as the solvers of narrowphase/convex see it. Private to engine/world.
 
+#include <graze/bvh/obb.h>
 #include <graze/bvh/pose.h>
 #include <graze/engine/world/shape.h>
 #include <graze/narrowphase/convex/core/core.h>
@@ -14,6 +15,17 @@ static inline narrowphase::Vec3 to_vec3(const Eigen::Vector3d& v) {
 }
 static inline Eigen::Vector3d to_eigen(const narrowphase::Vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+/// A point relative to `origin`, in the world.
+static inline Eigen::Vector3d in_world(const narrowphase::Vec3& point,
+                                       const Eigen::Vector3d& origin) {
+  return to_eigen(point + to_vec3(origin));
+}
+
+/// A box where it is placed.
+static inline Obb placed_box(const PlacedShapeView& s) {
+  return {s.pose, s.shape.as<Box>()->half_extents};
 }
 
 /// Where the shape's middle lies in the world: the origin to which cores of a pair are relative.

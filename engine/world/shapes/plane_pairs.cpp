@@ -13,10 +13,6 @@ using narrowphase::Vec3;
 
 namespace {
 
-Eigen::Vector3d in_world(const Vec3& point, const Eigen::Vector3d& origin) {
-  return to_eigen(point + to_vec3(origin));
-}
-
 // One support point, off by 31 u of the scale (core_gap.cpp), a dot product by 4 u more, and the
 // normal by 11 u.
 Height height_of(const Core& core, const PlacedHalfSpace& plane) {

@@ -61,10 +61,6 @@ Sphere placed_sphere(const PlacedShapeView& s) {
   return {narrowphase::place(s.pose, sphere.centre), sphere.radius};
 }
 
-Obb placed_box(const PlacedShapeView& s) {
-  return {s.pose, s.shape.as<Box>()->half_extents};
-}
-
 PlacedMeshView placed_mesh(const PlacedShapeView& s) {
   return {*s.shape.as<Mesh>(), s.pose};
 }

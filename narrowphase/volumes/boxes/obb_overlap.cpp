@@ -1,5 +1,6 @@
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/value/checks.h>
+#include <graze/bvh/value/dot.h>
 #include <graze/bvh/value/separating_axes.h>
 #include <graze/narrowphase/volumes/boxes/obb_slack.h>
 #include <graze/narrowphase/volumes/obb_overlap.h>
@@ -11,9 +12,7 @@ namespace graze {
 namespace narrowphase {
 namespace {
 
-double dot(const double* a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using bvh::dot;
 
 double slack(double sum_a, double deviation_a, double sum_b, double deviation_b) {
   if (!(sum_a + sum_b <= kLargestObbSum)) return std::numeric_limits<double>::infinity();

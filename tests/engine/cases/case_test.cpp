@@ -6,8 +6,8 @@
 #include <graze/engine/cases/read_case.h>
 #include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/cases/text/hex_float.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/to_case.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/mesh/containment.h>
 #include <graze/engine/world/shape_pairs.h>
 #include <graze/engine/world/shape_ray.h>

@@ -1,7 +1,7 @@
 // Numbers and hashes as the text of a case has them.
 
 #include <graze/engine/cases/text/hex_float.h>
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <gtest/gtest.h>
 #include <bit>
 #include <cmath>
@@ -71,11 +71,11 @@ TEST(CaseNumbers, WhatIsNoDoubleIsRefused) {
 }
 
 TEST(CaseHashes, AreThoseOfTheStandard) {
-  EXPECT_EQ(cases::sha256_of(""),
+  EXPECT_EQ(files::sha256_of(""),
             "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(cases::sha256_of("abc"),
+  EXPECT_EQ(files::sha256_of("abc"),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(cases::sha256_of(std::string(1000000, 'a')),
+  EXPECT_EQ(files::sha256_of(std::string(1000000, 'a')),
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 

@@ -1,7 +1,7 @@
 // Files that are no cases are refused by one line that names the file and the place.
 
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <gtest/gtest.h>
 #include <filesystem>
 #include <string>
@@ -152,7 +152,7 @@ TEST_F(HostileCase, MeshesThatReferToEachOther) {
 }
 
 TEST_F(HostileCase, PathsOutOfTheFolder) {
-  const std::string hash = cases::sha256_of(kMesh);
+  const std::string hash = files::sha256_of(kMesh);
   const auto file = [&](const std::string& path) {
     return with_mesh_b("{\"file\": \"" + path + "\", \"sha256\": \"" + hash + "\"}");
   };
@@ -184,14 +184,14 @@ TEST_F(HostileCase, FilesWithAnotherHash) {
   const std::string wrong(64, '0');
   EXPECT_EQ(error_of(with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"" + wrong + "\"}")),
             "case.json:3: /b/mesh: the file \"mesh.off\" has the SHA-256 " +
-                cases::sha256_of(kMesh) + ", not " + wrong);
+                files::sha256_of(kMesh) + ", not " + wrong);
   EXPECT_EQ(error_of(with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"00\"}")),
             "case.json:4: /b/mesh/sha256: is not a SHA-256 of 64 digits 0-9 a-f");
 }
 
 TEST_F(HostileCase, AFileThatIsReadOnceForManyCases) {
   folder_.write("mesh.off", kMesh);
-  const std::string hash = cases::sha256_of(kMesh);
+  const std::string hash = files::sha256_of(kMesh);
   const auto with_hash = [&](const std::string& sha256) {
     return with_mesh_b("{\"file\": \"mesh.off\",\n\"sha256\": \"" + sha256 + "\"}");
   };
@@ -204,7 +204,7 @@ TEST_F(HostileCase, AFileThatIsReadOnceForManyCases) {
   folder_.write("mesh.off", "OFF\n0 0 0\n");
   const Case second = read(with_hash(hash));
   EXPECT_EQ(std::get<CaseMesh>(*first.b).mesh, std::get<CaseMesh>(*second.b).mesh) << "a handle";
-  EXPECT_THROW(read(with_hash(cases::sha256_of("OFF\n0 0 0\n"))), CaseError)
+  EXPECT_THROW(read(with_hash(files::sha256_of("OFF\n0 0 0\n"))), CaseError)
       << "another file than the one that was read";
   EXPECT_NE(error_of(with_hash(hash)), "") << "without them it is read anew";
 }

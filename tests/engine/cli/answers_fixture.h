@@ -1,9 +1,9 @@
 #pragma once
 
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +38,7 @@ class CliCompareAnswers : public CliCompare {
 
   json head(const std::string& question, const std::string& engine = "other") const {
     const auto sum = [&](const char* name) {
-      return json{{"file", name}, {"sha256", cases::sha256_of(read(name))}};
+      return json{{"file", name}, {"sha256", files::sha256_of(read(name))}};
     };
     return {{"graze_answers", 1},   {"engine", engine},       {"version", "1"},
             {"question", question}, {"mesh_a", sum("a.off")}, {"mesh_b", sum("b.off")},

@@ -3,10 +3,10 @@
 
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/cli/compare/engine_field.h>
 #include <graze/engine/cli/output/outcome.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/mesh/load_mesh.h>
 #include <gtest/gtest.h>
 #include <functional>

@@ -117,8 +117,8 @@ TEST_F(CliCompareWrapper, OfShapesAreJudgedLikewise) {
     line.erase("mesh_a");
     line.erase("mesh_b");
     line["shape_a"] = is_inline ? json::parse(read("a.json"))
-                                : json{{"sha256", cases::sha256_of(read("a.json"))}};
-    line["shape_b"] = {{"file", "b.json"}, {"sha256", cases::sha256_of(read("b.json"))}};
+                                : json{{"sha256", files::sha256_of(read("a.json"))}};
+    line["shape_b"] = {{"file", "b.json"}, {"sha256", files::sha256_of(read("b.json"))}};
     return line;
   };
   // The box along x, off by a little in y and z: its nearest point is on its face.

@@ -1,7 +1,7 @@
 // Files that are no scenes are refused by one line that names the file and the place.
 
 #include <graze/engine/cases/read_case.h>
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/scenes/read_scene.h>
 #include <gtest/gtest.h>
 #include <filesystem>
@@ -210,7 +210,7 @@ TEST_F(HostileScene, MeshFilesThatAreMissingOrElsewhere) {
   EXPECT_EQ(error_of(with_mesh("circle.off")).substr(0, place.size()), place);
   EXPECT_EQ(error_of(with_mesh("inner")).substr(0, place.size()), place);
   EXPECT_EQ(error_of(with_mesh("broken.off")).substr(0, place.size()), place);
-  const std::string hash = cases::sha256_of(kMesh);
+  const std::string hash = files::sha256_of(kMesh);
   const auto hashed = [&](const std::string& wanted) {
     return with_shape("\"mesh\": {\"file\": \"inner/mesh.off\",\n\"sha256\": \"" + wanted + "\"}");
   };

@@ -8,10 +8,6 @@
 namespace graze::compare {
 namespace {
 
-bool is_zero(const RationalPoint& p) {
-  return p[0] == 0 && p[1] == 0 && p[2] == 0;
-}
-
 RationalPoint normal_of(const RationalTriangle& t) {
   return cross(edge_of(t, 0), edge_of(t, 1));
 }

@@ -7,10 +7,6 @@ namespace {
 
 using Meeting = std::optional<mpq_class>;
 
-bool is_zero(const RationalPoint& p) {
-  return p[0] == 0 && p[1] == 0 && p[2] == 0;
-}
-
 /// On one line with the ray: the first of the segment that is not behind the origin.
 Meeting first_on_line(const RationalRay& ray, const RationalPoint& from, const RationalPoint& to) {
   const mpq_class square = dot(ray.direction, ray.direction);

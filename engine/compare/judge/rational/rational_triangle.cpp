@@ -10,6 +10,10 @@ RationalPoint exactly(const Eigen::Vector3d& p) {
   return {mpq_class(p.x()), mpq_class(p.y()), mpq_class(p.z())};
 }
 
+bool is_zero(const RationalPoint& p) {
+  return p[0] == 0 && p[1] == 0 && p[2] == 0;
+}
+
 RationalPoint minus(const RationalPoint& p, const RationalPoint& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
 }

@@ -11,6 +11,7 @@ namespace graze::compare {
 using RationalPoint = std::array<mpq_class, 3>;
 using RationalTriangle = std::array<RationalPoint, 3>;
 
+bool is_zero(const RationalPoint& p);
 RationalPoint minus(const RationalPoint& p, const RationalPoint& q);
 mpq_class dot(const RationalPoint& p, const RationalPoint& q);
 RationalPoint cross(const RationalPoint& p, const RationalPoint& q);

@@ -16,10 +16,6 @@ constexpr std::size_t kMaxEffort = 4096;
 /// Directions nearer to each other than this are one.
 constexpr double kSameDirection = 0x1p-30;
 
-bool is_zero(const RationalPoint& p) {
-  return p[0] == 0 && p[1] == 0 && p[2] == 0;
-}
-
 /// The normals of the facets of the difference of two triangles; of two in parallel planes those
 /// within the plane too.
 std::vector<RationalPoint> axes_of(const RationalTriangle& a, const RationalTriangle& b) {

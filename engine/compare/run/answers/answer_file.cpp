@@ -1,12 +1,12 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/read/read_parts.h>
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/peers/process/protocol.h>
 #include <graze/engine/compare/run/answers/answer_file.h>
 #include <graze/engine/compare/run/answers/answer_line.h>
 #include <graze/engine/compare/run/poses/block_cache.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/file_bytes.h>
 
@@ -34,12 +34,12 @@ class AnswerLines : public RecordedAnswers {
     std::string line;
     next_line(file, line, 1);
     if (is_table_ && line.starts_with('#')) line.erase(0, 1);
-    sums_ = cases::sha256_of(line);
+    sums_ = files::sha256_of(line);
     parsed(line, 1, [&](const JsonCursor& at) { read_start(at, wanted); });
     if (is_table_) {
       next_line(file, line, 2);
       columns_ = answer_columns(line, name_ + ":2");
-      sums_ = cases::sha256_of(sums_ + line);
+      sums_ = files::sha256_of(sums_ + line);
       first_line_ = 3;
     }
     read_all(file, wanted.job.places());
@@ -150,7 +150,7 @@ class AnswerLines : public RecordedAnswers {
     at.require_keys({"file", "sha256"});
     const std::string name = mesh_io::printable(file.string());
     if (at.has("file")) at.member("file").text();
-    if (at.member("sha256").text() == cases::sha256_of(mesh_io::read_file(file, name))) return;
+    if (at.member("sha256").text() == files::sha256_of(mesh_io::read_file(file, name))) return;
     at.member("sha256").fail("is not that of " + name);
   }
 
@@ -160,7 +160,7 @@ class AnswerLines : public RecordedAnswers {
     std::size_t count = 0;
     for (;; ++count) {
       if (count % kLinesOfBlock == 0) {
-        sums_ = cases::sha256_of(sums_ + block);
+        sums_ = files::sha256_of(sums_ + block);
         block.clear();
         starts_.push_back(file.tellg());
       }
@@ -178,7 +178,7 @@ class AnswerLines : public RecordedAnswers {
       throw CaseError(place_of(first_line_ + count) + ": ends after " + std::to_string(count) +
                       " answers of " + std::to_string(places));
     }
-    sums_ = cases::sha256_of(sums_ + block);
+    sums_ = files::sha256_of(sums_ + block);
   }
 
   std::vector<std::string> lines_of(std::size_t block) const {

@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/compare/run/poses/block_cache.h>
 #include <graze/engine/compare/run/poses/pose_source.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 #include <graze/engine/mesh/io/pose_array.h>
 #include <graze/engine/mesh/io/pose_lines.h>
@@ -40,12 +40,12 @@ class PoseSum {
   }
   std::string sum() {
     close();
-    return cases::sha256_of(sums_);
+    return files::sha256_of(sums_);
   }
 
  private:
   void close() {
-    sums_ = cases::sha256_of(sums_ + block_);
+    sums_ = files::sha256_of(sums_ + block_);
     block_.clear();
   }
 

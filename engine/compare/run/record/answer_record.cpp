@@ -1,7 +1,7 @@
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/cases/write_case.h>
 #include <graze/engine/compare/run/record/answer_record.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ auto named(const JsonCursor& at, const List& list) {
 
 std::string answer_digest(const CaseAnswer& answer) {
   constexpr std::size_t kDigits = 16;
-  return cases::sha256_of(to_json(answer)).substr(0, kDigits);
+  return files::sha256_of(to_json(answer)).substr(0, kDigits);
 }
 
 std::optional<double> answer_value(const CaseAnswer& answer) {

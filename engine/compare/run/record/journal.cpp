@@ -1,7 +1,7 @@
 #include <graze/bvh/error.h>
 #include <graze/engine/cases/text/json_text.h>
-#include <graze/engine/cases/text/sha256.h>
 #include <graze/engine/compare/run/record/journal.h>
+#include <graze/engine/files/sha256.h>
 #include <graze/engine/files/source.h>
 
 #include <array>
@@ -181,7 +181,7 @@ std::string engine_difference(const JournalHead& head, const JournalHead& record
 
 std::string sealed(std::string_view line) {
   std::string out(line.substr(0, line.size() - 1));
-  const std::string sum = cases::sha256_of(out).substr(0, kSumDigits);
+  const std::string sum = files::sha256_of(out).substr(0, kSumDigits);
   out += kSum;
   out += sum;
   return out + "\"}";

@@ -1,4 +1,4 @@
-#include <graze/engine/cases/text/sha256.h>
+#include <graze/engine/files/sha256.h>
 
 #include <array>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace graze::cases {
+namespace graze::files {
 namespace {
 
 using Word = std::uint32_t;
@@ -109,4 +109,4 @@ std::string sha256_of(std::string_view bytes) {
   return text;
 }
 
-}  // namespace graze::cases
+}  // namespace graze::files
