@@ -26,24 +26,17 @@ HWY_INLINE std::uint32_t ray_bits(Mask mask) {
   return bits[0];
 }
 
-/// Eight bits each, as floats.
-HWY_INLINE RayLanes ray_grid(const std::uint8_t* row) {
-  const hn::Rebind<std::int32_t, RayTag> wide;
-  const hn::Rebind<std::uint8_t, RayTag> narrow;
-  return hn::ConvertTo(RayTag(), hn::PromoteTo(wide, hn::LoadU(narrow, row)));
-}
-
 /// What boxes are asked with.
 class RayBoxes {
  public:
   HWY_INLINE explicit RayBoxes(const RayWalkState& ray) {
     const RayTag tag;
     for (std::size_t k = 0; k < 3; ++k) {
-      origin_[k] = hn::Set(tag, ray.origin[k]);
       inverse_[k] = hn::Set(tag, ray.inverse[k]);
-      padding_[k] = hn::Abs(hn::Mul(inverse_[k], hn::Set(tag, ray.padding)));
-      near_[k] = ray.near_row[k] * RayNode::kWidth;
-      far_[k] = ray.far_row[k] * RayNode::kWidth;
+      near_[k] = hn::Set(tag, ray.near[k]);
+      far_[k] = hn::Set(tag, ray.far[k]);
+      near_row_[k] = ray.near_row[k];
+      far_row_[k] = near_row_[k] ^ RayNode::kWidth;
     }
   }
 
@@ -51,33 +44,26 @@ class RayBoxes {
   /// are not above any s in them.
   HWY_INLINE std::uint32_t near_children(const RayNode& node, float limit, float* enters) const {
     const RayTag tag;
-    const std::uint8_t* const rows = node.box[0];
-    RayLanes step[3], near[3], far[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      step[k] = hn::Mul(hn::Set(tag, node.scale[k]), inverse_[k]);
-      const RayLanes from = hn::Sub(hn::Set(tag, node.origin[k]), origin_[k]);
-      near[k] = hn::MulSub(from, inverse_[k], padding_[k]);
-      far[k] = hn::MulAdd(from, inverse_[k], padding_[k]);
-    }
+    const float* const rows = node.box[0];
     std::uint32_t bits = 0;
     for (std::size_t lane = 0; lane < RayNode::kWidth; lane += hn::Lanes(tag)) {
       RayLanes enter[3], leave[3];
       for (std::size_t k = 0; k < 3; ++k) {
-        enter[k] = hn::MulAdd(ray_grid(rows + near_[k] + lane), step[k], near[k]);
-        leave[k] = hn::MulAdd(ray_grid(rows + far_[k] + lane), step[k], far[k]);
+        enter[k] = hn::MulAdd(hn::Load(tag, rows + near_row_[k] + lane), inverse_[k], near_[k]);
+        leave[k] = hn::MulAdd(hn::Load(tag, rows + far_row_[k] + lane), inverse_[k], far_[k]);
       }
       const RayLanes last = hn::Max(hn::Max(enter[0], enter[1]), hn::Max(enter[2], hn::Zero(tag)));
       const RayLanes first =
           hn::Min(hn::Min(leave[0], leave[1]), hn::Min(leave[2], hn::Set(tag, limit)));
-      hn::StoreU(last, tag, enters + lane);
+      hn::Store(last, tag, enters + lane);
       bits |= ray_bits(hn::Le(last, first)) << lane;
     }
-    return bits & node.lanes();
+    return bits;
   }
 
  private:
-  RayLanes origin_[3], inverse_[3], padding_[3];
-  std::size_t near_[3], far_[3];
+  RayLanes inverse_[3], near_[3], far_[3];
+  std::size_t near_row_[3], far_row_[3];
 };
 
 }  // namespace

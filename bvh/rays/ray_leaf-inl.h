@@ -8,7 +8,7 @@
 //
 // Bounds. Let B be X of the leaf's corner, e its extents, and E = |B| + e_x + e_z. X as computed is
 // off by half a step of the grid along x and z each, by twice the slack, and by rounding: 3 |B| +
-// 4 e_x + 7 e_z times 2^-24, below 2^-21 E. If both X and Y are off by at most r, and N is the
+// 5 e_x + 8 e_z times 2^-24, below 2^-20.9 E. If both X and Y are off by at most r, and N is the
 // largest |X| + |Y| of the three corners, an edge's product is off by 2 r N + 2 r^2, and by its own
 // rounding, 2^-23 N^2. N being below 2.01 E, that is below 2^-21.9 E N: so the bound is
 // 2 r' (N + r'), with 2^-20 E in r', which covers also what it is rounded itself, 5 2^-24 of it. It
@@ -24,20 +24,21 @@
 
 #include <graze/bvh/rays/ray_boxes-inl.h>
 
+#include <cmath>
+
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
 namespace {
 
-inline constexpr float kGridStep = 1.0f / 1023;
 /// Half a step, and a little.
 inline constexpr float kHalfStep = 0x1.01p-11f;
 inline constexpr float kLeafRounding = 0x1p-20f;
+inline constexpr float kExtentShare = kHalfStep + kLeafRounding;
 
 /// A leaf as a ray sees it.
 struct SeenLeaf {
-  std::int32_t shift[3];  ///< of the bits of each coordinate
-  float base[2];          ///< leaned coordinates of the least corner
-  float step[3];
+  float base[2];         ///< leaned coordinates of the least corner
+  float step[3];         ///< of one, of coordinates as they are read
   float leaned_step[2];  ///< of one along z
   float bound;           ///< of leaned coordinates
   float along_step;
@@ -45,31 +46,25 @@ struct SeenLeaf {
   float along_most;
 
   HWY_INLINE SeenLeaf(const RayNode& node, std::uint32_t lane, const RayWalkState& ray) {
+    const float* const box = node.box[0] + lane;
     double from[3];
     float extent[3];
-    for (int i = 0; i < 3; ++i) {
-      const int k = ray.axis[i];
-      const float scale = node.scale[k];
-      const float low = node.box[k][lane];
-      const double least = static_cast<double>(node.origin[k]) + static_cast<double>(scale * low);
-      from[i] = least - ray.exact_origin[k];
-      extent[i] = scale * (static_cast<float>(node.box[k + 3][lane]) - low);
-      step[i] = extent[i] * kGridStep;
-      shift[i] = k * static_cast<int>(RayTree::kBits);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t row = ray.axes->row[i];
+      from[i] = static_cast<double>(box[row]) - ray.origin[i];
+      extent[i] = box[row + RayNode::kWidth] - box[row];
+      step[i] = extent[i] * ray.axes->per_bit[i];
     }
     for (int i = 0; i < 2; ++i) {
       base[i] = static_cast<float>(from[i] - ray.lean[i] * from[2]);
-      leaned_step[i] = -static_cast<float>(ray.lean[i]) * step[2];
+      leaned_step[i] = ray.minus_lean[i] * step[2];
     }
-    const float sides = HWY_MAX(extent[0], extent[1]);
-    const float farthest = HWY_MAX(HWY_MAX(base[0], -base[0]), HWY_MAX(base[1], -base[1]));
-    bound = ray.leaf_slack + kHalfStep * (sides + extent[2]) +
-            kLeafRounding * (farthest + sides + extent[2]);
-    const float along = static_cast<float>(ray.along);
+    const float farthest = HWY_MAX(std::abs(base[0]), std::abs(base[1]));
+    bound = ray.leaf_slack + kExtentShare * (HWY_MAX(extent[0], extent[1]) + extent[2]) +
+            kLeafRounding * farthest;
     const float at = static_cast<float>(from[2] * ray.along);
-    along_step = step[2] * along;
-    const float off = ray.leaf_slack + 2 * kHalfStep * extent[2] +
-                      kLeafRounding * (HWY_MAX(at, -at) + 2 * extent[2]);
+    along_step = step[2] * ray.float_along;
+    const float off = ray.leaf_slack + 2 * kExtentShare * extent[2] + kLeafRounding * std::abs(at);
     along_least = at - off;
     along_most = at + off;
   }
@@ -81,13 +76,13 @@ struct LeafAnswer {
   std::uint32_t sure;  ///< surely met before it
 };
 
-/// One coordinate of a row of corners.
+/// One coordinate of a row of corners, where it is among the bits: at most thirty, of which ten are
+/// not 0, so that a float holds it.
 HWY_INLINE RayLanes corner_lanes(hn::Vec<hn::Rebind<std::uint32_t, RayTag>> packed,
-                                 std::int32_t shift) {
+                                 std::uint32_t mask) {
   const hn::Rebind<std::uint32_t, RayTag> bits;
   const hn::Rebind<std::int32_t, RayTag> signed_bits;
-  const auto grid = hn::And(hn::ShiftRightSame(packed, shift), hn::Set(bits, RayTree::kSteps));
-  return hn::ConvertTo(RayTag(), hn::BitCast(signed_bits, grid));
+  return hn::ConvertTo(RayTag(), hn::BitCast(signed_bits, hn::And(packed, hn::Set(bits, mask))));
 }
 
 /// As many primitives as there are lanes, from `lane` on.
@@ -99,10 +94,10 @@ HWY_INLINE LeafAnswer ask_lanes(const std::uint32_t* corners, std::uint32_t coun
   RayLanes x[3], y[3], size, low, high;
   for (std::uint32_t c = 0; c < 3; ++c) {
     const auto packed = hn::LoadU(bits, corners + c * count + lane);
-    const RayLanes z = corner_lanes(packed, leaf.shift[2]);
-    x[c] = hn::MulAdd(corner_lanes(packed, leaf.shift[0]), hn::Set(tag, leaf.step[0]),
+    const RayLanes z = corner_lanes(packed, ray.axes->mask[2]);
+    x[c] = hn::MulAdd(corner_lanes(packed, ray.axes->mask[0]), hn::Set(tag, leaf.step[0]),
                       hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[0]), hn::Set(tag, leaf.base[0])));
-    y[c] = hn::MulAdd(corner_lanes(packed, leaf.shift[1]), hn::Set(tag, leaf.step[1]),
+    y[c] = hn::MulAdd(corner_lanes(packed, ray.axes->mask[1]), hn::Set(tag, leaf.step[1]),
                       hn::MulAdd(z, hn::Set(tag, leaf.leaned_step[1]), hn::Set(tag, leaf.base[1])));
     const RayLanes its = hn::Add(hn::Abs(x[c]), hn::Abs(y[c]));
     size = c == 0 ? its : hn::Max(size, its);

@@ -14,7 +14,6 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::bvh::HWY_NAMESPACE {
@@ -25,16 +24,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 using StartTag = hn::CappedTag<double, 4>;
 
 // Derived in ray_tree_walk.h.
-inline constexpr double kBoxRounding = 0x1p-18;
+inline constexpr double kBoxRounding = 0x1p-19;
 inline constexpr double kLeastComponent = 0x1p-30;
+
+inline constexpr float kGridStep = 1.0f / 1023;
 
 // What coordinates of corners, lean and origin are off by as doubles, times what they are
 // multiplied with: 16 u of what is below 2^4 and the slack.
 inline constexpr double kExactRounding = 0x1p-44;
 
-// More slack than that, and nothing is pruned; further away there is as much.
+// More slack than that, and nothing is pruned. Further away than 2^65 there is as much.
 inline constexpr double kMostSlack = 0x1p20;
-inline constexpr double kFarthestOrigin = 0x1p200;
 
 // By how far a ray is elsewhere for each metre from the tree's centre
 // (engine/mesh/probe/mesh_ray.cpp).
@@ -70,7 +70,8 @@ struct LocalRay {
   }
 };
 
-/// entry() at the box of all, and what remains of RaySlabs.
+/// entry() at the box of all. A component below kParallel is taken for that, which moves the ray by
+/// less than its slack.
 struct RayEntry {
   double enter;
   alignas(32) double inverse[4];
@@ -79,22 +80,17 @@ struct RayEntry {
     const StartTag tag;
     alignas(32) double near[4], far[4];
     const auto slack = hn::Set(tag, ray.slack);
-    const auto one = hn::Set(tag, 1.0);
-    const auto infinity = hn::Set(tag, std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < 4; i += hn::Lanes(tag)) {
       const auto o = hn::Load(tag, ray.origin + i), d = hn::Load(tag, ray.direction + i);
+      const auto kept = hn::CopySign(hn::Max(hn::Abs(d), hn::Set(tag, kParallel)), d);
+      const auto per_unit = hn::Div(hn::Set(tag, 1.0), kept);
       const auto low = hn::Sub(hn::Load(tag, tree.low + i), slack);
       const auto high = hn::Add(hn::Load(tag, tree.high + i), slack);
-      const auto is_parallel = hn::Lt(hn::Abs(d), hn::Set(tag, kParallel));
-      const auto per_unit = hn::Div(one, hn::IfThenElse(is_parallel, one, d));
       const auto at_low = hn::Mul(hn::Sub(low, o), per_unit);
       const auto at_high = hn::Mul(hn::Sub(high, o), per_unit);
-      const auto is_outside = hn::Or(hn::Lt(o, low), hn::Gt(o, high));
-      const auto anywhere = hn::IfThenElse(is_outside, hn::Neg(one), infinity);
       hn::Store(per_unit, tag, inverse + i);
-      hn::Store(hn::IfThenElse(is_parallel, hn::Neg(infinity), hn::Min(at_low, at_high)), tag,
-                near + i);
-      hn::Store(hn::IfThenElse(is_parallel, anywhere, hn::Max(at_low, at_high)), tag, far + i);
+      hn::Store(hn::Min(at_low, at_high), tag, near + i);
+      hn::Store(hn::Max(at_low, at_high), tag, far + i);
     }
     const double last = HWY_MAX(near[0], HWY_MAX(near[1], near[2]));
     const double first = HWY_MIN(far[0], HWY_MIN(far[1], far[2]));
@@ -102,40 +98,63 @@ struct RayEntry {
   }
 };
 
-/// What boxes are asked with.
-HWY_INLINE void start_boxes(const LocalRay& ray, const RayEntry& entry, RayWalkState& state) {
+/// What boxes are asked with. `origin` becomes the point where the walk starts.
+HWY_INLINE void start_boxes(const LocalRay& ray, const RayEntry& entry, RayWalkState& state,
+                            double* origin) {
   const StartTag tag;
   const hn::Rebind<float, StartTag> floats;
+  const auto padding =
+      hn::Set(floats, static_cast<float>(1.01 * (ray.slack + kBoxRounding * (1 + ray.slack))));
   for (std::size_t i = 0; i < 4; i += hn::Lanes(tag)) {
-    const auto d = hn::Load(tag, ray.direction + i);
-    const auto at = hn::Add(hn::Load(tag, ray.origin + i), hn::Mul(hn::Set(tag, entry.enter), d));
-    hn::Store(at, tag, state.exact_origin + i);
-    hn::Store(hn::DemoteTo(floats, at), floats, state.origin + i);
-    const auto is_small = hn::Lt(hn::Abs(d), hn::Set(tag, kLeastComponent));
-    const auto inverse =
-        hn::IfThenElse(is_small, hn::CopySign(hn::Set(tag, 1 / kLeastComponent), d),
-                       hn::Load(tag, entry.inverse + i));
-    hn::Store(hn::DemoteTo(floats, inverse), floats, state.inverse + i);
+    const auto along = hn::Mul(hn::Set(tag, entry.enter), hn::Load(tag, ray.direction + i));
+    const auto start = hn::Add(hn::Load(tag, ray.origin + i), along);
+    hn::Store(start, tag, origin + i);
+    const auto most = hn::Set(tag, 1 / kLeastComponent);
+    const auto kept = hn::Clamp(hn::Load(tag, entry.inverse + i), hn::Neg(most), most);
+    const auto inverse = hn::DemoteTo(floats, kept);
+    const auto at_origin = hn::Mul(hn::DemoteTo(floats, start), inverse);
+    const auto padded = hn::Mul(hn::Abs(inverse), padding);
+    hn::Store(inverse, floats, state.inverse + i);
+    hn::Store(hn::Sub(hn::Neg(at_origin), padded), floats, state.near + i);
+    hn::Store(hn::Sub(padded, at_origin), floats, state.far + i);
   }
-  state.padding = static_cast<float>(1.01 * (ray.slack + kBoxRounding * (1 + ray.slack)));
-  for (std::uint8_t k = 0; k < 3; ++k) {
+  for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t is_backwards = std::bit_cast<std::uint32_t>(state.inverse[k]) >> 31;
-    state.near_row[k] = static_cast<std::uint8_t>(k + 3 * is_backwards);
-    state.far_row[k] = static_cast<std::uint8_t>(k + 3 - 3 * is_backwards);
+    state.near_row[k] = (2 * k + is_backwards) * RayNode::kWidth;
   }
 }
 
+constexpr RayAxes axes_for(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  const std::uint32_t axis[3] = {x, y, z};
+  RayAxes axes{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t first_bit = RayTree::kBits * axis[i];
+    axes.axis[i] = axis[i];
+    axes.row[i] = 2 * RayNode::kWidth * axis[i];
+    axes.mask[i] = RayTree::kSteps << first_bit;
+    axes.per_bit[i] = kGridStep / static_cast<float>(1u << first_bit);
+  }
+  return axes;
+}
+inline constexpr RayAxes kRayAxes[3] = {axes_for(1, 2, 0), axes_for(2, 0, 1), axes_for(0, 1, 2)};
+
 /// What leaves are asked with.
-HWY_INLINE void start_leaves(const LocalRay& ray, const RayEntry& entry, RayWalkState& state) {
+HWY_INLINE void start_leaves(const LocalRay& ray, const RayEntry& entry, const double* origin,
+                             RayWalkState& state) {
   const double x = std::abs(ray.direction[0]), y = std::abs(ray.direction[1]),
                z = std::abs(ray.direction[2]);
-  const std::size_t most = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-  constexpr std::uint8_t kAxes[3][3] = {{1, 2, 0}, {2, 0, 1}, {0, 1, 2}};
-  for (std::size_t i = 0; i < 3; ++i)
-    state.axis[i] = kAxes[most][i];
+  // Without a branch, which is mispredicted where rays go anywhere.
+  const std::size_t most = z > HWY_MAX(x, y) ? 2 : static_cast<std::size_t>(y > x);
+  const RayAxes& axes = kRayAxes[most];
+  state.axes = &axes;
   state.along = entry.inverse[most];
-  for (std::size_t i = 0; i < 2; ++i)
-    state.lean[i] = ray.direction[state.axis[i]] * state.along;
+  state.float_along = static_cast<float>(state.along);
+  for (std::size_t i = 0; i < 3; ++i)
+    state.origin[i] = origin[axes.axis[i]];
+  for (std::size_t i = 0; i < 2; ++i) {
+    state.lean[i] = ray.direction[axes.axis[i]] * state.along;
+    state.minus_lean[i] = -static_cast<float>(state.lean[i]);
+  }
   // A lean is at most 1, and a unit of an axis at most 2 of s.
   state.leaf_slack = static_cast<float>(1.01 * (2 * ray.slack + kExactRounding * (1 + ray.slack)));
 }
@@ -144,9 +163,7 @@ HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkSta
   const LocalRay local(ray);
   state.open_count = 0;
   // A NaN compares as false.
-  state.is_blind =
-      !(local.slack < kMostSlack && std::abs(local.origin[0]) < kFarthestOrigin &&
-        std::abs(local.origin[1]) < kFarthestOrigin && std::abs(local.origin[2]) < kFarthestOrigin);
+  state.is_blind = !(local.slack < kMostSlack && tree.node_count != 0);
   if (state.is_blind) return;
   const RayEntry entry(tree, local, ray.limit);
   if (entry.enter == kNever) return;
@@ -154,8 +171,9 @@ HWY_INLINE void start_walk(const RayTree& tree, const RayToWalk& ray, RayWalkSta
   state.aim = ray.aim;
   state.rows = ray.rows;
   state.row_size = ray.row_size;
-  start_boxes(local, entry, state);
-  start_leaves(local, entry, state);
+  alignas(32) double origin[4];
+  start_boxes(local, entry, state, origin);
+  start_leaves(local, entry, origin, state);
   state.limit = ray_limit(ray.limit, state.start);
   state.sure_limit = sure_ray_limit(ray.limit, state.start);
   state.open_count = 1;

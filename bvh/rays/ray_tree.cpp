@@ -9,78 +9,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
+#include <memory>
 #include <new>
 #include <vector>
 
 namespace graze::bvh {
 namespace {
 
-// Below it all is one step: the exponents of floats end there, and 2^-100 is far less than what
-// the walk grows boxes by.
-constexpr int kLeastExponent = -100;
-
-/// The smallest power of two of which 255 reach that far.
-double step_for(double extent) {
-  const double wanted = extent / 255;
-  int exponent = wanted > 0 ? std::max(std::ilogb(wanted), kLeastExponent) : kLeastExponent;
-  while (std::ldexp(255.0, exponent) < extent)
-    ++exponent;
-  return std::ldexp(1.0, exponent);
+RayNode empty_node() {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const RayChild none = RayChild::node(0);
+  RayNode node{{}, {none, none, none, none, none, none, none, none}};
+  for (std::size_t row = 0; row < 6; ++row)
+    std::fill_n(node.box[row], RayNode::kWidth, row % 2 == 0 ? kInfinity : -kInfinity);
+  return node;
 }
 
-/// A wide node whose children's lines are not known yet.
+/// A wide node whose children's places are not known yet.
 RayNode node_over(const Tree& tree, const RayGroups& groups,
                   const std::uint32_t (&children)[RayNode::kWidth], std::uint32_t count) {
-  FloatBox around = empty_box();
-  for (std::uint32_t i = 0; i < count; ++i)
-    around = merged(around, tree.nodes[children[i]].box);
-  RayNode node{};
-  node.child_count = static_cast<std::uint8_t>(count);
-  for (int k = 0; k < 3; ++k) {
-    const double origin = around.min[k];
-    const double step = step_for(around.max[k] - origin);
-    node.origin[k] = around.min[k];
-    node.scale[k] = static_cast<float>(step);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const FloatBox& box = tree.nodes[children[i]].box;
-      node.box[k][i] = static_cast<std::uint8_t>(std::floor((box.min[k] - origin) / step));
-      node.box[k + 3][i] =
-          static_cast<std::uint8_t>(std::min(255.0, std::ceil((box.max[k] - origin) / step)));
+  RayNode node = empty_node();
+  for (std::uint32_t lane = 0; lane < count; ++lane) {
+    const FloatBox& box = tree.nodes[children[lane]].box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      node.box[2 * k][lane] = box.min[k];
+      node.box[2 * k + 1][lane] = box.max[k];
     }
-  }
-  std::uint32_t in_leaves = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!groups.is_leaf(children[i])) continue;
-    node.child[i] = groups.first(children[i]);
-    node.in_leaf[i] = static_cast<std::uint8_t>(groups.count(children[i]));
-    node.before[i] = static_cast<std::uint8_t>(in_leaves);
-    in_leaves += groups.count(children[i]);
+    if (groups.is_leaf(children[lane]))
+      node.child[lane] = RayChild::leaf(groups.first(children[lane]), groups.count(children[lane]));
   }
   return node;
 }
 
-std::uint32_t primitives_at(const RayNode& node) {
-  std::uint32_t count = 0;
-  for (const std::uint8_t in_leaf : node.in_leaf)
-    count += in_leaf;
-  return count;
-}
-
-/// All nodes, each before what is below it, and where they are.
+/// All nodes, each before what is below it.
 struct Laid {
   std::vector<RayNode> nodes;
-  std::vector<std::uint32_t> line;
-  std::uint32_t line_count = 0;
   std::uint32_t depth = 0;
-
-  void add(const RayNode& node) {
-    nodes.push_back(node);
-    line.push_back(line_count);
-    const std::size_t bytes = sizeof(RayNode) + std::size_t{12} * primitives_at(node);
-    line_count +=
-        static_cast<std::uint32_t>((bytes + sizeof(RayTree::Line) - 1) / sizeof(RayTree::Line));
-  }
 };
 
 Laid lay_out(const Tree& tree, const RayGroups& groups) {
@@ -91,9 +56,7 @@ Laid lay_out(const Tree& tree, const RayGroups& groups) {
     std::uint32_t depth;
   };
   Laid laid;
-  RayNode in_front{};
-  in_front.child_count = 1;
-  laid.add(in_front);
+  laid.nodes.push_back(empty_node());
   std::vector<Waiting> waiting{{0, 0, 0, 1}};
   while (!waiting.empty()) {
     const Waiting at = waiting.back();
@@ -102,8 +65,8 @@ Laid lay_out(const Tree& tree, const RayGroups& groups) {
     std::uint32_t children[RayNode::kWidth];
     const std::uint32_t count = groups.children(at.binary, children);
     const std::size_t index = laid.nodes.size();
-    laid.nodes[at.parent].child[at.lane] = laid.line_count;
-    laid.add(node_over(tree, groups, children, count));
+    laid.nodes[at.parent].child[at.lane] = RayChild::node(RayTree::where(index));
+    laid.nodes.push_back(node_over(tree, groups, children, count));
     for (std::uint32_t lane = count; lane-- > 0;) {
       if (!groups.is_leaf(children[lane]))
         waiting.push_back({children[lane], index, lane, at.depth + 1});
@@ -116,16 +79,17 @@ Laid lay_out(const Tree& tree, const RayGroups& groups) {
 void fill_leaf(const RayNode& node, std::uint32_t lane, const Tree& tree,
                const LocalCorners& corners, std::uint32_t* to) {
   double low[3], per_unit[3];
-  for (int k = 0; k < 3; ++k) {
-    const double scale = node.scale[k];
-    low[k] = node.origin[k] + scale * node.box[k][lane];
-    const double extent = scale * (node.box[k + 3][lane] - node.box[k][lane]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = node.box[2 * k][lane];
+    const double extent = node.box[2 * k + 1][lane] - low[k];
     per_unit[k] = extent > 0 ? RayTree::kSteps / extent : 0;
   }
-  const std::uint32_t count = node.in_leaf[lane];
+  const RayChild leaf = node.child[lane];
+  const std::uint32_t count = leaf.count();
+  to += std::size_t{3} * leaf.place();
   for (std::uint32_t i = 0; i < count; ++i) {
     double corner[3][3];
-    corners.of(tree.primitives[node.child[lane] + i], corner);
+    corners.of(tree.primitives[leaf.place() + i], corner);
     for (std::uint32_t c = 0; c < 3; ++c) {
       std::uint32_t packed = 0;
       for (int k = 2; k >= 0; --k) {
@@ -138,55 +102,55 @@ void fill_leaf(const RayNode& node, std::uint32_t lane, const Tree& tree,
   }
 }
 
-/// Writes the node and its leaves.
-void write(const RayNode& node, const Tree& tree, const LocalCorners& corners, RayTree::Line* to) {
-  std::memcpy(to, &node, sizeof(node));
-  std::uint32_t packed[3 * RayNode::kWidth * RayTree::kLeafSize];
-  for (std::uint32_t lane = 0; lane < node.child_count; ++lane) {
-    if (node.in_leaf[lane] != 0)
-      fill_leaf(node, lane, tree, corners, packed + std::size_t{3} * node.before[lane]);
+void fill_leaves(const RayNode& node, const Tree& tree, const LocalCorners& corners,
+                 std::uint32_t* to) {
+  for (std::uint32_t lane = 0; lane < RayNode::kWidth; ++lane) {
+    if (node.child[lane].is_leaf()) fill_leaf(node, lane, tree, corners, to);
   }
-  const std::size_t size = std::size_t{3} * primitives_at(node) * sizeof(std::uint32_t);
-  std::memcpy(to + sizeof(node) / sizeof(RayTree::Line), packed, size);
 }
 
 // A walk reads here and there: in pages of 4 KiB it would miss their table as often as the cache.
 constexpr std::align_val_t kLargePage{std::size_t{1} << 21};
-constexpr std::size_t kWorthLargePages = std::size_t{1} << 23;
+constexpr std::size_t kWorthLargePages = std::size_t{1} << 22;
 
-std::unique_ptr<RayTree::Line[], RayTree::LargePages> lines_in_large_pages(std::size_t count) {
-  const std::size_t bytes = count * sizeof(RayTree::Line);
+template <typename Item>
+std::unique_ptr<Item[], RayTree::LargePages> in_large_pages(std::size_t count) {
+  const std::size_t bytes = count * sizeof(Item);
   void* memory = ::operator new(bytes, kLargePage);
 #ifdef __linux__
   // Where it is refused the pages are small.
   if (bytes >= kWorthLargePages) static_cast<void>(madvise(memory, bytes, MADV_HUGEPAGE));
 #endif
-  return std::unique_ptr<RayTree::Line[], RayTree::LargePages>(new (memory) RayTree::Line[count]);
+  return std::unique_ptr<Item[], RayTree::LargePages>(static_cast<Item*>(memory));
 }
 
 }  // namespace
 
-void RayTree::LargePages::operator()(Line* made) const {
+void RayTree::LargePages::operator()(void* made) const {
   ::operator delete(made, kLargePage);
 }
 
 RayTree ray_tree_over(const Tree& tree, const LocalCorners& corners) {
-  const Laid laid = lay_out(tree, RayGroups(tree, RayTree::kLeafSize));
-  RayTree rays;
+  RayTree rays{};
   rays.frame = tree.frame;
-  for (std::size_t k = 0; k < 4; ++k) {
-    rays.low[k] = k < 3 ? tree.root().box.min[k] : 0;
-    rays.high[k] = k < 3 ? tree.root().box.max[k] : 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    rays.low[k] = tree.root().box.min[k];
+    rays.high[k] = tree.root().box.max[k];
   }
+  const std::size_t count = tree.primitives.size();
+  if (count > std::size_t{1} << RayChild::kPlaceBits) return rays;
+  const Laid laid = lay_out(tree, RayGroups(tree, RayTree::kLeafSize));
   rays.primitives = tree.primitives.data();
   // Each node on a way down leaves all of its children but one.
   rays.most_open = (RayNode::kWidth - 1) * laid.depth + 1;
-  rays.line_count = std::size_t{laid.line_count} + 1;
-  rays.lines = lines_in_large_pages(rays.line_count);
-  std::memset(rays.lines.get() + laid.line_count, 0, sizeof(RayTree::Line));
+  rays.node_count = laid.nodes.size();
+  rays.nodes = in_large_pages<RayNode>(rays.node_count);
+  std::uninitialized_copy(laid.nodes.begin(), laid.nodes.end(), rays.nodes.get());
+  rays.corner_count = 3 * count + RayTree::kLeafSize;
+  rays.corners = in_large_pages<std::uint32_t>(rays.corner_count);
+  std::fill_n(rays.corners.get() + 3 * count, RayTree::kLeafSize, 0u);
   for_in_parallel(std::size_t{0}, laid.nodes.size(), [&](std::size_t i) {
-    in_standard_arithmetic(
-        [&] { write(laid.nodes[i], tree, corners, rays.lines.get() + laid.line[i]); });
+    in_standard_arithmetic([&] { fill_leaves(laid.nodes[i], tree, corners, rays.corners.get()); });
   });
   return rays;
 }

@@ -8,34 +8,40 @@
 
 namespace graze::bvh {
 
-/// Up to eight boxes, as a ray asks for them: each in six bytes, on a grid of the node's own. Lane
-/// j of each array speaks of child j, whose box reaches from origin[k] + scale[k] box[k][j] to
-/// origin[k] + scale[k] box[k + 3][j] along axis k, and holds what the child holds (law 5).
-///
-/// Behind a node lie the corners of those of its children that are leaves, so that what a ray reads
-/// after the node is in the same page.
-struct alignas(64) RayNode {
+/// What a lane of a RayNode holds: another node, where a RayTree has it, or a leaf of up to eight
+/// primitives, whose places begin at `place()`.
+class RayChild {
+ public:
+  static constexpr std::uint32_t kPlaceBits = 28;
+
+  static RayChild node(std::uint32_t where) { return RayChild(where); }
+  static RayChild leaf(std::uint32_t place, std::uint32_t count) {
+    return RayChild(kLeaf | (count - 1) << kPlaceBits | place);
+  }
+
+  bool is_leaf() const { return bits_ >= kLeaf; }
+  std::uint32_t where() const { return bits_; }
+  std::uint32_t count() const { return (bits_ >> kPlaceBits & 7) + 1; }
+  std::uint32_t place() const { return bits_ & ((1u << kPlaceBits) - 1); }
+
+ private:
+  static constexpr std::uint32_t kLeaf = 1u << 31;
+
+  explicit RayChild(std::uint32_t bits) : bits_(bits) {}
+
+  std::uint32_t bits_;
+};
+
+/// Up to eight boxes, as a ray asks for them. Lane j of each row speaks of child j, whose box (law
+/// 5) reaches from box[2 k][j] to box[2 k + 1][j] along axis k. Boxes of lanes without a child are
+/// empty.
+struct alignas(32) RayNode {
   static constexpr std::uint32_t kWidth = 8;
 
-  float origin[3];
-  float scale[3];                ///< powers of two
-  std::uint32_t child[kWidth];   ///< where a node is, or of a leaf the first place
-  std::uint8_t box[6][kWidth];   ///< least, then largest values
-  std::uint8_t in_leaf[kWidth];  ///< primitives of a leaf; 0 for a node
-  std::uint8_t before[kWidth];   ///< primitives of this node's leaves before that one
-  std::uint8_t child_count;      ///< at least 1
-
-  /// The bits of the lanes that hold a child.
-  std::uint32_t lanes() const { return (1u << child_count) - 1u; }
-
-  /// A leaf's primitives: corner c of its primitive i is at c in_leaf[lane] + i, in ten bits for
-  /// each coordinate, the first one lowest: steps of the grid across the leaf's box, to the
-  /// nearest.
-  const std::uint32_t* corners(std::uint32_t lane) const {
-    return reinterpret_cast<const std::uint32_t*>(this + 1) + std::size_t{3} * before[lane];
-  }
+  float box[6][kWidth];
+  RayChild child[kWidth];
 };
-static_assert(sizeof(RayNode) == 128, "two cache lines");
+static_assert(sizeof(RayNode) == 224, "seven half cache lines");
 
 /// Where a RayTree gets its primitives from, each as the hull of three points.
 class LocalCorners {
@@ -54,28 +60,38 @@ struct RayTree {
   static constexpr std::uint32_t kBits = 10;
   static constexpr std::uint32_t kSteps = (1u << kBits) - 1;
 
-  /// A cache line: the unit in which children are counted.
-  struct alignas(64) Line {
-    std::byte bytes[64];
-  };
+  /// Where a node is, is counted in half cache lines.
+  static constexpr std::size_t kUnit = 32;
+  static std::uint32_t where(std::size_t node) {
+    return static_cast<std::uint32_t>(node * (sizeof(RayNode) / kUnit));
+  }
+  const RayNode& node(std::uint32_t where) const {
+    const auto* bytes = reinterpret_cast<const std::byte*>(nodes.get());
+    return *reinterpret_cast<const RayNode*>(bytes + std::size_t{where} * kUnit);
+  }
 
-  /// Frees what large_pages() made.
+  /// Frees what is in large pages.
   struct LargePages {
-    void operator()(Line* lines) const;
+    void operator()(void* made) const;
   };
 
   LocalFrame frame;
   alignas(32) double low[4];  ///< of the box of all, and a lane that nobody asks
   alignas(32) double high[4];
-  std::unique_ptr<Line[], LargePages> lines;  ///< nodes, each with its leaves; the root first
-  std::size_t line_count;           ///< with room behind all to read eight corners at once
+  /// The first is in front of the root, which is its only child.
+  std::unique_ptr<RayNode[], LargePages> nodes;
+  /// Of a leaf of n primitives from place p on, corner c of its primitive i is at 3 p + c n + i, in
+  /// ten bits for each coordinate, the first one lowest: steps of the grid across the leaf's box,
+  /// to the nearest. There is room behind all to read eight at once.
+  std::unique_ptr<std::uint32_t[], LargePages> corners;
+  std::size_t node_count;           ///< 0 where there are more primitives than a RayChild can name
+  std::size_t corner_count;         ///< with that room
   std::uint32_t most_open;          ///< nodes that can wait at once in a walk
   const std::uint32_t* primitives;  ///< the binary tree's, place by place
 
-  const RayNode& node(std::uint32_t line) const {
-    return *reinterpret_cast<const RayNode*>(lines.get() + line);
+  std::size_t bytes() const {
+    return node_count * sizeof(RayNode) + corner_count * sizeof(std::uint32_t);
   }
-  std::size_t bytes() const { return line_count * sizeof(Line); }
 };
 
 /// Linear time, the most of it parallel.

@@ -24,62 +24,64 @@ HWY_INLINE std::uint32_t take_lane(std::uint32_t& bits) {
   return lane;
 }
 
-HWY_INLINE Open opened(std::uint32_t line, std::uint32_t lane, float enter) {
-  return std::uint64_t{std::bit_cast<std::uint32_t>(enter)} << 32 | line << 3 | lane;
+HWY_INLINE Open opened(std::uint32_t where, std::uint32_t lane, float enter) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(enter)} << 32 | where << 3 | lane;
 }
 HWY_INLINE float enter_of(Open open) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(open >> 32));
 }
-HWY_INLINE std::uint32_t line_of(Open open) {
+HWY_INLINE std::uint32_t node_of(Open open) {
   return static_cast<std::uint32_t>(open) >> 3;
 }
 HWY_INLINE std::uint32_t lane_of(Open open) {
   return static_cast<std::uint32_t>(open) & 7;
 }
 
-/// What will be read first when the child's turn comes.
-HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t lane) {
-  if (node.in_leaf[lane] != 0) {
-    hwy::Prefetch(node.corners(lane));
-  } else {
-    hwy::Prefetch(&tree.node(node.child[lane]));
+/// Has come nearer what is read when the children's turn comes.
+HWY_INLINE void fetch(const RayTree& tree, const RayNode& node, std::uint32_t lanes) {
+  while (lanes != 0) {
+    const RayChild child = node.child[take_lane(lanes)];
+    if (child.is_leaf()) {
+      hwy::Prefetch(tree.corners.get() + std::size_t{3} * child.place());
+    } else {
+      const auto* bytes = reinterpret_cast<const std::byte*>(&tree.node(child.where()));
+      for (std::size_t i = 0; i < sizeof(RayNode); i += 64)
+        hwy::Prefetch(bytes + i);
+    }
   }
 }
 
 /// Puts all of the children but the nearest on the stack, the nearest of them last, and returns
 /// that one.
-HWY_INLINE Open open_children(const RayTree& tree, const RayNode& node, std::uint32_t line,
-                              std::uint32_t lanes, const float* enters, Open*& end) {
+HWY_INLINE Open open_children(std::uint32_t where, std::uint32_t lanes, const float* enters,
+                              Open*& end) {
   const std::uint32_t one = take_lane(lanes);
-  Open nearest = opened(line, one, enters[one]);
-  if (lanes == 0) return nearest;
-  fetch(tree, node, one);
+  Open nearest = opened(where, one, enters[one]);
   Open* const first = end;
-  do {
+  while (lanes != 0) {
     const std::uint32_t lane = take_lane(lanes);
-    fetch(tree, node, lane);
-    const Open child = opened(line, lane, enters[lane]);
+    const Open child = opened(where, lane, enters[lane]);
     const Open farther = HWY_MAX(child, nearest);
     nearest = HWY_MIN(child, nearest);
     Open* at = end++;
     for (; at != first && at[-1] < farther; --at)
       *at = at[-1];
     *at = farther;
-  } while (lanes != 0);
+  }
   return nearest;
 }
 
 /// What of a leaf is not surely missed; how many. Lowers the limit to sure hits, and says whether
 /// there were any, unless all are wanted.
-HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node,
-                                  std::uint32_t lane_of_leaf, RayWalkState& state,
-                                  RayCandidate* found, bool& is_surely_hit) {
-  const std::uint32_t* const primitives = tree.primitives + node.child[lane_of_leaf];
+HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node, std::uint32_t lane_of,
+                                  RayWalkState& state, RayCandidate* found, bool& is_surely_hit) {
+  const RayChild leaf = node.child[lane_of];
+  const std::uint32_t* const primitives = tree.primitives + leaf.place();
   hwy::Prefetch(primitives);
-  const SeenLeaf seen(node, lane_of_leaf, state);
+  const SeenLeaf seen(node, lane_of, state);
   alignas(32) float least[RayTree::kLeafSize], most[RayTree::kLeafSize];
-  LeafAnswer answer =
-      ask_leaf(node.corners(lane_of_leaf), node.in_leaf[lane_of_leaf], seen, state, least, most);
+  LeafAnswer answer = ask_leaf(tree.corners.get() + std::size_t{3} * leaf.place(), leaf.count(),
+                               seen, state, least, most);
   if (answer.sure != 0 && state.aim != RayAim::All) {
     is_surely_hit = true;
     for (std::uint32_t sure = answer.sure; sure != 0;) {
@@ -91,8 +93,9 @@ HWY_INLINE std::size_t visit_leaf(const RayTree& tree, const RayNode& node,
   while (answer.near != 0) {
     const std::uint32_t lane = take_lane(answer.near);
     if (least[lane] > state.limit) continue;
-    hwy::Prefetch(state.rows + primitives[lane] * state.row_size);
-    found[size++] = {primitives[lane], least[lane], (answer.sure >> lane & 1) != 0};
+    const std::uint32_t primitive = primitives[lane];
+    hwy::Prefetch(state.rows + primitive * state.row_size);
+    found[size++] = {primitive, least[lane], (answer.sure >> lane & 1) != 0};
   }
   return size;
 }
@@ -107,26 +110,27 @@ std::size_t walk_from_open(const RayTree& tree, RayWalkState& state, std::span<R
   while (end != state.open && size + RayTree::kLeafSize <= found.size()) {
     Open top = *--end;
     if (enter_of(top) > state.limit) continue;
-    const RayNode* parent = &tree.node(line_of(top));
-    while (parent != nullptr && parent->in_leaf[lane_of(top)] == 0) {
-      const std::uint32_t line = parent->child[lane_of(top)];
-      const RayNode& node = tree.node(line);
+    const RayNode* node = &tree.node(node_of(top));
+    RayChild child = node->child[lane_of(top)];
+    std::uint32_t lanes = 1;
+    while (!child.is_leaf()) {
+      node = &tree.node(child.where());
       alignas(32) float enters[RayNode::kWidth];
-      const std::uint32_t lanes = boxes.near_children(node, state.limit, enters);
-      tested += node.child_count;
-      met += static_cast<std::uint32_t>(std::popcount(lanes));
-      parent = nullptr;
+      lanes = boxes.near_children(*node, state.limit, enters);
+      ++tested;
       if (lanes == 0) break;
-      top = open_children(tree, node, line, lanes, enters, end);
-      parent = &node;
+      met += static_cast<std::uint32_t>(std::popcount(lanes));
+      if ((lanes & (lanes - 1)) != 0) fetch(tree, *node, lanes);
+      top = open_children(child.where(), lanes, enters, end);
+      child = node->child[lane_of(top)];
     }
-    if (parent == nullptr) continue;
-    counts.primitives += parent->in_leaf[lane_of(top)];
-    size += visit_leaf(tree, *parent, lane_of(top), state, found.data() + size, is_surely_hit);
+    if (lanes == 0) continue;
+    counts.primitives += child.count();
+    size += visit_leaf(tree, *node, lane_of(top), state, found.data() + size, is_surely_hit);
     if (is_surely_hit && state.aim == RayAim::Any) end = state.open;
   }
-  counts.boxes += tested;
-  counts.missed_boxes += tested - met;
+  counts.boxes += RayNode::kWidth * tested;
+  counts.missed_boxes += RayNode::kWidth * tested - met;
   state.open_count = static_cast<std::uint32_t>(end - state.open);
   return size;
 }

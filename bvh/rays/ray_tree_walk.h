@@ -6,12 +6,11 @@
 // where it enters the box of all, so that floats are as fine as the tree is small, wherever the ray
 // begins.
 //
-// Boxes. A face at p + scale q is crossed at q (scale inverse) + ((p - o) inverse -+ padding
-// |inverse|). In units of a coordinate, with S = 1 + slack, |o| is below 2.2 S, differences below
-// 4.2 S: o as a float is off by 2.2 S, the difference by 4.2 S, its product by 8.4 S, the padded
-// one by 4.3 S, the face's product by 8.4 and the sum by 8.6 S, times 2^-24. A component below
-// 2^-30 is taken for that, which moves the ray by 2^-29 * 9 S within reach of the boxes. Together
-// below 2^-18 S (tests/proofs/ray_tree.gappa).
+// Boxes. A face at x is crossed at x inverse - o inverse -+ padding |inverse|. In units of a
+// coordinate, with S = 1 + slack, |o| is below 2.2 S and |x| below 2.01: o as a float is off by
+// 2.2 S, its product by 2.2 S, the padded one by 2.3 S, the face's product by 2.01 and the sum by
+// 4.3 S, times 2^-24. A component below 2^-30 is taken for that, which moves the ray by
+// 2^-29 * 9 S within reach of the boxes. Together below 2^-19 S (tests/proofs/ray_tree.gappa).
 //
 // Leaves: see ray_leaf-inl.h.
 
@@ -64,19 +63,29 @@ struct RayToWalk {
 /// its box. In one number, so that whole numbers are in the order of these values.
 using Open = std::uint64_t;
 
+/// How a ray that goes most along an axis sees that one as z, and the others as x and y: these, in
+/// this order.
+struct RayAxes {
+  std::uint32_t axis[3];
+  std::uint32_t row[3];   ///< of RayNode::box, as a number of floats
+  std::uint32_t mask[3];  ///< of the bits of each coordinate
+  float per_bit[3];       ///< what a leaf's extent is times that, the lowest of these is
+};
+
 /// What the kernels read and write. Seen from the start.
 struct RayWalkState {
-  // For boxes.
-  alignas(16) float origin[4];
+  // For boxes: s at a face is face inverse + near or far.
   alignas(16) float inverse[4];
-  float padding;
-  std::uint8_t near_row[3];  ///< of RayNode::box
-  std::uint8_t far_row[3];
-  // For leaves: the ray goes most along axis[2], and leans by so much along the others.
-  std::uint8_t axis[3];
-  alignas(32) double exact_origin[4];
-  double lean[2];
-  double along;      ///< s for each unit of axis[2]
+  alignas(16) float near[4];
+  alignas(16) float far[4];
+  std::uint32_t near_row[3];  ///< of RayNode::box, as a number of floats
+  // For leaves, along x, y and z.
+  const RayAxes* axes;
+  double origin[3];
+  double lean[2];  ///< of x and y, for each unit of z
+  double along;    ///< s for each unit of z
+  float minus_lean[2];
+  float float_along;
   float leaf_slack;  ///< of leaned coordinates and of s
   float limit;
   float sure_limit;  ///< s below it count, whatever is rounded
@@ -101,7 +110,13 @@ std::size_t walk_ray_tree(const RayTree& tree, RayWalkState& state, std::span<Ra
 /// A walk that may be interrupted.
 class RayTreeWalk {
  public:
-  explicit RayTreeWalk(const RayTree& tree);
+  explicit RayTreeWalk(const RayTree& tree) : tree_(tree) {
+    state_.open = room_;
+    if (tree.most_open > kRoom) [[unlikely]] {
+      more_room_.resize(tree.most_open);
+      state_.open = more_room_.data();
+    }
+  }
   RayTreeWalk(const RayTreeWalk&) = delete;
   RayTreeWalk& operator=(const RayTreeWalk&) = delete;
 

@@ -25,14 +25,16 @@ static inline ScaledDirection scaled_direction(const double* direction) {
   ScaledDirection scaled;
   scaled.exponent = exponent_of(largest);
   // One product does where the power of two is a normal double, which is what nearly all rays have.
-  const double power = power_of_two(-scaled.exponent);
-  const bool is_normal = std::abs(scaled.exponent) < 1000;
-  double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double c = is_normal ? direction[k] * power : std::scalbn(direction[k], -scaled.exponent);
-    scaled.component[k] = c;
-    square += c * c;
+  if (std::abs(scaled.exponent) < 1000) [[likely]] {
+    const double power = power_of_two(-scaled.exponent);
+    for (int k = 0; k < 3; ++k)
+      scaled.component[k] = direction[k] * power;
+  } else {
+    for (int k = 0; k < 3; ++k)
+      scaled.component[k] = std::scalbn(direction[k], -scaled.exponent);
   }
+  const double* c = scaled.component;
+  const double square = (c[0] * c[0] + c[1] * c[1]) + c[2] * c[2];
   scaled.length = std::sqrt(square);
   return scaled;
 }

@@ -3,6 +3,7 @@
 
 #include <graze/bvh/floating_point/standard_arithmetic.h>
 #include <graze/bvh/rays/ray_tree_walk.h>
+#include <graze/engine/mesh/data/mesh_data.h>
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/mesh_ray.h>
 #include <graze/engine/mesh/placement.h>
@@ -30,12 +31,11 @@ class MeshForRays {
         rays_(rays_of(placed.mesh, &work)),
         frame_(is_at_rest_ ? rays_.at_rest
                            : own_frame_.emplace(ray_frame_of(placed, rays_.tree.frame))),
-        vertices_(placed.mesh.vertices().data()),
-        triangles_(placed.mesh.triangles().data()),
-        materials_(placed.mesh.materials()) {}
+        vertices_(MeshAccess::data(placed.mesh).vertices.data()),
+        triangles_(MeshAccess::data(placed.mesh).triangles) {}
 
-  /// Calls `on_hit(hit)` for each placed triangle that the ray meets before a limit, metres, to
-  /// which that comes down when it returns one, until it returns kEnough. With RayAim::First
+  /// Calls `on_hit(hit, index)` for each placed triangle that the ray meets before a limit, metres,
+  /// to which that comes down when it returns one, until it returns kEnough. With RayAim::First
   /// perhaps not for what is behind another, with RayAim::Any perhaps for one alone.
   template <typename OnHit>
   void for_each_hit(const Ray& ray, bvh::RayAim aim, OnHit&& on_hit) const {
@@ -47,6 +47,12 @@ class MeshForRays {
   }
 
   const bvh::RayTree& tree() const { return rays_.tree; }
+
+  RayHit hit_of(const TriangleRayHit& hit, std::uint32_t index) const {
+    const auto& materials = MeshAccess::data(placed_.mesh).materials;
+    const std::uint16_t material = materials ? (*materials)[index] : std::uint16_t{0};
+    return {hit.distance, hit.point, hit.normal, index, material};
+  }
 
   struct Candidates {
     bvh::RayCandidate items[2 * bvh::RayTreeWalk::kAtOnce];
@@ -62,7 +68,7 @@ class MeshForRays {
                              .direction = ray.scaled.component,
                              .limit = limit_for(ray, ray.ray.max_distance),
                              .aim = aim,
-                             .rows = reinterpret_cast<const std::byte*>(triangles_),
+                             .rows = reinterpret_cast<const std::byte*>(triangles_.data()),
                              .row_size = sizeof(TriangleIndices)},
                             found.items, counts);
     count(counts);
@@ -82,8 +88,8 @@ class MeshForRays {
         if (walk.is_beyond(candidate)) continue;
         const auto hit = cast_at(candidate.primitive, ray, candidate.is_sure);
         if (!hit) continue;
-        const double wanted = on_hit(*hit);
-        if (wanted == kEnough) return;
+        const double wanted = on_hit(*hit, candidate.primitive);
+        if (wanted == kEnough || (walk.is_done() && i + 1 == found.size)) return;
         if (wanted < kInfinity) walk.limit_to(limit_for(ray, wanted));
       }
       if (walk.is_done()) return;
@@ -114,36 +120,41 @@ class MeshForRays {
 
   template <typename OnHit>
   void ask_all(const narrowphase::PreparedRay& ray, OnHit&& on_hit) const {
-    const std::size_t count = placed_.mesh.triangles().size();
-    for (std::uint32_t index = 0; index < count; ++index) {
+    for (std::uint32_t index = 0; index < triangles_.size(); ++index) {
       const auto hit = cast_at(index, ray, false);
-      if (hit && on_hit(*hit) == kEnough) return;
+      if (hit && on_hit(*hit, index) == kEnough) return;
     }
   }
 
-  std::optional<RayHit> cast_at(std::uint32_t index, const narrowphase::PreparedRay& ray,
-                                bool is_sure) const {
+  std::optional<TriangleRayHit> cast_at(std::uint32_t index, const narrowphase::PreparedRay& ray,
+                                        bool is_sure) const {
     ++work_.triangle_tests;
-    const TriangleIndices& at = triangles_[index];
-    const Eigen::Vector3d &a = vertices_[at[0]], &b = vertices_[at[1]], &c = vertices_[at[2]];
+    if (!is_sure) return cast_at_unsure(index, ray);
+    const auto& [a, b, c] = triangles_[index];
     std::optional<TriangleRayHit> found;
     // An identity changes no value but the sign of a zero, which does not show in these.
-    if (is_sure && is_at_rest_)
-      found = narrowphase::cast_through(a.data(), b.data(), c.data(), ray);
-    if (!found) {
-      const Triangle triangle = narrowphase::place(placed_.pose, Triangle{a, b, c});
-      if (is_sure && !is_at_rest_)
-        found =
-            narrowphase::cast_through(triangle.a.data(), triangle.b.data(), triangle.c.data(), ray);
-      if (!found) {
-        narrowphase::Stage stage;
-        found = narrowphase::cast_ray(triangle, ray, stage);
-        work_.exact_tests += stage == narrowphase::Stage::Exact;
-      }
+    if (is_at_rest_) {
+      found = narrowphase::cast_through(vertices_[a].data(), vertices_[b].data(),
+                                        vertices_[c].data(), ray);
+    } else {
+      const Triangle triangle = placed(index);
+      found =
+          narrowphase::cast_through(triangle.a.data(), triangle.b.data(), triangle.c.data(), ray);
     }
-    if (!found) return std::nullopt;
-    const std::uint16_t material = materials_.empty() ? std::uint16_t{0} : materials_[index];
-    return RayHit{found->distance, found->point, found->normal, index, material};
+    return found ? found : cast_at_unsure(index, ray);
+  }
+
+  [[gnu::noinline]] std::optional<TriangleRayHit> cast_at_unsure(
+      std::uint32_t index, const narrowphase::PreparedRay& ray) const {
+    narrowphase::Stage stage;
+    auto found = narrowphase::cast_ray(placed(index), ray, stage);
+    work_.exact_tests += stage == narrowphase::Stage::Exact;
+    return found;
+  }
+
+  Triangle placed(std::uint32_t index) const {
+    const auto& [a, b, c] = triangles_[index];
+    return narrowphase::place(placed_.pose, Triangle{vertices_[a], vertices_[b], vertices_[c]});
   }
 
   const PlacedMeshView& placed_;
@@ -153,8 +164,7 @@ class MeshForRays {
   std::optional<bvh::RayFrame> own_frame_;  ///< of a pose that is one
   const bvh::RayFrame& frame_;
   const Eigen::Vector3d* vertices_;
-  const TriangleIndices* triangles_;
-  std::span<const std::uint16_t> materials_;
+  std::span<const TriangleIndices> triangles_;
 };
 
 bool is_before(const RayHit& s, const RayHit& t) {
@@ -164,10 +174,13 @@ bool is_before(const RayHit& s, const RayHit& t) {
 
 /// Keeps the first hit.
 struct FirstHit {
+  const MeshForRays& mesh;
   std::optional<RayHit>& first;
 
-  double operator()(const RayHit& hit) const {
-    if (!first || is_before(hit, *first)) first = hit;
+  double operator()(const TriangleRayHit& hit, std::uint32_t index) const {
+    if (!first || hit.distance < first->distance ||
+        (hit.distance == first->distance && index < first->triangle))
+      first = mesh.hit_of(hit, index);
     return first->distance;
   }
 };
@@ -192,7 +205,7 @@ void first_hits(const MeshForRays& mesh, std::span<const Ray> rays, std::optiona
     mesh.fetch_corners(in_turn[i]->found);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     hits[i].reset();
-    mesh.finish(in_turn[i]->walk, in_turn[i]->ray, in_turn[i]->found, FirstHit{hits[i]});
+    mesh.finish(in_turn[i]->walk, in_turn[i]->ray, in_turn[i]->found, FirstHit{mesh, hits[i]});
   }
 }
 
@@ -203,7 +216,8 @@ std::optional<RayHit> cast_ray(const PlacedMeshView& mesh, const Ray& ray, Work*
     check_ray(ray, "ray");
     CountedWork counted(work);
     std::optional<RayHit> first;
-    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::First, FirstHit{first});
+    const MeshForRays for_rays(mesh, counted.work());
+    for_rays.for_each_hit(ray, bvh::RayAim::First, FirstHit{for_rays, first});
     return first;
   });
 }
@@ -213,10 +227,11 @@ bool intersects(const PlacedMeshView& mesh, const Ray& ray, Work* work) {
     check_ray(ray, "ray");
     CountedWork counted(work);
     bool is_met = false;
-    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::Any, [&](const RayHit&) {
-      is_met = true;
-      return kEnough;
-    });
+    MeshForRays(mesh, counted.work())
+        .for_each_hit(ray, bvh::RayAim::Any, [&](const TriangleRayHit&, std::uint32_t) {
+          is_met = true;
+          return kEnough;
+        });
     return is_met;
   });
 }
@@ -226,10 +241,12 @@ std::vector<RayHit> cast_ray_all(const PlacedMeshView& mesh, const Ray& ray, Wor
     check_ray(ray, "ray");
     CountedWork counted(work);
     std::vector<RayHit> hits;
-    MeshForRays(mesh, counted.work()).for_each_hit(ray, bvh::RayAim::All, [&](const RayHit& hit) {
-      hits.push_back(hit);
-      return kInfinity;
-    });
+    const MeshForRays for_rays(mesh, counted.work());
+    for_rays.for_each_hit(ray, bvh::RayAim::All,
+                          [&](const TriangleRayHit& hit, std::uint32_t index) {
+                            hits.push_back(for_rays.hit_of(hit, index));
+                            return kInfinity;
+                          });
     std::sort(hits.begin(), hits.end(), is_before);
     return hits;
   });

@@ -1,5 +1,6 @@
 // The tree that rays walk holds what the binary one does, each primitive once, and within bounds.
 
+#include <graze/bvh/rays/ray_tree_walk.h>
 #include <graze/bvh/tree/tree.h>
 #include <graze/engine/mesh/data/mesh_rays.h>
 #include <graze/engine/mesh/data/mesh_trees.h>
@@ -18,37 +19,40 @@ class Checked {
  public:
   explicit Checked(const Mesh& mesh)
       : mesh_(mesh), rays_(rays_of(mesh).tree), seen_(mesh.triangles().size()) {
-    EXPECT_EQ(rays_.node(0).child_count, 1);
-    look_at(rays_.node(0).child[0], 1);
+    look_at(rays_.node(0).child[0].where(), 1);
     for (const int times : seen_)
       EXPECT_EQ(times, 1);
   }
 
  private:
-  void look_at(std::uint32_t line, std::uint32_t depth) {
+  void look_at(std::uint32_t where, std::uint32_t depth) {
     EXPECT_LE((bvh::RayNode::kWidth - 1) * depth + 1, rays_.most_open);
-    const bvh::RayNode& node = rays_.node(line);
-    for (std::uint32_t lane = 0; lane < node.child_count; ++lane) {
-      if (node.in_leaf[lane] == 0) {
-        look_at(node.child[lane], depth + 1);
+    const bvh::RayNode& node = rays_.node(where);
+    for (std::uint32_t lane = 0; lane < bvh::RayNode::kWidth; ++lane) {
+      if (node.box[0][lane] > node.box[1][lane]) {
+        EXPECT_GT(lane, 0u);
         continue;
       }
-      ASSERT_LE(node.in_leaf[lane], bvh::RayTree::kLeafSize);
-      for (std::uint32_t i = 0; i < node.in_leaf[lane]; ++i)
+      const bvh::RayChild child = node.child[lane];
+      if (!child.is_leaf()) {
+        look_at(child.where(), depth + 1);
+        continue;
+      }
+      ASSERT_LE(child.count(), bvh::RayTree::kLeafSize);
+      for (std::uint32_t i = 0; i < child.count(); ++i)
         look_at(node, lane, i);
     }
   }
 
   void look_at(const bvh::RayNode& node, std::uint32_t lane, std::uint32_t i) {
-    const std::uint32_t primitive = rays_.primitives[node.child[lane] + i];
+    const bvh::RayChild leaf = node.child[lane];
+    const std::uint32_t primitive = rays_.primitives[leaf.place() + i];
     ++seen_[primitive];
     for (std::uint32_t c = 0; c < 3; ++c) {
-      const std::uint32_t packed = node.corners(lane)[c * node.in_leaf[lane] + i];
+      const std::uint32_t packed = rays_.corners[3 * leaf.place() + c * leaf.count() + i];
       const Eigen::Vector3d& corner = mesh_.vertices()[mesh_.triangles()[primitive][c]];
       for (int k = 0; k < 3; ++k) {
-        const double scale = node.scale[k];
-        const double low = node.origin[k] + scale * node.box[k][lane];
-        const double high = node.origin[k] + scale * node.box[k + 3][lane];
+        const double low = node.box[2 * k][lane], high = node.box[2 * k + 1][lane];
         const double y = std::ldexp(corner[k] - rays_.frame.centre[k], -rays_.frame.exponent);
         EXPECT_GE(y, low - 0x1p-50);
         EXPECT_LE(y, high + 0x1p-50);
@@ -63,6 +67,41 @@ class Checked {
   const bvh::RayTree& rays_;
   std::vector<int> seen_;
 };
+
+TEST(RayChild, IsANodeOrALeaf) {
+  constexpr std::uint32_t kLastPlace = (1u << bvh::RayChild::kPlaceBits) - 1;
+  for (const std::uint32_t place : {0u, 1u, kLastPlace}) {
+    for (std::uint32_t count = 1; count <= bvh::RayTree::kLeafSize; ++count) {
+      const auto leaf = bvh::RayChild::leaf(place, count);
+      EXPECT_TRUE(leaf.is_leaf());
+      EXPECT_EQ(leaf.place(), place);
+      EXPECT_EQ(leaf.count(), count);
+    }
+  }
+  // As many nodes as a waiting child can name.
+  const auto node = bvh::RayChild::node((1u << 29) - 1);
+  EXPECT_FALSE(node.is_leaf());
+  EXPECT_EQ(node.where(), (1u << 29) - 1);
+}
+
+TEST(RayTree, WithoutNodesLeavesAllToBeAsked) {
+  const bvh::RayTree none{};
+  const bvh::RayFrame frame{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, {0, 0, 0}, 1, 0};
+  const double origin[3] = {0, 0, 3}, direction[3] = {0, 0, -1};
+  bvh::RayCandidate found[bvh::RayTreeWalk::kAtOnce];
+  bvh::RayWalkCounts counts;
+  bvh::RayTreeWalk walk(none);
+  EXPECT_EQ(walk.begin({.frame = frame,
+                        .origin = origin,
+                        .direction = direction,
+                        .limit = 9,
+                        .aim = bvh::RayAim::First,
+                        .rows = nullptr,
+                        .row_size = 0},
+                       found, counts),
+            0u);
+  EXPECT_TRUE(walk.is_blind());
+}
 
 TEST(RayTree, HoldsEachPrimitiveOnce) {
   RandomSource source(1);
