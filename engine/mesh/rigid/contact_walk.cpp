@@ -61,7 +61,7 @@ void ContactWalk::visit(const Visit& visit) {
     unproved_ = std::min(unproved_, visit.cell.first);
     return;
   }
-  const BodyBox a = pair_.a().box(visit.a), b = pair_.b().box(visit.b);
+  const BodyBox &a = boxes_a_.of(visit.a), &b = boxes_b_.of(visit.b);
   const TimeSpan span = before_low(visit.cell);
   ++work_.volume_tests;
   Visit next = visit;
@@ -71,8 +71,13 @@ void ContactWalk::visit(const Visit& visit) {
   bool is_proved = visit.has_direction && is_apart();
   if (!is_proved) {
     const std::uint64_t middle = span.first + (span.last - span.first) / 2;
-    next.has_direction = find_direction(pair_.at(middle), a, b, pair_.sure_limit(), next.direction);
+    AxisSearch axes(pair_.at(middle), a, b, pair_.sure_limit());
+    next.has_direction = axes.try_faces(next.direction);
     is_proved = next.has_direction && is_apart();
+    if (!is_proved && axes.try_edges(next.direction)) {
+      next.has_direction = true;
+      is_proved = is_apart();
+    }
   }
   work_.volume_rejections += is_proved;
   if (is_proved && record_ != nullptr) record_->add_plane(next.direction.n);
