@@ -58,6 +58,8 @@ class ContactWalk {
 
   void visit(const Visit& visit);
   void open(const Visit& visit, const TimeSpan& span, const BodyBox& box_a, const BodyBox& box_b);
+  /// Whether two nodes are opened at once: boxes of much the same size.
+  bool are_both_opened(const bvh::Node& a, const bvh::Node& b, double size_a, double size_b) const;
   void visit_leaves(const Visit& visit);
   void decide(TrianglePair of_bodies, const DirectedCell& whole);
   void find_near(std::uint64_t time);
