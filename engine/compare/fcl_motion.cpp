@@ -13,12 +13,18 @@ namespace graze::compare {
 
 struct FclMover::Geometry {
   FclGeometry value;
+  bool has_no_end;
 };
 
 namespace {
 
 /// Beyond it the short way, which FCL takes, may be another.
 constexpr double kMostTurnedByFcl = 3;
+
+/// FCL 0.7's advancement dies of SIGSEGV with them.
+bool has_no_end(const Shape& shape) {
+  return shape.kind() == ShapeKind::HalfSpace || shape.kind() == ShapeKind::Plane;
+}
 
 /// FCL names the point that goes straight in the frame of the geometry.
 fcl::InterpMotion<double> to_fcl(const RigidMotion& motion, const FclGeometry& shape) {
@@ -32,7 +38,7 @@ fcl::InterpMotion<double> to_fcl(const RigidMotion& motion, const FclGeometry& s
 }  // namespace
 
 FclMover::FclMover(const Shape& shape)
-    : geometry_(std::make_unique<Geometry>(Geometry{fcl_geometry(shape)})) {}
+    : geometry_(std::make_unique<Geometry>(Geometry{fcl_geometry(shape), has_no_end(shape)})) {}
 FclMover::~FclMover() = default;
 FclMover::FclMover(FclMover&&) noexcept = default;
 
@@ -41,6 +47,9 @@ std::optional<FclFirstContact> first_contact(const FclMover& shape_a, const Rigi
                                              FclContinuous how) {
   for (const RigidMotion* motion : {&motion_a, &motion_b})
     if (std::abs(motion->angle()) >= kMostTurnedByFcl) return std::nullopt;
+  if (how == FclContinuous::Advanced &&
+      (shape_a.geometry_->has_no_end || shape_b.geometry_->has_no_end))
+    return std::nullopt;
   const FclGeometry &a = shape_a.geometry_->value, &b = shape_b.geometry_->value;
   const fcl::InterpMotion<double> course_a = to_fcl(motion_a, a), course_b = to_fcl(motion_b, b);
   fcl::ContinuousCollisionRequestd request;

@@ -39,7 +39,8 @@ struct FclFirstContact {
 
 /// FCL's answer, with its defaults but for how it looks. Its InterpMotion goes as a RigidMotion
 /// does, but turns the short way: nothing of motions that turn by 3 radians or more. Nothing either
-/// of shapes that it has no such function for.
+/// of shapes that it has no such function for, and of its advancement of half-spaces and planes,
+/// with which FCL 0.7 crashes.
 std::optional<FclFirstContact> first_contact(const FclMover& shape_a, const RigidMotion& motion_a,
                                              const FclMover& shape_b, const RigidMotion& motion_b,
                                              FclContinuous how);

@@ -194,12 +194,33 @@ class MotionlessPair : public LoadedPair {
   std::unique_ptr<LoadedPair> pair_;
 };
 
+class MotionlessShapes : public LoadedShapes {
+ public:
+  explicit MotionlessShapes(std::span<const Shape> shapes)
+      : shapes_(make_graze_engine()->load_shapes(shapes)) {}
+
+  std::optional<bool> intersects(std::size_t shape_a, const Pose& pose_a, std::size_t shape_b,
+                                 const Pose& pose_b) const override {
+    return shapes_->intersects(shape_a, pose_a, shape_b, pose_b);
+  }
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
+    return shapes_->answer({question.ask, question.settings}, a, b);
+  }
+
+ private:
+  std::unique_ptr<LoadedShapes> shapes_;
+};
+
 class MotionlessEngine : public Engine {
  public:
   explicit MotionlessEngine(std::string name) : name_(std::move(name)) {}
   CaseWitness name() const override { return {name_, ""}; }
   std::unique_ptr<LoadedPair> load(const Mesh& mesh_a, const Mesh& mesh_b) const override {
     return std::make_unique<MotionlessPair>(mesh_a, mesh_b);
+  }
+  std::unique_ptr<LoadedShapes> load_shapes(std::span<const Shape> shapes) const override {
+    return std::make_unique<MotionlessShapes>(shapes);
   }
 
  private:

@@ -49,7 +49,9 @@ and to the engines that know such shapes. Two meshes, and boxes and balls with t
 for other shapes a plane between them or a point in both is proof, and errors within 1e-6 of their size are
 called touching. What is not proved is not judged. FCL's managers (fcl-tree, fcl-sap, fcl-hash and so on) take part as
 engines of scenes: each gets all bodies of a step and looks for the pairs itself. Cases of such shapes hold the two bodies, their meshes
-and hulls cut down to what the error needs.
+and hulls cut down to what the error needs. With --query first_contact or free each pair is asked about its ways
+from each step to the next: whom the World lists, all that moves being swept, against the pair alone and both ways
+of FCL's. Judged, by certificates and contacts at a time, is what somebody does not call free, and all of two meshes.
 
 With --json each pose, or case, gives one line, and the last one is
   {"summary":[{"engine":"fcl","answers":...,"wrong":...,...},...],
@@ -62,6 +64,7 @@ of a folder each line has what the case is called:
 
 and of a scene each difference:
   {"step":3,"time":0.06,"a":"gear","b":"pinion","answers":[{"engine":"world","says":true,...},...]}
+where a first contact is said in words, "hit at 0.333".
 
 --save writes what was answered, and --against holds a run against such a file: every answer of graze
 must be the same bit for bit, and the median of its times, each beside what it was, within --time-tolerance.
@@ -111,6 +114,7 @@ Examples:
   graze compare data/regressions --save base
   graze compare data/regressions --against base --report out.html
   graze compare data/scenes/machine.json --meshes data/meshes --engines fcl
+  graze compare data/scenes/fast.json --query first_contact
 
 Exit codes:
   0  graze is right everywhere

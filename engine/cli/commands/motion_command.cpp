@@ -7,8 +7,11 @@
 #include <graze/engine/cli/output/count_argument.h>
 #include <graze/engine/cli/output/progress.h>
 #include <graze/engine/cli/reports/motion_report.h>
+#include <graze/engine/compare/run/trial_threads.h>
 #include <graze/engine/files/output_file.h>
 #include <graze/engine/mesh/load_mesh.h>
+#include <graze/engine/mesh/prepare.h>
+#include <graze/engine/mesh/query/threads.h>
 #include <graze/engine/mesh/rigid/motion_checks.h>
 #include <graze/engine/pose_text.h>
 
@@ -17,7 +20,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace graze::cli {
 namespace {
@@ -26,7 +31,8 @@ constexpr const char* kMotionFooter = R"(
 A stays, B goes from one pose to another while t goes from 0 to 1: its origin straight, and it turns
 steadily the short way round (--to); or along and about one line (--as-screw); or by any number of
 turns (--screw). Poses are 12 numbers as for graze pair, lengths metres, angles radians. A path is a
-file with a pose a line, and each stretch between two of them is a motion.
+file with a pose a line, and each stretch between two of them is a motion, asked on --threads and told
+in order.
 
 Each motion has one of three answers.
   free   further apart than the clearance at every t: proved
@@ -64,6 +70,7 @@ struct MotionOptions {
   std::string certificate;
   std::string picture;
   std::string page;
+  std::size_t threads = 0;
   bool is_json = false;
   bool has_progress = false;
 };
@@ -125,6 +132,85 @@ std::unique_ptr<MotionPage> page_of(const MotionOptions& options, const Mesh& me
   return make_motion_page(mesh_a, pose_a, mesh_b, settings);
 }
 
+/// All motions, asked on many threads and told of in their order.
+class MotionRun {
+ public:
+  MotionRun(const MotionOptions& options, const Mesh& mesh_a, const RigidMotion& rest,
+            const Mesh& mesh_b, std::span<const RigidMotion> motions, Output& output)
+      : options_(options),
+        mesh_a_(mesh_a),
+        rest_(rest),
+        mesh_b_(mesh_b),
+        motions_(motions),
+        output_(output),
+        page_(page_of(options, mesh_a, rest.start(), mesh_b, motions.size())),
+        progress_("motions:", motions.size(), {.is_forced = options.has_progress}) {}
+
+  ExitCode run() {
+    // What has to be built is built before, or by the first, so that what each of them did hangs on
+    // no thread.
+    if (motions_.size() > 1) {
+      run_in_arena(static_cast<int>(options_.threads), [&] {
+        prepare(mesh_a_, {}, &built_);
+        prepare(mesh_b_, {}, &built_);
+      });
+    }
+    ask({.first = 0, .end = 1, .threads = 1});
+    ask({.first = 1, .end = motions_.size(), .threads = options_.threads});
+    if (page_) files::write_file(options_.page, page_->text());
+    return ExitCode::Answered;
+  }
+
+ private:
+  void ask(const compare::PlaceRange& range) {
+    compare::run_in_order<MotionAnswer>(
+        range, [](std::size_t) { return 0; }, [&](std::size_t i, int) { return answer(i); },
+        [&](std::vector<MotionAnswer> answers) {
+          for (MotionAnswer& each : answers)
+            tell(each);
+          return true;
+        });
+  }
+
+  MotionAnswer answer(std::size_t i) const {
+    MotionAnswer answer;
+    answer.number = i;
+    if (i == 0) answer.work = built_;
+    answer.contact =
+        first_contact(mesh_a_, rest_, mesh_b_, motions_[i], options_.settings, &answer.work);
+    if (answer.contact.status == RigidStatus::Hit)
+      answer.pose_b = motions_[i].at(answer.contact.high);
+    if (!options_.certificate.empty() && answer.contact.status == RigidStatus::Free)
+      answer.certificate = write_proof(options_, mesh_a_, rest_, mesh_b_, motions_[i], answer.work);
+    return answer;
+  }
+
+  /// By one thread at a time, in the order of the motions.
+  void tell(MotionAnswer& answer) {
+    const RigidMotion& motion = motions_[answer.number];
+    if (!has_picture_ && answer.contact.status != RigidStatus::Free) {
+      write_picture(options_, {mesh_a_, rest_.start()}, mesh_b_, motion, answer.contact);
+      answer.picture = options_.picture;
+      has_picture_ = true;
+    }
+    if (page_) page_->add(motion, answer.contact);
+    if (answer.number == 0 && !options_.is_json) output_.write(motion_header());
+    output_.write(options_.is_json ? to_json(answer) : to_text(answer));
+    progress_.update(answer.number + 1);
+  }
+
+  const MotionOptions& options_;
+  const Mesh& mesh_a_;
+  const RigidMotion& rest_;
+  const Mesh& mesh_b_;
+  std::span<const RigidMotion> motions_;
+  Output& output_;
+  std::unique_ptr<MotionPage> page_;
+  bool has_picture_ = options_.picture.empty();
+  Progress progress_;
+  Work built_;
+};
+
 ExitCode run_motion(const MotionOptions& options, Output& output) {
   check_files(options);
   const RigidMotion rest(options.pose_a.empty() ? Pose::Identity()
@@ -136,30 +222,7 @@ ExitCode run_motion(const MotionOptions& options, Output& output) {
   check_reach(rest, mesh_a.bounds(), "--pose-a");
   for (std::size_t i = 0; i < motions.size(); ++i)
     check_reach(motions[i], mesh_b.bounds(), ("motion " + std::to_string(i)).c_str());
-  const auto page = page_of(options, mesh_a, rest.start(), mesh_b, motions.size());
-  bool has_picture = options.picture.empty();
-  Progress progress("motions:", motions.size(), {.is_forced = options.has_progress});
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    MotionAnswer answer;
-    answer.number = i;
-    answer.contact =
-        first_contact(mesh_a, rest, mesh_b, motions[i], options.settings, &answer.work);
-    if (answer.contact.status == RigidStatus::Hit)
-      answer.pose_b = motions[i].at(answer.contact.high);
-    if (!options.certificate.empty() && answer.contact.status == RigidStatus::Free)
-      answer.certificate = write_proof(options, mesh_a, rest, mesh_b, motions[i], answer.work);
-    if (!has_picture && answer.contact.status != RigidStatus::Free) {
-      write_picture(options, {mesh_a, rest.start()}, mesh_b, motions[i], answer.contact);
-      answer.picture = options.picture;
-      has_picture = true;
-    }
-    if (page) page->add(motions[i], answer.contact);
-    if (i == 0 && !options.is_json) output.write(motion_header());
-    output.write(options.is_json ? to_json(answer) : to_text(answer));
-    progress.update(i + 1);
-  }
-  if (page) files::write_file(options.page, page->text());
-  return ExitCode::Answered;
+  return MotionRun(options, mesh_a, rest, mesh_b, motions, output).run();
 }
 
 }  // namespace
@@ -205,6 +268,11 @@ void add_motion_command(CLI::App& program, Action& action) {
       ->add_option("--view", options->page, "where to write a page that plays the motions (HTML)")
       ->type_name("FILE")
       ->check(file_name());
+  command
+      ->add_option("--threads", options->threads,
+                   "of a path; 0 (default): as many as there are; no answer depends on it")
+      ->type_name("N")
+      ->check(whole_number(0, kMaxThreads));
   command->add_flag("--json", options->is_json, "one JSON object a motion");
   command->add_flag("--progress", options->has_progress,
                     "report progress on stderr even if it is no terminal");

@@ -22,6 +22,7 @@ namespace {
 
 using cases::json_string;
 using compare::AnswerRecord;
+using compare::SceneComparisonSettings;
 using compare::StepRecord;
 using compare::Verdict;
 using compare::WrongAnswer;
@@ -34,17 +35,40 @@ void check_scene_options(const CompareOptions& options) {
   if (!options.part.empty() || !options.answers.empty()) {
     throw UsageError("--part and --answers belong to two meshes");
   }
-  if (has_poses || options.query != "any" || options.clearance >= 0) {
-    throw UsageError(
-        "of a scene each pair is asked whether it touches: poses and --query belong to two meshes");
+  if (has_poses)
+    throw UsageError("a scene says itself where bodies are: poses belong to two meshes");
+  if (options.query == "any") {
+    if (options.clearance < 0) return;
+    throw UsageError("--clearance belongs to --query within, first_contact and free");
   }
+  if (options.query != "first_contact" && options.query != "free") {
+    throw UsageError(
+        "--query: of a scene each pair is asked any, at each step, or first_contact or free, on "
+        "the way there");
+  }
+}
+
+SceneComparisonSettings settings_of(const CompareOptions& options, const Scene& scene) {
+  SceneComparisonSettings settings{.steps = options.steps.value_or(scene.steps),
+                                   .step = options.step > 0 ? options.step : scene.step,
+                                   .clearance = std::max(options.clearance, 0.0)};
+  if (options.query == "first_contact") settings.ask = Ask::FirstContact;
+  if (options.query == "free") settings.ask = Ask::Free;
+  return settings;
 }
 
 std::string name_of_place(const Scene& scene, std::size_t step, const ScenePair& pair) {
   return fmt::format("{}: {}, {}", step, scene.bodies[pair.a].name, scene.bodies[pair.b].name);
 }
 
+/// From the step before to that of the record; of step 0 a moment.
+compare::TimeSpan span_of(const StepRecord& record, const SceneComparisonSettings& settings) {
+  const std::size_t before = std::max<std::size_t>(record.place, 1) - 1;
+  return {.from = static_cast<double>(before) * settings.step, .to = record.time};
+}
+
 std::vector<WrongAnswer> wrong_of_step(const std::string& file, const Scene& scene,
+                                       const SceneComparisonSettings& settings,
                                        const StepRecord& record) {
   const std::string scene_name = name_part(std::filesystem::path(file).stem().string());
   std::vector<WrongAnswer> wrong;
@@ -52,16 +76,16 @@ std::vector<WrongAnswer> wrong_of_step(const std::string& file, const Scene& sce
     for (const AnswerRecord& answer : difference.answers) {
       if (!answer.is_wrong()) continue;
       const ScenePair& pair = difference.pair;
-      wrong.push_back(
-          {.place = record.place,
-           .where = name_of_place(scene, record.place, pair),
-           .name = fmt::format("{}-{}-any-step{}-{}-{}", scene_name, name_part(answer.engine),
-                               record.place, name_part(scene.bodies[pair.a].name),
-                               name_part(scene.bodies[pair.b].name)),
-           .answer = std::make_shared<const AnswerRecord>(answer),
-           .query = [&scene, pair, time = record.time] {
-             return compare::case_of(scene, pair, time);
-           }});
+      wrong.push_back({.place = record.place,
+                       .where = name_of_place(scene, record.place, pair),
+                       .name = fmt::format("{}-{}-{}-step{}-{}-{}", scene_name,
+                                           name_part(answer.engine), name_of(settings.ask),
+                                           record.place, name_part(scene.bodies[pair.a].name),
+                                           name_part(scene.bodies[pair.b].name)),
+                       .answer = std::make_shared<const AnswerRecord>(answer),
+                       .query = [&scene, &settings, pair, span = span_of(record, settings)] {
+                         return compare::case_of(scene, pair, settings, span);
+                       }});
     }
   }
   return wrong;
@@ -76,7 +100,7 @@ struct Place {
 /// The table of the first differences, as they come.
 class DifferenceRows {
  public:
-  explicit DifferenceRows(const Scene& scene) : scene_(scene) {}
+  DifferenceRows(const Scene& scene, Ask ask) : scene_(scene), table_(table_for(ask)) {}
 
   void add(const Place& at) {
     if (++count_ > kMostDifferences) return;
@@ -105,21 +129,32 @@ class DifferenceRows {
   }
 
  private:
+  static Table table_for(Ask ask) {
+    const bool has_times = ask == Ask::FirstContact;
+    return Table({{"step", 6},
+                  {"a", 12},
+                  {"b", 12},
+                  {"engine", ask == Ask::Any ? 8u : 15u},
+                  {"says", has_times ? 15u : 5u},
+                  {"verdict", 10},
+                  {"truth", 24},
+                  {"why", 13},
+                  {"error (m)", 10}});
+  }
+
   const Scene& scene_;
-  const Table table_{{{"step", 6},
-                      {"a", 12},
-                      {"b", 12},
-                      {"engine", 8},
-                      {"says", 5},
-                      {"verdict", 10},
-                      {"truth", 24},
-                      {"why", 13},
-                      {"error (m)", 10}}};
+  const Table table_;
   std::string rows_;
   std::size_t count_ = 0;
 };
 
-std::string json_of(const Scene& scene, const Place& place) {
+/// Yes or no as a boolean, a first contact in words.
+std::string says_json(const AnswerRecord& answer, Ask ask) {
+  if (ask == Ask::FirstContact) return json_string(answer.brief);
+  return answer.brief == "yes" ? "true" : "false";
+}
+
+std::string json_of(const Scene& scene, const Place& place, Ask ask) {
   const ScenePair& pair = place.difference->pair;
   std::string out =
       fmt::format("{{\"step\":{},\"time\":{},\"a\":{},\"b\":{},\"answers\":[", place.record->place,
@@ -129,7 +164,7 @@ std::string json_of(const Scene& scene, const Place& place) {
   for (const AnswerRecord& answer : place.difference->answers) {
     const compare::Judgement& judgement = answer.judgement;
     out += fmt::format("{}{{\"engine\":{},\"says\":{},\"verdict\":{},\"truth\":{}", separator,
-                       json_string(answer.engine), answer.brief == "yes",
+                       json_string(answer.engine), says_json(answer, ask),
                        json_string(name_of(judgement.verdict)), json_string(judgement.truth));
     if (judgement.verdict == Verdict::Wrong) {
       out += fmt::format(",\"class\":{},\"error\":{},\"ulps\":{}",
@@ -153,18 +188,16 @@ ExitCode run_compare_scene(const CompareOptions& options,
   const Field field(with_managers, options.engines);
   check_before(options, field.engines());
   const Scene scene = read_scene(options.mesh_a, {.mesh_folder = options.mesh_folder});
-  const compare::SceneComparisonSettings settings{.steps = options.steps.value_or(scene.steps),
-                                                  .step = options.step};
-  check_paths(scene, static_cast<double>(settings.steps) *
-                         (settings.step > 0 ? settings.step : scene.step));
+  const SceneComparisonSettings settings = settings_of(options, scene);
+  check_paths(scene, static_cast<double>(settings.steps) * settings.step);
   CompareFindings findings{.title = std::filesystem::path(options.mesh_a).filename().string(),
-                           .question = "any",
+                           .question = options.query,
                            .count = "",
                            .place = "step",
                            .summaries = {},
                            .wrong = wrong_list_of(options, field.engines())};
   Tally tally;
-  DifferenceRows rows(scene);
+  DifferenceRows rows(scene, settings.ask);
   std::size_t questions = 0;
   RecordedJob<StepRecord> job = {.head = compare::head_of(options.mesh_a, scene, settings)};
   job.head.engines = compare::journal_engines(field.engines());
@@ -179,11 +212,11 @@ ExitCode run_compare_scene(const CompareOptions& options,
   job.on_record = [&](const StepRecord& record) {
     questions += record.questions;
     tally.add(record);
-    for (WrongAnswer& wrong : wrong_of_step(options.mesh_a, scene, record))
+    for (WrongAnswer& wrong : wrong_of_step(options.mesh_a, scene, settings, record))
       findings.wrong.add(std::move(wrong));
     for (const compare::SceneDifference& difference : record.differences) {
       rows.add({&record, &difference});
-      if (options.is_json) findings.json += json_of(scene, {&record, &difference});
+      if (options.is_json) findings.json += json_of(scene, {&record, &difference}, settings.ask);
     }
   };
   job.note = [&] { return tally.note(); };

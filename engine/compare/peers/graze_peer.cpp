@@ -1,11 +1,30 @@
 // graze behind the page that every engine has, so that it is asked and judged as the others are.
 
+#include <graze/bvh/error.h>
 #include <graze/engine/cases/answer_case.h>
+#include <graze/engine/cases/motion_case.h>
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/peers/engine.h>
+#include <graze/engine/world/shape_motion.h>
 #include <graze/engine/world/shape_pairs.h>
+
+#include <utility>
 
 namespace graze::compare {
 namespace {
+
+template <typename Placed>
+CaseAnswer answer_about(const Question& question, Placed a, Placed b) {
+  a.course = question.course_a;
+  b.course = question.course_b;
+  return answer_case({.note = "",
+                      .ask = question.ask,
+                      .settings = question.settings,
+                      .a = std::move(a),
+                      .b = std::move(b),
+                      .answer = std::nullopt,
+                      .answered_by = {}});
+}
 
 class GrazePair : public LoadedPair {
  public:
@@ -13,17 +32,7 @@ class GrazePair : public LoadedPair {
 
   std::optional<CaseAnswer> answer(const Question& question, const Pose& pose_a,
                                    const Pose& pose_b) const override {
-    CaseMesh a(mesh_a_, pose_a), b(mesh_b_, pose_b);
-    a.course = question.course_a;
-    b.course = question.course_b;
-    const Case query{.note = "",
-                     .ask = question.ask,
-                     .settings = question.settings,
-                     .a = std::move(a),
-                     .b = std::move(b),
-                     .answer = std::nullopt,
-                     .answered_by = {}};
-    return answer_case(query);
+    return answer_about(question, CaseMesh(mesh_a_, pose_a), CaseMesh(mesh_b_, pose_b));
   }
 
  private:
@@ -40,7 +49,35 @@ class GrazeShapes : public LoadedShapes {
     return graze::intersects({shapes_[shape_a], pose_a}, {shapes_[shape_b], pose_b});
   }
 
+  std::optional<CaseAnswer> answer(const Question& question, const PlacedShape& a,
+                                   const PlacedShape& b) const override {
+    if (cases::is_about_motion(question.ask)) return answer_about_ways(question, a, b);
+    return answer_about(question, CaseBody(shapes_[a.shape], a.pose),
+                        CaseBody(shapes_[b.shape], b.pose));
+  }
+
  private:
+  /// Of height fields as they stand, which a case holds as meshes.
+  std::optional<CaseAnswer> answer_about_ways(const Question& question, const PlacedShape& a,
+                                              const PlacedShape& b) const {
+    const auto motion = [](const PlacedShape& placed, const std::optional<RigidCourse>& course) {
+      return course ? RigidMotion(placed.pose, *course) : RigidMotion(placed.pose);
+    };
+    const RigidMotion motion_a = motion(a, question.course_a);
+    const RigidMotion motion_b = motion(b, question.course_b);
+    const RigidContactSettings settings = contact_settings(question.settings);
+    const Shape &shape_a = shapes_[a.shape], &shape_b = shapes_[b.shape];
+    try {
+      if (question.ask == Ask::FirstContact)
+        return answer_of(first_contact(shape_a, motion_a, shape_b, motion_b, settings));
+      CaseAnswer answer;
+      answer.says = is_free(shape_a, motion_a, shape_b, motion_b, settings);
+      return answer;
+    } catch (const UnsupportedPairError&) {
+      return std::nullopt;
+    }
+  }
+
   std::vector<Shape> shapes_;
 };
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace graze::compare {
@@ -88,12 +89,20 @@ JournalHead head_of(const std::filesystem::path& path, const Scene& scene,
   }
   const double step = settings.step > 0 ? settings.step : scene.step;
   text += json_number(step);
+  std::vector<JournalPart> parts = {{"scene", file_sum},
+                                    {"set of meshes", sha256_of(meshes)},
+                                    {"step of", cases::json_plain_number(step) + " s"}};
+  if (settings.ask != Ask::Any) {
+    std::string question = name_of(settings.ask);
+    if (settings.clearance != 0)
+      question += " " + cases::json_plain_number(settings.clearance) + " m";
+    text += question;
+    parts.insert(parts.begin(), {"question", question});
+  }
   return {.kind = "graze_scene_comparison",
           .unit = "steps",
           .key = sha256_of(text),
-          .parts = {{"scene", file_sum},
-                    {"set of meshes", sha256_of(meshes)},
-                    {"step of", cases::json_plain_number(step) + " s"}},
+          .parts = std::move(parts),
           .places = settings.steps + 1};
 }
 

@@ -12,8 +12,8 @@ namespace graze::compare {
 /// Of two meshes: their content, the poses, the question and its settings.
 JournalHead head_of(const ComparisonJob& job);
 
-/// Of a scene: the file's bytes, its meshes, and the length of a step. Throws SceneError if the
-/// file cannot be read.
+/// Of a scene: the file's bytes, its meshes, the length of a step, and the question if it is about
+/// ways. Throws SceneError if the file cannot be read.
 JournalHead head_of(const std::filesystem::path& file, const Scene& scene,
                     const SceneComparisonSettings& settings);
 

@@ -1,17 +1,16 @@
+#include <graze/engine/cases/text/case_words.h>
 #include <graze/engine/compare/judge/shape_judge.h>
 #include <graze/engine/compare/run/record/time_code.h>
 #include <graze/engine/compare/run/scene_comparison.h>
+#include <graze/engine/compare/run/scene_engine.h>
+#include <graze/engine/compare/run/scene_motions.h>
 #include <graze/engine/compare/run/trial.h>
 #include <graze/engine/files/sha256.h>
 #include <graze/engine/scenes/simulation.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <iterator>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,96 +20,6 @@ namespace graze::compare {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-using IndexPairs = std::span<const std::pair<std::size_t, std::size_t>>;
-
-/// An engine that holds the shapes of a scene, and for confirming what it said a few pairs of them
-/// by themselves, or all again if it looks for pairs itself.
-class SceneEngine {
- public:
-  SceneEngine(const EngineEntry& entry, std::span<const Shape> shapes,
-              std::unique_ptr<LoadedShapes> loaded)
-      : entry_(&entry), shapes_(shapes.begin(), shapes.end()), loaded_(std::move(loaded)) {}
-
-  const EngineEntry& entry() const { return *entry_; }
-  const LoadedShapes& loaded() const { return *loaded_; }
-
-  /// What it says of one of the pairs where nothing else was asked before.
-  Utterance hear_alone(std::span<const PlacedShape> bodies, IndexPairs pairs,
-                       std::size_t place) const {
-    return hear(
-        [&] {
-          const std::optional<bool> says =
-              entry_->engine->answers_scenes()
-                  ? says_of_all(bodies, pairs, place)
-                  : says_of_two(bodies[pairs[place].first], bodies[pairs[place].second]);
-          std::optional<CaseAnswer> answer;
-          if (says) answer.emplace().says = says;
-          return TimedAnswer(std::move(answer));
-        },
-        entry_->name);
-  }
-
- private:
-  std::optional<bool> says_of_two(const PlacedShape& a, const PlacedShape& b) const {
-    const std::shared_ptr<LoadedShapes> alone = load_alone(a.shape, b.shape);
-    return alone ? alone->intersects(0, a.pose, 1, b.pose)
-                 : loaded_->intersects(a.shape, a.pose, b.shape, b.pose);
-  }
-
-  std::optional<bool> says_of_all(std::span<const PlacedShape> bodies, IndexPairs pairs,
-                                  std::size_t place) const {
-    const std::shared_ptr<LoadedShapes> alone = load_all_alone();
-    const ShapesAnswer all = (alone ? *alone : *loaded_).intersect_all(bodies, pairs);
-    if (!all.pairs[place].fault.empty()) throw EngineFailure(all.pairs[place].fault);
-    return all.pairs[place].says;
-  }
-
-  std::shared_ptr<LoadedShapes> load_all_alone() const {
-    const std::lock_guard lock(alone_->mutex);
-    if (alone_->scene) return alone_->scene;
-    const std::unique_ptr<Engine> engine = entry_->engine->alone();
-    if (engine) alone_->scene = engine->load_shapes(shapes_);
-    return alone_->scene;
-  }
-
-  /// Null if the engine needs no such thing.
-  std::shared_ptr<LoadedShapes> load_alone(std::size_t shape_a, std::size_t shape_b) const {
-    constexpr std::size_t kMostKept = 8;  // each is a process
-    const std::lock_guard lock(alone_->mutex);
-    const auto at = alone_->pairs.find({shape_a, shape_b});
-    if (at != alone_->pairs.end()) return at->second;
-    const std::unique_ptr<Engine> engine = entry_->engine->alone();
-    if (!engine) return nullptr;
-    const std::array<Shape, 2> shapes = {shapes_[shape_a], shapes_[shape_b]};
-    if (alone_->pairs.size() == kMostKept) alone_->pairs.clear();
-    return alone_->pairs[{shape_a, shape_b}] = engine->load_shapes(shapes);
-  }
-
-  struct Alone {
-    std::mutex mutex;
-    std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<LoadedShapes>> pairs;
-    std::shared_ptr<LoadedShapes> scene;
-  };
-
-  const EngineEntry* entry_;
-  std::vector<Shape> shapes_;
-  std::unique_ptr<LoadedShapes> loaded_;
-  std::unique_ptr<Alone> alone_ = std::make_unique<Alone>();
-};
-
-std::vector<SceneEngine> load_all(const Scene& scene, std::span<const EngineEntry> engines) {
-  std::vector<Shape> shapes;
-  for (const SceneShape& shape : scene.shapes)
-    shapes.push_back(shape.shape);
-  std::vector<SceneEngine> loaded;
-  for (const EngineEntry& entry : engines) {
-    if (entry.engine == nullptr) continue;
-    std::unique_ptr<LoadedShapes> its = entry.engine->load_shapes(shapes);
-    if (its) loaded.emplace_back(entry, shapes, std::move(its));
-  }
-  return loaded;
-}
 
 const char* brief_of(bool says) {
   return says ? "yes" : "no";
@@ -319,12 +228,11 @@ class SteppedWorld {
 void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
                    const SceneComparisonSettings& settings, const PlaceRange& range,
                    const std::function<bool(std::vector<StepRecord>)>& on_records) {
-  for (const SceneBody& body : scene.bodies) {
-    if (body.parts.empty()) continue;
-    throw UnsupportedPairError("body \"" + body.name +
-                               "\" has parts: other engines are asked about single shapes");
+  if (cases::is_about_motion(settings.ask)) {
+    compare_scene_motions(scene, engines, settings, range, on_records);
+    return;
   }
-  const std::vector<SceneEngine> loaded = load_all(scene, engines);
+  const std::vector<SceneEngine> loaded = load_scene(scene, engines, settings.ask);
   const std::vector<ScenePair> meeting = meeting_pairs(scene);
   SteppedWorld world(scene, settings);
   PlaceRange one_by_one = range;
@@ -335,26 +243,6 @@ void compare_scene(const Scene& scene, std::span<const EngineEntry> engines,
         return StepTrial(scene, loaded, std::move(step)).run(meeting);
       },
       on_records);
-}
-
-Case case_of(const Scene& scene, const ScenePair& pair, double time) {
-  const auto shape_of = [&](std::size_t body) -> const Shape& {
-    return scene.shapes[scene.bodies[body].shape].shape;
-  };
-  const bool are_meshes =
-      shape_of(pair.a).kind() == ShapeKind::Mesh && shape_of(pair.b).kind() == ShapeKind::Mesh;
-  const auto placed = [&](std::size_t body) -> CaseShape {
-    const Pose pose = pose_at(scene.bodies[body], time);
-    if (are_meshes) return CaseMesh(*shape_of(body).as<Mesh>(), pose);
-    return CaseBody(shape_of(body), pose);
-  };
-  return {.note = "",
-          .ask = Ask::Any,
-          .settings = {},
-          .a = placed(pair.a),
-          .b = placed(pair.b),
-          .answer = std::nullopt,
-          .answered_by = {}};
 }
 
 }  // namespace graze::compare

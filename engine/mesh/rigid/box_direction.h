@@ -6,9 +6,37 @@
 
 namespace graze {
 
-/// Finds the axis along which two boxes are furthest apart. False if none has them further apart
-/// than so many metres.
-bool find_direction(const PlacedBodies& placed, const BodyBox& a, const BodyBox& b, double limit,
-                    ApartDirection& direction);
+/// Looks for an axis along which two boxes are far apart: first among the normals of their faces,
+/// which are enough for most, then among the cross products of their edges.
+class AxisSearch {
+ public:
+  /// Nothing counts that has them no further apart than so many metres, at least 0. What is given
+  /// must outlive this.
+  AxisSearch(const PlacedBodies& placed, const BodyBox& a, const BodyBox& b, double limit);
+
+  /// The best of the normals; false if there is none.
+  bool try_faces(ApartDirection& direction);
+
+  /// The best of the cross products; false if none is better than all normals.
+  bool try_edges(ApartDirection& direction);
+
+ private:
+  void take(double distance, double radius, double square, int of_a, int of_b);
+  void set_direction(ApartDirection& direction) const;
+
+  const PlacedBodies& placed_;
+  const BodyBox& box_a_;
+  const BodyBox& box_b_;
+  // Both boxes along the axes of the first.
+  double rotation_[3][3];
+  double size_[3][3];
+  double offset_[3];
+  bool holds_centre_ = true;  ///< A that of B: then no axis has them apart
+  // The axis that is best so far.
+  double gap_;
+  double along_ = 0;  ///< of the centres
+  int i_ = -1;        ///< 0 to 2 of A, -1 for none
+  int j_ = -1;        ///< of B
+};
 
 }  // namespace graze

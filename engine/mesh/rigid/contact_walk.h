@@ -8,6 +8,8 @@
 #include <graze/engine/mesh/triangle_pairs.h>
 #include <graze/engine/work.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace graze {
@@ -20,7 +22,13 @@ class ContactWalk {
   enum class End { AtAny, AtFirst };
 
   ContactWalk(MovingPair& pair, End end, std::uint64_t budget, Work& work)
-      : pair_(pair), end_(end), low_(pair.grid().end()), budget_(budget), work_(work) {}
+      : pair_(pair),
+        end_(end),
+        low_(pair.grid().end()),
+        budget_(budget),
+        boxes_a_(pair.a()),
+        boxes_b_(pair.b()),
+        work_(work) {}
 
   /// Has the walk tell each of its steps to `record`, which outlives it.
   void record_in(FreedomRecord& record) { record_ = &record; }
@@ -50,9 +58,34 @@ class ContactWalk {
 
   void visit(const Visit& visit);
   void open(const Visit& visit, const TimeSpan& span, const BodyBox& box_a, const BodyBox& box_b);
+  /// Whether two nodes are opened at once: boxes of much the same size.
+  bool are_both_opened(const bvh::Node& a, const bvh::Node& b, double size_a, double size_b) const;
   void visit_leaves(const Visit& visit);
   void decide(TrianglePair of_bodies, const DirectedCell& whole);
   void find_near(std::uint64_t time);
+
+  /// The last boxes of nodes of one body: most visits come upon one that was there just before.
+  class RecentBoxes {
+   public:
+    explicit RecentBoxes(const MovingBody& body) : body_(body) { nodes_.fill(kNone); }
+    /// Valid until the next call.
+    const BodyBox& of(std::uint32_t node) {
+      const std::size_t place = node % kPlaces;
+      if (nodes_[place] != node) {
+        nodes_[place] = node;
+        boxes_[place] = body_.box(node);
+      }
+      return boxes_[place];
+    }
+
+   private:
+    static constexpr std::size_t kPlaces = 64;
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+    const MovingBody& body_;
+    std::array<std::uint32_t, kPlaces> nodes_;
+    std::array<BodyBox, kPlaces> boxes_;
+  };
 
   /// What of a cell is still to be proved.
   TimeSpan before_low(const TimeCell& cell) const;
@@ -69,6 +102,8 @@ class ContactWalk {
   std::uint64_t budget_;
   bool is_out_of_budget_ = false;
   FreedomRecord* record_ = nullptr;
+  RecentBoxes boxes_a_;
+  RecentBoxes boxes_b_;
   Work& work_;
 };
 

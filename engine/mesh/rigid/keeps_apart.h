@@ -79,8 +79,9 @@ double bulge(MovingPair& pair, const TimeSpan& span, const ApartDirection& direc
 template <typename Part>
 Apart keeps_apart(MovingPair& pair, const TimeSpan& span, const ApartDirection& direction,
                   const Part& a, const Part& b) {
-  const double gap = std::min(gap_along(pair.at(span.first), direction, a, b),
-                              gap_along(pair.at(span.last), direction, a, b));
+  const double at_first = gap_along(pair.at(span.first), direction, a, b);
+  if (!(at_first > pair.sure_limit())) return Apart::Unsure;  // half of all: no look at the other
+  const double gap = std::min(at_first, gap_along(pair.at(span.last), direction, a, b));
   const double spare = gap - pair.sure_limit();
   if (!(spare > 0)) return Apart::Unsure;
   const double length = pair.grid().length(span);

@@ -41,11 +41,48 @@ TEST_F(CliCompareScene, BroadPhasesTakePart) {
   EXPECT_NE(meshes.err.find("there is no engine \"fcl-sap\""), std::string::npos) << meshes.err;
 }
 
+/// A pellet that flies twelve metres a step meets a pane of glass, which only who looks between
+/// steps sees.
+TEST_F(CliCompareScene, WhomBodiesMeetOnTheirWays) {
+  const std::string fast = GRAZE_DATA_DIR "/scenes/fast.json";
+  const CommandResult result = graze({"compare", fast, "--json", "--steps", "3", "--query",
+                                      "first_contact", "--engines", "graze", "--save", "base"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::vector<std::string> lines = lines_of(result.out);
+  std::size_t seen = 0;
+  for (const std::string& line : lines) {
+    const auto each = nlohmann::json::parse(line);
+    if (!each.contains("step") || each["a"] != "pane") continue;
+    ++seen;
+    EXPECT_EQ(each["b"], "pellet");
+    EXPECT_EQ(each["step"], 2);
+    for (const auto& answer : each["answers"])
+      EXPECT_EQ(answer["says"], "hit at 0.333") << answer;
+  }
+  EXPECT_EQ(seen, 1u) << result.out;
+  const auto summary = nlohmann::json::parse(lines.back())["summary"];
+  EXPECT_EQ(summary.at(0)["engine"], "world");
+  EXPECT_GT(summary.at(0)["right"], 0);
+  EXPECT_EQ(summary.at(0)["wrong"], 0);
+  EXPECT_EQ(summary.at(1)["wrong"], 0);
+  const CommandResult again =
+      graze({"compare", fast, "--steps", "3", "--query", "first_contact", "--engines", "graze",
+             "--against", "base", "--time-tolerance", "1e9"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const CommandResult other = graze({"compare", fast, "--steps", "3", "--query", "free",
+                                     "--engines", "graze", "--against", "base"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("question"), std::string::npos) << other.err;
+}
+
 TEST_F(CliCompareScene, BadInputIsRefused) {
-  expect_refusal(
-      {"compare", kScene, "--random", "3"},
-      "graze: of a scene each pair is asked whether it touches: poses and --query belong "
-      "to two meshes");
+  expect_refusal({"compare", kScene, "--random", "3"},
+                 "graze: a scene says itself where bodies are: poses belong to two meshes");
+  expect_refusal({"compare", kScene, "--query", "distance"},
+                 "graze: --query: of a scene each pair is asked any, at each step, or "
+                 "first_contact or free, on the way there");
+  expect_refusal({"compare", kScene, "--clearance", "1"},
+                 "graze: --clearance belongs to --query within, first_contact and free");
   write("bad.json", "{\"graze_scene\": 3}");
   expect_refusal({"compare", "bad.json"},
                  "graze: bad.json:1: /graze_scene: is version 3; this program reads 1");
@@ -53,10 +90,8 @@ TEST_F(CliCompareScene, BadInputIsRefused) {
   EXPECT_EQ(nobody.exit_code, 2);
   EXPECT_NE(nobody.err.find("there is no engine \"nobody\", but graze, "), std::string::npos)
       << nobody.err;
-  expect_refusal(
-      {"compare", kScene, "--seed", "3"},
-      "graze: of a scene each pair is asked whether it touches: poses and --query belong "
-      "to two meshes");
+  expect_refusal({"compare", kScene, "--seed", "3"},
+                 "graze: a scene says itself where bodies are: poses belong to two meshes");
   for (const std::string option : {"--steps", "--keep", "--threads", "--seed"}) {
     const CommandResult result = graze({"compare", kScene, option, "010"});
     EXPECT_EQ(result.exit_code, 2) << option;

@@ -102,6 +102,39 @@ TEST_F(CliMotion, APathIsAskedStretchByStretch) {
   EXPECT_NE(lines[3].find("hit"), std::string::npos) << lines[3];
 }
 
+/// Also the counts of what each stretch did: trees are built for the first.
+TEST_F(CliMotion, NothingDependsOnThreads) {
+  std::string path;
+  for (int i = 0; i < 14; ++i)
+    path += kApart + "\n" + kAbove + "\n" + kBehind + "\n";
+  write("path.txt", path);
+  const auto told = [&](const std::string& threads) {
+    return json_of("motion",
+                   {"--path", "path.txt", "--threads", threads, "--picture", threads + ".svg"});
+  };
+  const std::string one = told("1");
+  const std::vector<std::string> lines = lines_of(one);
+  ASSERT_EQ(lines.size(), 41u);
+  std::size_t free = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Json answer = Json::parse(lines[i]);
+    EXPECT_EQ(answer["motion"], i);
+    EXPECT_EQ(answer["work"]["trees_built"], i == 0 ? 4 : 0) << lines[i];
+    free += answer["answer"] == "free";
+  }
+  EXPECT_EQ(free, 28u);  // from behind the way back leads through
+  const auto without_name = [](std::string text, const std::string& name) {
+    const std::size_t at = text.find(name);
+    return at == text.npos ? text : text.erase(at, name.size());
+  };
+  for (const char* threads : {"2", "5", "0"}) {
+    EXPECT_EQ(without_name(told(threads), std::string(threads) + ".svg"),
+              without_name(one, "1.svg"));
+    EXPECT_EQ(text_of((std::string(threads) + ".svg").c_str()), text_of("1.svg"));
+  }
+  EXPECT_EQ(motion({"--path", "path.txt", "--threads", "-1"}).exit_code, 2);
+}
+
 TEST_F(CliMotion, ABudgetThatEndsIsToldAndNothingIsCalledFree) {
   const Json answer = json({"--from", kApart, "--to", kBehind, "--budget", "1"});
   EXPECT_EQ(answer["answer"], "close");
