@@ -19,7 +19,8 @@ struct JudgeSettings {
 /// what tolerance. Two bodies are ShapeJudge's, and what else is said of them is looked at
 /// likewise. A distance is right within law 7's four ulp if graze says so, and for other engines,
 /// which promise nothing, within kTouchUlps of the largest coordinate; a negative one of theirs
-/// claims a touch, and is judged as that alone: NotJudged, unless it is -1.
+/// claims a touch, and is judged as that alone: NotJudged, unless it is -1 or, of two convex
+/// shapes, the least depth.
 class Judge {
  public:
   /// The case must outlive the judge.

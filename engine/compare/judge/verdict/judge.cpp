@@ -34,10 +34,17 @@ bool has_no_least_depth(const PlacedBody& a, const PlacedBody& b) {
 }
 
 PartsReview review_distance_or_contacts(const PlacedBody& a, const PlacedBody& b, const Case& query,
-                                        const CaseAnswer& answer, bool is_graze) {
+                                        const CaseAnswer& answer, bool is_graze,
+                                        std::string& truth) {
   if (query.ask == Ask::Distance) return review_distance(a, b, answer, is_graze);
-  return is_graze ? review_manifold(a, b, *answer.manifold)
-                  : review_others_contacts(a, b, *answer.manifold);
+  return is_graze ? review_manifold(a, b, *answer.manifold, truth)
+                  : review_others_contacts(a, b, *answer.manifold, truth);
+}
+
+/// Small errors are of tolerance, whatever was found.
+ErrorClass class_of(const ShapeJudge& judge, const Judgement& judgement) {
+  const ErrorClass by_size = judge.class_of(judgement.error);
+  return by_size == ErrorClass::Real ? judgement.error_class : by_size;
 }
 
 /// Whether they meet, and if that is right or not judged, what else is said of them.
@@ -62,7 +69,7 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
           "not judged: a way out of which the library says that it may not be the least";
     }
     judgement.ulps = judgement.error / judge.ulp();
-    judgement.error_class = judge.class_of(judgement.error);
+    judgement.error_class = class_of(judge, judgement);
     return judgement;
   }
   const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
@@ -70,11 +77,11 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
   const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;
   Judgement judgement = judge.judge(says, witness, settings);
   if (judgement.verdict == Verdict::Wrong) return judgement;
-  PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze);
+  PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze, judgement.truth);
   const bool is_excused = review.fault && is_of_contacts && is_graze && has_no_least_depth(a, b);
   if (is_excused) review = {.unjudged = "contacts whose least depth the library did not find"};
   add_review(judgement, review, judge.ulp());
-  if (judgement.verdict == Verdict::Wrong) judgement.error_class = judge.class_of(judgement.error);
+  if (judgement.verdict == Verdict::Wrong) judgement.error_class = class_of(judge, judgement);
   return judgement;
 }
 
@@ -126,8 +133,8 @@ const char* name_of(Verdict verdict) {
 }
 
 const char* name_of(ErrorClass error_class) {
-  constexpr std::array kNames = {"touching",    "pose rounding", "coplanar",    "degenerate",
-                                 "containment", "real",          "engine error"};
+  constexpr std::array kNames = {"touching",  "pose rounding", "coplanar", "degenerate",
+                                 "not least", "containment",   "real",     "engine error"};
   return kNames[static_cast<std::size_t>(error_class)];
 }
 
