@@ -49,11 +49,11 @@ ErrorClass class_of(const ShapeJudge& judge, const Judgement& judgement) {
 
 /// Whether they meet, and if that is right or not judged, what else is said of them.
 Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAnswer& answer,
-                       const CaseWitness& witness, const JudgeSettings& settings) {
+                       const CaseWitness& witness) {
   const BodyCase pair = *as_bodies(query);
   const PlacedBody a{pair.a.shape, pair.a.pose};
   const PlacedBody b{pair.b.shape, pair.b.pose};
-  if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness, settings);
+  if (query.ask == Ask::Any && answer.says) return judge.judge(*answer.says, witness);
   const bool is_graze = witness.engine == "graze";
   if (query.ask == Ask::Within && answer.says) {
     Judgement judgement = judge_within(a, b, judge.is_hit(), query, *answer.says, is_graze);
@@ -75,7 +75,7 @@ Judgement judge_bodies(const ShapeJudge& judge, const Case& query, const CaseAns
   const bool is_of_contacts = query.ask == Ask::Contacts && answer.manifold;
   if (!is_of_contacts && query.ask != Ask::Distance) return {};
   const bool says = is_of_contacts ? !answer.manifold->empty() : *answer.distance <= 0;
-  Judgement judgement = judge.judge(says, witness, settings);
+  Judgement judgement = judge.judge(says, witness);
   if (judgement.verdict == Verdict::Wrong) return judgement;
   PartsReview review = review_distance_or_contacts(a, b, query, answer, is_graze, judgement.truth);
   const bool is_excused = review.fault && is_of_contacts && is_graze && has_no_least_depth(a, b);
@@ -109,8 +109,7 @@ struct Judge::Truth {
 Judge::Judge(const Case& query) : truth_(std::make_unique<Truth>(query)) {}
 Judge::~Judge() = default;
 
-Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
-                       const JudgeSettings& settings) const {
+Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness) const {
   const bool is_graze = witness.engine == "graze";
   const Case& query = truth_->query;
   if (const std::optional<std::string> fault = fault_of_answer(query, answer)) {
@@ -122,9 +121,9 @@ Judgement Judge::judge(const CaseAnswer& answer, const CaseWitness& witness,
   }
   if (query.ask == Ask::Contains) return judge_contains(query, *answer.says);
   if (truth_->motions) return truth_->motions->judge(answer, is_graze);
-  if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness, settings);
+  if (truth_->bodies) return judge_bodies(*truth_->bodies, query, answer, witness);
   if (!truth_->meshes) return judge_volumes(query, answer, is_graze);
-  return truth_->meshes->judge(answer, witness, settings);
+  return truth_->meshes->judge(answer, witness);
 }
 
 const char* name_of(Verdict verdict) {
